@@ -1,0 +1,57 @@
+# cmake -DROOT=<source folder> -P CheckArchitecture.cmake
+#
+# Fails where a library includes what its folder must not know. The include paths already hide the
+# other folders; system headers are on every path, so only reading the lines can keep YAML, files and
+# integrators out of the physics.
+cmake_minimum_required(VERSION 3.25)
+
+set(input_output "iostream|fstream|filesystem|cstdio|stdio\\.h|ostream|istream")
+set(numerics "Eigen/.+|boost/math/.+")
+# A standard header has neither folder nor suffix.
+set(standard "[a-z_]+")
+
+set(own_gearset "gearset/.+")
+set(foreign_gearset "${numerics}|${standard}")
+set(own_bearing "bearing/.+")
+set(foreign_bearing "${numerics}|${standard}")
+set(own_coupling "(gearset|bearing|coupling)/.+")
+set(foreign_coupling "${numerics}|${standard}|(oneapi/)?tbb/.+|nlopt\\.hpp")
+set(foreign_coupling/integration "${foreign_coupling}|boost/numeric/odeint(/.+|\\.hpp)")
+
+set(mistakes "")
+
+function(check_file folder file)
+  set(foreign "${foreign_${folder}}")
+  cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${ROOT}" OUTPUT_VARIABLE place)
+  if(place MATCHES "^coupling/integration/")
+    set(foreign "${foreign_coupling/integration}")
+  endif()
+  file(STRINGS "${file}" lines REGEX "^[ \t]*#[ \t]*include")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "include[ \t]*\"([^\"]*)\"")
+      if(NOT CMAKE_MATCH_1 MATCHES "^(${own_${folder}})$")
+        list(APPEND mistakes "${place}: \"${CMAKE_MATCH_1}\" is not a header that ${folder} may know; written from the root: ${own_${folder}}")
+      endif()
+    elseif(line MATCHES "include[ \t]*<([^>]*)>")
+      set(header "${CMAKE_MATCH_1}")
+      if(header MATCHES "^(${input_output})$" OR NOT header MATCHES "^(${foreign})$")
+        list(APPEND mistakes "${place}: <${header}> is not for ${folder}")
+      endif()
+    else()
+      list(APPEND mistakes "${place}: an include that names no header: ${line}")
+    endif()
+  endforeach()
+  set(mistakes "${mistakes}" PARENT_SCOPE)
+endfunction()
+
+foreach(folder IN ITEMS gearset bearing coupling)
+  file(GLOB_RECURSE files "${ROOT}/${folder}/*.hpp" "${ROOT}/${folder}/*.cpp")
+  foreach(file IN LISTS files)
+    check_file(${folder} "${file}")
+  endforeach()
+endforeach()
+
+if(mistakes)
+  list(JOIN mistakes "\n  " text)
+  message(FATAL_ERROR "Forbidden includes:\n  ${text}")
+endif()

@@ -1,0 +1,34 @@
+# Installation: libraries, headers, CMake package, program, cases and Python package.
+include(CMakePackageConfigHelpers)
+
+set(orbearing_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Orbearing")
+set(orbearing_data_dir "${CMAKE_INSTALL_DATADIR}/orbearing")
+
+install(TARGETS orbearing_gearset orbearing_bearing orbearing_coupling
+        EXPORT OrbearingTargets
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+foreach(folder IN ITEMS gearset bearing coupling)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}"
+          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/orbearing"
+          FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+
+install(EXPORT OrbearingTargets NAMESPACE orbearing:: DESTINATION "${orbearing_package_dir}")
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/OrbearingConfig.cmake.in" "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
+  INSTALL_DESTINATION "${orbearing_package_dir}")
+# Below 1.0 a minor version may change an interface.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
+              "${PROJECT_BINARY_DIR}/OrbearingConfigVersion.cmake"
+        DESTINATION "${orbearing_package_dir}")
+
+if(TARGET orbearing)
+  install(TARGETS orbearing RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.css")
+endif()
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/REFERENCES.md"
+        DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,0 +1,41 @@
+# Targets whose include path holds exactly the folders they may depend on.
+#
+# Headers are included from the repository root ("bearing/life.hpp"). Putting the root itself on the
+# include path would let every folder see every other, so each library gets a view of the tree that
+# holds its own folder alone: build/view/<folder>/<folder> -> <folder>.
+
+function(orbearing_view folder)
+  set(view "${PROJECT_BINARY_DIR}/view/${folder}")
+  file(MAKE_DIRECTORY "${view}")
+  file(CREATE_LINK "${PROJECT_SOURCE_DIR}/${folder}" "${view}/${folder}" SYMBOLIC)
+  set(ORBEARING_VIEW "${view}" PARENT_SCOPE)
+endfunction()
+
+function(orbearing_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wshadow -Wconversion -Wpedantic
+    # Members that a designated initialiser leaves out keep the default that stands in the class.
+    -Wno-missing-field-initializers
+    # g++ 12 sees overlaps in std::string's own code (GCC bug 105651).
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+    # The same bits on every machine of an instruction set: no contraction of a*b+c behind our back.
+    -ffp-contract=off
+    $<$<BOOL:${ORBEARING_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# orbearing_library(<folder> SOURCES ... DEPENDS ...): the library orbearing_<folder>, alias orbearing::<folder>.
+function(orbearing_library folder)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target orbearing_${folder})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(orbearing::${folder} ALIAS ${target})
+  orbearing_view(${folder})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${ORBEARING_VIEW}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/orbearing>)
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+  orbearing_compile_options(${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder})
+endfunction()
