@@ -1,0 +1,149 @@
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "gearset/checks.hpp"
+#include "gearset/message.hpp"
+
+namespace orbearing::gearset {
+
+namespace {
+
+// Beyond these a shift is a slip of the pen: the rack would cut no usable tooth.
+constexpr double largest_shift = 2.0;                                       // [module]
+constexpr double largest_pressure_angle = 45.0 * std::numbers::pi / 180.0;  // [rad]
+
+std::string found(double value, const std::string& required) {
+  return "found " + decimal(value, 4) + "; " + required;
+}
+
+void check_count(int value, const char* place, Warnings& problems) {
+  if (value > 0) return;
+  problems.push_back(
+      {place, "found " + std::to_string(value) + "; a whole number of at least 1 is required"});
+}
+
+void check_positive(double value, const char* place, Warnings& problems) {
+  if (value > 0.0 && std::isfinite(value)) return;
+  problems.push_back({place, "a positive, finite value is required"});
+}
+
+void check_shift(double shift, const char* place, Warnings& problems) {
+  if (std::abs(shift) <= largest_shift) return;
+  problems.push_back({place, found(shift, "a profile shift between -2 and 2 modules is required")});
+}
+
+void check_fillet(const BasicRack& rack, Warnings& problems) {
+  const double tangent = std::tan(rack.pressure_angle);
+  const double half_tip = std::numbers::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
+  const double largest = half_tip / (1.0 / std::cos(rack.pressure_angle) - tangent);
+  if (largest <= 0.0) {
+    problems.push_back({"gearset.addendum", found(rack.addendum,
+                                                  "the rack's teeth end in a point; a smaller "
+                                                  "addendum or pressure angle is required")});
+  } else if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= largest)) {
+    problems.push_back({"gearset.root_fillet_radius",
+                        found(rack.root_fillet_radius,
+                              "from 0 to " + decimal(largest, 4) + " module fits on the rack's tip")});
+  }
+}
+
+void check_rack(const BasicRack& rack, Warnings& problems) {
+  if (!(rack.pressure_angle > 0.0 && rack.pressure_angle < largest_pressure_angle)) {
+    problems.push_back({"gearset.pressure_angle", "an angle between 0 and 45 deg is required"});
+    return;
+  }
+  check_positive(rack.addendum, "gearset.addendum", problems);
+  if (!(rack.clearance >= 0.0 && std::isfinite(rack.clearance))) {
+    problems.push_back({"gearset.clearance", "a bottom clearance that is not negative is required"});
+  }
+  check_fillet(rack, problems);
+}
+
+Warnings single_value_problems(const PlanetarySet& set) {
+  Warnings problems;
+  check_count(set.sun_teeth, "gearset.teeth.sun", problems);
+  check_count(set.planet_teeth, "gearset.teeth.planet", problems);
+  check_count(set.ring_teeth, "gearset.teeth.ring", problems);
+  check_count(set.planets, "gearset.planets", problems);
+  check_positive(set.module, "gearset.module", problems);
+  check_positive(set.face_width, "gearset.face_width", problems);
+  check_shift(set.sun_shift, "gearset.profile_shift.sun", problems);
+  check_shift(set.ring_shift, "gearset.profile_shift.ring", problems);
+  check_rack(set.rack, problems);
+  return problems;
+}
+
+// Equally spaced planets find their tooth spaces only if a step of 1/N of a turn moves whole teeth. Eq. (23).
+void check_equal_spacing(const PlanetarySet& set, Warnings& problems) {
+  const int sum = set.sun_teeth + set.ring_teeth;
+  if (sum % set.planets == 0) return;
+  problems.push_back({"gearset.planets",
+                      "found " + std::to_string(set.planets) +
+                          " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
+                          " is required; change the number of planets or the teeth"});
+}
+
+// Eq. (24).
+void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
+  if (set.planets < 2) return;
+  const double pitch = 2.0 * geometry.centre_distance * std::sin(std::numbers::pi / set.planets);
+  const double tip_diameter = 2.0 * geometry.planet.tip_radius;
+  if (tip_diameter < pitch) return;
+  problems.push_back({"gearset.planets", "found planets with a tip diameter of " + millimetres(tip_diameter) +
+                                             " whose axes lie " + millimetres(pitch) +
+                                             " apart; neighbours must not touch; take fewer planets"});
+}
+
+void check_rim(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
+  const double root_diameter = 2.0 * geometry.planet.root_radius;
+  if (set.planet_bore >= 0.0 && set.planet_bore < root_diameter) return;
+  problems.push_back({"bearing.outside_diameter",
+                      "found a planet bore of " + millimetres(set.planet_bore) +
+                          "; less than the planet's root diameter " + millimetres(root_diameter) +
+                          " is required; take a smaller bearing or a larger module"});
+}
+
+void check_pointed(double tip_half_angle, const std::string& gear, Warnings& problems) {
+  if (tip_half_angle > 0.0) return;
+  problems.push_back({"gearset.profile_shift", "found flanks that cross before the tip circle of the " +
+                                                   gear +
+                                                   "; a tooth with a tip is required; lower the shift or the "
+                                                   "addendum"});
+}
+
+void check_reach(const MeshGeometry& mesh, const std::string& name, Warnings& problems) {
+  if (mesh.path.length() > 0.0) return;
+  problems.push_back(
+      {"gearset.profile_shift",
+       "found no path of contact in the " + name +
+           " mesh; teeth that reach each other are required; change the shifts of sun and ring"});
+}
+
+void check_geometry(const PlanetarySet& set, Warnings& problems) {
+  const WorkingGeometry geometry = working_geometry(set);
+  check_neighbours(set, geometry, problems);
+  check_rim(set, geometry, problems);
+  check_pointed(half_thickness_angle(geometry.sun, geometry.sun.tip_radius), "sun", problems);
+  check_pointed(half_thickness_angle(geometry.planet, geometry.planet.tip_radius), "planet", problems);
+  check_pointed(half_thickness_angle(geometry.ring, geometry.ring.tip_radius), "ring", problems);
+  check_reach(geometry.sun_mesh, "sun", problems);
+  check_reach(geometry.ring_mesh, "ring", problems);
+}
+
+}  // namespace
+
+Warnings assembly_problems(const PlanetarySet& set) {
+  Warnings problems = single_value_problems(set);
+  if (!problems.empty()) return problems;
+  check_equal_spacing(set, problems);
+  try {
+    check_geometry(set, problems);
+  } catch (const std::domain_error& error) {
+    problems.push_back({"gearset.profile_shift", error.what()});
+  }
+  return problems;
+}
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,24 @@
+// Whether a set can be assembled, and whether its teeth are sound.
+#pragma once
+
+#include "gearset/parameters.hpp"
+#include "gearset/warning.hpp"
+#include "gearset/working_geometry.hpp"
+
+namespace orbearing::gearset {
+
+/// Reasons why the set cannot be built; empty if it can. Each names what was found, what is required and a
+/// remedy.
+Warnings assembly_problems(const PlanetarySet& set);
+
+/// Faults of a set that runs all the same: undercut, and ends of teeth that reach where there is no involute.
+Warnings tooth_warnings(const WorkingGeometry& geometry);
+
+/// Room between planet and ring teeth where their tip circles cross, outside the path of contact. Eq. (25) of
+/// gearset/README.md.
+/// @return [m] along the ring's tip circle; negative where the tips foul each other; the ring's tip radius
+/// where the
+///         circles do not cross
+double ring_tip_clearance(const WorkingGeometry& geometry);
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,33 @@
+// Speeds and torques of the members of one set, by Willis' equation and the balance of power.
+#pragma once
+
+#include "gearset/parameters.hpp"
+
+namespace orbearing::gearset {
+
+/// Angular speeds, all in one sense of rotation, in which the carrier does not turn backwards.
+struct Speeds {
+  double sun = 0.0;              // [rad/s]  relative to the housing
+  double ring = 0.0;             // [rad/s]
+  double carrier = 0.0;          // [rad/s]  never negative
+  double planet_relative = 0.0;  // [rad/s]  of the planet about its own axis, relative to the carrier
+};
+
+/// External torques on the members, positive in the sense of positive speed.
+struct Torques {
+  double sun = 0.0;      // [N m]
+  double ring = 0.0;     // [N m]
+  double carrier = 0.0;  // [N m]
+};
+
+/// Speeds when `drive.member` turns at drive.speed and the fixed member stands. Eqs. (15) and (16) of
+/// gearset/README.md.
+/// @throws std::invalid_argument if the driven member is the fixed one, or its speed is not positive and
+/// finite
+Speeds member_speeds(const PlanetarySet& set, const Drive& drive);
+
+/// Torques that carry the power drive.power through the set without loss. Eq. (17) of gearset/README.md.
+/// @throws std::invalid_argument as member_speeds, and if the power is not positive and finite
+Torques member_torques(const PlanetarySet& set, const Drive& drive);
+
+}  // namespace orbearing::gearset

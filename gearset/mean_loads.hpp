@@ -1,0 +1,37 @@
+// Mean speeds, torques and tooth forces of one set under steady power.
+#pragma once
+
+#include "gearset/parameters.hpp"
+#include "gearset/working_geometry.hpp"
+
+namespace orbearing::gearset {
+
+/// Loads shared equally by all planets, without friction. Frame of a planet: x outward from the sun's axis, y
+/// in the direction of carrier rotation.
+struct MeanLoads {
+  double sun_speed = 0.0;      // [rad/s]
+  double ring_speed = 0.0;     // [rad/s]
+  double carrier_speed = 0.0;  // [rad/s]  never negative
+  double planet_speed_relative =
+      0.0;                      // [rad/s]  relative to the carrier; negative when the sun outruns the carrier
+  double sun_torque = 0.0;      // [N m]    external, on the member
+  double ring_torque = 0.0;     // [N m]
+  double carrier_torque = 0.0;  // [N m]
+  double normal_force = 0.0;    // [N]      of one mesh of one planet; equal at sun and ring, not negative
+  double tangential_force =
+      0.0;  // [N]      y, on one planet, both meshes; positive when the planet pulls the carrier on
+  double radial_force = 0.0;  // [N]      x, on one planet, both meshes; positive outward
+};
+
+/// Mean loads of the set. Eqs. (15) to (20) of gearset/README.md.
+/// @throws std::invalid_argument if power or speed is not positive, or the driven member is fixed
+MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive);
+
+/// Tangential load that the carrier's torque puts on one planet: the mean load of its bearings together.
+/// @param carrier_torque  [N m]
+/// @param planets         number of planets sharing it equally
+/// @param centre_distance [m]
+/// @return [N]
+double planet_tangential_load(double carrier_torque, int planets, double centre_distance);
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,82 @@
+#include "gearset/planet_body.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "gearset/involute.hpp"
+
+namespace orbearing::gearset {
+
+namespace {
+
+// A thin ring sector of half angle psi at radius r has area 2 psi r dr and polar moment 2 psi r^3 dr.
+template <typename HalfAngle>
+SectionMoments integrate(const HalfAngle& radius_half_angle_and_measure, double begin, double end) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  constexpr unsigned max_depth = 8;
+  constexpr double tolerance = 1e-12;  // relative; the integrands are smooth
+  const auto area = [&](double parameter) {
+    const auto [radius, half_angle, measure] = radius_half_angle_and_measure(parameter);
+    return 2.0 * half_angle * measure;
+  };
+  const auto second_moment = [&](double parameter) {
+    const auto [radius, half_angle, measure] = radius_half_angle_and_measure(parameter);
+    return 2.0 * half_angle * radius * radius * measure;
+  };
+  return {Quadrature::integrate(area, begin, end, max_depth, tolerance),
+          Quadrature::integrate(second_moment, begin, end, max_depth, tolerance)};
+}
+
+struct Strip {
+  double radius;      // [m]
+  double half_angle;  // [rad]
+  double measure;     // [m^2 per unit of the parameter]  radius times its derivative
+};
+
+// By the rack's normal angle, since the thickness has an infinite slope over the radius at the root circle.
+SectionMoments trochoid_part(const ExternalTooth& tooth) {
+  const auto strip = [&tooth](double normal_angle) {
+    const TrochoidPoint point = trochoid_point(tooth, normal_angle);
+    return Strip{point.radius, point.half_angle, point.radius * point.radius_slope};
+  };
+  return integrate(strip, 0.0, trochoid_normal_angle(tooth, tooth.form_radius));
+}
+
+// By the tangent length t, since r dr = t dt stays smooth down to the base circle.
+SectionMoments involute_part(const ExternalTooth& tooth) {
+  const auto strip = [&tooth](double tangent) {
+    const double radius = std::hypot(tooth.base_radius, tangent);
+    return Strip{radius, half_thickness_angle(tooth, radius), tangent};
+  };
+  return integrate(strip, tangent_length(tooth.base_radius, tooth.form_radius),
+                   tangent_length(tooth.base_radius, tooth.tip_radius));
+}
+
+SectionMoments annulus(double inner_radius, double outer_radius) {
+  return {std::numbers::pi * (std::pow(outer_radius, 2) - std::pow(inner_radius, 2)),
+          std::numbers::pi / 2.0 * (std::pow(outer_radius, 4) - std::pow(inner_radius, 4))};
+}
+
+}  // namespace
+
+SectionMoments section_moments(const ExternalTooth& tooth, double bore_radius) {
+  const SectionMoments rim = annulus(bore_radius, tooth.root_radius);
+  const SectionMoments fillet = trochoid_part(tooth);
+  const SectionMoments flank = involute_part(tooth);
+  return {rim.area + tooth.teeth * (fillet.area + flank.area),
+          rim.polar_second_moment + tooth.teeth * (fillet.polar_second_moment + flank.polar_second_moment)};
+}
+
+PlanetBody planet_body(const PlanetarySet& set, const WorkingGeometry& geometry) {
+  const double bore_radius = 0.5 * set.planet_bore;
+  if (bore_radius < 0.0 || bore_radius >= geometry.planet.root_radius) {
+    throw std::domain_error("the planet's bore leaves no rim under its tooth root; choose a smaller bearing");
+  }
+  const SectionMoments section = section_moments(geometry.planet, bore_radius);
+  const double mass_per_area = set.density * set.face_width;
+  return {section.area, mass_per_area * section.area, mass_per_area * section.polar_second_moment};
+}
+
+}  // namespace orbearing::gearset

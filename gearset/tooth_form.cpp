@@ -1,0 +1,181 @@
+#include "gearset/tooth_form.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "gearset/involute.hpp"
+#include "gearset/root.hpp"
+
+namespace orbearing::gearset {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+RackFillet rack_fillet(double shift, double module, const BasicRack& rack) {
+  const double centre_below_datum = rack.addendum + rack.clearance - rack.root_fillet_radius;
+  RackFillet fillet;
+  fillet.radius = module * rack.root_fillet_radius;
+  fillet.centre_depth = module * (centre_below_datum - shift);
+  fillet.centre_offset = module * (pi / 4.0 - centre_below_datum * std::tan(rack.pressure_angle) -
+                                   rack.root_fillet_radius / std::cos(rack.pressure_angle));
+  fillet.end_angle = pi / 2.0 - rack.pressure_angle;
+  if (fillet.centre_offset < 0.0) {
+    throw std::domain_error(
+        "the root fillet radius does not fit on the tip of the rack; choose a smaller one");
+  }
+  return fillet;
+}
+
+double involute_half_angle(const ExternalTooth& tooth, double radius) {
+  const double at_pitch_circle =
+      (pi / 2.0 + 2.0 * tooth.shift * std::tan(tooth.pressure_angle)) / tooth.teeth;
+  return at_pitch_circle + involute(tooth.pressure_angle) -
+         involute(pressure_angle_at(tooth.base_radius, radius));
+}
+
+double trochoid_half_angle(const ExternalTooth& tooth, double radius) {
+  return trochoid_point(tooth, trochoid_normal_angle(tooth, radius)).half_angle;
+}
+
+// Where the straight flank of the rack ends on the line of action, from the tangent point on the base circle;
+// negative when the rack reaches beyond that point and cuts the involute's foot away. Eq. (10).
+double rack_flank_end(const ExternalTooth& tooth) {
+  const double sine = std::sin(tooth.pressure_angle);
+  const double depth = tooth.fillet.centre_depth + tooth.fillet.radius * sine;
+  return tooth.pitch_radius * sine - depth / sine;
+}
+
+// Just below the limit of undercut the crossing lies so close above the base circle that the angles of both
+// curves differ by round-off only; any radius between is then the form radius.
+constexpr double undercut_resolution = 1e-8;  // relative
+
+double undercut_form_radius(const ExternalTooth& tooth) {
+  const auto overhang = [&tooth](double radius) {
+    return trochoid_half_angle(tooth, radius) - involute_half_angle(tooth, radius);
+  };
+  const double low = std::max(tooth.base_radius, tooth.root_radius);
+  const double high = trochoid_point(tooth, tooth.fillet.end_angle).radius;
+  if (high - low <= undercut_resolution * low) return high;
+  if (!(overhang(low) < 0.0 && overhang(high) > 0.0)) {
+    throw std::domain_error("the undercut root does not meet the involute; change the profile shift");
+  }
+  return bracketed_root(overhang, low, high);
+}
+
+double find_form_radius(const ExternalTooth& tooth) {
+  if (tooth.undercut) return undercut_form_radius(tooth);
+  return std::hypot(tooth.base_radius, rack_flank_end(tooth));
+}
+
+}  // namespace
+
+ExternalTooth make_external_tooth(int teeth, double shift, double module, const BasicRack& rack) {
+  assert(teeth > 0 && module > 0.0);
+  ExternalTooth tooth;
+  tooth.teeth = teeth;
+  tooth.module = module;
+  tooth.pressure_angle = rack.pressure_angle;
+  tooth.shift = shift;
+  tooth.pitch_radius = 0.5 * module * teeth;
+  tooth.base_radius = tooth.pitch_radius * std::cos(rack.pressure_angle);
+  tooth.tip_radius = tooth.pitch_radius + module * (rack.addendum + shift);
+  tooth.root_radius = tooth.pitch_radius - module * (rack.addendum + rack.clearance - shift);
+  if (tooth.root_radius <= 0.0) {
+    throw std::domain_error("the root circle of a gear vanishes; raise its number of teeth or profile shift");
+  }
+  tooth.fillet = rack_fillet(shift, module, rack);
+  tooth.undercut = rack_flank_end(tooth) < 0.0;
+  tooth.form_radius = find_form_radius(tooth);
+  if (tooth.form_radius >= tooth.tip_radius) {
+    throw std::domain_error("no involute is left between the root fillet and the tip of a tooth");
+  }
+  return tooth;
+}
+
+RingTooth make_ring_tooth(int teeth, double shift, double module, const BasicRack& rack) {
+  assert(teeth > 0 && module > 0.0);
+  RingTooth tooth;
+  tooth.teeth = teeth;
+  tooth.module = module;
+  tooth.pressure_angle = rack.pressure_angle;
+  tooth.shift = shift;
+  tooth.pitch_radius = 0.5 * module * teeth;
+  tooth.base_radius = tooth.pitch_radius * std::cos(rack.pressure_angle);
+  tooth.tip_radius = tooth.pitch_radius - module * (rack.addendum - shift);
+  tooth.root_radius = tooth.pitch_radius + module * (rack.addendum + rack.clearance + shift);
+  return tooth;
+}
+
+double half_thickness_angle(const ExternalTooth& tooth, double radius) {
+  return radius < tooth.form_radius ? trochoid_half_angle(tooth, radius) : involute_half_angle(tooth, radius);
+}
+
+double half_thickness_angle(const RingTooth& tooth, double radius) {
+  const double space_at_pitch_circle =
+      (pi / 2.0 + 2.0 * tooth.shift * std::tan(tooth.pressure_angle)) / tooth.teeth;
+  const double working = pressure_angle_at(tooth.base_radius, std::max(radius, tooth.base_radius));
+  return pi / tooth.teeth - (space_at_pitch_circle + involute(tooth.pressure_angle) - involute(working));
+}
+
+double least_shift_without_undercut(const ExternalTooth& tooth) {
+  return tooth.shift - rack_flank_end(tooth) * std::sin(tooth.pressure_angle) / tooth.module;
+}
+
+double half_thickness(const ExternalTooth& tooth, double radius) {
+  return radius * std::sin(half_thickness_angle(tooth, radius));
+}
+
+TrochoidPoint trochoid_point(const ExternalTooth& tooth, double normal_angle) {
+  const RackFillet& fillet = tooth.fillet;
+  const double sine = std::sin(normal_angle);
+  const double cosine = std::cos(normal_angle);
+  const double roll =
+      fillet.centre_depth * sine / cosine;  // [m] of the fillet's centre along the rolling line
+  const double x = roll + fillet.radius * sine;
+  const double y = tooth.pitch_radius - fillet.centre_depth - fillet.radius * cosine;
+  const double from_space = std::atan2(x, y) - (roll - fillet.centre_offset) / tooth.pitch_radius;
+  TrochoidPoint point;
+  point.radius = std::hypot(x, y);
+  point.half_angle = pi / tooth.teeth - from_space;
+  point.radius_slope =
+      (x * (fillet.centre_depth / (cosine * cosine) + fillet.radius * cosine) + y * fillet.radius * sine) /
+      point.radius;
+  return point;
+}
+
+double trochoid_normal_angle(const ExternalTooth& tooth, double radius) {
+  const double end = tooth.fillet.end_angle;
+  if (radius <= tooth.root_radius) return 0.0;
+  if (radius >= trochoid_point(tooth, end).radius) return end;
+  return bracketed_root(
+      [&tooth, radius](double angle) { return trochoid_point(tooth, angle).radius - radius; }, 0.0, end);
+}
+
+std::vector<Eigen::Vector2d> flank_points(const ExternalTooth& tooth, int points_per_part) {
+  assert(points_per_part >= 2);
+  const double trochoid_end = trochoid_normal_angle(tooth, tooth.form_radius);
+  const double first_tangent = tangent_length(tooth.base_radius, tooth.form_radius);
+  const double last_tangent = tangent_length(tooth.base_radius, tooth.tip_radius);
+  std::vector<Eigen::Vector2d> points;
+  const auto add = [&points](double radius, double angle) {
+    points.emplace_back(radius * std::sin(angle), radius * std::cos(angle));
+  };
+  for (int i = 0; i < points_per_part; ++i) {
+    const TrochoidPoint point = trochoid_point(tooth, trochoid_end * i / (points_per_part - 1));
+    add(point.radius, point.half_angle);
+  }
+  // Equal steps of the tangent length are equal steps of roll, the flank's natural parameter; the first point
+  // is the trochoid's last one.
+  for (int i = 1; i < points_per_part; ++i) {
+    const double tangent = std::lerp(first_tangent, last_tangent, double(i) / (points_per_part - 1));
+    const double radius = std::hypot(tooth.base_radius, tangent);
+    add(radius, involute_half_angle(tooth, radius));
+  }
+  return points;
+}
+
+}  // namespace orbearing::gearset

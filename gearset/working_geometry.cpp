@@ -1,0 +1,94 @@
+#include "gearset/working_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "gearset/involute.hpp"
+#include "gearset/root.hpp"
+
+namespace orbearing::gearset {
+
+namespace {
+
+// No involute mesh of practice works above this angle; beyond it a centre distance is a root of the equations
+// only.
+constexpr double largest_working_angle = 45.0 * std::numbers::pi / 180.0;  // [rad]
+
+struct BaseRadii {
+  double sum;         // [m] sun and planet
+  double difference;  // [m] ring and planet
+};
+
+BaseRadii base_radii(const PlanetarySet& set) {
+  const double per_tooth = 0.5 * set.module * std::cos(set.rack.pressure_angle);
+  return {per_tooth * (set.sun_teeth + set.planet_teeth), per_tooth * (set.ring_teeth - set.planet_teeth)};
+}
+
+// Sum (external) or difference (internal) of the shifts of a pair without backlash. Eqs. (2) and (3).
+double pair_shift(double teeth, double base_radius, double centre_distance, double rack_angle) {
+  const double working = involute(pressure_angle_at(base_radius, centre_distance));
+  return teeth * (working - involute(rack_angle)) / (2.0 * std::tan(rack_angle));
+}
+
+double sun_mesh_shift(const PlanetarySet& set, double centre_distance) {
+  return pair_shift(set.sun_teeth + set.planet_teeth, base_radii(set).sum, centre_distance,
+                    set.rack.pressure_angle);
+}
+
+double ring_mesh_shift(const PlanetarySet& set, double centre_distance) {
+  return pair_shift(set.ring_teeth - set.planet_teeth, base_radii(set).difference, centre_distance,
+                    set.rack.pressure_angle);
+}
+
+[[noreturn]] void no_common_centre_distance() {
+  throw std::domain_error(
+      "no planet shift gives the sun mesh and the ring mesh one centre distance; "
+      "bring the ring's teeth closer to sun + 2 planet teeth, or change the shifts of sun and ring");
+}
+
+// The planet's shift drops out of the sum of both meshes' equations, which grows with the distance. Eq. (4).
+double common_centre_distance(const PlanetarySet& set) {
+  const auto excess = [&set](double distance) {
+    return sun_mesh_shift(set, distance) + ring_mesh_shift(set, distance) - set.sun_shift - set.ring_shift;
+  };
+  const auto [sum, difference] = base_radii(set);
+  if (difference <= 0.0) no_common_centre_distance();
+  const double low = std::max(sum, difference);
+  const double high = std::min(sum, difference) / std::cos(largest_working_angle);
+  if (!(low < high) || !(excess(low) <= 0.0) || !(excess(high) >= 0.0)) no_common_centre_distance();
+  return bracketed_root(excess, low, high);
+}
+
+MeshGeometry sun_mesh(const PlanetarySet& set, const WorkingGeometry& geometry) {
+  MeshGeometry mesh;
+  mesh.working_pressure_angle = pressure_angle_at(base_radii(set).sum, geometry.centre_distance);
+  mesh.path = external_contact_path(geometry.sun, geometry.planet, geometry.centre_distance);
+  mesh.contact_ratio = contact_ratio(mesh.path, geometry.planet);
+  return mesh;
+}
+
+MeshGeometry ring_mesh(const PlanetarySet& set, const WorkingGeometry& geometry) {
+  MeshGeometry mesh;
+  mesh.working_pressure_angle = pressure_angle_at(base_radii(set).difference, geometry.centre_distance);
+  mesh.path = internal_contact_path(geometry.ring, geometry.planet, geometry.centre_distance);
+  mesh.contact_ratio = contact_ratio(mesh.path, geometry.planet);
+  return mesh;
+}
+
+}  // namespace
+
+WorkingGeometry working_geometry(const PlanetarySet& set) {
+  WorkingGeometry geometry;
+  geometry.centre_distance = common_centre_distance(set);
+  geometry.planet_shift = sun_mesh_shift(set, geometry.centre_distance) - set.sun_shift;
+  geometry.sun = make_external_tooth(set.sun_teeth, set.sun_shift, set.module, set.rack);
+  geometry.planet = make_external_tooth(set.planet_teeth, geometry.planet_shift, set.module, set.rack);
+  geometry.ring = make_ring_tooth(set.ring_teeth, set.ring_shift, set.module, set.rack);
+  geometry.sun_mesh = sun_mesh(set, geometry);
+  geometry.ring_mesh = ring_mesh(set, geometry);
+  return geometry;
+}
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,33 @@
+// The set as assembled: one centre distance for both meshes, and all that follows from it.
+#pragma once
+
+#include "gearset/contact_path.hpp"
+#include "gearset/parameters.hpp"
+#include "gearset/tooth_form.hpp"
+
+namespace orbearing::gearset {
+
+/// One mesh of a planet at the working centre distance.
+struct MeshGeometry {
+  double working_pressure_angle = 0.0;  // [rad]
+  ContactPath path;                     // from the tangent point on the planet's base circle
+  double contact_ratio = 0.0;           // [-]
+};
+
+/// Derived once from the parameters of the set.
+struct WorkingGeometry {
+  double centre_distance = 0.0;  // [m]       sun axis to planet axis, working
+  double planet_shift = 0.0;     // [module]
+  ExternalTooth sun;
+  ExternalTooth planet;
+  RingTooth ring;
+  MeshGeometry sun_mesh;
+  MeshGeometry ring_mesh;
+};
+
+/// Finds the centre distance, and with it the planet's shift, at which the planet meshes without backlash
+/// with both sun and ring. Eqs. (2) to (5) of gearset/README.md.
+/// @throws std::domain_error if no centre distance serves both meshes, or a tooth cannot be formed
+WorkingGeometry working_geometry(const PlanetarySet& set);
+
+}  // namespace orbearing::gearset
