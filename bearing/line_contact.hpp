@@ -1,0 +1,37 @@
+// Elastic line contact of a roller with one race: Q = K delta^(10/9).
+#pragma once
+
+#include "bearing/parameters.hpp"
+
+namespace orbearing::bearing {
+
+/// One roller-to-race contact. Approaches are positive in contact; no tension.
+class LineContact {
+ public:
+  /// `stiffness` is K in [N/m^(10/9)].
+  explicit LineContact(double stiffness);
+
+  /// Load [N] at elastic approach `approach` [m].
+  double load(double approach) const;
+  /// Elastic approach [m] at load `load` [N] >= 0.
+  double approach(double load) const;
+  /// d(approach)/d(load) [m/N] at load > 0.
+  double compliance(double load) const;
+  /// Tangent stiffness dQ/d(approach) [N/m].
+  double stiffness(double approach) const;
+  /// Stored energy [J].
+  double energy(double approach) const;
+  /// K [N/m^(10/9)].
+  double constant() const { return stiffness_; }
+
+ private:
+  double stiffness_;      // [N/m^(10/9)]
+  double inverse_power_;  // K^(-9/10)
+};
+
+/// Contact of one roller of `length` [m] with one race: K = 8.06e4 l^(8/9) of Palmgren in N and mm, Eq. (13)
+/// of [Gai2025], or 2^(10/9) times c_L = 35948 l^(8/9) of [ISO16281], which holds for both contacts in
+/// series.
+LineContact roller_race_contact(ContactLaw law, double length);
+
+}  // namespace orbearing::bearing

@@ -1,0 +1,67 @@
+// What the user states about a cylindrical roller bearing and what lies around it. SI units throughout.
+#pragma once
+
+namespace orbearing::bearing {
+
+/// Elastic and inertial properties of rings and rollers.
+struct Material {
+  double youngs_modulus = 206e9;  // [Pa]
+  double poisson_ratio = 0.3;     // [-]
+  double density = 7850.0;        // [kg/m^3]
+};
+
+/// Oil at the running temperature.
+struct Lubricant {
+  double viscosity = 0.0;           // [Pa s]  dynamic, at atmospheric pressure
+  double pressure_viscosity = 0.0;  // [1/Pa]  Barus coefficient
+};
+
+/// The race on whose land the cage is centred.
+enum class Race { inner, outer };
+
+/// Cage of a roller bearing: a ring with one rectangular pocket for each roller.
+struct Cage {
+  double inner_diameter = 0.0;  // [m]
+  double outer_diameter = 0.0;  // [m]
+  double width = 0.0;           // [m]
+  double density = 0.0;         // [kg/m^3]
+  Race guidance = Race::outer;
+};
+
+/// Stiffness of one roller-to-race line contact.
+enum class ContactLaw {
+  palmgren,  // 8.06e4 l^(8/9) for one contact [N, mm]
+  iso16281,  // 35948 l^(8/9) for both contacts in series [N, mm]
+};
+
+/// Cylindrical roller bearing between a pin (inner race) and the bore of a planet (outer race).
+struct CylindricalRollerBearing {
+  int rollers = 0;
+  double roller_diameter = 0.0;   // [m]
+  double roller_length = 0.0;     // [m]  effective contact length
+  double pitch_diameter = 0.0;    // [m]
+  double radial_clearance = 0.0;  // [m]  internal clearance in diametral measure (ISO 5753)
+  double bore = 0.0;              // [m]  of the inner ring
+  double outside_diameter = 0.0;  // [m]  of the outer ring
+  double width = 0.0;             // [m]
+  Material material;
+  ContactLaw contact_law = ContactLaw::palmgren;
+  Cage cage;
+};
+
+/// Which inertial loads of the carrier frame act on the bodies in it.
+struct InertiaSwitches {
+  bool own_orbit = true;            // r theta'^2 of the rollers about the bearing axis
+  bool coriolis = true;             // 2 Omega r theta', 2 Omega r', 2 Omega x'
+  bool carrier_centrifugal = true;  // Omega^2 r and Omega^2 r_c
+  bool euler = true;                // all terms in dOmega/dt
+};
+
+/// How the frame of the bearing moves: at rest for a bearing in a housing.
+struct CarrierMotion {
+  double speed = 0.0;         // [rad/s]    Omega
+  double acceleration = 0.0;  // [rad/s^2]  dOmega/dt
+  double orbit_radius = 0.0;  // [m]        r_c, from the sun axis to the pin axis
+};
+
+}  // namespace orbearing::bearing

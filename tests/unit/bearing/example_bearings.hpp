@@ -1,0 +1,55 @@
+// Bearings and motions that several tests share.
+#pragma once
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "bearing/quasi_static.hpp"
+
+namespace orbearing::bearing::testing {
+
+/// Planet bearing of the reduction set, Table 2 of [Gai2025], with its cage in glass-filled polyamide.
+inline CylindricalRollerBearing planet_bearing() {
+  CylindricalRollerBearing bearing;
+  bearing.rollers = 15;
+  bearing.roller_diameter = 5.24e-3;
+  bearing.roller_length = 5.7e-3;
+  bearing.pitch_diameter = 35.64e-3;
+  bearing.bore = 25e-3;
+  bearing.outside_diameter = 47e-3;
+  bearing.width = 11.9e-3;
+  bearing.cage = {.inner_diameter = 33.44e-3, .outer_diameter = 38.54e-3, .width = 9e-3, .density = 1310.0};
+  return bearing;
+}
+
+/// Cylindrical roller bearing 209 of the worked examples in [Harris2006].
+inline CylindricalRollerBearing bearing_209() {
+  CylindricalRollerBearing bearing;
+  bearing.rollers = 14;
+  bearing.roller_diameter = 10e-3;
+  bearing.roller_length = 9.6e-3;
+  bearing.pitch_diameter = 65e-3;
+  return bearing;
+}
+
+/// A bearing in a housing: load [N] along the angle `direction` [rad], nothing turns.
+inline OperatingPoint static_load(double load, double direction = 0.0) {
+  OperatingPoint point;
+  point.bore_load = load * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+  return point;
+}
+
+/// Kinematics of the reduction set (37/22/79 teeth, sun drives, ring stands) at `sun_speed` [rad/s].
+inline OperatingPoint planet_motion(double sun_speed) {
+  OperatingPoint point;
+  point.carrier = {.speed = sun_speed / (1.0 + 79.0 / 37.0), .acceleration = 0.0, .orbit_radius = 87.891e-3};
+  point.outer_speed = -(sun_speed - point.carrier.speed) * 37.0 / 22.0;
+  return point;
+}
+
+/// [rad/s] from revolutions per minute.
+inline double rpm(double revolutions_per_minute) {
+  return revolutions_per_minute * boost::math::double_constants::two_pi / 60.0;
+}
+
+}  // namespace orbearing::bearing::testing
