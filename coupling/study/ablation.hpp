@@ -1,0 +1,26 @@
+// What one effect is worth: the same drivetrain with it switched off, or with another clearance.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::study {
+
+/// A change to the drivetrain, named for people.
+struct Ablation {
+  std::string name;
+  std::string group;  // "inertia" or "clearance": which picture shows it
+  std::function<void(PlanetaryDrivetrain&)> change;
+};
+
+/// The drivetrain as it stands, then each effect switched in turn.
+std::vector<Ablation> ablations();
+
+/// Life [h] of one bearing over input speeds [rad/s] with `ablation` in force.
+std::vector<double> life_over_speed(const PlanetaryDrivetrain& drivetrain, const Ablation& ablation,
+                                    const std::vector<double>& speeds);
+
+}  // namespace orbearing::study

@@ -1,0 +1,31 @@
+#include "coupling/study/drivetrain.hpp"
+
+#include "bearing/carrier_frame.hpp"
+
+namespace orbearing::study {
+
+DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
+  DrivetrainGeometry geometry;
+  geometry.gears = gearset::working_geometry(drivetrain.set);
+  geometry.planet_gear = gearset::planet_body(drivetrain.set, geometry.gears);
+  geometry.bearing = bearing::geometry_of(drivetrain.bearing);
+  geometry.planet_mass =
+      geometry.planet_gear.mass + drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
+  return geometry;
+}
+
+BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  BearingDuty duty;
+  duty.gears = gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive);
+  duty.point.carrier = {.speed = duty.gears.carrier_speed, .orbit_radius = geometry.gears.centre_distance};
+  duty.point.outer_speed = duty.gears.planet_speed_relative;
+  const bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);
+  const Eigen::Vector2d meshes(duty.gears.radial_force, duty.gears.tangential_force);
+  const Eigen::Vector2d inertia =
+      geometry.planet_mass *
+      bearing::inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  duty.point.bore_load = (meshes + inertia) / drivetrain.bearings_per_planet;
+  return duty;
+}
+
+}  // namespace orbearing::study

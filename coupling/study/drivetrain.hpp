@@ -1,0 +1,48 @@
+// A planetary drivetrain with roller bearings in its planets: what is stated, and what follows once and for all.
+#pragma once
+
+#include "bearing/geometry.hpp"
+#include "bearing/parameters.hpp"
+#include "bearing/quasi_static.hpp"
+#include "gearset/mean_loads.hpp"
+#include "gearset/parameters.hpp"
+#include "gearset/planet_body.hpp"
+#include "gearset/working_geometry.hpp"
+
+namespace orbearing::study {
+
+/// Parameters of a drivetrain of one planetary set. A sweep changes one or the other and derives anew.
+struct PlanetaryDrivetrain {
+  gearset::PlanetarySet set;
+  gearset::Drive drive;
+  bearing::CylindricalRollerBearing bearing;
+  int bearings_per_planet = 1;
+  bearing::InertiaSwitches inertia;
+  bearing::Lubricant lubricant;
+  bool film_in_approach = false;
+  double lambda = 0.83;     // [-]  product lambda nu of ISO/TR 1281-1
+  int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
+};
+
+/// What follows from the parameters whatever the power and speed.
+struct DrivetrainGeometry {
+  gearset::WorkingGeometry gears;
+  gearset::PlanetBody planet_gear;
+  bearing::RollerBearingGeometry bearing;
+  double planet_mass = 0.0;  // [kg]  gear body and the outer rings of its bearings
+};
+
+/// Throws std::domain_error where the gears have no common centre distance or the planet no rim.
+DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain);
+
+/// Load of the gears on the bore of one bearing and what belongs to it.
+struct BearingDuty {
+  gearset::MeanLoads gears;
+  bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
+};
+
+/// Duty of one planet bearing at the drivetrain's power and speed. Throws std::invalid_argument where power or speed
+/// is not positive.
+BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
+}  // namespace orbearing::study

@@ -1,0 +1,49 @@
+// One operating point of a planetary drivetrain: from the power that enters to the life of a planet bearing.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/study/drivetrain.hpp"
+
+namespace orbearing::study {
+
+/// How the planet bearing is computed.
+enum class Fidelity { quasi_static, dynamic };
+
+/// Loads, life and film of one race.
+struct RaceResult {
+  double load_max = 0.0;    // [N]    largest load of one roller
+  double load_rms = 0.0;    // [N]    over time for one roller, unloaded time included
+  double life = 0.0;        // [rev]  revolutions of the turning race
+  double least_film = 0.0;  // [m]    under the most loaded roller; NaN where nothing rolls or no oil is given
+};
+
+/// Roller loads by place on the race, in the carrier frame.
+struct LoadDistribution {
+  std::vector<double> angle;       // [rad]  from the outward radial direction towards carrier rotation
+  std::vector<double> inner_load;  // [N]    roller on pin
+  std::vector<double> outer_load;  // [N]    roller on planet bore
+};
+
+/// What one operating point gives. Loads and lives are those of one bearing.
+struct PointResult {
+  double input_speed = 0.0;        // [rad/s]
+  double carrier_speed = 0.0;      // [rad/s]
+  double planet_load = 0.0;        // [N]  total on the bore of one bearing, with cage and rollers
+  double tangential_load = 0.0;    // [N]  y: from both meshes
+  double radial_mesh_load = 0.0;   // [N]  x: from both meshes, positive outward
+  double centrifugal_load = 0.0;   // [N]  x: planet, cage and the tangential halves of the rollers
+  RaceResult inner;
+  RaceResult outer;
+  double life_hours = 0.0;         // [h]  one bearing
+  double system_life_hours = 0.0;  // [h]  all planet bearings of the set
+  double cage_slip = 0.0;          // [-]  1 - cage speed / kinematic cage speed
+  LoadDistribution distribution;
+  std::string status = "ok";       // "ok" or why the point failed
+};
+
+/// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance.
+PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
+}  // namespace orbearing::study

@@ -1,0 +1,32 @@
+// Many operating points at once, each on a thread of its own.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::study {
+
+struct ComputedPoint {
+  std::size_t index = 0;
+  PointResult result;  // of an exception: its text as status, all else at its default
+};
+
+/// Computes a point; called from several threads at once.
+using Evaluate = std::function<PointResult(std::size_t index)>;
+/// Takes finished points, always on the thread that called `compute_points`; may throw.
+using Deliver = std::function<void(std::vector<ComputedPoint> points)>;
+/// True when no further point may be started; called from several threads.
+using StopRequested = std::function<bool()>;
+
+/// Computes the points `indices` on `jobs` threads (0: as many as the machine has) and delivers them in the
+/// order they finish, several together where delivery is slower than computing. Points do not see each
+/// other, so results do not depend on `jobs`. Returns when all started points are delivered. What `deliver`
+/// throws stops the computation and is passed on.
+void compute_points(const std::vector<std::size_t>& indices, int jobs, const Evaluate& evaluate,
+                    const Deliver& deliver, const StopRequested& stop_requested);
+
+}  // namespace orbearing::study

@@ -1,0 +1,127 @@
+// Where life peaks over speed at constant power: scaling law, closed forms and published points.
+//
+//   tangential load A/n, radial mesh load C/n inward, centrifugal load B n^2 outward
+//
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/study/operating_point.hpp"
+#include "coupling/study/peak.hpp"
+#include "tests/reducer.hpp"
+
+namespace orbearing::study {
+namespace {
+
+using testing::reducer;
+using testing::rpm;
+
+// The loads balance to 1e-12 of themselves, so a smooth maximum is located to the square root of that.
+constexpr double kPeakResolution = 1e-6;
+// The bar of the closed forms, which hold for one resultant load: the rollers' own inertial loads are not in them.
+constexpr double kClosedForm = 0.005;
+
+Extremum life_peak(const PlanetaryDrivetrain& drivetrain) {
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  return largest([&](double speed) { return life_at(drivetrain, geometry, speed); }, 3000.0 * rpm, 11000.0 * rpm);
+}
+
+struct Parts {
+  double a;  // [N]  tangential at n = 1
+  double b;  // [N]  centrifugal at n = 1
+  double c;  // [N]  radial mesh, inward, at n = 1
+};
+
+// Loads at the drivetrain's own speed, which is n = 1.
+Parts parts_of(const PlanetaryDrivetrain& drivetrain) {
+  const PointResult point = evaluate(drivetrain, derive(drivetrain));
+  return {std::abs(point.tangential_load), point.centrifugal_load, -point.radial_mesh_load};
+}
+
+double closed_form_life_peak(const Parts& p) {
+  return std::cbrt((p.c + std::sqrt(3.0 * p.a * p.a + 4.0 * p.c * p.c)) / (3.0 * p.b));
+}
+
+double closed_form_least_load(const Parts& p) {
+  return std::cbrt((p.c + std::sqrt(p.c * p.c + 8.0 * (p.a * p.a + p.c * p.c))) / (4.0 * p.b));
+}
+
+// Rollers whose inertial load acts through the cage alone: the resultant on the bore is then the only load.
+PlanetaryDrivetrain without_rollers_inertia() {
+  PlanetaryDrivetrain drivetrain = reducer();
+  drivetrain.bearing.material.density = 1e-6;
+  return drivetrain;
+}
+
+// Equal working pressure angles of both meshes leave no radial mesh load: sun and ring without shift.
+PlanetaryDrivetrain without_radial_mesh_load() {
+  PlanetaryDrivetrain drivetrain = without_rollers_inertia();
+  drivetrain.set.sun_teeth = 36;
+  drivetrain.set.planet_teeth = 22;
+  drivetrain.set.ring_teeth = 80;
+  drivetrain.set.sun_shift = drivetrain.set.ring_shift = 0.0;
+  return drivetrain;
+}
+
+TEST(StudyPeak, FollowsTheCubeRootOfPowerAtZeroClearance) {
+  PlanetaryDrivetrain drivetrain = reducer();
+  const double at_150 = life_peak(drivetrain).speed;
+  drivetrain.drive.power = 75e3;
+  EXPECT_NEAR(life_peak(drivetrain).speed / at_150, std::cbrt(0.5), kPeakResolution);
+  drivetrain.drive.power = 300e3;
+  EXPECT_NEAR(life_peak(drivetrain).speed / at_150, std::cbrt(2.0), kPeakResolution);
+}
+
+TEST(StudyPeak, DoesNotFollowTheCubeRootWithClearance) {
+  PlanetaryDrivetrain drivetrain = reducer();
+  drivetrain.bearing.radial_clearance = 37e-6;
+  const double at_150 = life_peak(drivetrain).speed;
+  drivetrain.drive.power = 300e3;
+  EXPECT_GT(std::abs(life_peak(drivetrain).speed / at_150 - std::cbrt(2.0)), 1e-3);
+}
+
+TEST(StudyPeak, MeetsTheClosedFormWithRadialMeshLoad) {
+  const PlanetaryDrivetrain drivetrain = without_rollers_inertia();
+  const Parts parts = parts_of(drivetrain);
+  ASSERT_GT(parts.c, 0.0);
+  EXPECT_NEAR(life_peak(drivetrain).speed / drivetrain.drive.speed / closed_form_life_peak(parts), 1.0, kClosedForm);
+}
+
+TEST(StudyPeak, MeetsTheClosedFormWithoutRadialMeshLoad) {
+  const PlanetaryDrivetrain drivetrain = without_radial_mesh_load();
+  const Parts parts = parts_of(drivetrain);
+  ASSERT_NEAR(parts.c, 0.0, 1e-9 * parts.a);
+  const double expected = std::pow(parts.a * parts.a / (3.0 * parts.b * parts.b), 1.0 / 6.0);
+  EXPECT_NEAR(life_peak(drivetrain).speed / drivetrain.drive.speed / expected, 1.0, kClosedForm);
+}
+
+TEST(StudyPeak, LeastLoadStandsWhereTheClosedFormPutsIt) {
+  const PlanetaryDrivetrain drivetrain = reducer();
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const auto load = [&](double speed) {
+    PlanetaryDrivetrain at_speed = drivetrain;
+    at_speed.drive.speed = speed;
+    return evaluate(at_speed, geometry).planet_load;
+  };
+  const double expected = drivetrain.drive.speed * closed_form_least_load(parts_of(drivetrain));
+  EXPECT_NEAR(smallest(load, 3000.0 * rpm, 11000.0 * rpm).speed / expected, 1.0, kPeakResolution);
+}
+
+TEST(StudyPeak, LoadsScaleWithPowerToTwoThirdsAlongThePeak) {
+  PlanetaryDrivetrain drivetrain = reducer();
+  const double load = evaluate(drivetrain, derive(drivetrain)).inner.load_max;
+  drivetrain.drive.power *= 8.0;
+  drivetrain.drive.speed *= 2.0;
+  EXPECT_NEAR(evaluate(drivetrain, derive(drivetrain)).inner.load_max / load, 4.0, 1e-9);
+}
+
+TEST(StudyPeak, IsReportedAtTheEndOfABracketThatDoesNotHoldIt) {
+  const PlanetaryDrivetrain drivetrain = reducer();
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const auto life = [&](double speed) { return life_at(drivetrain, geometry, speed); };
+  EXPECT_FALSE(largest(life, 1000.0 * rpm, 3000.0 * rpm).inside);
+  EXPECT_TRUE(largest(life, 3000.0 * rpm, 9000.0 * rpm).inside);
+}
+
+}  // namespace
+}  // namespace orbearing::study
