@@ -1,0 +1,74 @@
+#include "app/case/case_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "app/case/case_resolver.hpp"
+#include "app/case/consistency.hpp"
+#include "app/case/settings.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr std::size_t largest_file =
+    1U << 20U;  // [byte] a hundred times the largest case, small enough to check at once
+
+constexpr const char* file_path = "(file)";
+
+[[noreturn]] void refuse_file(const std::string& file, std::string found) {
+  throw_mistakes(file, {{Place{}, file_path, {std::move(found), "a readable case file is required"}}});
+}
+
+std::string read_file(const std::string& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) refuse_file(file, "a folder");
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse_file(file, std::string("cannot be opened (") + std::strerror(errno) + ")");
+  std::string text(largest_file + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) refuse_file(file, "cannot be read");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > largest_file) refuse_file(file, "more than 1 MiB");
+  return text;
+}
+
+std::optional<Entry> read_root(std::string_view text, std::vector<Mistake>& mistakes) {
+  try {
+    Entry root = read_yaml(text);
+    if (root.shape == Entry::Shape::block) return root;
+    const bool nothing = root.shape == Entry::Shape::nothing;
+    mistakes.push_back({root.place,
+                        file_path,
+                        {nothing ? "an empty file" : describe(root) + " found",
+                         "keys and values, beginning with 'name: ...', are required"}});
+  } catch (const YamlFault& fault) {
+    mistakes.push_back({fault.place, file_path, fault.complaint});
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings) {
+  return parse_case(read_file(file), file, settings);
+}
+
+ResolvedCase parse_case(std::string_view text, const std::string& name,
+                        const std::vector<std::string>& settings) {
+  std::vector<Mistake> mistakes;
+  std::optional<Entry> root = read_root(text, mistakes);
+  Entry unread;
+  apply_settings(root ? *root : unread, settings, mistakes);
+  if (!root) throw_mistakes(name, std::move(mistakes));
+  ResolvedCase resolved(resolve(*root, name, mistakes));
+  check_consistency(resolved, mistakes);
+  if (!mistakes.empty()) throw_mistakes(name, std::move(mistakes));
+  return resolved;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,20 @@
+// Case files: YAML and --set options -> ResolvedCase. Every mistake is reported at once.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::app {
+
+/// Reads and checks a case file. `settings` are the texts of the --set options: "path=value".
+/// Throws BadInput (app/errors.hpp) with all mistakes, also where the file cannot be read.
+ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings = {});
+
+/// The same for a text in memory; `name` stands for the file in messages.
+ResolvedCase parse_case(std::string_view text, const std::string& name,
+                        const std::vector<std::string>& settings = {});
+
+}  // namespace orbearing::app

@@ -1,0 +1,128 @@
+#include "app/case/check_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+struct Row {
+  std::string path;
+  std::string value;
+  std::string unit;
+  std::string standing;  // given, assumed or derived
+  std::string remark;    // reason or meaning
+};
+
+std::string standing(const ResolvedCase& resolved, const std::string& path) {
+  return resolved.assumed().contains(path) ? "assumed" : "given";
+}
+
+std::string reason(const ResolvedCase& resolved, const std::string& path) {
+  const auto found = resolved.assumed().find(path);
+  if (found != resolved.assumed().end()) return found->second;
+  return resolved.origin(path) == "--set" ? "set by an option" : "";
+}
+
+Row input_row(const ResolvedCase& resolved, const Field& field) {
+  Row row{field.path, resolved.given(field.path), "", standing(resolved, field.path),
+          reason(resolved, field.path)};
+  if (field.kind == Kind::quantity) {
+    row.unit = split_quantity(row.value).value->unit;
+    row.value.resize(row.value.rfind(row.unit));
+    row.value.erase(row.value.find_last_not_of(' ') + 1);
+  }
+  return row;
+}
+
+std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
+  std::vector<Row> rows{{"quantity", "value", "unit", "standing", "reason or meaning"}};
+  for (const Field* field : fields_of(resolved.model()))
+    if (resolved.has(field->path)) rows.push_back(input_row(resolved, *field));
+  for (const SweepAxis& axis : resolved.axes())
+    rows.push_back(
+        {"sweep." + axis.path, fmt::format("{} values", axis.values.size()), "", "given", axis.written});
+  for (const Derived& quantity : derived)
+    rows.push_back({quantity.path, fmt::format("{:.6g}", quantity.value),
+                    quantity.unit == "1" ? "" : quantity.unit, "derived", quantity.meaning});
+  return rows;
+}
+
+std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
+  std::string text = fmt::format("{:{}}  {:{}}  {:{}}  {:{}}  {}", row.path, widths[0], row.value, widths[1],
+                                 row.unit, widths[2], row.standing, widths[3], row.remark);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text + "\n";
+}
+
+nlohmann::json value_json(const ResolvedCase& resolved, const Field& field) {
+  switch (field.kind) {
+    case Kind::quantity:
+      return resolved.quantity(field.path);
+    case Kind::number:
+      return resolved.number(field.path);
+    case Kind::integer:
+      return resolved.integer(field.path);
+    case Kind::flag:
+      return resolved.flag(field.path);
+    case Kind::list:
+      return resolved.list(field.path);
+    case Kind::choice:
+    case Kind::text:
+      break;
+  }
+  return resolved.given(field.path);
+}
+
+nlohmann::json input_json(const ResolvedCase& resolved, const Field& field) {
+  return {{"path", field.path},
+          {"value", value_json(resolved, field)},
+          {"unit", field.dimension.si.empty() ? "1" : std::string(field.dimension.si)},
+          {"given", resolved.given(field.path)},
+          {"standing", standing(resolved, field.path)},
+          {"reason", reason(resolved, field.path)},
+          {"origin", resolved.origin(field.path)}};
+}
+
+}  // namespace
+
+std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
+  constexpr std::size_t widest =
+      36;  // a name or source longer than this must not push the other columns away
+  const std::vector<Row> rows = all_rows(resolved, derived);
+  std::array<std::size_t, 4> widths{};
+  for (const Row& row : rows) {
+    const std::array<std::size_t, 4> lengths{row.path.size(), row.value.size(), row.unit.size(),
+                                             row.standing.size()};
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      widths[i] = std::max(widths[i], std::min(lengths[i], widest));
+  }
+  std::string text;
+  for (const Row& row : rows) text += line(row, widths);
+  return text;
+}
+
+nlohmann::json check_json(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
+  nlohmann::json inputs = nlohmann::json::array();
+  for (const Field* field : fields_of(resolved.model()))
+    if (resolved.has(field->path)) inputs.push_back(input_json(resolved, *field));
+  nlohmann::json quantities = nlohmann::json::array();
+  for (const Derived& quantity : derived)
+    quantities.push_back({{"path", quantity.path},
+                          {"value", quantity.value},
+                          {"unit", quantity.unit},
+                          {"standing", "derived"},
+                          {"meaning", quantity.meaning}});
+  return {{"name", resolved.text("name")},
+          {"model", resolved.choice("model")},
+          {"inputs", inputs},
+          {"derived", quantities}};
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,208 @@
+#include "app/case/consistency.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "app/case/field_table.hpp"
+#include "gearset/checks.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+class Checker {
+ public:
+  Checker(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
+      : resolved_(resolved), mistakes_(mistakes) {}
+
+  bool has(std::initializer_list<const char*> paths) const {
+    for (const char* path : paths)
+      if (!resolved_.has(path)) return false;
+    return true;
+  }
+
+  double length(const char* path) const { return resolved_.quantity(path); }  // [m]
+  int count(const char* path) const { return resolved_.integer(path); }
+  const std::string& choice(const char* path) const { return resolved_.choice(path); }
+
+  void object(const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({place_of(path), path, {std::move(found), std::move(required)}});
+  }
+
+  /// `low` must be less than `high`, or may equal it; the objection goes to `path`.
+  void ordered(const char* path, const char* requirement, double low, double high, bool may_equal = false) {
+    // Sums of lengths that fill a space exactly may miss it by rounding.
+    constexpr double rounding = 1e-12;  // [m]
+    if (may_equal ? low <= high + rounding : low < high) return;
+    object(path, fmt::format("'{}' does not fit", resolved_.given(path)),
+           fmt::format("{} ({:.4g} mm) {} {:.4g} mm is required", requirement, 1e3 * low,
+                       may_equal ? "of at most" : "less than", 1e3 * high));
+  }
+
+ private:
+  // Of a value, or of the first value in a block.
+  Place place_of(const std::string& path) const {
+    if (resolved_.has(path)) return resolved_.place(path);
+    for (const Field& field : all_fields())
+      if (field.path.starts_with(path + ".") && resolved_.has(field.path)) return resolved_.place(field.path);
+    return {};
+  }
+
+  const ResolvedCase& resolved_;
+  std::vector<Mistake>& mistakes_;
+};
+
+void check_members(Checker& check) {
+  if (!check.has({"input.member", "gearset.fixed"})) return;
+  if (check.choice("input.member") != check.choice("gearset.fixed")) return;
+  check.object("input.member",
+               fmt::format("'{}' is the fixed member (gearset.fixed)", check.choice("input.member")),
+               "a member that turns is required");
+}
+
+gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved) {
+  return {.sun_teeth = check.count("gearset.teeth.sun"),
+          .planet_teeth = check.count("gearset.teeth.planet"),
+          .ring_teeth = check.count("gearset.teeth.ring"),
+          .planets = check.count("gearset.planets"),
+          .module = check.length("gearset.module"),
+          .rack = {.pressure_angle = resolved.quantity("gearset.pressure_angle"),
+                   .addendum = resolved.number("gearset.addendum"),
+                   .clearance = resolved.number("gearset.clearance"),
+                   .root_fillet_radius = resolved.number("gearset.root_fillet_radius")},
+          .sun_shift = resolved.number("gearset.profile_shift.sun"),
+          .ring_shift = resolved.number("gearset.profile_shift.ring"),
+          .face_width = check.length("gearset.face_width"),
+          .planet_bore = check.length("bearing.outside_diameter")};
+}
+
+// The gear set's own checks give "what was found; what is required" and a key.
+void check_gears(Checker& check, const ResolvedCase& resolved) {
+  if (!check.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
+                  "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
+                  "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
+                  "gearset.face_width", "bearing.outside_diameter"}))
+    return;
+  for (const gearset::Warning& problem : gearset::assembly_problems(set_of(check, resolved))) {
+    const auto split = problem.text.find("; ");
+    const bool whole = split == std::string::npos;
+    check.object(problem.place, problem.text.substr(0, split),
+                 whole ? "a set that can be assembled is required" : problem.text.substr(split + 2));
+  }
+}
+
+void check_roller_circle(Checker& check) {
+  if (!check.has({"bearing.rollers", "bearing.roller_diameter", "bearing.pitch_diameter"})) return;
+  const int rollers = check.count("bearing.rollers");
+  const double spacing =
+      check.length("bearing.pitch_diameter") * std::sin(std::numbers::pi / rollers);  // [m]
+  const double diameter = check.length("bearing.roller_diameter");                    // [m]
+  if (diameter >= spacing) {
+    check.object(
+        "bearing.rollers", fmt::format("{} rollers do not fit around the pitch circle", rollers),
+        fmt::format("a roller diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
+                    "required; take fewer or thinner rollers",
+                    1e3 * diameter, 1e3 * spacing));
+  } else if (check.has({"bearing.cage.pocket_clearance"})) {
+    check.ordered("bearing.cage.pocket_clearance",
+                  "room for bars between the pockets: a roller with its play",
+                  diameter + check.length("bearing.cage.pocket_clearance"), spacing);
+  }
+}
+
+struct Races {
+  double inner = 0.0;  // [m] raceway diameter
+  double outer = 0.0;  // [m]
+};
+
+std::optional<Races> races_of(const Checker& check) {
+  if (!check.has({"bearing.pitch_diameter", "bearing.roller_diameter", "bearing.radial_clearance"}))
+    return {};
+  const double pitch = check.length("bearing.pitch_diameter");
+  const double reach =
+      check.length("bearing.roller_diameter") + 0.5 * check.length("bearing.radial_clearance");
+  return Races{pitch - reach, pitch + reach};
+}
+
+void check_rings(Checker& check, const Races& races) {
+  check.ordered("bearing.roller_diameter", "an inner raceway: a roller with half the clearance", 0.0,
+                races.inner);
+  if (check.has({"bearing.bore"}))
+    check.ordered("bearing.bore", "a bore within the inner raceway", check.length("bearing.bore"),
+                  races.inner);
+  if (check.has({"bearing.outside_diameter"}))
+    check.ordered("bearing.outside_diameter", "an outer raceway within the outside diameter", races.outer,
+                  check.length("bearing.outside_diameter"));
+}
+
+void check_cage(Checker& check, const Races& races) {
+  if (!check.has({"bearing.cage.inner_diameter", "bearing.cage.outer_diameter"})) return;
+  const double inner = check.length("bearing.cage.inner_diameter");
+  const double outer = check.length("bearing.cage.outer_diameter");
+  check.ordered("bearing.cage.inner_diameter", "an inner diameter of the cage", inner, outer);
+  check.ordered("bearing.cage.inner_diameter", "a cage around the inner raceway: this", races.inner, inner);
+  check.ordered("bearing.cage.outer_diameter", "a cage within the outer raceway", outer, races.outer);
+}
+
+void check_guide_land(Checker& check) {
+  if (!check.has({"bearing.cage.guide_land_diameter", "bearing.cage.guidance", "bearing.cage.inner_diameter",
+                  "bearing.cage.outer_diameter"}))
+    return;
+  const double land = check.length("bearing.cage.guide_land_diameter");
+  if (check.choice("bearing.cage.guidance") == "outer")
+    check.ordered("bearing.cage.guide_land_diameter", "a land around the cage: the cage's outer diameter",
+                  check.length("bearing.cage.outer_diameter"), land);
+  else
+    check.ordered("bearing.cage.guide_land_diameter", "a land within the cage", land,
+                  check.length("bearing.cage.inner_diameter"));
+}
+
+void check_widths(Checker& check) {
+  if (check.has({"bearing.roller_length", "bearing.width"}))
+    check.ordered("bearing.roller_length", "a roller within the rings", check.length("bearing.roller_length"),
+                  check.length("bearing.width"), true);
+  if (check.has({"bearing.roller_length", "bearing.cage.width"}))
+    check.ordered("bearing.cage.width", "a cage longer than its rollers: a roller",
+                  check.length("bearing.roller_length"), check.length("bearing.cage.width"));
+  if (check.has({"bearing.per_planet", "bearing.width", "gearset.face_width"}))
+    check.ordered("bearing.per_planet", "bearings within the planet's face: their widths in all",
+                  check.count("bearing.per_planet") * check.length("bearing.width"),
+                  check.length("gearset.face_width"), true);
+}
+
+// A cage is given whole or not at all.
+void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
+  const std::initializer_list<const char*> parts = {"bearing.cage.inner_diameter",
+                                                    "bearing.cage.outer_diameter", "bearing.cage.width",
+                                                    "bearing.cage.density"};
+  std::string missing;
+  bool any = false;
+  for (const char* part : parts) {
+    any = any || resolved.has(part);
+    if (!resolved.has(part) && missing.empty()) missing = part;
+  }
+  if (any && !missing.empty())
+    check.object("bearing.cage", fmt::format("a cage without '{}'", missing),
+                 "diameters, width and density, or no cage, are required");
+}
+
+}  // namespace
+
+void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  Checker check(resolved, mistakes);
+  check_members(check);
+  check_gears(check, resolved);
+  check_roller_circle(check);
+  if (const std::optional<Races> races = races_of(check)) {
+    check_rings(check, *races);
+    check_cage(check, *races);
+  }
+  check_guide_land(check);
+  check_widths(check);
+  if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,166 @@
+// Fields of the roller dynamics: friction, damping, cage, oil around the rollers, support, and the run in
+// time.
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app::table {
+
+namespace {
+
+constexpr unsigned drivetrain = planetary_drivetrain;
+
+// All are values that sources rarely print, so each has a default with its reason.
+struct Defaulted {
+  std::string path;
+  std::string meaning;
+  Range range;
+  std::string text;
+  std::string reason;
+};
+
+Field ratio(Defaulted row) {
+  return {.path = std::move(row.path),
+          .kind = Kind::number,
+          .meaning = std::move(row.meaning),
+          .models = drivetrain,
+          .range = row.range,
+          .default_text = std::move(row.text),
+          .default_reason = std::move(row.reason)};
+}
+
+Field integer(Defaulted row) {
+  Field field = ratio(std::move(row));
+  field.kind = Kind::integer;
+  return field;
+}
+
+Field quantity(const Dimension& dimension, Defaulted row) {
+  Field field = ratio(std::move(row));
+  field.kind = Kind::quantity;
+  field.dimension = dimension;
+  return field;
+}
+
+Field flag(std::string path, std::string meaning, std::string text, std::string reason) {
+  Field field = ratio({std::move(path), std::move(meaning), {}, std::move(text), std::move(reason)});
+  field.kind = Kind::flag;
+  return field;
+}
+
+constexpr Range positive(double most) {
+  return {.least = 0.0, .most = most, .least_allowed = false};
+}
+
+void add_friction(std::vector<Field>& fields) {
+  fields.push_back(
+      {.path = "traction.law",
+       .kind = Kind::choice,
+       .meaning = "friction in the race contacts over sliding speed",
+       .models = drivetrain,
+       .choices = {"regularised-coulomb", "limiting-shear"},
+       .default_text = "regularised-coulomb",
+       .default_reason = "the law of [Gai2025]; the sheared film of [BairWiner1979] is the other choice"});
+  fields.push_back(ratio({"traction.friction",
+                          "largest friction coefficient of the regularised Coulomb law",
+                          {0.0, 1.0},
+                          "0.05",
+                          "mineral oil at moderate pressure"}));
+  fields.push_back(
+      quantity(dimension::speed, {"traction.sliding_scale", "sliding speed over which friction builds up",
+                                  positive(100.0), "0.1 m/s", "creep of oiled contacts"}));
+  fields.push_back(ratio({"traction.limiting_friction",
+                          "limiting shear stress of the oil over pressure",
+                          {0.0, 1.0},
+                          "0.06",
+                          "mineral oil"}));
+  fields.push_back(flag("traction.rolling_resistance", "shear of the oil at the inlet resists rolling",
+                        "true", "nothing left out"));
+  fields.push_back(
+      quantity(dimension::inverse_speed, {"contact.damping",
+                                          "share by which a race load grows per speed of approach",
+                                          {0.0, 100.0},
+                                          "0.1 s/m",
+                                          "a tenth of critical on a small roller at 1 kN"}));
+}
+
+void add_cage(std::vector<Field>& fields) {
+  fields.push_back(quantity(dimension::stiffness, {"bearing.cage.pocket_stiffness", "stiffness of a cage bar",
+                                                   positive(1e12), "3e7 N/m", "glass-filled polyamide"}));
+  fields.push_back(
+      quantity(dimension::inverse_speed, {"bearing.cage.pocket_damping",
+                                          "share by which a pocket load grows per speed of approach",
+                                          {0.0, 100.0},
+                                          "1 s/m",
+                                          "polymer"}));
+  fields.push_back(ratio({"bearing.cage.pocket_friction",
+                          "friction coefficient of roller and bar",
+                          {0.0, 1.0},
+                          "0.05",
+                          "oiled polymer"}));
+  fields.push_back(ratio({"bearing.cage.largest_eccentricity",
+                          "share of the land's clearance where roughness carries",
+                          {.least = 0.1, .most = 1.0, .most_allowed = false},
+                          "0.98",
+                          "finish of the land"}));
+  fields.push_back(
+      quantity(dimension::stiffness, {"bearing.cage.touch_down_stiffness", "stiffness of cage on land",
+                                      positive(1e12), "1e7 N/m", "glass-filled polyamide"}));
+}
+
+void add_surroundings(std::vector<Field>& fields) {
+  fields.push_back(
+      flag("drag.enabled", "drag and churning in the oil-air mixture", "true", "nothing left out"));
+  fields.push_back(quantity(dimension::density, {"lubricant.density", "density of the oil", positive(20000.0),
+                                                 "850 kg/m3", "mineral oil"}));
+  fields.push_back(ratio({"lubricant.share",
+                          "oil in the free volume of the bearing",
+                          {0.0, 1.0},
+                          "0.05",
+                          "oil mist with jets"}));
+  fields.push_back(
+      quantity(dimension::stiffness, {"support.stiffness", "radial stiffness of the pin in the carrier",
+                                      positive(1e13), "5e8 N/m", "short steel pin in both walls"}));
+  fields.push_back(ratio({"support.damping_ratio",
+                          "damping of planet and pin on the support",
+                          {0.0, 10.0},
+                          "0.05",
+                          "bolted steel structure"}));
+  fields.push_back(
+      quantity(dimension::force, {"gearset.mesh_ripple.amplitude",
+                                  "ripple of the tangential load on one bearing at mesh frequency",
+                                  {0.0, 1e9},
+                                  "0 N",
+                                  "steady mesh forces"}));
+}
+
+void add_run(std::vector<Field>& fields) {
+  fields.push_back(integer({"simulation.observed_revolutions",
+                            "cage revolutions that are averaged once steady",
+                            {1, 100000},
+                            "10",
+                            "enough for maxima"}));
+  fields.push_back(integer({"simulation.most_revolutions",
+                            "cage revolutions allowed to become steady",
+                            {2, 100000},
+                            "20",
+                            "bearings settle in a few"}));
+  fields.push_back(
+      ratio({"simulation.load_drift", "steady: rms loads of two revolutions in turn differ by less",
+             positive(1.0), "0.002", "below what a life can tell"}));
+  fields.push_back(
+      ratio({"simulation.cage_drift", "steady: cage speeds of two revolutions in turn differ by less",
+             positive(1.0), "0.001", "below what a slip can tell"}));
+  fields.push_back(quantity(
+      dimension::length, {"simulation.length_error", "error of a position allowed in one step", positive(0.1),
+                          "1e-6 mm", "a thousandth of the approach of a loaded roller"}));
+}
+
+}  // namespace
+
+void add_dynamics_fields(std::vector<Field>& fields) {
+  add_friction(fields);
+  add_cage(fields);
+  add_surroundings(fields);
+  add_run(fields);
+}
+
+}  // namespace orbearing::app::table

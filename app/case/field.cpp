@@ -1,0 +1,171 @@
+#include "app/case/field.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace orbearing::app {
+
+namespace {
+
+FieldReading good(FieldValue value) {
+  return {true, std::move(value), {}};
+}
+
+FieldReading bad(std::string found, const Field& field) {
+  return {false, {}, {std::move(found), requirement(field) + " is required"}};
+}
+
+std::string with_unit(double value, const Field& field) {
+  if (field.dimension.customary.empty()) return fmt::format("{}", value);
+  return fmt::format("{} {}", value, field.dimension.customary);
+}
+
+// Converts a bound as a case would convert the same text, so that a value written like the bound equals it.
+double bound_in_si(double bound, const Field& field) {
+  if (field.dimension.si.empty() || bound == 0.0 || std::isinf(bound)) return bound;
+  const Reading<double> reading = convert(bound, field.dimension.customary, field.dimension.si);
+  assert(reading.value);
+  return *reading.value;
+}
+
+bool in_range(double value, const Field& field) {
+  const double least = bound_in_si(field.range.least, field);
+  const double most = bound_in_si(field.range.most, field);
+  const bool above = field.range.least_allowed ? value >= least : value > least;
+  const bool below = field.range.most_allowed ? value <= most : value < most;
+  return above && below;
+}
+
+std::string range_text(const Field& field) {
+  const Range& range = field.range;
+  std::vector<std::string> bounds;
+  if (range.least > -std::numeric_limits<double>::infinity())
+    bounds.push_back((range.least_allowed ? "at least " : "greater than ") + with_unit(range.least, field));
+  if (range.most < std::numeric_limits<double>::infinity())
+    bounds.push_back((range.most_allowed ? "at most " : "less than ") + with_unit(range.most, field));
+  return fmt::format("{}", fmt::join(bounds, " and "));
+}
+
+FieldReading check_range(FieldValue value, const Field& field, const Entry& entry) {
+  if (!in_range(value.number, field)) return bad(describe(entry) + " is out of range", field);
+  return good(std::move(value));
+}
+
+FieldReading read_integer(const Field& field, const Entry& entry) {
+  const std::string& text = entry.text;
+  int value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  const std::size_t first_digit = text.starts_with('-') ? 1 : 0;
+  const bool octal_look = text.size() > first_digit + 1 && text[first_digit] == '0';
+  if (end != last || error == std::errc::invalid_argument || octal_look)
+    return bad(describe(entry) + " is not a whole number", field);
+  if (error != std::errc{}) return bad(describe(entry) + " is out of range", field);
+  return check_range({text, static_cast<double>(value), {}}, field, entry);
+}
+
+FieldReading read_real(const Field& field, const Entry& entry) {
+  const bool dimensional = field.kind == Kind::quantity;
+  const Reading<double> reading =
+      dimensional ? read_quantity(entry.text, field.dimension) : read_number(entry.text);
+  if (!reading.value) return bad(fmt::format("{}: {}", describe(entry), reading.fault), field);
+  return check_range({entry.text, *reading.value, {}}, field, entry);
+}
+
+FieldReading read_flag(const Field& field, const Entry& entry) {
+  if (entry.text != "true" && entry.text != "false") return bad(describe(entry) + " is not a switch", field);
+  return good({entry.text, entry.text == "true" ? 1.0 : 0.0, {}});
+}
+
+FieldReading read_choice(const Field& field, const Entry& entry) {
+  if (std::find(field.choices.begin(), field.choices.end(), entry.text) == field.choices.end())
+    return bad(describe(entry) + " is none of the choices", field);
+  return good({entry.text, 0.0, {}});
+}
+
+FieldReading read_text(const Field& field, const Entry& entry) {
+  if (entry.text.find_first_not_of(" \t\r\n") == std::string::npos) return bad("an empty text", field);
+  return good({entry.text, 0.0, {}});
+}
+
+FieldReading read_scalar(const Field& field, const Entry& entry) {
+  switch (field.kind) {
+    case Kind::integer:
+      return read_integer(field, entry);
+    case Kind::quantity:
+    case Kind::number:
+      return read_real(field, entry);
+    case Kind::flag:
+      return read_flag(field, entry);
+    case Kind::choice:
+      return read_choice(field, entry);
+    case Kind::text:
+      return read_text(field, entry);
+    case Kind::list:
+      break;
+  }
+  return bad(describe(entry) + " is not a list", field);
+}
+
+FieldReading read_list(const Field& field, const Entry& entry) {
+  if (entry.shape != Entry::Shape::list || entry.items.empty()) return bad(describe(entry) + " found", field);
+  Field element = field;
+  element.kind = field.element;
+  FieldValue value;
+  std::vector<std::string> texts;
+  for (const Entry& item : entry.items) {
+    FieldReading reading = read_field(element, item);
+    if (!reading.good) return reading;
+    texts.push_back(reading.value.given);
+    value.list.push_back(reading.value.number);
+  }
+  value.given = fmt::format("[{}]", fmt::join(texts, ", "));
+  return good(std::move(value));
+}
+
+std::string kind_text(const Field& field, Kind kind) {
+  switch (kind) {
+    case Kind::quantity:
+      return fmt::format("{} like '{}'", field.dimension.name, field.dimension.example);
+    case Kind::integer:
+      return "whole number";
+    case Kind::number:
+      return "number without unit";
+    case Kind::flag:
+      return "true or false";
+    case Kind::choice:
+      return fmt::format("one of {}", fmt::join(field.choices, ", "));
+    case Kind::text:
+      return "text";
+    case Kind::list:
+      return "list, each element a " + kind_text(field, field.element);
+  }
+  return {};
+}
+
+}  // namespace
+
+FieldReading read_field(const Field& field, const Entry& entry) {
+  if (field.kind == Kind::list) return read_list(field, entry);
+  if (entry.shape != Entry::Shape::scalar) return bad(describe(entry) + " found", field);
+  const bool plain_only =
+      field.kind == Kind::integer || field.kind == Kind::number || field.kind == Kind::flag;
+  if (plain_only && entry.quoted) return bad("the text " + describe(entry) + " in quotes", field);
+  return read_scalar(field, entry);
+}
+
+std::string requirement(const Field& field) {
+  std::string text = kind_text(field, field.kind);
+  if (field.kind != Kind::flag && field.kind != Kind::choice)
+    text = (text.starts_with('a') ? "an " : "a ") + text;
+  const std::string range = range_text(field);
+  return range.empty() ? text : text + ", " + range + ",";
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,64 @@
+// One row of the table of fields: all that is known about an input before a case is read.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/case/mistake.hpp"
+#include "app/case/units.hpp"
+#include "app/case/yaml_tree.hpp"
+
+namespace orbearing::app {
+
+enum class Kind { quantity, integer, number, flag, choice, text, list };
+
+/// Models of this version, as bits, so that a field can name several.
+enum Model : unsigned { no_model = 0, planetary_drivetrain = 1, roller_bearing = 2 };
+inline constexpr unsigned every_model = planetary_drivetrain | roller_bearing;
+
+/// Interval of allowed values, in the customary unit of the field.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_allowed = true;  // false: greater than `least`
+  bool most_allowed = true;   // false: less than `most`
+};
+
+struct Field {
+  std::string path{};  // "bearing.radial_clearance"
+  Kind kind = Kind::text;
+  std::string meaning{};               // one sentence, shown by the schema
+  unsigned models = every_model;       // models that know the field
+  unsigned required_by = no_model;     // models that cannot do without it
+  Dimension dimension{};               // quantity, and list of quantities
+  Range range{};                       // quantity, number, integer and the elements of a list
+  std::vector<std::string> choices{};  // choice
+  std::string default_text{};          // as it would be written in a case; empty: none
+  std::string default_reason{};        // why this value may stand in for one that is not given
+  Kind element = Kind::number;         // list: kind of its elements
+};
+
+/// A checked value of a field.
+struct FieldValue {
+  std::string given;         // as written, in the form that the resolved case repeats
+  double number = 0.0;       // [SI] quantity; plain for number and integer; 1 or 0 for flag
+  std::vector<double> list;  // [SI] list
+
+  bool operator==(const FieldValue&) const = default;
+};
+
+/// Either a value, or what was found and what is required.
+struct FieldReading {
+  bool good = false;
+  FieldValue value;
+  Complaint complaint;
+};
+
+/// Checks one entry of the case against its field: kind, unit, finiteness, range.
+FieldReading read_field(const Field& field, const Entry& entry);
+
+/// What the field requires, as in "a length like '3 mm', greater than 0 mm".
+std::string requirement(const Field& field);
+
+}  // namespace orbearing::app

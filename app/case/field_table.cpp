@@ -1,0 +1,120 @@
+#include "app/case/field_table.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace orbearing::app {
+
+namespace {
+
+std::vector<Field> build_table() {
+  std::vector<Field> fields;
+  table::add_case_fields(fields);
+  table::add_drivetrain_fields(fields);
+  table::add_bearing_fields(fields);
+  table::add_condition_fields(fields);
+  table::add_dynamics_fields(fields);
+  return fields;
+}
+
+// Levenshtein's distance: least number of characters put in, taken out or replaced.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+const std::vector<Field>& all_fields() {
+  static const std::vector<Field> fields = build_table();
+  return fields;
+}
+
+const Field* find_field(std::string_view path) {
+  const std::vector<Field>& fields = all_fields();
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.path == path; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+std::vector<const Field*> fields_of(Model model) {
+  std::vector<const Field*> found;
+  for (const Field& field : all_fields())
+    if ((field.models & model) != 0) found.push_back(&field);
+  return found;
+}
+
+std::string_view model_name(Model model) {
+  switch (model) {
+    case planetary_drivetrain:
+      return "planetary-drivetrain";
+    case roller_bearing:
+      return "roller-bearing";
+    case no_model:
+      break;
+  }
+  return "";
+}
+
+const std::vector<Model>& models() {
+  static const std::vector<Model> all{planetary_drivetrain, roller_bearing};
+  return all;
+}
+
+Model model_of(std::string_view name) {
+  for (const Model model : models())
+    if (model_name(model) == name) return model;
+  return no_model;
+}
+
+const std::vector<std::string>& planned_models() {
+  static const std::vector<std::string> names{"gear-pair", "ball-bearing", "duplex-pair", "raceway-defect",
+                                              "spin-film"};
+  return names;
+}
+
+std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
+  std::string nearest;
+  std::size_t least =
+      std::max<std::size_t>(2, word.size() / 3) + 1;  // further apart is no slip of the keyboard
+  for (const std::string& candidate : known) {
+    const std::size_t distance = edit_distance(word.substr(0, 100), candidate);
+    if (distance >= least || distance >= candidate.size()) continue;
+    least = distance;
+    nearest = candidate;
+  }
+  return nearest;
+}
+
+namespace table {
+
+void add_case_fields(std::vector<Field>& fields) {
+  std::vector<std::string> names;
+  for (const Model model : models()) names.emplace_back(model_name(model));
+  fields.push_back(
+      {.path = "name", .kind = Kind::text, .meaning = "name of the case", .required_by = every_model});
+  fields.push_back({.path = "source",
+                    .kind = Kind::text,
+                    .meaning = "where the data come from",
+                    .required_by = every_model});
+  fields.push_back({.path = "model",
+                    .kind = Kind::choice,
+                    .meaning = "what is computed",
+                    .required_by = every_model,
+                    .choices = names});
+}
+
+}  // namespace table
+
+}  // namespace orbearing::app

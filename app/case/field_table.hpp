@@ -1,0 +1,41 @@
+// The one table of all fields: checking, defaults, JSON Schema, resolved case and `check` all come from it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/case/field.hpp"
+
+namespace orbearing::app {
+
+/// All fields, in the order in which cases are written.
+const std::vector<Field>& all_fields();
+
+/// The field of that path, or null.
+const Field* find_field(std::string_view path);
+
+/// Fields that a model knows, in table order.
+std::vector<const Field*> fields_of(Model model);
+
+/// Name of a model of this version, and back (`no_model` for another name).
+std::string_view model_name(Model model);
+Model model_of(std::string_view name);
+const std::vector<Model>& models();
+
+/// Models that the design names and this version does not have yet.
+const std::vector<std::string>& planned_models();
+
+/// The known word nearest to `word` by edit distance; empty where none is near.
+std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
+
+namespace table {
+/// Rows by block; a new model adds a file with such a function.
+void add_case_fields(std::vector<Field>& fields);
+void add_drivetrain_fields(std::vector<Field>& fields);
+void add_bearing_fields(std::vector<Field>& fields);
+void add_condition_fields(std::vector<Field>& fields);
+void add_dynamics_fields(std::vector<Field>& fields);
+}  // namespace table
+
+}  // namespace orbearing::app

@@ -1,0 +1,37 @@
+// Mistakes in a case file or in --set: collected, sorted by place and reported all at once.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orbearing::app {
+
+/// Where something was written: in the file, or as the n-th --set option.
+struct Place {
+  bool option = false;
+  int line = 1;    // counted from 1; for an option, its number
+  int column = 1;  // counted from 1, in characters
+};
+
+struct Complaint {
+  std::string found;
+  std::string required;
+};
+
+struct Mistake {
+  Place place;
+  std::string path;  // "input.power"; "(file)" where no key is to blame
+  Complaint complaint;
+};
+
+/// Text of the user's in quotes, on one line and of bearable length.
+std::string quote(std::string_view text);
+
+/// One line: `FILE:LINE:COLUMN: key.path: found; required`, or `--set: key.path: found; required`.
+std::string describe(const Mistake& mistake, const std::string& file);
+
+/// Throws BadInput (app/errors.hpp) with one line for each mistake, in the order of the file, options last.
+[[noreturn]] void throw_mistakes(const std::string& file, std::vector<Mistake> mistakes);
+
+}  // namespace orbearing::app

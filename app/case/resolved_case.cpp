@@ -1,0 +1,137 @@
+#include "app/case/resolved_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <stdexcept>
+
+#include "app/case/consistency.hpp"
+#include "app/case/field_table.hpp"
+#include "app/case/settings.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+void replace(CaseData& data, unsigned model, const Setting& setting, Place place,
+             std::vector<Mistake>& mistakes) {
+  const auto& [path, text] = setting;
+  const Field* field = find_field(path);
+  if (field == nullptr || (field->models & model) == 0 || path == "model") {
+    mistakes.push_back(
+        {place, path, {"a path that cannot be set here", "the path of a value of this case is required"}});
+    return;
+  }
+  FieldReading reading = read_field_text(*field, text);
+  if (!reading.good) {
+    mistakes.push_back({place, path, reading.complaint});
+    return;
+  }
+  data.values[path] = {std::move(reading.value), place, false};
+  data.assumed.erase(path);
+}
+
+}  // namespace
+
+const StoredValue& ResolvedCase::stored(std::string_view path) const {
+  const auto found = data_.values.find(path);
+  if (found == data_.values.end())
+    throw std::logic_error(fmt::format("the case has no value for '{}'", path));
+  return found->second;
+}
+
+const StoredValue& ResolvedCase::stored(std::string_view path, [[maybe_unused]] Kind kind) const {
+  assert(find_field(path) != nullptr && find_field(path)->kind == kind);
+  return stored(path);
+}
+
+double ResolvedCase::quantity(std::string_view path) const {
+  return stored(path, Kind::quantity).value.number;
+}
+double ResolvedCase::number(std::string_view path) const {
+  return stored(path, Kind::number).value.number;
+}
+int ResolvedCase::integer(std::string_view path) const {
+  return static_cast<int>(stored(path, Kind::integer).value.number);
+}
+bool ResolvedCase::flag(std::string_view path) const {
+  return stored(path, Kind::flag).value.number != 0.0;
+}
+const std::string& ResolvedCase::choice(std::string_view path) const {
+  return stored(path, Kind::choice).value.given;
+}
+const std::string& ResolvedCase::text(std::string_view path) const {
+  return stored(path, Kind::text).value.given;
+}
+const std::vector<double>& ResolvedCase::list(std::string_view path) const {
+  return stored(path, Kind::list).value.list;
+}
+
+bool ResolvedCase::has(std::string_view path) const {
+  return data_.values.find(path) != data_.values.end();
+}
+const std::string& ResolvedCase::given(std::string_view path) const {
+  return stored(path).value.given;
+}
+Place ResolvedCase::place(std::string_view path) const {
+  return stored(path).place;
+}
+
+std::string ResolvedCase::origin(std::string_view path) const {
+  const StoredValue& value = stored(path);
+  if (value.from_default) return "default";
+  if (value.place.option) return "--set";
+  return fmt::format("{}:{}:{}", data_.file, value.place.line, value.place.column);
+}
+
+Model ResolvedCase::model() const {
+  return has("model") ? model_of(choice("model")) : no_model;
+}
+
+ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings) const {
+  CaseData data = data_;
+  std::vector<Mistake> mistakes;
+  int number = 0;
+  for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);
+  ResolvedCase changed(std::move(data));
+  check_consistency(changed, mistakes);
+  if (!mistakes.empty()) throw_mistakes(changed.file(), std::move(mistakes));
+  return changed;
+}
+
+ResolvedCase ResolvedCase::with(const std::string& path, const std::string& text) const {
+  return with(std::vector<Setting>{{path, text}});
+}
+
+ResolvedCase ResolvedCase::without_sweep() const {
+  CaseData data = data_;
+  data.axes = CaseData{}.axes;
+  return ResolvedCase(std::move(data));
+}
+
+bool ResolvedCase::operator==(const ResolvedCase& other) const {
+  if (data_.values.size() != other.data_.values.size()) return false;
+  for (const auto& [path, stored] : data_.values)
+    if (!other.has(path) || !(other.stored(path).value == stored.value)) return false;
+  return data_.assumed == other.data_.assumed && axes() == other.axes();
+}
+
+std::size_t sweep_size(const ResolvedCase& resolved) {
+  std::size_t size = 1;
+  for (const SweepAxis& axis : resolved.axes()) size *= axis.values.size();
+  return size;
+}
+
+std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index) {
+  assert(index < sweep_size(resolved));
+  std::vector<Setting> settings;
+  std::size_t block = sweep_size(resolved);
+  for (const SweepAxis& axis : resolved.axes()) {
+    block /= axis.values.size();
+    settings.emplace_back(axis.path, axis.values[index / block]);
+    index %= block;
+  }
+  return settings;
+}
+
+}  // namespace orbearing::app

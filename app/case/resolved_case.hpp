@@ -1,0 +1,98 @@
+// A case with every value checked, converted and accounted for. Immutable; `with` makes changed copies.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/case/field.hpp"
+
+namespace orbearing::app {
+
+/// One axis of a sweep.
+struct SweepAxis {
+  std::string path;                 // swept field
+  std::vector<std::string> values;  // as they would be written in a case: "1000 rpm"
+  std::string written;              // the axis as the resolved case repeats it (YAML flow style)
+  Place place;
+
+  bool operator==(const SweepAxis& other) const {
+    return path == other.path && values == other.values && written == other.written;
+  }
+};
+
+/// Replacement of one independent value: field path and text as in a case.
+using Setting = std::pair<std::string, std::string>;
+
+/// A checked value with its place; the table's default where `from_default`.
+struct StoredValue {
+  FieldValue value;
+  Place place;
+  bool from_default = false;
+};
+
+/// What a resolved case consists of.
+struct CaseData {
+  std::string file;
+  std::map<std::string, StoredValue, std::less<>> values;
+  std::map<std::string, std::string, std::less<>> assumed;  // reasons by path
+  /// Shared, since every operating point is a copy of the case and an axis may hold a hundred thousand
+  /// values.
+  std::shared_ptr<const std::vector<SweepAxis>> axes = std::make_shared<const std::vector<SweepAxis>>();
+};
+
+class ResolvedCase {
+ public:
+  explicit ResolvedCase(CaseData data) : data_(std::move(data)) {}
+
+  /// Values by path. Asking for a field that has no value is an error of the program (std::logic_error).
+  double quantity(std::string_view path) const;  // [SI]
+  double number(std::string_view path) const;
+  int integer(std::string_view path) const;
+  bool flag(std::string_view path) const;
+  const std::string& choice(std::string_view path) const;
+  const std::string& text(std::string_view path) const;
+  const std::vector<double>& list(std::string_view path) const;  // [SI]
+  bool has(std::string_view path) const;
+
+  /// The value as written: "150 kW".
+  const std::string& given(std::string_view path) const;
+  /// "FILE:LINE:COLUMN", "--set" or "default".
+  std::string origin(std::string_view path) const;
+  Place place(std::string_view path) const;
+
+  Model model() const;
+  const std::string& file() const { return data_.file; }
+  const std::vector<SweepAxis>& axes() const { return *data_.axes; }
+  /// Reasons by path; defaults in use are among them.
+  const std::map<std::string, std::string, std::less<>>& assumed() const { return data_.assumed; }
+
+  /// Copy with independent values replaced, checked singly and together. Throws BadInput.
+  ResolvedCase with(const std::vector<Setting>& settings) const;
+  ResolvedCase with(const std::string& path, const std::string& text) const;
+
+  /// Copy without its sweep: the one operating point that the values state.
+  ResolvedCase without_sweep() const;
+
+  /// Equal values, reasons and axes; places do not count.
+  bool operator==(const ResolvedCase& other) const;
+
+ private:
+  const StoredValue& stored(std::string_view path) const;
+  const StoredValue& stored(std::string_view path, Kind kind) const;
+
+  CaseData data_;
+};
+
+/// Number of operating points: the product of the axes, 1 without a sweep.
+std::size_t sweep_size(const ResolvedCase& resolved);
+
+/// Settings of point `index`; the first axis changes slowest.
+std::vector<Setting> sweep_point(const ResolvedCase& resolved, std::size_t index);
+
+}  // namespace orbearing::app

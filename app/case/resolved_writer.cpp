@@ -1,0 +1,80 @@
+#include "app/case/resolved_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// JSON's strings are YAML's double-quoted ones.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump();
+}
+
+std::string write_value(const Field& field, const std::string& given) {
+  if (field.kind == Kind::text) return quoted(given);
+  if (field.kind == Kind::list) return given;
+  return write_scalar(given);
+}
+
+// Opens the blocks that `path` lies in and the previous path did not, and returns the indented key.
+std::string open_blocks(const std::string& path, const std::string& previous) {
+  std::string text;
+  std::size_t begin = 0;
+  std::size_t depth = 0;
+  for (auto dot = path.find('.'); dot != std::string::npos; dot = path.find('.', begin), ++depth) {
+    if (!previous.starts_with(path.substr(0, dot + 1)))
+      text += fmt::format("{:{}}{}:\n", "", 2 * depth, path.substr(begin, dot - begin));
+    begin = dot + 1;
+  }
+  return text + fmt::format("{:{}}{}: ", "", 2 * depth, path.substr(begin));
+}
+
+}  // namespace
+
+std::string write_scalar(const std::string& text) {
+  const auto is_safe = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view(" ./^*+-").find(c) != std::string::npos;
+  };
+  const bool begins_well =
+      !text.empty() && (std::isalnum(static_cast<unsigned char>(text.front())) != 0 ||
+                        (text.size() > 1 && std::isdigit(static_cast<unsigned char>(text[1])) != 0));
+  const bool ends_well = !text.empty() && text.back() != ' ';
+  return begins_well && ends_well && std::all_of(text.begin(), text.end(), is_safe) ? text : quoted(text);
+}
+
+std::string write_resolved(const ResolvedCase& resolved) {
+  std::string text;
+  std::string previous;
+  for (const Field* field : fields_of(resolved.model())) {
+    if (!resolved.has(field->path)) continue;
+    text += open_blocks(field->path, previous) + write_value(*field, resolved.given(field->path)) + "\n";
+    previous = field->path;
+  }
+  if (!resolved.axes().empty()) text += "sweep:\n";
+  for (const SweepAxis& axis : resolved.axes()) text += fmt::format("  {}: {}\n", axis.path, axis.written);
+  if (!resolved.assumed().empty()) text += "assumed:\n";
+  for (const auto& [path, reason] : resolved.assumed())
+    text += fmt::format("  {}: {}\n", path, quoted(reason));
+  return text;
+}
+
+std::string case_hash(const ResolvedCase& resolved) {
+  // Fowler, Noll and Vo's offset basis and prime for 64 bits.
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : write_resolved(resolved)) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3U;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,154 @@
+#include "app/case/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A number, then a unit; whether the unit fits is beyond a schema.
+constexpr const char* quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*\S.*$)";
+
+Json with_range(Json schema, const Range& range) {
+  if (std::isfinite(range.least)) schema[range.least_allowed ? "minimum" : "exclusiveMinimum"] = range.least;
+  if (std::isfinite(range.most)) schema[range.most_allowed ? "maximum" : "exclusiveMaximum"] = range.most;
+  return schema;
+}
+
+Json value_schema(const Field& field, Kind kind) {
+  switch (kind) {
+    case Kind::quantity:
+      return {{"type", "string"}, {"pattern", quantity_pattern}};
+    case Kind::integer:
+      return with_range({{"type", "integer"}}, field.range);
+    case Kind::number:
+      return with_range({{"type", "number"}}, field.range);
+    case Kind::flag:
+      return {{"type", "boolean"}};
+    case Kind::choice:
+      return {{"type", "string"}, {"enum", field.choices}};
+    case Kind::text:
+      return {{"type", "string"}, {"minLength", 1}};
+    case Kind::list:
+      return {{"type", "array"}, {"minItems", 1}, {"items", value_schema(field, field.element)}};
+  }
+  return {};
+}
+
+Json default_value(const Field& field) {
+  const bool text = field.kind == Kind::quantity || field.kind == Kind::choice || field.kind == Kind::text;
+  return text ? Json(field.default_text) : Json::parse(field.default_text);
+}
+
+Json field_schema(const Field& field) {
+  Json schema = value_schema(field, field.kind);
+  schema["description"] = field.meaning + " (" + requirement(field) + ")";
+  if (schema["description"].get<std::string>().ends_with(",)"))
+    schema["description"] =
+        field.meaning + " (" + requirement(field).substr(0, requirement(field).size() - 1) + ")";
+  if (field.kind == Kind::quantity) schema["examples"] = {field.dimension.example};
+  if (!field.default_text.empty()) schema["default"] = default_value(field);
+  return schema;
+}
+
+Json& block_of(Json& root, std::string_view path, bool required) {
+  Json* block = &root;
+  for (auto dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.')) {
+    const std::string key(path.substr(0, dot));
+    Json& list = (*block)["required"];
+    if (required && std::find(list.begin(), list.end(), key) == list.end()) list.push_back(key);
+    Json& child = (*block)["properties"][key];
+    if (child.is_null())
+      child = {{"type", "object"},
+               {"additionalProperties", false},
+               {"required", Json::array()},
+               {"properties", Json::object()}};
+    block = &child;
+    path.remove_prefix(dot + 1);
+  }
+  return *block;
+}
+
+void add_field(Json& root, const Field& field, Model model) {
+  const bool required = (field.required_by & model) != 0;
+  Json& block = block_of(root, field.path, required);
+  const std::string key = field.path.substr(field.path.rfind('.') + 1);
+  if (required) block["required"].push_back(key);
+  block["properties"][key] = field_schema(field);
+}
+
+Json axis_schema(const Field& field) {
+  const Json value = value_schema(field, field.kind);
+  Json step = value_schema(field, field.kind);
+  for (const char* bound : {"minimum", "maximum", "exclusiveMaximum"}) step.erase(bound);
+  if (field.kind != Kind::quantity) step["exclusiveMinimum"] = 0;
+  const Json range = {{"type", "object"},
+                      {"additionalProperties", false},
+                      {"required", {"from", "to", "step"}},
+                      {"properties", {{"from", value}, {"to", value}, {"step", step}}}};
+  const Json list = {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}, {"items", value}};
+  return {{"description", field.meaning}, {"oneOf", {range, list}}};
+}
+
+Json sweep_schema(Model model) {
+  Json properties = Json::object();
+  for (const Field* field : fields_of(model))
+    if (field->kind == Kind::quantity || field->kind == Kind::number || field->kind == Kind::integer)
+      properties[field->path] = axis_schema(*field);
+  return {{"description", "values that are varied; several axes make every combination"},
+          {"type", "object"},
+          {"additionalProperties", false},
+          {"properties", properties}};
+}
+
+Json assumed_schema(Model model) {
+  Json properties = Json::object();
+  for (const Field* field : fields_of(model))
+    properties[field->path] = {{"type", "string"}, {"minLength", 1}};
+  return {{"description", "reasons for values that the source does not give"},
+          {"type", "object"},
+          {"additionalProperties", false},
+          {"properties", properties}};
+}
+
+Json model_schema(Model model) {
+  Json schema = {{"type", "object"},
+                 {"additionalProperties", false},
+                 {"required", Json::array()},
+                 {"properties", Json::object()}};
+  for (const Field* field : fields_of(model)) add_field(schema, *field, model);
+  schema["properties"]["model"] = {{"const", model_name(model)}};
+  schema["properties"]["sweep"] = sweep_schema(model);
+  schema["properties"]["assumed"] = assumed_schema(model);
+  return schema;
+}
+
+}  // namespace
+
+std::string case_schema() {
+  Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                 {"title", "Orbearing case"},
+                 {"type", "object"},
+                 {"required", {"name", "source", "model"}},
+                 {"properties", {{"model", field_schema(*find_field("model"))}}},
+                 {"allOf", Json::array()},
+                 {"$defs", Json::object()}};
+  for (const Model model : models()) {
+    const std::string name(model_name(model));
+    schema["allOf"].push_back(
+        {{"if", {{"properties", {{"model", {{"const", name}}}}}, {"required", {"model"}}}},
+         {"then", {{"$ref", "#/$defs/" + name}}}});
+    schema["$defs"][name] = model_schema(model);
+  }
+  return schema.dump(2) + "\n";
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,119 @@
+#include "app/case/settings.hpp"
+
+#include <algorithm>
+
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+std::string trim(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+void split_into(std::vector<std::string>& keys, std::string_view path) {
+  for (std::size_t dot = path.find('.'); dot != std::string_view::npos; dot = path.find('.')) {
+    keys.emplace_back(path.substr(0, dot));
+    path.remove_prefix(dot + 1);
+  }
+  keys.emplace_back(path);
+}
+
+// Keys of "sweep" and "assumed" are field paths, with dots of their own.
+std::vector<std::string> split_sweep(std::string_view rest) {
+  std::vector<std::string> keys{"sweep"};
+  const Field* longest = nullptr;
+  for (const Field& field : all_fields())
+    if ((rest == field.path || rest.starts_with(field.path + ".")) &&
+        (longest == nullptr || field.path.size() > longest->path.size()))
+      longest = &field;
+  const std::size_t length = longest == nullptr ? rest.size() : longest->path.size();
+  keys.emplace_back(rest.substr(0, length));
+  if (length < rest.size()) split_into(keys, rest.substr(length + 1));
+  return keys;
+}
+
+std::vector<std::string> keys_of(const std::string& path) {
+  if (path.starts_with("assumed.")) return {"assumed", path.substr(8)};
+  if (path.starts_with("sweep.")) return split_sweep(std::string_view(path).substr(6));
+  std::vector<std::string> keys;
+  split_into(keys, path);
+  return keys;
+}
+
+bool takes_any_text(const std::string& path) {
+  const Field* field = find_field(path);
+  return path.starts_with("assumed.") || (field != nullptr && field->kind == Kind::text);
+}
+
+void move_to(Entry& entry, Place place) {
+  entry.place = place;
+  for (Entry& item : entry.items) move_to(item, place);
+  for (Member& member : entry.members) {
+    member.place = place;
+    move_to(member.value, place);
+  }
+}
+
+// A colon or a bracket in a reason is no YAML.
+Entry read_value(const std::string& path, const std::string& text) {
+  if (!takes_any_text(path)) return read_yaml(text);
+  try {
+    Entry entry = read_yaml(text);
+    if (entry.shape == Entry::Shape::scalar || entry.shape == Entry::Shape::nothing) return entry;
+  } catch (const YamlFault&) {
+  }
+  return make_scalar(text, true);
+}
+
+void put(Entry& root, const std::vector<std::string>& keys, Entry value) {
+  Entry* block = &root;
+  for (const std::string& key : keys) {
+    if (block->shape != Entry::Shape::block) *block = make_entry(Entry::Shape::block, value.place);
+    Member* member = find_member(*block, key);
+    if (member == nullptr) member = &block->members.emplace_back(Member{key, value.place, {}});
+    block = &member->value;
+  }
+  *block = std::move(value);
+}
+
+void apply(Entry& root, const std::string& setting, Place place, std::vector<Mistake>& mistakes) {
+  const auto sign = setting.find('=');
+  const std::string path = trim(setting.substr(0, sign));
+  const std::vector<std::string> keys = keys_of(path);
+  const bool gap = std::find(keys.begin(), keys.end(), "") != keys.end();
+  if (sign == std::string::npos || gap) {
+    mistakes.push_back({place,
+                        path.empty() ? "(option)" : path,
+                        {quote(setting) + (gap ? " has no complete path" : " has no '='"),
+                         "path=value, as in 'input.power=150 kW', is required"}});
+    return;
+  }
+  try {
+    Entry value = read_value(path, setting.substr(sign + 1));
+    move_to(value, place);
+    put(root, keys, std::move(value));
+  } catch (const YamlFault& fault) {
+    mistakes.push_back({place, path, fault.complaint});
+  }
+}
+
+}  // namespace
+
+void apply_settings(Entry& root, const std::vector<std::string>& settings, std::vector<Mistake>& mistakes) {
+  int number = 0;
+  for (const std::string& setting : settings) apply(root, setting, {true, ++number, 1}, mistakes);
+}
+
+FieldReading read_field_text(const Field& field, const std::string& text) {
+  if (field.kind != Kind::list) return read_field(field, make_scalar(text));
+  try {
+    return read_field(field, read_yaml(text));
+  } catch (const YamlFault& fault) {
+    return {false, {}, fault.complaint};
+  }
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,21 @@
+# Sources of app/case, for the target of the app.
+set(ORBEARING_CASE_SOURCES
+  case/bearing_fields.cpp
+  case/case_file.cpp
+  case/case_resolver.cpp
+  case/check_table.cpp
+  case/condition_fields.cpp
+  case/consistency.cpp
+  case/drivetrain_fields.cpp
+  case/dynamics_fields.cpp
+  case/field.cpp
+  case/field_table.cpp
+  case/mistake.cpp
+  case/resolved_case.cpp
+  case/resolved_writer.cpp
+  case/schema.cpp
+  case/settings.cpp
+  case/sweep_axes.cpp
+  case/units.cpp
+  case/yaml_tree.cpp)
+set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

@@ -1,0 +1,198 @@
+#include "app/case/sweep_axes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "app/case/field_table.hpp"
+#include "app/case/resolved_writer.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// Part of a step by which rounding may put the last point beyond `to`.
+constexpr double end_tolerance = 1e-9;
+
+constexpr std::array<std::string_view, 3> range_keys{"from", "to", "step"};
+
+struct Steps {
+  double from = 0.0;  // [unit]
+  double to = 0.0;    // [unit]
+  double step = 0.0;  // [unit]
+  std::string unit;   // unit of `from`; empty for plain numbers
+};
+
+class AxisReader {
+ public:
+  AxisReader(const Field& field, const Member& member, std::vector<Mistake>& mistakes)
+      : field_(field), path_("sweep." + member.key), entry_(member.value), mistakes_(mistakes) {}
+
+  SweepAxis read() {
+    SweepAxis axis{field_.path, {}, {}, entry_.place};
+    if (entry_.shape == Entry::Shape::list) {
+      read_values(axis);
+    } else if (entry_.shape == Entry::Shape::block) {
+      read_range(axis);
+    } else {
+      object(entry_.place, path_, describe(entry_) + " found", required_shape);
+    }
+    return axis;
+  }
+
+ private:
+  static constexpr const char* required_shape =
+      "a list of values or {from: ..., to: ..., step: ...} is required";
+
+  void object(Place place, const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({place, path, {std::move(found), std::move(required)}});
+  }
+
+  void read_values(SweepAxis& axis) {
+    std::set<double> seen;
+    std::vector<std::string> written;
+    if (entry_.items.empty()) object(entry_.place, path_, "an empty list", required_shape);
+    for (const Entry& item : entry_.items) {
+      const FieldReading reading = read_field(field_, item);
+      if (!reading.good) {
+        mistakes_.push_back({item.place, path_, reading.complaint});
+      } else if (!seen.insert(reading.value.number).second) {
+        object(item.place, path_, describe(item) + " stands twice", "each value once is required");
+      } else {
+        axis.values.push_back(reading.value.given);
+        written.push_back(write_scalar(reading.value.given));
+      }
+    }
+    axis.written = fmt::format("[{}]", fmt::join(written, ", "));
+  }
+
+  void read_range(SweepAxis& axis) {
+    if (!has_range_keys()) return;
+    const std::optional<Steps> steps = read_steps();
+    if (!steps || !check_steps(*steps)) return;
+    const auto last = static_cast<int>(std::floor((steps->to - steps->from) / steps->step + end_tolerance));
+    for (int i = 0; i <= last; ++i) {
+      const double value = steps->from + i * steps->step;
+      axis.values.push_back(steps->unit.empty() ? fmt::format("{}", value)
+                                                : fmt::format("{} {}", value, steps->unit));
+    }
+    axis.written = fmt::format("{{from: {}, to: {}, step: {}}}", write_scalar(part("from").text),
+                               write_scalar(part("to").text), write_scalar(part("step").text));
+  }
+
+  const Entry& part(std::string_view key) const { return find_member(entry_, key)->value; }
+
+  bool has_range_keys() {
+    const std::size_t before = mistakes_.size();
+    std::set<std::string> seen;
+    for (const Member& member : entry_.members) {
+      if (!seen.insert(member.key).second)
+        object(member.place, path_ + "." + member.key, "duplicate key", "each key once is required");
+      else if (std::find(range_keys.begin(), range_keys.end(), member.key) == range_keys.end())
+        object(member.place, path_ + "." + member.key, "unknown key", "only from, to and step are required");
+    }
+    for (const std::string_view key : range_keys)
+      if (!seen.contains(std::string(key)))
+        object(entry_.place, fmt::format("{}.{}", path_, key), "missing", required_shape);
+    return mistakes_.size() == before;
+  }
+
+  // `from` and `to` must be values of the field; then so is all between them.
+  std::optional<Steps> read_steps() {
+    Field unlimited = field_;
+    unlimited.range = {.least = 0.0, .least_allowed = false};
+    const bool good_from = check_part("from", field_);
+    const bool good_to = check_part("to", field_);
+    if (!check_part("step", unlimited) || !good_from || !good_to) return std::nullopt;
+    const WrittenQuantity from = *split_quantity(part("from").text).value;
+    return Steps{from.value, in_unit("to", from.unit), in_unit("step", from.unit), from.unit};
+  }
+
+  bool check_part(const char* key, const Field& field) {
+    const FieldReading reading = read_field(field, part(key));
+    if (!reading.good) mistakes_.push_back({part(key).place, path_ + "." + key, reading.complaint});
+    return reading.good;
+  }
+
+  double in_unit(const char* key, const std::string& unit) const {
+    const WrittenQuantity written = *split_quantity(part(key).text).value;
+    return convert(written.value, written.unit, unit).value.value_or(written.value);
+  }
+
+  bool check_steps(const Steps& steps) {
+    const std::size_t before = mistakes_.size();
+    if (steps.to < steps.from)
+      object(part("to").place, path_ + ".to", describe(part("to")) + " is less than 'from'",
+             "a value of at least " + part("from").text + " is required");
+    else if (!((steps.to - steps.from) / steps.step < most_points))
+      object(part("step").place, path_ + ".step", describe(part("step")) + " makes too many points",
+             fmt::format("at most {} points are required", most_points));
+    return mistakes_.size() == before;
+  }
+
+  const Field& field_;
+  std::string path_;
+  const Entry& entry_;
+  std::vector<Mistake>& mistakes_;
+};
+
+bool is_numeric(const Field& field) {
+  return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer;
+}
+
+std::string path_hint(const std::string& key, unsigned model) {
+  std::vector<std::string> known;
+  for (const Field& field : all_fields()) {
+    if ((field.models & model) == 0 || !is_numeric(field)) continue;
+    if (field.path.starts_with(key + "."))
+      return fmt::format("the whole path, as in '{}', is required", field.path);
+    known.push_back(field.path);
+  }
+  const std::string near = nearest_word(key, known);
+  return near.empty() ? "the path of a numeric field, as in 'input.speed', is required"
+                      : fmt::format("the path of a numeric field is required; did you mean '{}'?", near);
+}
+
+const Field* swept_field(const Member& member, unsigned model, std::vector<Mistake>& mistakes) {
+  const Field* field = find_field(member.key);
+  const std::string path = "sweep." + member.key;
+  if (field == nullptr || (field->models & model) == 0) {
+    mistakes.push_back({member.place, path, {"unknown path", path_hint(member.key, model)}});
+    return nullptr;
+  }
+  if (is_numeric(*field)) return field;
+  mistakes.push_back({member.place, path, {"a field that is no number", path_hint(member.key, model)}});
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, std::vector<Mistake>& mistakes) {
+  std::vector<SweepAxis> axes;
+  std::set<std::string> seen;
+  double points = 1.0;
+  for (const Member& member : sweep.members) {
+    if (!seen.insert(member.key).second) {
+      mistakes.push_back(
+          {member.place, "sweep." + member.key, {"duplicate key", "each key once is required"}});
+      continue;
+    }
+    const Field* field = swept_field(member, model, mistakes);
+    if (field == nullptr) continue;
+    axes.push_back(AxisReader(*field, member, mistakes).read());
+    points *= static_cast<double>(axes.back().values.size());
+  }
+  if (points > most_points)
+    mistakes.push_back({sweep.place,
+                        "sweep",
+                        {fmt::format("{} operating points", points),
+                         fmt::format("at most {} points are required", most_points)}});
+  return axes;
+}
+
+}  // namespace orbearing::app

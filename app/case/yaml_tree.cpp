@@ -1,0 +1,259 @@
+#include "app/case/yaml_tree.hpp"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr std::size_t deepest = 16;  // levels; the fields need four
+
+// Places of bytes, with columns in characters (yaml-cpp counts bytes). Asked for in rising order it reads the
+// text once.
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(std::string_view text) : text_(text) {}
+
+  Place operator()(std::size_t position) {
+    if (position < reached_) *this = PlaceFinder(text_);
+    for (; reached_ < std::min(position, text_.size()); ++reached_) pass(text_[reached_]);
+    return place_;
+  }
+
+ private:
+  void pass(char c) {
+    if (c == '\n') {
+      ++place_.line;
+      place_.column = 1;
+    } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {
+      ++place_.column;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t reached_ = 0;
+  Place place_;
+};
+
+Place place_at(std::string_view text, std::size_t position) {
+  return PlaceFinder(text)(position);
+}
+
+[[noreturn]] void refuse(Place place, std::string found, std::string required) {
+  throw YamlFault{place, {std::move(found), std::move(required)}};
+}
+
+std::size_t utf8_length(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead < 0xE0) return 2;
+  if (lead >= 0xE0 && lead < 0xF0) return 3;
+  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+}
+
+bool is_utf8_character(std::string_view text, std::size_t at, std::size_t length) {
+  if (length == 0 || at + length > text.size()) return false;
+  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(at) + 1,
+                     text.begin() + static_cast<std::ptrdiff_t>(at + length),
+                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; });
+}
+
+// yaml-cpp stops in silence at some control characters and repairs broken UTF-8: both would lose input.
+void check_characters(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const std::size_t length = utf8_length(lead);
+    if (!is_utf8_character(text, i, length))
+      refuse(place_at(text, i), "a byte that is not UTF-8", "a text file in UTF-8 is required");
+    if ((lead < 0x20 && lead != '\t' && lead != '\n' && lead != '\r') || lead == 0x7F)
+      refuse(place_at(text, i), "a control character", "a text file in UTF-8 is required");
+    i += length;
+  }
+}
+
+// yaml-cpp lets the end of the file close a quotation.
+bool is_closed(std::string_view text, std::size_t start) {
+  const char mark = text[start];
+  for (std::size_t i = start + 1; i < text.size(); ++i) {
+    if (mark == '"' && text[i] == '\\') {
+      ++i;
+    } else if (text[i] == mark) {
+      if (mark == '"' || i + 1 >= text.size() || text[i + 1] != mark) return true;
+      ++i;
+    }
+  }
+  return false;
+}
+
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(std::string_view text) : text_(text), place_of_(text) {}
+
+  Entry take_root() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    refuse_anchor(mark, anchor);
+    // The mark of a missing value lies on what comes next.
+    add(make_entry(Entry::Shape::nothing, expects_value() ? open_.back().key_place : place(mark)));
+  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { refuse_anchor(mark, 1); }
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    refuse_anchor(mark, anchor);
+    refuse_tag(mark, tag);
+    const bool quoted = tag == "!";
+    const char opening = at(mark) < text_.size() ? text_[at(mark)] : ' ';
+    if (quoted && (opening == '"' || opening == '\'') && !is_closed(text_, at(mark)))
+      refuse(place(mark), "a quotation that does not end",
+             "a closing " + std::string(1, opening) + " is required");
+    if (expects_key()) {
+      open_.back().key = value;
+      open_.back().key_place = place(mark);
+      open_.back().has_key = true;
+    } else {
+      add(make_scalar(value, quoted, place(mark)));
+    }
+  }
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, Entry::Shape::list);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, Entry::Shape::block);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Open {
+    Entry entry;
+    std::string key{};
+    Place key_place{};
+    bool has_key = false;
+  };
+
+  std::size_t at(const YAML::Mark& mark) const { return static_cast<std::size_t>(std::max(mark.pos, 0)); }
+  Place place(const YAML::Mark& mark) { return place_of_(at(mark)); }
+  bool in_block() const { return !open_.empty() && open_.back().entry.shape == Entry::Shape::block; }
+  bool expects_key() const { return in_block() && !open_.back().has_key; }
+  bool expects_value() const { return in_block() && open_.back().has_key; }
+
+  void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (anchor != 0) refuse(place(mark), "an anchor or alias (& or *)", "the value written out is required");
+  }
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    if (!tag.empty() && tag != "?" && tag != "!")
+      refuse(place(mark), "the YAML tag " + quote(tag), "a value without a tag is required");
+  }
+
+  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Entry::Shape shape) {
+    refuse_anchor(mark, anchor);
+    refuse_tag(mark, tag);
+    if (expects_key())
+      refuse(place(mark), "an open bracket or a key that is no plain text",
+             "closed brackets and plain keys are required");
+    if (open_.size() >= deepest)
+      refuse(place(mark), "nesting of more than 16 levels", "the blocks of a case are required");
+    open_.push_back({.entry = make_entry(shape, place(mark))});
+  }
+
+  void close() {
+    Entry done = std::move(open_.back().entry);
+    open_.pop_back();
+    add(std::move(done));
+  }
+
+  void add(Entry entry) {
+    if (open_.empty()) {
+      root_ = std::move(entry);
+      return;
+    }
+    Open& parent = open_.back();
+    if (parent.entry.shape == Entry::Shape::list) {
+      parent.entry.items.push_back(std::move(entry));
+    } else if (parent.has_key) {
+      parent.entry.members.push_back({std::move(parent.key), parent.key_place, std::move(entry)});
+      parent.has_key = false;
+    } else {
+      refuse(entry.place, "an empty key", "a plain key is required");
+    }
+  }
+
+  std::string_view text_;
+  PlaceFinder place_of_;
+  std::vector<Open> open_;
+  Entry root_;
+};
+
+Entry parse(std::string_view text) {
+  std::istringstream stream{std::string(text)};
+  YAML::Parser parser(stream);
+  TreeBuilder builder(text);
+  if (!parser.HandleNextDocument(builder)) return {};
+  Entry root = builder.take_root();
+  TreeBuilder rest(text);
+  if (parser.HandleNextDocument(rest))
+    refuse(rest.take_root().place, "a second YAML document", "one document is required");
+  return root;
+}
+
+}  // namespace
+
+Entry read_yaml(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  check_characters(text);
+  try {
+    return parse(text);
+  } catch (const YAML::Exception& error) {
+    const auto position = static_cast<std::size_t>(std::max(error.mark.pos, 0));
+    refuse(place_at(text, std::min(position, text.size())), "wrong YAML (" + error.msg + ")",
+           "keys and values as 'key: value', indented by blanks, are required");
+  }
+}
+
+Entry make_entry(Entry::Shape shape, Place place) {
+  Entry entry;
+  entry.shape = shape;
+  entry.place = place;
+  return entry;
+}
+
+Entry make_scalar(std::string text, bool quoted, Place place) {
+  Entry entry = make_entry(Entry::Shape::scalar, place);
+  entry.text = std::move(text);
+  entry.quoted = quoted;
+  return entry;
+}
+
+const Member* find_member(const Entry& block, std::string_view key) {
+  const auto found = std::find_if(block.members.begin(), block.members.end(),
+                                  [&](const Member& member) { return member.key == key; });
+  return found == block.members.end() ? nullptr : &*found;
+}
+
+Member* find_member(Entry& block, std::string_view key) {
+  return const_cast<Member*>(find_member(static_cast<const Entry&>(block), key));
+}
+
+std::string describe(const Entry& entry) {
+  switch (entry.shape) {
+    case Entry::Shape::scalar:
+      return entry.quoted && entry.text.empty() ? "an empty text" : quote(entry.text);
+    case Entry::Shape::list:
+      return "a list";
+    case Entry::Shape::block:
+      return "a block";
+    case Entry::Shape::nothing:
+      break;
+  }
+  return "nothing";
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,115 @@
+#include "app/commands/command_line.hpp"
+
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include "app/errors.hpp"
+#include "app/version.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kBadInput = 2;
+
+using Command = int (*)(const Options&);
+
+void add_case(CLI::App& command, Options& options) {
+  command.add_option("CASE", options.case_file, "case file")->required();
+  command
+      .add_option("--set", options.settings,
+                  "path=value: replace one independent value; repeatable, e.g. --set \"input.power=75 kW\"")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("PATH=VALUE");
+}
+
+void add_output(CLI::App& command, Options& options) {
+  command.add_option("-o,--output", options.output, "folder of the results; made where it is missing")
+      ->required()
+      ->type_name("DIR");
+}
+
+void add_computing(CLI::App& command, Options& options) {
+  add_case(command, options);
+  add_output(command, options);
+  command.add_option("--fidelity", options.fidelity, "quasi-static (default) or dynamic")
+      ->check(CLI::IsMember({"quasi-static", "dynamic"}));
+  command.add_flag("--resume", options.resume, "go on in DIR with the points that are missing");
+}
+
+void add_sweep(CLI::App& command, Options& options) {
+  add_computing(command, options);
+  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
+      ->check(CLI::Range(1, 4096));
+  command.add_option("--shard", options.shard, "compute part i of n, to be joined by merge")
+      ->type_name("i/n");
+}
+
+// Subcommands in the order in which they are shown.
+struct CommandTable {
+  CLI::App& program;
+  Options& options;
+  Command& chosen;
+
+  CLI::App& add(const char* name, const char* purpose, Command command) {
+    CLI::App& sub = *program.add_subcommand(name, purpose);
+    sub.add_flag("--json", options.json, "print the result as one JSON object and nothing else");
+    sub.add_flag("--quiet", options.quiet, "no progress, no tables");
+    sub.callback([this, command] { chosen = command; });
+    return sub;
+  }
+};
+
+void add_commands(CommandTable table) {
+  Options& options = table.options;
+  add_case(table.add("check", "resolve and print every input of a case", check_command), options);
+  add_computing(table.add("run", "the case's analysis at its operating point", run_command), options);
+  add_sweep(table.add("sweep", "all operating points of the case", sweep_command), options);
+  CLI::App& merge = table.add("merge", "join the shards of a sweep", merge_command);
+  merge.add_option("DIR", options.folders, "folders of the shards")->required();
+  add_output(merge, options);
+  CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
+  validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
+  CLI::App& report = table.add("report", "write DIR/report.html", report_command);
+  report.add_option("DIR", options.folders, "folder of a sweep")->required()->expected(1);
+}
+
+int parse_and_run(int argc, char** argv) {
+  Options options;
+  Command chosen = nullptr;
+  CLI::App program("Orbearing: planet bearings inside planetary drivetrains", "orbearing");
+  program.set_version_flag("--version", std::string(program_version));
+  program.require_subcommand(1);
+  CommandTable table{program, options, chosen};
+  add_commands(table);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = program.exit(error);
+    return code == 0 ? kDone : kBadInput;
+  }
+  return chosen(options);
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const BadInput& error) {
+    for (const std::string& line : error.messages) fmt::print(stderr, "{}\n", line);
+    return kBadInput;
+  } catch (const ComputationFailed& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return kFailed;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "orbearing: {}\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace orbearing::app

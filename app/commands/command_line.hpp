@@ -1,0 +1,36 @@
+// The command line: which command, with which options, and how it ended.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orbearing::app {
+
+/// What the user typed after the subcommand. A command reads the options it declares.
+struct Options {
+  std::string case_file;
+  std::vector<std::string> cases;     // validate: none means all that ship
+  std::vector<std::string> folders;   // merge, report
+  std::vector<std::string> settings;  // path=value
+  std::string output;
+  std::string fidelity = "quasi-static";
+  std::optional<std::string> shard;  // "i/n"
+  int jobs = 0;                      // 0: one for each core
+  bool resume = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Each prints its result on standard output. Throws BadInput and ComputationFailed; returns the exit code.
+int check_command(const Options& options);
+int run_command(const Options& options);
+int sweep_command(const Options& options);
+int merge_command(const Options& options);
+int validate_command(const Options& options);
+int report_command(const Options& options);
+
+/// Exit code: 0 done; 1 the computation failed, wholly or at some points; 2 bad input or usage.
+int run_command_line(int argc, char** argv);
+
+}  // namespace orbearing::app

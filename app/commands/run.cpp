@@ -1,0 +1,19 @@
+#include <fmt/core.h>
+
+#include "app/case/case_file.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/study/sweep_study.hpp"
+
+namespace orbearing::app {
+
+int run_command(const Options& options) {
+  const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
+  SweepRequest request = sweep_request(resolved, options.fidelity);
+  request.folder = options.output;
+  request.jobs = 1;
+  request.resume = options.resume;
+  request.quiet = options.quiet;
+  return present_sweep(resolved, run_sweep(request), options.json, options.quiet);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,33 @@
+// The two ways a command ends badly, told apart by its exit code.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace orbearing::app {
+
+/// The user can mend it: place, what was found, what is required, what to do. Exit code 2.
+struct BadInput : std::runtime_error {
+  explicit BadInput(std::vector<std::string> lines)
+      : std::runtime_error(joined(lines)), messages(std::move(lines)) {}
+  explicit BadInput(const std::string& line) : BadInput(std::vector<std::string>{line}) {}
+
+  std::vector<std::string> messages;  // one line per mistake
+
+ private:
+  static std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+    return text;
+  }
+};
+
+/// The input was sound, yet the work could not be completed: no convergence, no room on the disk,
+/// interrupted by a signal. Exit code 1.
+struct ComputationFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace orbearing::app

@@ -1,0 +1,167 @@
+#include "app/results/durable_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+#include "app/errors.hpp"
+
+namespace orbearing::app {
+namespace {
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, int error) {
+  throw ComputationFailed(
+      fmt::format("{}: cannot be written: {}; finished points are kept: make room, then go on with --resume",
+                  file.string(), std::strerror(error)));
+}
+
+/// Closes what it holds; `release` first where the result of closing matters.
+struct Descriptor {
+  int number = -1;
+  explicit Descriptor(int opened) : number(opened) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+  int release() { return std::exchange(number, -1); }
+};
+
+/// Writes all of `text`; errno of the first failure, else 0.
+int write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+std::filesystem::path aside_of(const std::filesystem::path& file) {
+  return file.string() + aside_ending;
+}
+
+/// Writes the content beside its file and waits until the disk has it; errno of the first failure, else 0.
+int write_aside(const FileContent& file) {
+  Descriptor opened(::open(aside_of(file.file).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (opened.number < 0) return errno;
+  const int error = write_all(opened.number, file.content);
+  if (error != 0) return error;
+  if (::fsync(opened.number) != 0) return errno;
+  return ::close(opened.release()) != 0 ? errno : 0;
+}
+
+/// One after the other each file waits for the disk's own flush; together they share it, which is some
+/// thirty times faster.
+void bring_to_disk(const std::vector<FileContent>& files, std::vector<int>& errors) {
+  constexpr std::size_t most_writers = 8;
+  const std::size_t writers = std::min(most_writers, files.size());
+  std::vector<std::jthread> others;
+  const auto write_share = [&](std::size_t first) {
+    for (std::size_t i = first; i < files.size(); i += writers) errors[i] = write_aside(files[i]);
+  };
+  for (std::size_t first = 1; first < writers; ++first) others.emplace_back(write_share, first);
+  write_share(0);
+}
+
+}  // namespace
+
+void write_aside_and_rename(const std::vector<FileContent>& files) {
+  std::vector<int> errors(files.size(), 0);
+  bring_to_disk(files, errors);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (errors[i] == 0) continue;
+    for (const FileContent& file : files) ::unlink(aside_of(file.file).c_str());
+    fail_to_write(files[i].file, errors[i]);
+  }
+  for (const FileContent& file : files) {
+    if (::rename(aside_of(file.file).c_str(), file.file.c_str()) == 0) continue;
+    const int error = errno;
+    for (const FileContent& left : files) ::unlink(aside_of(left.file).c_str());
+    fail_to_write(file.file, error);
+  }
+}
+
+void write_aside_and_rename(const std::filesystem::path& file, std::string_view content) {
+  write_aside_and_rename({{file, content}});
+}
+
+void sync_folder(const std::filesystem::path& folder) {
+  const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (opened.number < 0) fail_to_write(folder, errno);
+  // Some network file systems cannot do this for folders and say so by EINVAL.
+  if (::fsync(opened.number) != 0 && errno != EINVAL) fail_to_write(folder, errno);
+}
+
+std::string read_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream.is_open() || stream.bad())
+    throw BadInput(file.string() + ": cannot be read; a readable file is required");
+  return content;
+}
+
+AppendOnlyFile::AppendOnlyFile(const std::filesystem::path& file) : file_(file) {
+  Descriptor opened(::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (opened.number < 0)
+    throw BadInput(fmt::format("{}: cannot be written: {}; a folder that may be written to is required",
+                               file.string(), std::strerror(errno)));
+  // A file system without locks is no reason to refuse; only a lock that another holds is.
+  if (::flock(opened.number, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw BadInput(fmt::format("{}: another sweep is writing here; wait for its end, or give another folder",
+                               file.string()));
+  struct stat status {};
+  if (::fstat(opened.number, &status) == 0) length_ = static_cast<std::size_t>(status.st_size);
+  descriptor_ = opened.release();
+}
+
+AppendOnlyFile::AppendOnlyFile(AppendOnlyFile&& other) noexcept
+    : file_(std::move(other.file_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      length_(std::exchange(other.length_, 0)) {}
+
+AppendOnlyFile& AppendOnlyFile::operator=(AppendOnlyFile&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(length_, other.length_);
+  return *this;
+}
+
+AppendOnlyFile::~AppendOnlyFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::string AppendOnlyFile::content() const {
+  return read_file(file_);
+}
+
+void AppendOnlyFile::truncate(std::size_t length) {
+  if (length == length_) return;
+  if (::ftruncate(descriptor_, static_cast<off_t>(length)) != 0) fail_to_write(file_, errno);
+  length_ = length;
+}
+
+void AppendOnlyFile::append(std::string_view text) {
+  int error = write_all(descriptor_, text);
+  if (error == 0 && ::fsync(descriptor_) != 0) error = errno;
+  if (error == 0) {
+    length_ += text.size();
+    return;
+  }
+  // Should the cut fail too, the torn line is recognised when the sweep is resumed.
+  if (::ftruncate(descriptor_, static_cast<off_t>(length_)) != 0) error = errno;
+  fail_to_write(file_, error);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,55 @@
+// Files that are whole or absent: written aside, brought to the disk, renamed; or appended to, line by line.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace orbearing::app {
+
+/// Ending of files being written; a kill may leave them behind.
+inline constexpr const char* aside_ending = ".tmp";
+
+struct FileContent {
+  std::filesystem::path file;
+  std::string_view content;
+};
+
+/// Replaces each file by its content in one step. The contents are on the disk then; the names are after the
+/// next `sync_folder`. Where one cannot be written ComputationFailed is thrown and nothing is left aside.
+void write_aside_and_rename(const std::vector<FileContent>& files);
+void write_aside_and_rename(const std::filesystem::path& file, std::string_view content);
+
+/// Brings the names in `folder` to the disk. Throws ComputationFailed.
+void sync_folder(const std::filesystem::path& folder);
+
+/// Whole content. Throws BadInput where the file cannot be read.
+std::string read_file(const std::filesystem::path& file);
+
+/// A file that only grows, locked against other programs that open it in this way.
+class AppendOnlyFile {
+ public:
+  AppendOnlyFile() = default;
+  /// Opens, creates where missing, locks. Throws BadInput where that is impossible or another holds it.
+  explicit AppendOnlyFile(const std::filesystem::path& file);
+  AppendOnlyFile(AppendOnlyFile&& other) noexcept;
+  AppendOnlyFile& operator=(AppendOnlyFile&& other) noexcept;
+  ~AppendOnlyFile();
+
+  /// Content from the start.
+  std::string content() const;
+  /// Cuts everything after `length`. [bytes]
+  void truncate(std::size_t length);
+  /// Adds `text` and brings it to the disk. Where that fails the file is cut to its former length and
+  /// ComputationFailed thrown.
+  void append(std::string_view text);
+
+ private:
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::size_t length_ = 0;  // [bytes]
+};
+
+}  // namespace orbearing::app

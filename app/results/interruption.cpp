@@ -1,0 +1,36 @@
+#include "app/results/interruption.hpp"
+
+#include <atomic>
+#include <cstddef>
+
+namespace orbearing::app {
+namespace {
+
+std::atomic<bool> wished = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing that locks");
+
+constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGXFSZ};
+
+}  // namespace
+
+Interruption::Interruption() {
+  wished = false;
+  for (std::size_t i = 0; i < signals.size(); ++i) {
+    struct sigaction action {};
+    action.sa_handler = signals[i] == SIGXFSZ ? SIG_IGN : [](int) { wished = true; };
+    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+    sigaction(signals[i], nullptr, &former_[i]);
+    // A parent that ignores SIGINT, as nohup and shells do for work in the background, is respected.
+    if (former_[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
+  }
+}
+
+Interruption::~Interruption() {
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &former_[i], nullptr);
+}
+
+bool Interruption::requested() {
+  return wished;
+}
+
+}  // namespace orbearing::app

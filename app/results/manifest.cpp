@@ -1,0 +1,136 @@
+#include "app/results/manifest.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "app/errors.hpp"
+#include "app/results/row_text.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int manifest_format = 1;
+
+ManifestHeader header_from(const Json& object) {
+  if (object.at("orbearing_results").get<int>() != manifest_format)
+    throw BadInput("written in another format");
+  ManifestHeader header;
+  header.case_name = object.at("case").get<std::string>();
+  header.case_hash = object.at("case_hash").get<std::string>();
+  header.program_version = object.at("program_version").get<std::string>();
+  header.instruction_set = object.at("instruction_set").get<std::string>();
+  header.fidelity = object.at("fidelity").get<std::string>();
+  header.points = object.at("points").get<std::size_t>();
+  if (!object.at("shard").is_null()) header.shard = parse_shard(object.at("shard").get<std::string>());
+  for (const Json& axis : object.at("axes"))
+    header.axes.push_back({axis.at("column").get<std::string>(), axis.at("units").get<std::string>(),
+                           axis.at("meaning").get<std::string>()});
+  return header;
+}
+
+void add_entry(Manifest& manifest, const Json& object) {
+  const auto point = object.at("point").get<std::size_t>();
+  if (!manifest.header->holds(point)) throw BadInput("a point that is not of this sweep");
+  if (object.at("file") != point_file_name(point)) throw BadInput("a file of another name");
+  manifest.entries[point] = {point_file_name(point),
+                             row_from_json(table_head(manifest.header->axes), object.at("row"))};
+}
+
+void add_line(Manifest& manifest, std::string_view line) {
+  const Json object = Json::parse(line);
+  if (manifest.header)
+    add_entry(manifest, object);
+  else
+    manifest.header = header_from(object);
+}
+
+bool is_number(const std::string& text, std::size_t& number) {
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  return read.ec == std::errc() && read.ptr == end && !text.empty();
+}
+
+}  // namespace
+
+std::string point_file_name(std::size_t point) {
+  return fmt::format("points/{:05}.nc", point);
+}
+
+std::string to_string(const Shard& shard) {
+  return fmt::format("{}/{}", shard.index, shard.count);
+}
+
+Shard parse_shard(const std::string& text) {
+  Shard shard;
+  const std::size_t stroke = text.find('/');
+  if (stroke == std::string::npos || !is_number(text.substr(0, stroke), shard.index) ||
+      !is_number(text.substr(stroke + 1), shard.count) || shard.index < 1 || shard.index > shard.count)
+    throw BadInput(fmt::format("--shard: '{}'; i/n with i from 1 to n is required, as in --shard 2/3", text));
+  return shard;
+}
+
+std::size_t ManifestHeader::own_points() const {
+  if (!shard) return points;
+  return points / shard->count + (points % shard->count >= shard->index ? 1 : 0);
+}
+
+std::string header_line(const ManifestHeader& header) {
+  Json object = {{"orbearing_results", manifest_format},
+                 {"case", header.case_name},
+                 {"case_hash", header.case_hash},
+                 {"program_version", header.program_version},
+                 {"instruction_set", header.instruction_set},
+                 {"fidelity", header.fidelity},
+                 {"points", header.points},
+                 {"shard", nullptr},
+                 {"axes", Json::array()}};
+  if (header.shard) object["shard"] = to_string(*header.shard);
+  for (const SweptAxis& axis : header.axes)
+    object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
+  return object.dump() + '\n';
+}
+
+std::string entry_line(const TableHead& head, std::size_t point, const ManifestEntry& entry) {
+  const Json object = {{"point", point}, {"file", entry.file}, {"row", row_json(head, entry.row)}};
+  return object.dump() + '\n';
+}
+
+Manifest parse_manifest(std::string_view text, const std::string& place) {
+  Manifest manifest;
+  for (std::size_t line = 1; manifest.sound_bytes < text.size(); ++line) {
+    const std::size_t end = text.find('\n', manifest.sound_bytes);
+    if (end == std::string_view::npos) break;
+    try {
+      add_line(manifest, text.substr(manifest.sound_bytes, end - manifest.sound_bytes));
+    } catch (const std::exception&) {
+      // After a loss of power the last line may have its end, yet not its content.
+      if (manifest.header && end + 1 == text.size()) break;
+      throw BadInput(
+          fmt::format("{}:{}:1: not a line that this program wrote; an undamaged result folder is "
+                      "required, or an empty one to start afresh",
+                      place, line));
+    }
+    manifest.sound_bytes = end + 1;
+  }
+  return manifest;
+}
+
+std::vector<std::string> differences(const ManifestHeader& found, const ManifestHeader& required) {
+  std::vector<std::string> lines;
+  const auto compare = [&](const char* what, const std::string& one, const std::string& other) {
+    if (one != other) lines.push_back(fmt::format("{} '{}' was found; '{}' is required", what, one, other));
+  };
+  compare("case", found.case_name, required.case_name);
+  compare("resolved case with hash", found.case_hash, required.case_hash);
+  compare("program version", found.program_version, required.program_version);
+  compare("instruction set", found.instruction_set, required.instruction_set);
+  compare("fidelity", found.fidelity, required.fidelity);
+  compare("number of points", std::to_string(found.points), std::to_string(required.points));
+  return lines;
+}
+
+}  // namespace orbearing::app

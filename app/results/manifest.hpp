@@ -1,0 +1,66 @@
+// manifest.jsonl: what a result folder belongs to, then one line per finished point.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/results/result_row.hpp"
+
+namespace orbearing::app {
+
+/// Part `index` (from 1) of `count`: the points whose number modulo `count` is `index` - 1.
+struct Shard {
+  std::size_t index = 1;
+  std::size_t count = 1;
+  bool holds(std::size_t point) const { return point % count == index - 1; }
+  bool operator==(const Shard&) const = default;
+};
+
+/// Reads "i/n". Throws BadInput that names the option.
+Shard parse_shard(const std::string& text);
+std::string to_string(const Shard& shard);
+
+/// What results must share to be continued or merged.
+struct ManifestHeader {
+  std::string case_name;
+  std::string case_hash;  // of the resolved case
+  std::string program_version;
+  std::string instruction_set;  // results are equal to the last bit within one only
+  std::string fidelity;
+  std::size_t points = 0;       // of the whole sweep, all shards together
+  std::optional<Shard> shard;   // none: the whole sweep
+  std::vector<SweptAxis> axes;  // other than input.speed
+
+  bool holds(std::size_t point) const { return point < points && (!shard || shard->holds(point)); }
+  std::size_t own_points() const;
+};
+
+/// points/NNNNN.nc, relative to the result folder.
+std::string point_file_name(std::size_t point);
+
+struct ManifestEntry {
+  std::string file;  // point_file_name of the point
+  ResultRow row;
+};
+
+struct Manifest {
+  std::optional<ManifestHeader> header;          // none where not even the first line is complete
+  std::map<std::size_t, ManifestEntry> entries;  // by point; of two lines for one point the later counts
+  std::size_t sound_bytes = 0;                   // length without a last line torn by a kill
+};
+
+/// One line each, line end included.
+std::string header_line(const ManifestHeader& header);
+std::string entry_line(const TableHead& head, std::size_t point, const ManifestEntry& entry);
+
+/// Reads the text of a manifest; a torn last line is left out. Throws BadInput with file and line where
+/// another line is not what this program writes. `place` is the file's name for messages.
+Manifest parse_manifest(std::string_view text, const std::string& place);
+
+/// What differs between two headers, one line each, in the words of a message; the shard apart.
+std::vector<std::string> differences(const ManifestHeader& found, const ManifestHeader& required);
+
+}  // namespace orbearing::app

@@ -1,0 +1,139 @@
+#include "app/results/point_file.hpp"
+
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "app/errors.hpp"
+#include "app/results/series_content.hpp"
+
+namespace orbearing::app {
+namespace {
+
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t first_bytes = 16384;     // of the file in memory, which grows as needed
+constexpr std::size_t compressed_from = 4096;  // [values]  below it compressing costs more than it saves
+
+void check(int status) {
+  if (status != NC_NOERR)
+    throw ComputationFailed(fmt::format("point file: the netCDF library says: {}", nc_strerror(status)));
+}
+
+/// A file in memory, closed without result unless `bytes` was called.
+class MemoryFile {
+ public:
+  MemoryFile() { check(nc_create_mem("point", NC_NETCDF4, first_bytes, &number_)); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() {
+    if (open_) nc_abort(number_);
+  }
+
+  int number() const { return number_; }
+
+  std::string bytes() {
+    NC_memio memory{};
+    open_ = false;
+    check(nc_close_memio(number_, &memory));
+    const std::unique_ptr<void, decltype(&std::free)> owned(memory.memory, &std::free);
+    return {static_cast<const char*>(memory.memory), memory.size};
+  }
+
+ private:
+  int number_ = -1;
+  bool open_ = true;
+};
+
+void put_text(int file, int variable, const char* name, const std::string& text) {
+  check(nc_put_att_text(file, variable, name, text.size(), text.c_str()));
+}
+
+int define(int file, const NamedArray& array, const std::map<std::string, int>& dimensions) {
+  std::vector<int> ids;
+  for (const std::string& name : array.dimensions) ids.push_back(dimensions.at(name));
+  int variable = 0;
+  check(nc_def_var(file, array.name.c_str(), NC_DOUBLE, static_cast<int>(ids.size()), ids.data(), &variable));
+  check(nc_def_var_fill(file, variable, NC_FILL, &not_given));
+  if (array.values.size() >= compressed_from) check(nc_def_var_deflate(file, variable, 1, 1, 1));
+  put_text(file, variable, "units", array.units);
+  put_text(file, variable, "long_name", array.meaning);
+  return variable;
+}
+
+std::string variable_name(std::string column) {
+  std::replace(column.begin(), column.end(), '.', '_');
+  return column;
+}
+
+void add_scalars(PointContent& content, const std::vector<Column>& columns,
+                 const study::PointResult& result) {
+  for (const Column& column : columns) {
+    const bool known = result.status == "ok" || column.variable == "input_speed";
+    content.arrays.push_back(
+        {column.variable, {}, column.units, column.meaning, {known ? column.value(result) : not_given}});
+  }
+}
+
+void add_distribution(PointContent& content, const study::LoadDistribution& loads) {
+  content.dimensions.push_back({"place", loads.angle.size()});
+  content.arrays.push_back({"angle",
+                            {"place"},
+                            "rad",
+                            "place on the race, from the outward radial direction towards carrier rotation",
+                            loads.angle});
+  content.arrays.push_back(
+      {"inner_load", {"place"}, "N", "load of a roller on the inner race", loads.inner_load});
+  content.arrays.push_back(
+      {"outer_load", {"place"}, "N", "load of a roller on the outer race", loads.outer_load});
+}
+
+}  // namespace
+
+PointContent point_content(const ManifestHeader& header, std::size_t point,
+                           const std::vector<double>& axis_values, const study::PointResult& result) {
+  PointContent content;
+  add_scalars(content, leading_columns(), result);
+  add_scalars(content, trailing_columns(), result);
+  for (std::size_t i = 0; i < header.axes.size(); ++i)
+    content.arrays.push_back({variable_name(header.axes[i].column),
+                              {},
+                              header.axes[i].units,
+                              header.axes[i].meaning,
+                              {axis_values[i]}});
+  if (result.status == "ok" && !result.distribution.angle.empty())
+    add_distribution(content, result.distribution);
+  if (result.dynamic) add_series(result.dynamic->series, content);
+  content.attributes = {{"Conventions", "CF-1.10"},
+                        {"title", fmt::format("{}, operating point {}", header.case_name, point)},
+                        {"source", "Orbearing " + header.program_version},
+                        {"case", header.case_name},
+                        {"case_hash", header.case_hash},
+                        {"program_version", header.program_version},
+                        {"instruction_set", header.instruction_set},
+                        {"fidelity", header.fidelity},
+                        {"status", result.status}};
+  return content;
+}
+
+std::string netcdf_bytes(const PointContent& content) {
+  MemoryFile file;
+  std::map<std::string, int> dimensions;
+  for (const NamedDimension& dimension : content.dimensions)
+    check(nc_def_dim(file.number(), dimension.name.c_str(), dimension.size, &dimensions[dimension.name]));
+  std::vector<int> variables;
+  for (const NamedArray& array : content.arrays)
+    variables.push_back(define(file.number(), array, dimensions));
+  for (const auto& [name, text] : content.attributes) put_text(file.number(), NC_GLOBAL, name.c_str(), text);
+  check(nc_enddef(file.number()));
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    check(nc_put_var_double(file.number(), variables[i], content.arrays[i].values.data()));
+  return file.bytes();
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,49 @@
+#include "app/results/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace orbearing::app {
+namespace {
+
+constexpr std::chrono::milliseconds least_pause{100};
+constexpr const char* wiped_line = "\r\x1b[K";
+
+std::string clock_text(double seconds) {
+  const long whole = std::lround(seconds);
+  if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+}  // namespace
+
+std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds) {
+  std::string text = fmt::format("{} of {} points done, {} left", done, all, all - done);
+  if (done > kept && done < all)
+    text += fmt::format(", {} to go", clock_text(seconds / static_cast<double>(done - kept) *
+                                                 static_cast<double>(all - done)));
+  return text;
+}
+
+Progress::Progress(std::size_t kept, std::size_t all, bool shown)
+    : kept_(kept), all_(all), shown_(shown && ::isatty(STDERR_FILENO) == 1) {
+  show(kept);
+}
+
+Progress::~Progress() {
+  if (shown_) fmt::print(stderr, "{}", wiped_line);
+}
+
+void Progress::show(std::size_t done) {
+  const Clock::time_point now = Clock::now();
+  if (!shown_ || now - last_ < least_pause) return;
+  last_ = now;
+  const double seconds = std::chrono::duration<double>(now - start_).count();
+  fmt::print(stderr, "{}{}", wiped_line, progress_text(done, kept_, all_, seconds));
+  std::fflush(stderr);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,32 @@
+// How far a sweep is: one line on standard error that is written over.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace orbearing::app {
+
+/// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] went by for the `done` less `kept` points.
+std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds);
+
+/// Shows nothing unless `shown` and standard error is a terminal. Wipes its line at the end of its life.
+class Progress {
+ public:
+  Progress(std::size_t kept, std::size_t all, bool shown);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+
+  void show(std::size_t done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::size_t kept_;
+  std::size_t all_;
+  bool shown_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_{};
+};
+
+}  // namespace orbearing::app

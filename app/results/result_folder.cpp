@@ -1,0 +1,169 @@
+#include "app/results/result_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <system_error>
+
+#include "app/errors.hpp"
+#include "app/results/row_text.hpp"
+
+namespace orbearing::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* manifest_name = "manifest.jsonl";
+constexpr const char* points_name = "points";
+constexpr const char* resolved_name = "case.resolved.yaml";
+constexpr const char* table_name = "sweep.csv";
+
+/// Names in `folder`; none where it is missing. Throws BadInput where it is no folder or cannot be looked
+/// into.
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (status.type() == fs::file_type::not_found) return {};
+  if (status.type() != fs::file_type::none && status.type() != fs::file_type::directory)
+    throw BadInput(folder.string() + ": is not a folder; a new or empty folder is required");
+  std::vector<std::string> names;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    names.push_back(entry->path().filename().string());
+  if (error)
+    throw BadInput(fmt::format("{}: cannot be looked into: {}; a folder open to you is required",
+                               folder.string(), error.message()));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// True for the start of a header that a kill cut short.
+bool is_torn_header(const std::string& text) {
+  const std::string opening = header_line({}).substr(0, header_line({}).find(','));
+  const std::size_t common = std::min(opening.size(), text.size());
+  return text.find('\n') == std::string::npos && text.compare(0, common, opening, 0, common) == 0;
+}
+
+[[noreturn]] void refuse_foreign(const fs::path& folder, const std::string& name) {
+  throw BadInput(
+      fmt::format("{}: holds '{}', which is no result of a sweep; a new or empty folder is required",
+                  folder.string(), name));
+}
+
+void require_same(const fs::path& folder, const ManifestHeader& found, const ManifestHeader& required) {
+  std::vector<std::string> lines = differences(found, required);
+  if (found.shard != required.shard)
+    lines.push_back(fmt::format("{} was found; {} is required",
+                                found.shard ? "shard " + to_string(*found.shard) : "the whole sweep",
+                                required.shard ? "shard " + to_string(*required.shard) : "the whole sweep"));
+  for (std::string& line : lines)
+    line = fmt::format("{}: --resume: {}; give another folder, or the case of these results", folder.string(),
+                       line);
+  if (!lines.empty()) throw BadInput(lines);
+}
+
+/// Throws BadInput unless `folder` may be written to in this mode. Changes nothing.
+void require_usable(const fs::path& folder, const ManifestHeader& header, OpenMode mode) {
+  const std::vector<std::string> names = names_in(folder);
+  if (names.empty()) return;
+  const bool has_manifest = std::binary_search(names.begin(), names.end(), manifest_name);
+  if (!has_manifest) refuse_foreign(folder, names.front());
+  if (mode == OpenMode::fresh)
+    throw BadInput(
+        fmt::format("{}: holds results; a new or empty folder is required, or --resume to go on "
+                    "with these",
+                    folder.string()));
+  const fs::path file = folder / manifest_name;
+  const std::string text = read_file(file);
+  const Manifest manifest = parse_manifest(text, file.string());
+  if (manifest.header) return require_same(folder, *manifest.header, header);
+  if (names.size() > 1 || !is_torn_header(text)) refuse_foreign(folder, manifest_name);
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  // A trailing separator makes the call report no folder made; only the state afterwards counts.
+  if (fs::is_directory(folder)) return;
+  throw BadInput(fmt::format("{}: cannot be made: {}; a place that may be written to is required",
+                             folder.string(), error.message()));
+}
+
+void remove_leftovers(const fs::path& folder) {
+  for (const std::string& name : names_in(folder)) {
+    std::error_code ignored;
+    if (name.ends_with(aside_ending)) fs::remove(folder / name, ignored);
+  }
+}
+
+bool is_whole(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error) && fs::file_size(file, error) > 0;
+}
+
+void write_where_unlike(const fs::path& file, const std::string& content) {
+  if (!fs::exists(file) || read_file(file) != content) write_aside_and_rename(file, content);
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const std::string& resolved_case,
+                           OpenMode mode)
+    : folder_(std::move(folder)), head_(table_head(header.axes)) {
+  require_usable(folder_, header, mode);
+  make_folder(folder_);
+  manifest_ = AppendOnlyFile(folder_ / manifest_name);
+  Manifest manifest = parse_manifest(manifest_.content(), (folder_ / manifest_name).string());
+  // Another sweep may have come between the look and the lock.
+  if (manifest.header) require_same(folder_, *manifest.header, header);
+  manifest_.truncate(manifest.sound_bytes);
+  if (!manifest.header) manifest_.append(header_line(header));
+  make_folder(folder_ / points_name);
+  remove_leftovers(folder_);
+  remove_leftovers(folder_ / points_name);
+  write_where_unlike(folder_ / resolved_name, resolved_case);
+  sync_folder(folder_);
+  finished_ = std::move(manifest.entries);
+  std::erase_if(finished_, [&](const auto& entry) { return !is_whole(folder_ / entry.second.file); });
+}
+
+void ResultFolder::keep(std::vector<FinishedPoint> points) {
+  std::vector<FileContent> files;
+  for (const FinishedPoint& point : points)
+    files.push_back({folder_ / point_file_name(point.index), point.content});
+  write_aside_and_rename(files);
+  sync_folder(folder_ / points_name);
+  std::string lines;
+  std::map<std::size_t, ManifestEntry> kept;
+  for (FinishedPoint& point : points) {
+    assert(point.row.values.size() == head_.names.size());
+    ManifestEntry entry{point_file_name(point.index), std::move(point.row)};
+    lines += entry_line(head_, point.index, entry);
+    kept.insert_or_assign(point.index, std::move(entry));
+  }
+  manifest_.append(lines);
+  for (auto& [index, entry] : kept) finished_.insert_or_assign(index, std::move(entry));
+}
+
+void ResultFolder::write_table() const {
+  std::string text = csv_head(head_);
+  for (const auto& [index, entry] : finished_) text += csv_line(head_, entry.row);
+  write_aside_and_rename(folder_ / table_name, text);
+  sync_folder(folder_);
+}
+
+Manifest read_results(const fs::path& folder) {
+  const fs::path file = folder / manifest_name;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    throw BadInput(fmt::format("{}: no {} was found; the folder of a sweep's results is required",
+                               folder.string(), manifest_name));
+  Manifest manifest = parse_manifest(read_file(file), file.string());
+  if (!manifest.header)
+    throw BadInput(
+        fmt::format("{}: holds no results yet; run its sweep with --resume first", folder.string()));
+  return manifest;
+}
+
+}  // namespace orbearing::app

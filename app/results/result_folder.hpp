@@ -1,0 +1,57 @@
+// A folder of results: who may write into it, and how a finished point gets there whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/results/durable_file.hpp"
+#include "app/results/manifest.hpp"
+
+namespace orbearing::app {
+
+enum class OpenMode { fresh, resume };
+
+/// A point ready to be kept.
+struct FinishedPoint {
+  std::size_t index = 0;
+  std::string content;  // bytes of its netCDF file
+  ResultRow row;
+};
+
+/// An open result folder, locked against a second writer for as long as the object lives.
+///
+/// Opening leaves a folder untouched unless it may be used: it is missing (made, parents too), empty, or -
+/// in resume mode - holds results of the same header. Everything else throws BadInput.
+/// A kill at any instant leaves a folder that resume mode accepts, with every point that `keep` returned
+/// from.
+class ResultFolder {
+ public:
+  ResultFolder(std::filesystem::path folder, const ManifestHeader& header, const std::string& resolved_case,
+               OpenMode mode);
+
+  /// Points that stand in the folder, by number.
+  const std::map<std::size_t, ManifestEntry>& finished() const { return finished_; }
+
+  /// Writes the files of `points`, then their manifest lines; all on the disk when it returns.
+  /// Throws ComputationFailed where the disk does not take them; what was kept before stays sound.
+  void keep(std::vector<FinishedPoint> points);
+
+  /// Writes sweep.csv from the finished points, in their order.
+  void write_table() const;
+
+  const TableHead& head() const { return head_; }
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+  TableHead head_;
+  AppendOnlyFile manifest_;
+  std::map<std::size_t, ManifestEntry> finished_;
+};
+
+/// Reads the manifest of a result folder without changing anything. Throws BadInput where it holds none.
+Manifest read_results(const std::filesystem::path& folder);
+
+}  // namespace orbearing::app

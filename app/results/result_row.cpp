@@ -1,0 +1,151 @@
+#include "app/results/result_row.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace orbearing::app {
+namespace {
+
+using study::PointResult;
+
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+constexpr double rpm_per_rad_s = 9.549296585513721;  // 30 / pi
+constexpr double million_revolutions = 1e-6;
+constexpr double micrometres = 1e6;
+
+/// Messages of libraries may hold line ends or bytes that are not UTF-8; tables and JSON need neither.
+std::string printable(const std::string& status) {
+  if (status.empty()) return "failed without a reason";
+  const nlohmann::json text = status;
+  std::string clean =
+      nlohmann::json::parse(text.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))
+          .get<std::string>();
+  std::replace_if(
+      clean.begin(), clean.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return clean;
+}
+
+using PowerLoss = bearing::dynamics::PowerLoss;
+
+Column loss_column(const std::string& cause, const std::string& meaning, double (*part)(const PowerLoss&)) {
+  return {"power_loss" + cause + "_W",
+          "power_loss" + cause,
+          "W",
+          "power lost " + meaning,
+          1.0,
+          [part](const PointResult& r) { return r.dynamic ? part(r.dynamic->loss) : not_given; }};
+}
+
+}  // namespace
+
+const std::vector<Column>& leading_columns() {
+  static const std::vector<Column> columns = {
+      {"input_speed_rpm", "input_speed", "rad s-1", "speed of the driving member", rpm_per_rad_s,
+       [](const PointResult& r) { return r.input_speed; }},
+      {"carrier_speed_rpm", "carrier_speed", "rad s-1", "speed of the planet carrier", rpm_per_rad_s,
+       [](const PointResult& r) { return r.carrier_speed; }},
+      {"planet_load_N", "planet_load", "N", "total load on the bore of one bearing, with cage and rollers",
+       1.0, [](const PointResult& r) { return r.planet_load; }},
+      {"tangential_load_N", "tangential_load", "N", "load of both meshes in the direction of rotation", 1.0,
+       [](const PointResult& r) { return r.tangential_load; }},
+      {"centrifugal_load_N", "centrifugal_load", "N", "outward inertial load of planet, cage and rollers",
+       1.0, [](const PointResult& r) { return r.centrifugal_load; }},
+      {"inner_load_max_N", "inner_load_max", "N", "largest load of one roller on the inner race", 1.0,
+       [](const PointResult& r) { return r.inner.load_max; }},
+      {"inner_load_rms_N", "inner_load_rms", "N",
+       "root mean square over time of one roller's load, inner race", 1.0,
+       [](const PointResult& r) { return r.inner.load_rms; }},
+      {"outer_load_max_N", "outer_load_max", "N", "largest load of one roller on the outer race", 1.0,
+       [](const PointResult& r) { return r.outer.load_max; }},
+      {"outer_load_rms_N", "outer_load_rms", "N",
+       "root mean square over time of one roller's load, outer race", 1.0,
+       [](const PointResult& r) { return r.outer.load_rms; }},
+      {"inner_life_Mrev", "inner_life", "revolution", "fatigue life of the inner race", million_revolutions,
+       [](const PointResult& r) { return r.inner.life; }},
+      {"outer_life_Mrev", "outer_life", "revolution", "fatigue life of the outer race", million_revolutions,
+       [](const PointResult& r) { return r.outer.life; }},
+      {"life_h", "life", "h", "fatigue life of one bearing", 1.0,
+       [](const PointResult& r) { return r.life_hours; }},
+      {"system_life_h", "system_life", "h", "fatigue life of all planet bearings of the set together", 1.0,
+       [](const PointResult& r) { return r.system_life_hours; }},
+      {"cage_slip", "cage_slip", "1", "one less the cage's speed over its kinematic speed", 1.0,
+       [](const PointResult& r) { return r.cage_slip; }},
+      {"film_inner_um", "film_inner", "m", "least film on the inner race", micrometres,
+       [](const PointResult& r) { return r.inner.least_film; }},
+      {"film_outer_um", "film_outer", "m", "least film on the outer race", micrometres,
+       [](const PointResult& r) { return r.outer.least_film; }}};
+  return columns;
+}
+
+const std::vector<Column>& trailing_columns() {
+  static const std::vector<Column> columns = {
+      {"radial_mesh_load_N", "radial_mesh_load", "N", "outward load of both meshes", 1.0,
+       [](const PointResult& r) { return r.radial_mesh_load; }},
+      {"roller_slip", "roller_slip", "1", "one less the mean roller spin over that at pure rolling", 1.0,
+       [](const PointResult& r) { return r.dynamic ? r.dynamic->roller_slip : not_given; }},
+      {"friction_moment_N_m", "friction_moment", "N m", "friction moment of the bearing on the bore", 1.0,
+       [](const PointResult& r) { return r.dynamic ? r.dynamic->friction_moment : not_given; }},
+      loss_column("", "in all", [](const PowerLoss& loss) { return loss.total(); }),
+      loss_column("_race_damping", "to damping of the race contacts",
+                  [](const PowerLoss& l) { return l.race_damping; }),
+      loss_column("_inner_traction", "to sliding on the inner race",
+                  [](const PowerLoss& l) { return l.inner_traction; }),
+      loss_column("_outer_traction", "to sliding on the outer race",
+                  [](const PowerLoss& l) { return l.outer_traction; }),
+      loss_column("_rolling", "to rolling resistance", [](const PowerLoss& l) { return l.rolling; }),
+      loss_column("_drag", "to the oil-air mixture", [](const PowerLoss& l) { return l.drag; }),
+      loss_column("_pockets", "in the cage pockets", [](const PowerLoss& l) { return l.pockets; }),
+      loss_column("_guidance", "in the cage guidance", [](const PowerLoss& l) { return l.guidance; }),
+      loss_column("_support", "in the support of the pin", [](const PowerLoss& l) { return l.support; }),
+      {"steady", "steady", "1", "1: the means stood still; 0: they drifted to the end", 1.0,
+       [](const PointResult& r) { return r.dynamic ? (r.dynamic->steady ? 1.0 : 0.0) : not_given; }}};
+  return columns;
+}
+
+TableHead table_head(const std::vector<SweptAxis>& axes) {
+  TableHead head;
+  for (const Column& column : leading_columns()) head.names.push_back(column.name);
+  head.status_place = head.names.size();
+  head.names.emplace_back(status_column);
+  for (const Column& column : trailing_columns()) head.names.push_back(column.name);
+  for (const SweptAxis& axis : axes) head.names.push_back(axis.column);
+  return head;
+}
+
+double in_table_unit(double value, double per_unit) {
+  if (!std::isfinite(value)) return not_given;
+  if (per_unit == 1.0) return value;
+  constexpr int digits_after_first = 14;
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value * per_unit, std::chars_format::scientific,
+                                 digits_after_first)
+                       .ptr;
+  double rounded = not_given;
+  std::from_chars(text, end, rounded);
+  return std::isfinite(rounded) ? rounded : not_given;
+}
+
+ResultRow result_row(const PointResult& result, const std::vector<double>& axis_values) {
+  ResultRow row;
+  row.status = printable(result.status);
+  const auto add = [&](const Column& column) {
+    const bool known = row.ok() || column.variable == "input_speed";
+    row.values.push_back(known ? in_table_unit(column.value(result), column.per_unit) : not_given);
+  };
+  for (const Column& column : leading_columns()) add(column);
+  row.values.push_back(not_given);
+  for (const Column& column : trailing_columns()) add(column);
+  for (const double value : axis_values) row.values.push_back(in_table_unit(value, 1.0));
+  return row;
+}
+
+double value_of(const TableHead& head, const ResultRow& row, const std::string& name) {
+  const auto place = std::find(head.names.begin(), head.names.end(), name);
+  return place == head.names.end() ? not_given
+                                   : row.values[static_cast<std::size_t>(place - head.names.begin())];
+}
+
+}  // namespace orbearing::app

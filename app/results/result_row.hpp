@@ -1,0 +1,64 @@
+// One row of a sweep's table: the numbers that leave the program, in the units their names state.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::app {
+
+/// A quantity of PointResult and the column that shows it. The list of `columns` is the one place that
+/// fixes names, units and order of sweep.csv, of the keys in `--json` and of the scalars in points/*.nc.
+struct Column {
+  std::string name;      // in tables, with its unit: input_speed_rpm
+  std::string variable;  // in netCDF files, in SI: input_speed
+  std::string units;     // of the variable, as udunits reads it
+  std::string meaning;
+  double per_unit = 1.0;                                   // table value = SI value x per_unit
+  std::function<double(const study::PointResult&)> value;  // SI; not finite where there is none
+};
+
+/// Name of the one column that holds text.
+inline constexpr std::string_view status_column = "status";
+
+/// Columns before `status`, and those that follow it; swept axes come after both.
+const std::vector<Column>& leading_columns();
+const std::vector<Column>& trailing_columns();
+
+/// A swept case key other than input.speed: its values stand in the rows in the unit of the case file.
+struct SweptAxis {
+  std::string column;  // with its unit: bearing.radial_clearance_um
+  std::string units;   // as udunits reads it, "1" for a number
+  std::string meaning;
+};
+
+/// What a row's numbers are called, in order; `status` stands at `status_place` among them.
+struct TableHead {
+  std::vector<std::string> names;  // all columns, status included
+  std::size_t status_place = 0;
+  bool operator==(const TableHead&) const = default;
+};
+
+TableHead table_head(const std::vector<SweptAxis>& axes);
+
+struct ResultRow {
+  std::vector<double> values;  // one per name; NaN where there is none (and at the status' place)
+  std::string status;          // "ok" or the reason of the failure
+  bool ok() const { return status == "ok"; }
+};
+
+/// The row of a computed point. A point whose status is not "ok" keeps its input speed and axes only.
+ResultRow result_row(const study::PointResult& result, const std::vector<double>& axis_values);
+
+/// Value in the column called `name`; NaN where the table has none.
+double value_of(const TableHead& head, const ResultRow& row, const std::string& name);
+
+/// `value` x `per_unit` to 15 significant digits, which is what a conversion leaves of a double; so that
+/// 6000 rpm, held as rad/s, is 6000 rpm again. Anything not finite becomes NaN.
+double in_table_unit(double value, double per_unit);
+
+}  // namespace orbearing::app

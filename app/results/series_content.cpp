@@ -1,0 +1,64 @@
+#include "app/results/series_content.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// Eigen keeps columns together; the file wants the last dimension, time, to run fastest.
+template <class Matrix>
+std::vector<double> row_by_row(const Matrix& matrix) {
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(matrix.size()));
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) values.push_back(matrix(i, j));
+  return values;
+}
+
+struct RollerSeries {
+  const char* name;
+  const char* units;
+  const char* meaning;
+  const Eigen::ArrayXXd& values;
+};
+
+void add_rollers(const integration::BearingSeries& series, PointContent& content) {
+  const RollerSeries all[] = {
+      {"roller_angle", "rad", "place of each roller in the carrier frame", series.angle},
+      {"roller_inner_load", "N", "load on the inner race", series.inner_load},
+      {"roller_outer_load", "N", "load on the outer race", series.outer_load},
+      {"roller_inner_sliding", "m s-1", "surface speed of the inner race less that of the roller",
+       series.inner_sliding},
+      {"roller_outer_sliding", "m s-1", "surface speed of the outer race less that of the roller",
+       series.outer_sliding},
+      {"roller_inner_film", "m", "least film on the inner race", series.inner_film},
+      {"roller_outer_film", "m", "least film on the outer race", series.outer_film},
+      {"roller_pocket_load", "N", "load on the cage bar, positive where the roller drives the cage",
+       series.pocket_load},
+      {"roller_spin", "rad s-1", "spin relative to the carrier", series.spin}};
+  for (const RollerSeries& one : all)
+    content.arrays.push_back({one.name, {"roller", "time"}, one.units, one.meaning, row_by_row(one.values)});
+}
+
+}  // namespace
+
+void add_series(const integration::BearingSeries& series, PointContent& content) {
+  if (series.time.size() == 0) return;
+  content.dimensions.push_back({"time", static_cast<std::size_t>(series.time.size())});
+  content.dimensions.push_back({"roller", static_cast<std::size_t>(series.inner_load.rows())});
+  content.dimensions.push_back({"direction", 2});
+  const auto along_time = [&](const char* name, const char* units, const char* meaning,
+                              const Eigen::ArrayXd& values) {
+    content.arrays.push_back({name, {"time"}, units, meaning, {values.begin(), values.end()}});
+  };
+  along_time("time", "s", "time since the start of the run", series.time);
+  add_rollers(series, content);
+  content.arrays.push_back({"cage_position",
+                            {"direction", "time"},
+                            "m",
+                            "cage centre, x outward and y in the sense of rotation",
+                            row_by_row(series.cage_position)});
+  along_time("cage_speed", "rad s-1", "speed of the cage relative to the carrier", series.cage_speed);
+  along_time("power_loss_over_time", "W", "power lost in all", series.power_loss);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,48 @@
+#include "app/results/sweep_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/results/row_text.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json peak_json(const LifePeak& peak) {
+  return {{"speed_rpm", number_or_null(peak.speed_rpm)},
+          {"life_h", number_or_null(peak.life_h)},
+          {"refined_speed_rpm", number_or_null(peak.refined_speed_rpm)},
+          {"refined_life_h", number_or_null(peak.refined_life_h)}};
+}
+
+}  // namespace
+
+LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
+  LifePeak peak;
+  for (const ResultRow& row : rows) {
+    const double life = value_of(head, row, "life_h");
+    if (std::isnan(life) || life <= peak.life_h) continue;
+    peak.life_h = life;
+    peak.speed_rpm = value_of(head, row, "input_speed_rpm");
+  }
+  return peak;
+}
+
+Json sweep_json(const SweepOutcome& outcome, const LifePeak& peak, const Json& assumptions,
+                const Json& warnings, const Json& versions) {
+  Json points = Json::array();
+  for (const ResultRow& row : outcome.rows) points.push_back(row_json(outcome.head, row));
+  return {{"points", std::move(points)},
+          {"peak", peak_json(peak)},
+          {"assumptions", assumptions},
+          {"warnings", warnings},
+          {"versions", versions}};
+}
+
+}  // namespace orbearing::app

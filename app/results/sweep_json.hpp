@@ -1,0 +1,30 @@
+// The sweep as one JSON object, and the peak of its life.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/results/sweep_run.hpp"
+
+namespace orbearing::app {
+
+/// Longest life over speed: the best grid point and, between grid points, the continuous one.
+struct LifePeak {
+  double speed_rpm = std::numeric_limits<double>::quiet_NaN();
+  double life_h = std::numeric_limits<double>::quiet_NaN();
+  double refined_speed_rpm = std::numeric_limits<double>::quiet_NaN();
+  double refined_life_h = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Best row of the grid; the refined values are left for the caller. NaN where no point has a life.
+LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
+
+/// Object with `points`, `peak`, `assumptions`, `warnings`, `versions`, in this order; no number where a
+/// value is missing, but null. The last three are taken as they are.
+nlohmann::ordered_json sweep_json(const SweepOutcome& outcome, const LifePeak& peak,
+                                  const nlohmann::ordered_json& assumptions,
+                                  const nlohmann::ordered_json& warnings,
+                                  const nlohmann::ordered_json& versions);
+
+}  // namespace orbearing::app

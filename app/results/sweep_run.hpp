@@ -1,0 +1,59 @@
+// A sweep from its list of points to a folder of results: in parallel, resumable, in shards.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/results/manifest.hpp"
+#include "app/results/result_folder.hpp"
+#include "app/results/result_row.hpp"
+
+namespace orbearing::app {
+
+struct SweepPoint {
+  std::string label;  // for messages: "input.speed = 6000 rpm"
+  double input_speed =
+      std::numeric_limits<double>::quiet_NaN();  // [rad/s]  kept in the row of a failed point
+  std::vector<double> axis_values;               // one per header.axes, in the axis' unit
+};
+
+struct SweepRequest {
+  ManifestHeader header;           // header.points and header.axes must fit `points`
+  std::string resolved_case;       // text of case.resolved.yaml
+  std::vector<SweepPoint> points;  // all of the sweep, in order; the shard picks its own
+  /// Computes a point. Called from several threads at once; an exception becomes the row's status.
+  std::function<study::PointResult(std::size_t point)> evaluate;
+  std::filesystem::path folder;
+  int jobs = 0;  // threads; 0: as many as the machine has
+  bool resume = false;
+  bool quiet = false;  // no progress, even on a terminal
+};
+
+/// Rows in the order of the points.
+struct SweepOutcome {
+  ManifestHeader header;
+  TableHead head;
+  std::vector<ResultRow> rows;
+  std::size_t kept = 0;    // found finished in the folder
+  std::size_t failed = 0;  // rows whose status is not "ok"; the command's exit code is 1 where there are any
+};
+
+/// Computes what is missing in the folder and writes points/*.nc, manifest.jsonl, case.resolved.yaml and
+/// sweep.csv. Throws BadInput (folder not to be used) and ComputationFailed (disk full, or SIGINT or SIGTERM,
+/// after which the points computed so far are kept and `resume` goes on).
+SweepOutcome run_sweep(const SweepRequest& request);
+
+/// The rows of a folder; `kept` of its points were found finished.
+SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder, std::size_t kept);
+
+/// Joins the shards of one sweep into `folder`, which must be missing or empty. Its table equals that of the
+/// sweep run in one piece, byte for byte. Throws BadInput where shards are missing, unfinished, given twice,
+/// or of unlike cases, versions, fidelities or instruction sets.
+SweepOutcome merge_shards(const std::vector<std::filesystem::path>& shards,
+                          const std::filesystem::path& folder);
+
+}  // namespace orbearing::app

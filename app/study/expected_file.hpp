@@ -1,0 +1,45 @@
+// expected.yaml beside a case: published numbers, and other readings of what the source leaves open.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orbearing::app {
+
+/// One published number.
+struct PublishedValue {
+  std::string source;    // with its key in REFERENCES.md
+  std::string quantity;  // a name that the ledger knows how to compute
+  std::string meaning;
+  std::optional<double> value;  // none: the source has it, the project cannot compare it yet
+  double tolerance = 0.0;       // [-]  relative
+  bool trend = false;           // only a direction is claimed
+};
+
+/// Another reading of one assumption, as settings of the case.
+struct Alternative {
+  std::string assumption;  // key of the case
+  std::string reading;
+  std::vector<std::string> settings;  // path=value
+};
+
+struct ExpectedFile {
+  std::vector<PublishedValue> published;
+  std::vector<Alternative> alternatives;
+};
+
+/// Reads `file`; empty where there is none. Throws BadInput with file and line where it is not as described
+/// here.
+ExpectedFile read_expected(const std::string& file);
+
+/// The case files that `names` (files or folders) stand for; all that ship where `names` is empty.
+std::vector<std::string> case_files(const std::vector<std::string>& names);
+
+/// expected.yaml of the shipped case called `name`; the file need not exist.
+std::string shipped_expected(const std::string& name);
+
+/// expected.yaml beside a case file.
+std::string expected_beside(const std::string& case_file);
+
+}  // namespace orbearing::app

@@ -1,0 +1,116 @@
+#include "app/study/ledger.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "app/errors.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// Where a tolerance is zero, a number printed to a few digits still is a decimal fraction.
+constexpr double kRoundOff = 1e-9;
+
+std::string verdict_of(const LedgerRow& row, bool trend) {
+  if (!row.published || !row.ours) return "input missing";
+  if (std::abs(*row.deviation) > row.tolerance + kRoundOff) return "missed";
+  return trend ? "trend" : "reproduced";
+}
+
+LedgerRow compare(const PublishedValue& published, const LifeCurve& curve, const std::string& reading) {
+  LedgerRow row{.source = published.source,
+                .quantity = published.quantity,
+                .reading = reading,
+                .published = published.value,
+                .tolerance = published.tolerance};
+  const double ours = property(curve, published.quantity);
+  if (std::isfinite(ours)) row.ours = ours;
+  if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
+  row.verdict = verdict_of(row, published.trend);
+  return row;
+}
+
+std::string cell(const std::optional<double>& value) {
+  return value ? fmt::format("{:.6g}", *value) : "-";
+}
+
+std::string deviation_cell(const std::optional<double>& value) {
+  return value ? fmt::format("{:+.1f} %", 100.0 * *value) : "-";
+}
+
+std::string key_with_reading(const LedgerRow& row) {
+  return row.reading.empty() ? row.quantity : row.quantity + " | " + row.reading;
+}
+
+nlohmann::ordered_json number(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+std::string worth_text(const Ledger& ledger) {
+  std::string text = "\nWhat each assumption is worth\n";
+  text += fmt::format("{:<28} {:>14} {:>12} {:>11}  {}\n", "assumption", "peak [rpm]", "life [h]",
+                      "worth [h]", "other reading");
+  for (const Worth& worth : ledger.worth)
+    text += fmt::format("{:<28} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", worth.alternative.assumption,
+                        worth.peak_speed_rpm, worth.peak_life_h, worth.worth_h, worth.alternative.reading);
+  return text;
+}
+
+}  // namespace
+
+Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected) {
+  if (resolved.model() != planetary_drivetrain)
+    throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
+                   "; the ledger requires planetary-drivetrain");
+  const LifeCurve base = life_curve(resolved);
+  Ledger ledger{.case_name = resolved.text("name"), .worth = worth_of(resolved, base, expected.alternatives)};
+  for (const PublishedValue& published : expected.published)
+    ledger.rows.push_back(compare(published, base, ""));
+  for (const Worth& worth : ledger.worth)
+    for (const PublishedValue& published : expected.published)
+      if (published.value) ledger.rows.push_back(compare(published, worth.curve, worth.alternative.reading));
+  return ledger;
+}
+
+nlohmann::ordered_json rows_json(const Ledger& ledger) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const LedgerRow& row : ledger.rows)
+    rows.push_back({{"source", row.source},
+                    {"quantity", row.quantity},
+                    {"published", number(row.published)},
+                    {"ours", number(row.ours)},
+                    {"deviation", number(row.deviation)},
+                    {"tolerance", row.tolerance},
+                    {"verdict", row.verdict},
+                    {"case", ledger.case_name},
+                    {"reading", row.reading}});
+  return rows;
+}
+
+nlohmann::ordered_json worth_json(const Ledger& ledger) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Worth& worth : ledger.worth)
+    list.push_back({{"case", ledger.case_name},
+                    {"assumption", worth.alternative.assumption},
+                    {"reading", worth.alternative.reading},
+                    {"settings", worth.alternative.settings},
+                    {"peak_speed_rpm", worth.peak_speed_rpm},
+                    {"peak_life_h", worth.peak_life_h},
+                    {"worth_h", worth.worth_h}});
+  return list;
+}
+
+std::string ledger_text(const Ledger& ledger) {
+  std::string text =
+      fmt::format("{}\n{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", ledger.case_name, "source",
+                  "published", "ours", "deviation", "tolerance", "verdict", "quantity");
+  for (const LedgerRow& row : ledger.rows)
+    text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}\n", row.source,
+                        cell(row.published), cell(row.ours), deviation_cell(row.deviation), row.tolerance,
+                        row.verdict, key_with_reading(row));
+  return text + worth_text(ledger);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,186 @@
+#include "app/study/report_data.hpp"
+
+#include <Eigen/Core>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/ledger.hpp"
+#include "app/study/sweep_study.hpp"
+#include "coupling/study/ablation.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using boost::math::double_constants::pi;
+constexpr double kRpm = 30.0 / pi;      // per rad/s
+constexpr double kDegree = 180.0 / pi;  // per rad
+constexpr int kFinePoints = 221;
+
+Json scaled(const std::vector<double>& values, double factor) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(value * factor);
+  return list;
+}
+
+std::vector<double> fine_speeds(const LifeCurve& grid) {
+  const auto [low, high] = std::minmax_element(grid.speed_rpm.begin(), grid.speed_rpm.end());
+  const Eigen::ArrayXd speeds = Eigen::ArrayXd::LinSpaced(kFinePoints, *low / kRpm, *high / kRpm);
+  return {speeds.begin(), speeds.end()};
+}
+
+study::PointResult point_at(study::PlanetaryDrivetrain drivetrain, const study::DrivetrainGeometry& geometry,
+                            double speed) {
+  drivetrain.drive.speed = speed;
+  return study::evaluate(drivetrain, geometry);
+}
+
+Json fine_curve(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
+                const std::vector<double>& speeds) {
+  Json curve{{"speed_rpm", scaled(speeds, kRpm)}};
+  for (const double speed : speeds) {
+    const study::PointResult point = point_at(drivetrain, geometry, speed);
+    curve["life_h"].push_back(point.life_hours);
+    curve["planet_load_N"].push_back(point.planet_load);
+    curve["tangential_load_N"].push_back(point.tangential_load);
+    curve["radial_mesh_load_N"].push_back(point.radial_mesh_load);
+    curve["centrifugal_load_N"].push_back(point.centrifugal_load);
+  }
+  return curve;
+}
+
+// Speeds of the sweep nearest to the lowest, the best and the highest: what the polar plots show.
+std::vector<double> shown_speeds(const LifeCurve& grid) {
+  const double peak = property(grid, "peak_speed_rpm");
+  const auto [low, high] = std::minmax_element(grid.speed_rpm.begin(), grid.speed_rpm.end());
+  std::vector<double> speeds{*low, peak, *high};
+  std::sort(speeds.begin(), speeds.end());
+  speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
+  return speeds;
+}
+
+Json polar(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
+           const std::vector<double>& speeds_rpm) {
+  Json list = Json::array();
+  for (const double rpm : speeds_rpm) {
+    const study::PointResult point = point_at(drivetrain, geometry, rpm / kRpm);
+    list.push_back({{"speed_rpm", rpm},
+                    {"angle_deg", scaled(point.distribution.angle, kDegree)},
+                    {"inner_load_N", point.distribution.inner_load},
+                    {"outer_load_N", point.distribution.outer_load},
+                    {"planet_load_x_N", point.radial_mesh_load + point.centrifugal_load},
+                    {"planet_load_y_N", point.tangential_load}});
+  }
+  return list;
+}
+
+Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
+             double rpm) {
+  const bearing::CylindricalRollerBearing& b = drivetrain.bearing;
+  const study::PointResult point = point_at(drivetrain, geometry, rpm / kRpm);
+  Json drawn{{"speed_rpm", rpm},
+             {"inner_raceway_diameter_mm", 2e3 * geometry.bearing.inner_radius},
+             {"outer_raceway_diameter_mm", 2e3 * geometry.bearing.outer_radius},
+             {"roller_diameter_mm", 1e3 * b.roller_diameter},
+             {"pitch_diameter_mm", 1e3 * b.pitch_diameter},
+             {"rollers", b.rollers},
+             {"cage_inner_mm", 1e3 * b.cage.inner_diameter},
+             {"cage_outer_mm", 1e3 * b.cage.outer_diameter},
+             {"bore_mm", 1e3 * b.bore},
+             {"outside_mm", 1e3 * b.outside_diameter},
+             {"clearance_um", 1e6 * b.radial_clearance}};
+  const std::size_t stride = static_cast<std::size_t>(drivetrain.cage_positions);
+  for (std::size_t place = 0; place < point.distribution.angle.size(); place += stride) {
+    drawn["roller_angle_deg"].push_back(kDegree * point.distribution.angle[place]);
+    drawn["inner_load_N"].push_back(point.distribution.inner_load[place]);
+    drawn["outer_load_N"].push_back(point.distribution.outer_load[place]);
+  }
+  return drawn;
+}
+
+Json ablation_curves(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds) {
+  Json list = Json::array();
+  for (const study::Ablation& ablation : study::ablations()) {
+    const std::vector<double> lives = study::life_over_speed(drivetrain, ablation, speeds);
+    const auto best = std::max_element(lives.begin(), lives.end());
+    const double best_speed = speeds[static_cast<std::size_t>(best - lives.begin())];
+    list.push_back({{"name", ablation.name},
+                    {"group", ablation.group},
+                    {"speed_rpm", scaled(speeds, kRpm)},
+                    {"life_h", lives},
+                    {"peak_speed_rpm", kRpm * best_speed},
+                    {"peak_life_h", *best}});
+  }
+  return list;
+}
+
+// Each assumption with what its first alternative is worth, where the project knows one.
+Json assumptions_with_worth(const ResolvedCase& resolved, const std::vector<Worth>& worths) {
+  Json list = assumptions_json(resolved);
+  for (Json& entry : list) {
+    entry["worth_h"] = nullptr;
+    entry["worth_text"] = "";
+    for (const Worth& worth : worths) {
+      if (worth.alternative.assumption != entry["key"] || !entry["worth_h"].is_null()) continue;
+      entry["worth_h"] = worth.worth_h;
+      entry["worth_text"] = worth.alternative.reading;
+    }
+  }
+  return list;
+}
+
+Json published_points(const std::vector<LedgerRow>& rows) {
+  Json list = Json::array();
+  Json speed;
+  for (const LedgerRow& row : rows)
+    if (row.reading.empty() && row.quantity == "peak_speed_rpm" && row.published) speed = *row.published;
+  for (const LedgerRow& row : rows)
+    if (row.reading.empty() && row.quantity == "peak_life_h" && row.published && !speed.is_null())
+      list.push_back({{"source", row.source},
+                      {"quantity", row.quantity},
+                      {"speed_rpm", speed},
+                      {"life_h", *row.published}});
+  return list;
+}
+
+// The rows of the sweep as an outcome, so that they are shown just as after the sweep.
+SweepOutcome outcome_of(const Manifest& manifest) {
+  SweepOutcome outcome;
+  outcome.header = *manifest.header;
+  outcome.head = table_head(outcome.header.axes);
+  for (const auto& [index, entry] : manifest.entries) outcome.rows.push_back(entry.row);
+  return outcome;
+}
+
+}  // namespace
+
+nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const SweepOutcome outcome = outcome_of(manifest);
+  const FoundPeak found = find_peak(resolved, outcome);
+  const LifeCurve grid = life_curve(resolved);
+  const std::vector<double> fine = fine_speeds(grid);
+  // The published numbers belong to the shipped case of this name, changed by the user or not.
+  const Ledger ledger = ledger_of(resolved, read_expected(shipped_expected(resolved.text("name"))));
+  Json data = sweep_json(outcome, found.peak, assumptions_with_worth(resolved, ledger.worth),
+                         case_warnings(resolved), versions_json());
+  for (const std::string& warning : found.warnings) data["warnings"].push_back(warning);
+  data["case"] = {{"name", resolved.text("name")},
+                  {"source", resolved.text("source")},
+                  {"model", resolved.choice("model")}};
+  data["fidelity"] = outcome.header.fidelity;
+  data["published"] = published_points(ledger.rows);
+  data["fine"] = fine_curve(drivetrain, geometry, fine);
+  data["polar"] = polar(drivetrain, geometry, shown_speeds(grid));
+  data["drawing"] = drawing(drivetrain, geometry, property(grid, "peak_speed_rpm"));
+  data["ablation"] = ablation_curves(drivetrain, fine);
+  data["ledger"] = rows_json(ledger);
+  data["worth"] = worth_json(ledger);
+  data["dynamic"] = nullptr;
+  return data;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,15 @@
+// report.json: all that the report's pictures need beyond the results themselves.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/case/resolved_case.hpp"
+#include "app/results/manifest.hpp"
+
+namespace orbearing::app {
+
+/// What the page is made of, for a sweep whose rows stand in `manifest`.
+nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest);
+
+}  // namespace orbearing::app

@@ -1,0 +1,34 @@
+// The sweep of a case: its points, how each is computed, where life peaks, and what the user must be told.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/results/sweep_json.hpp"
+#include "app/results/sweep_run.hpp"
+
+namespace orbearing::app {
+
+/// The sweep of `resolved`, or its one operating point where the case has no sweep; folder, jobs and the like
+/// are left to the caller. Throws BadInput where the case's model has no sweep.
+SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity);
+
+/// Peak of life on the grid and, on the axis of input.speed, between its points. The continuous peak is
+/// sought with the quasi-static model, all other axes as at the best point; NaN where speed is not swept.
+struct FoundPeak {
+  LifePeak peak;
+  std::vector<std::string> warnings;
+};
+FoundPeak find_peak(const ResolvedCase& resolved, const SweepOutcome& outcome);
+
+/// `assumptions`, `warnings` and `versions` as results carry them.
+nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved);
+nlohmann::ordered_json versions_json();
+std::vector<std::string> case_warnings(const ResolvedCase& resolved);
+
+/// Prints what a finished sweep found: JSON, or the table, the chart and the peak. Returns the exit code.
+int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, bool json, bool quiet);
+
+}  // namespace orbearing::app

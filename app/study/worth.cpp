@@ -1,0 +1,102 @@
+#include "app/study/worth.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr double kRadiansPerSecond = boost::math::double_constants::pi / 30.0;  // of 1 rpm
+
+std::vector<double> swept_speeds(const ResolvedCase& resolved) {
+  for (const SweepAxis& axis : resolved.axes()) {
+    if (axis.path != "input.speed") continue;
+    std::vector<double> speeds;
+    for (const std::string& value : axis.values)
+      speeds.push_back(resolved.with(axis.path, value).quantity(axis.path));
+    return speeds;
+  }
+  return {resolved.quantity("input.speed")};
+}
+
+Setting split_setting(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos)
+    throw BadInput("expected.yaml: settings: found " + text + "; required: path=value");
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+ResolvedCase with_alternative(const ResolvedCase& resolved, const Alternative& alternative) {
+  std::vector<Setting> settings;
+  for (const std::string& text : alternative.settings) settings.push_back(split_setting(text));
+  return resolved.with(settings);
+}
+
+double speed_of_largest(const LifeCurve& curve, const std::vector<double>& values) {
+  return curve
+      .speed_rpm[static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin())];
+}
+
+double speed_of_smallest(const LifeCurve& curve, const std::vector<double>& values) {
+  return curve
+      .speed_rpm[static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin())];
+}
+
+double rises_then_falls(const LifeCurve& curve) {
+  const auto peak = std::max_element(curve.life_h.begin(), curve.life_h.end());
+  const bool inside = peak != curve.life_h.begin() && peak != curve.life_h.end() - 1;
+  const bool one_peak = std::is_sorted(curve.life_h.begin(), peak) &&
+                        std::is_sorted(peak, curve.life_h.end(), std::greater<>());
+  return inside && one_peak ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+LifeCurve life_curve(const ResolvedCase& resolved) {
+  study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  LifeCurve curve;
+  for (const double speed : swept_speeds(resolved)) {
+    drivetrain.drive.speed = speed;
+    const study::PointResult point = study::evaluate(drivetrain, geometry);
+    curve.speed_rpm.push_back(speed / kRadiansPerSecond);
+    curve.life_h.push_back(point.life_hours);
+    curve.roller_load_rms.push_back(point.outer.load_rms);
+  }
+  return curve;
+}
+
+double property(const LifeCurve& curve, const std::string& quantity) {
+  static const std::map<std::string, std::function<double(const LifeCurve&)>> known{
+      {"peak_speed_rpm", [](const LifeCurve& c) { return speed_of_largest(c, c.life_h); }},
+      {"peak_life_h", [](const LifeCurve& c) { return *std::max_element(c.life_h.begin(), c.life_h.end()); }},
+      {"least_load_speed_rpm", [](const LifeCurve& c) { return speed_of_smallest(c, c.roller_load_rms); }},
+      {"shortest_life_speed_rpm", [](const LifeCurve& c) { return speed_of_smallest(c, c.life_h); }},
+      {"life_rises_then_falls", rises_then_falls},
+  };
+  const auto found = known.find(quantity);
+  return found == known.end() ? std::numeric_limits<double>::quiet_NaN() : found->second(curve);
+}
+
+std::vector<Worth> worth_of(const ResolvedCase& resolved, const LifeCurve& base,
+                            const std::vector<Alternative>& alternatives) {
+  std::vector<Worth> all;
+  for (const Alternative& alternative : alternatives) {
+    Worth worth{.alternative = alternative, .curve = life_curve(with_alternative(resolved, alternative))};
+    worth.peak_speed_rpm = property(worth.curve, "peak_speed_rpm");
+    worth.peak_life_h = property(worth.curve, "peak_life_h");
+    worth.worth_h = worth.peak_life_h - property(base, "peak_life_h");
+    all.push_back(std::move(worth));
+  }
+  return all;
+}
+
+}  // namespace orbearing::app

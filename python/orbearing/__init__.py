@@ -1,0 +1,1 @@
+"""Plots and reports made from the results of Orbearing."""

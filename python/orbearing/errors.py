@@ -1,0 +1,5 @@
+"""Mistakes a user can put right."""
+
+
+class BadInput(Exception):
+    """The message gives the place, what was found, what is required and the remedy."""

@@ -1,0 +1,140 @@
+"""The page: headings, tables and figures as one HTML document that needs nothing from outside."""
+
+from __future__ import annotations
+
+from html import escape
+from pathlib import Path
+from typing import Any, Sequence
+
+from orbearing.blocks import MISSING, FigureBlock, Table, format_number, format_quantity, is_number
+from orbearing.result_folder import Report
+from orbearing.summary import headline, summary_table
+
+STYLE_SHEET = Path(__file__).with_name("page.css")
+
+
+def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
+    """The whole document."""
+    name = report.record("case").get("name") or "unnamed case"
+    sections = [_answer(report), *(_figure(index, block) for index, block in enumerate(blocks, start=1))]
+    sections += [_failed(report), _assumptions(report), _warnings(report), _ledger(report), _worths(report), _versions(report), _reproduce(report)]
+    return "\n".join([
+        "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>{escape(str(name))}: planet bearing life</title>",
+        f"<style>\n{STYLE_SHEET.read_text(encoding='utf-8')}</style>", "</head>", "<body>", "<main>",
+        *(section for section in sections if section), "</main>", "</body>", "</html>", "",
+    ])
+
+
+def cell(value: Any) -> str:
+    """A table cell: numbers rounded for reading, text escaped, a dash for what is missing."""
+    if is_number(value):
+        return f'<td class="number">{format_number(float(value))}</td>'
+    if value is None or value == "" or isinstance(value, float):  # a float that is no number is missing
+        return f'<td class="number">{MISSING}</td>'
+    return f"<td>{escape(str(value))}</td>"
+
+
+def table(content: Table) -> str:
+    """An HTML table that scrolls sideways where the screen is narrow."""
+    head = "".join(f'<th scope="col">{escape(text)}</th>' for text in content.head)
+    rows = "\n".join("<tr>" + "".join(cell(value) for value in row) + "</tr>" for row in content.rows)
+    return f'<div class="scroll"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}\n</tbody>\n</table></div>'
+
+
+def _answer(report: Report) -> str:
+    name = report.record("case").get("name") or "unnamed case"
+    title = f'<p class="case">{escape(str(name))}</p>\n<h1>{escape(headline(report))}</h1>'
+    return f"<header>{title}</header>\n{table(summary_table(report))}"
+
+
+def _figure(index: int, block: FigureBlock) -> str:
+    parts = [f'<section id="{block.slug}">', f"<h2>{index}. {escape(block.title)}</h2>"]
+    if block.pictures:
+        pictures = "\n".join(f'<div class="picture">{picture}</div>' for picture in block.pictures)
+        parts += ["<figure>", f'<div class="pictures n{len(block.pictures)}">{pictures}</div>',
+                  f"<figcaption>{escape(block.caption)}</figcaption>", "</figure>"]
+    else:
+        parts.append(f'<p class="missing">{escape(block.missing)}</p>')
+    if block.summary:
+        parts.append(table(block.summary))
+    if block.data:
+        parts.append(f"<details><summary>Data of this figure ({len(block.data.rows)} rows)</summary>{table(block.data)}</details>")
+    return "\n".join([*parts, "</section>"])
+
+
+def _section(title: str, body: str) -> str:
+    return f"<section>\n<h2>{escape(title)}</h2>\n{body}\n</section>"
+
+
+def _failed(report: Report) -> str:
+    rows = [(p.get("input_speed_rpm"), p.get("status") or "no reason given") for p in report.failed_points]
+    return _section("Points without a life", table(Table(("input speed (rpm)", "reason"), rows))) if rows else ""
+
+
+def _assumptions(report: Report) -> str:
+    rows = report.records("assumptions")
+    if not rows:
+        return _section("Assumptions", "<p>The case marks no value as assumed.</p>")
+    note = "<p>Values the source does not give, why each was chosen, and what another choice would do to the life at the peak.</p>"
+    cells = [(r.get("key"), r.get("value"), r.get("reason"), _worth(r)) for r in rows]
+    return _section("Assumptions", note + table(Table(("assumed", "value", "why", "worth"), cells)))
+
+
+def _worth(row: dict) -> str:
+    hours = row.get("worth_h")
+    parts = [format_quantity(hours, "h")] if is_number(hours) else []
+    parts += [str(row["worth_text"])] if row.get("worth_text") else []
+    return ": ".join(parts) or "not computed"
+
+
+def _warnings(report: Report) -> str:
+    value = report.content.get("warnings")
+    texts = value if isinstance(value, list) else []
+    if not texts:
+        return _section("Warnings", "<p>None.</p>")
+    return _section("Warnings", "<ul>" + "\n".join(f"<li>{escape(str(text))}</li>" for text in texts) + "</ul>")
+
+
+def _ledger(report: Report) -> str:
+    rows = [row for row in report.records("ledger") if not row.get("reading")]
+    if not rows:
+        return _section("Published numbers beside ours", "<p>No published numbers are compared for this case.</p>")
+    names = ("source", "quantity", "published", "ours", "deviation", "tolerance", "verdict")
+    cells = [(row.get("source"), row.get("quantity"), row.get("published"), row.get("ours"),
+              _percent(row.get("deviation")), _percent(row.get("tolerance")), row.get("verdict")) for row in rows]
+    note = "<p>The shipped case of this name, with this run's values.</p>"
+    return _section("Published numbers beside ours", note + table(Table(names, cells)))
+
+
+def _worths(report: Report) -> str:
+    rows = report.records("worth")
+    if not rows:
+        return ""
+    names = ("assumption", "other reading", "peak (rpm)", "life at the peak (h)", "worth (h)")
+    cells = [(row.get("assumption"), row.get("reading"), row.get("peak_speed_rpm"), row.get("peak_life_h"), row.get("worth_h"))
+             for row in rows]
+    note = "<p>The quasi-static sweep with one assumption read otherwise; worth is the change of the life at the peak.</p>"
+    return _section("What each assumption is worth", note + table(Table(names, cells)))
+
+
+def _percent(value: Any) -> Any:
+    return f"{100.0 * value:+.1f} %" if is_number(value) else value
+
+
+def _versions(report: Report) -> str:
+    rows = [(key, _text(value)) for key, value in sorted(report.record("versions").items())]
+    return _section("Versions", table(Table(("part", "version"), rows)) if rows else "<p>Not recorded.</p>")
+
+
+def _text(value: Any) -> str:
+    """A version is a label, never a number to be rounded."""
+    return MISSING if value is None else str(value)
+
+
+def _reproduce(report: Report) -> str:
+    fidelity = f" --fidelity {report.fidelity}" if report.fidelity in ("quasi-static", "dynamic") else ""
+    commands = f"orbearing sweep case.resolved.yaml -o again{fidelity}\norbearing report again"
+    text = "<p>In the folder of this page, which holds the case with every default resolved:</p>"
+    return _section("How to reproduce", f"{text}\n<pre>{escape(commands)}</pre>")

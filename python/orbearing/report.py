@@ -1,0 +1,69 @@
+"""`python3 -m orbearing.report DIR`: DIR/report.json becomes DIR/report.html, one self-contained page.
+
+Exit codes as of the command line: 0 done, 1 the page could not be made, 2 bad input or usage.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+from orbearing.errors import BadInput
+
+USAGE = "usage: python3 -m orbearing.report DIR"
+
+
+def build(folder: Path) -> str:
+    """The page of a result folder as text; the same results give the same bytes."""
+    from orbearing import style
+    from orbearing.figures import BLOCKS
+    from orbearing.page import page
+    from orbearing.result_folder import read_report
+
+    report = read_report(folder)
+    with style.context():
+        return page(report, [block(report) for block in BLOCKS])
+
+
+def write_aside(path: Path, text: str) -> None:
+    """Write beside the target and rename, so that a reader never meets half a page."""
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".tmp", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", errors="replace", newline="\n") as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+        umask = os.umask(0)
+        os.umask(umask)
+        os.chmod(name, 0o666 & ~umask)
+        os.replace(name, path)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+def main(arguments: list[str]) -> int:
+    """Make the page; messages go to standard error."""
+    if len(arguments) != 1 or arguments[0].startswith("-"):
+        print(USAGE, file=sys.stderr)
+        return 0 if arguments in (["-h"], ["--help"]) else 2
+    folder = Path(arguments[0])
+    try:
+        write_aside(folder / "report.html", build(folder))
+    except ImportError as error:
+        print(f"report: {error}; numpy and matplotlib are required; on Debian install python3-matplotlib", file=sys.stderr)
+        return 1
+    except BadInput as error:
+        print(f"report: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"{folder}: report.html cannot be written ({error.strerror}); free space and write permission are required",
+              file=sys.stderr)
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,76 @@
+"""A result folder as the report sees it: report.json, read leniently where values are missing."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from orbearing.blocks import is_number
+from orbearing.errors import BadInput
+
+
+def numbers(values: Any) -> np.ndarray:
+    """An array in which everything that is not a finite number has become NaN."""
+    items = values if isinstance(values, list) else []
+    return np.array([value if is_number(value) else np.nan for value in items], dtype=float)
+
+
+def curve(block: dict, *names: str) -> list[np.ndarray]:
+    """Columns of equal length: all are cut to the shortest of those that are there."""
+    columns = [numbers(block.get(name)) for name in names]
+    length = min((len(column) for column in columns if len(column)), default=0)
+    return [column[:length] if len(column) else np.full(length, np.nan) for column in columns]
+
+
+def records(value: Any) -> list[dict]:
+    """The objects of a list; anything else is left out."""
+    return [item for item in value if isinstance(item, dict)] if isinstance(value, list) else []
+
+
+def record(value: Any) -> dict:
+    """The object, or an empty one where there is none."""
+    return value if isinstance(value, dict) else {}
+
+
+@dataclass(frozen=True)
+class Report:
+    """The content of report.json; keys and units as the file names them."""
+
+    content: dict
+
+    def record(self, key: str) -> dict:
+        return record(self.content.get(key))
+
+    def records(self, key: str) -> list[dict]:
+        return records(self.content.get(key))
+
+    def point_column(self, name: str) -> np.ndarray:
+        """One column of the sweep, NaN at failed points."""
+        return numbers([point.get(name) for point in self.records("points")])
+
+    @property
+    def fidelity(self) -> str:
+        return str(self.content.get("fidelity") or "unknown fidelity")
+
+    @property
+    def failed_points(self) -> list[dict]:
+        return [p for p in self.records("points") if p.get("status") != "ok" or not is_number(p.get("life_h"))]
+
+
+def read_report(folder: Path) -> Report:
+    """Read DIR/report.json; raises BadInput with the remedy where that cannot be done."""
+    path = folder / "report.json"
+    remedy = f"run `orbearing report {folder}`, which writes it from the results of a sweep"
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise BadInput(f"{path}: cannot be read ({error.strerror}); a readable file is required; {remedy}") from error
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
+        raise BadInput(f"{path}: is not JSON ({error}); one JSON object is required; {remedy}") from error
+    if not isinstance(content, dict):
+        raise BadInput(f"{path}: found {type(content).__name__}; one JSON object is required; {remedy}")
+    return Report(content)

@@ -1,0 +1,129 @@
+"""One look for all figures: palette, sizes, fonts, and the way a figure becomes an SVG element."""
+
+from __future__ import annotations
+
+import html
+import io
+import re
+import textwrap
+import warnings
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_svg import FigureCanvasSVG
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+# Palette of Okabe and Ito, told apart with every common colour vision deficiency.
+BLUE, ORANGE, GREEN, VERMILION = "#0072B2", "#E69F00", "#009E73", "#D55E00"
+PURPLE, SKY, BLACK, GREY = "#CC79A7", "#56B4E9", "#1a1a1a", "#767676"
+SERIES = (BLACK, BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
+DASHES = ("-", "--", "-.", (0, (1, 1.2)), (0, (6, 1.5, 1, 1.5, 1, 1.5)), (0, (3, 1)), (0, (8, 3)))
+LOAD_MAP = "Blues"
+
+# A curve of more points than this is drawn without markers.
+MOST_MARKERS = 60
+
+# [inch]: at these sizes 9.5 pt text stays legible on a phone 360 pixels wide and on paper.
+PANEL = (4.6, 3.7)
+STACK = (5.6, 6.6)
+
+RC = {
+    "font.family": "DejaVu Sans",
+    "font.size": 9.5,
+    "axes.titlesize": 10,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.edgecolor": GREY,
+    "axes.grid": True,
+    "grid.color": "#e2e2e2",
+    "grid.linewidth": 0.6,
+    "axes.axisbelow": True,
+    "lines.linewidth": 1.6,
+    "lines.markersize": 5.5,
+    "legend.frameon": False,
+    "legend.fontsize": 8.5,
+    "legend.handlelength": 2.6,
+    "figure.facecolor": "white",
+    "figure.constrained_layout.use": True,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "orbearing",
+    "text.parse_math": False,  # a case may have a dollar sign in its name
+    "axes.unicode_minus": True,
+}
+
+
+def context():
+    """The settings above, for as long as the context lasts, on top of matplotlib's own defaults."""
+    return matplotlib.rc_context({**matplotlib.rcParamsDefault, **RC, "backend": "agg"})
+
+
+def thousands(axis) -> None:
+    """Plain numbers with the thousands apart, also on a logarithmic axis."""
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}".replace("-", "\u2212")))
+
+
+def life_axis(axes: Axes) -> None:
+    """Logarithmic, with labels at 1, 2 and 5 of each decade where they have room."""
+    axes.set_yscale("log")
+    low, high = axes.get_ylim()
+    labelled = (1, 2, 5) if high < 1e3 * low else (1,)
+    axes.yaxis.set_major_locator(LogLocator(subs=labelled, numticks=20))
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    axes.set_ylabel("life of one bearing (h)")
+    thousands(axes.yaxis)
+
+
+def panel(size: tuple[float, float] = PANEL) -> tuple[Figure, Axes]:
+    """A figure with one pair of axes; `size` in inch."""
+    figure = Figure(figsize=size)
+    return figure, figure.add_subplot()
+
+
+def speed_axis(axes: Axes) -> None:
+    axes.set_xlabel("input speed (rpm)")
+    thousands(axes.xaxis)
+
+
+def legend_above(axes: Axes, columns: int = 2) -> None:
+    """The legend stands above the axes, where it cannot cover data."""
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1.02), borderaxespad=0, ncol=columns, columnspacing=1.4)
+
+
+def legend_label(text: str) -> str:
+    """Wrapped, so that a long one cannot squeeze the axes; matplotlib leaves out labels that begin with an underscore."""
+    wrapped = textwrap.fill(textwrap.shorten(text, 150, placeholder=" ..."), 50)
+    return f" {wrapped}" if wrapped.startswith("_") else wrapped
+
+
+def points_look(count: int, with_curve: bool = False) -> dict:
+    """Points of a sweep: markers while they can be told apart, joined where no finer curve runs through them."""
+    few = count <= MOST_MARKERS
+    return {} if few and with_curve else {"linestyle": "-", "linewidth": 0.9, **({} if few else {"marker": ""})}
+
+
+def to_svg(figure: Figure, slug: str, description: str) -> str:
+    """The figure as an inline SVG element: no outside names, no date, identifiers unique by `slug`."""
+    FigureCanvasSVG(figure)
+    target = io.StringIO()
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing")
+        figure.savefig(target, format="svg", metadata={"Date": None, "Creator": None})
+    return _inline(target.getvalue(), slug, description)
+
+
+def _inline(text: str, slug: str, description: str) -> str:
+    """Strip what an HTML page neither needs nor may have twice."""
+    text = text[text.index("<svg"):]
+    text = re.sub(r"<!--.*?-->\n?|<metadata>.*?</metadata>\n?", "", text, flags=re.S)
+    text = re.sub(r'\sxmlns(:xlink)?="[^"]*"', "", text).replace("xlink:href", "href")
+    # matplotlib names clip paths by their address in memory: number them by first use instead.
+    names = dict.fromkeys(re.findall(r'\bid="(p[0-9a-f]{10})"', text))
+    for number, name in enumerate(names):
+        text = text.replace(name, f"clip{number}")
+    text = re.sub(r'\bid="', f'id="{slug}-', text)
+    text = re.sub(r'href="#', f'href="#{slug}-', text)
+    text = re.sub(r"url\(#", f"url(#{slug}-", text)
+    # The width in points becomes the natural width; the page scales it down where it must.
+    label = html.escape(description, quote=True)
+    return text.replace("<svg", f'<svg role="img" aria-label="{label}"', 1).strip()

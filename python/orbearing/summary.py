@@ -1,0 +1,101 @@
+"""The answer in one sentence, and the table under it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orbearing.blocks import MISSING, Table, format_change, format_number, format_quantity, is_number
+from orbearing.result_folder import Report, curve
+
+
+def best(report: Report) -> tuple[float | None, float | None]:
+    """Speed [rpm] and life [h] of the peak: the refined one, else the grid's."""
+    peak = report.record("peak")
+    for prefix in ("refined_", ""):
+        speed, life = peak.get(f"{prefix}speed_rpm"), peak.get(f"{prefix}life_h")
+        if is_number(speed) and is_number(life):
+            return speed, life
+    return None, None
+
+
+def headline(report: Report) -> str:
+    """Peak speed and life in words, or why there are none."""
+    speed, life = best(report)
+    if speed is None:
+        return "No point of this sweep gave a life, so there is no peak to report."
+    where = f"at {format_number(speed, 4)} rpm input speed"
+    if len(report.records("points")) == 1:
+        return f"{_capital(where)} the planet bearing lives {format_number(life, 3)} hours (a single point, no peak)."
+    return f"The planet bearing lives longest {where}: {format_number(life, 3)} hours."
+
+
+def summary_table(report: Report) -> Table:
+    """What was computed and what came out."""
+    case, peak = report.record("case"), report.record("peak")
+    points, failed = report.records("points"), report.failed_points
+    rows = [
+        ("Case", f"{case.get('name') or MISSING} ({case.get('model') or 'model not named'})"),
+        ("Source", case.get("source")),
+        ("Fidelity", report.fidelity),
+        ("Points of the sweep", f"{len(points)}, of which {len(failed)} without a life"),
+        ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h")) + _edge_note(report)),
+        ("Refined peak", _speed_and_life(peak.get("refined_speed_rpm"), peak.get("refined_life_h"))),
+        *_published_rows(report),
+        *_least_load_rows(report),
+        ("Assumptions and warnings", f"{len(report.records('assumptions'))} and {_count(report.content.get('warnings'))}, listed below"),
+    ]
+    return Table(("Result", "Value"), rows)
+
+
+def life_at(report: Report, speed_rpm: float) -> float | None:
+    """Our life [h] at a speed: the sweep's own point there, else between its points, never beyond them."""
+    speed, life = report.point_column("input_speed_rpm"), report.point_column("life_h")
+    known = np.isfinite(speed) & (life > 0)
+    order = np.argsort(speed[known], kind="stable")
+    speed, life = speed[known][order], life[known][order]
+    if not len(speed) or not speed[0] <= speed_rpm <= speed[-1]:
+        return None
+    return float(np.exp(np.interp(speed_rpm, speed, np.log(life))))
+
+
+def _published_rows(report: Report) -> list[tuple[str, str]]:
+    rows = []
+    for item in report.records("published"):
+        speed, life = item.get("speed_rpm"), item.get("life_h")
+        if is_number(speed) and is_number(life):
+            ours = life_at(report, speed)
+            text = f"{_speed_and_life(speed, life)}; ours there {format_quantity(ours, 'h')}, {format_change(ours, life)}"
+            rows.append((f"Published, {item.get('source') or 'unnamed source'}", text))
+    return rows
+
+
+def _least_load_rows(report: Report) -> list[tuple[str, str]]:
+    speed, load = curve(report.record("fine"), "speed_rpm", "planet_load_N")
+    if np.isfinite(load).sum() < 3:
+        return []
+    least = int(np.nanargmin(load))
+    return [("Least planet load", f"{format_quantity(load[least], 'N', 4)} at {format_quantity(speed[least], 'rpm', 4)} (one bearing)")]
+
+
+def _edge_note(report: Report) -> str:
+    """A best point at the end of the sweep need not be the peak."""
+    speeds = report.point_column("input_speed_rpm")
+    speeds = speeds[np.isfinite(speeds)]
+    speed = report.record("peak").get("speed_rpm")
+    if len(speeds) > 1 and is_number(speed) and speed in (speeds.min(), speeds.max()):
+        return "; at the edge of the sweep, so the true peak may lie beyond it"
+    return ""
+
+
+def _speed_and_life(speed: object, life: object) -> str:
+    if not (is_number(speed) and is_number(life)):
+        return MISSING
+    return f"{format_number(speed)} rpm, {format_number(life)} h"
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _count(value: object) -> int:
+    return len(value) if isinstance(value, list) else 0
