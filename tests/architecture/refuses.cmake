@@ -1,0 +1,46 @@
+# cmake -DCHECK=<CheckArchitecture.cmake> -DWORK=<folder> -P refuses.cmake
+#
+# The architecture check itself: each forbidden include, alone in a small tree, must be refused, and
+# each allowed one accepted.
+cmake_minimum_required(VERSION 3.25)
+
+function(verdict place include expected)
+  file(REMOVE_RECURSE "${WORK}")
+  file(WRITE "${WORK}/${place}" "#include ${include}\n")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -DROOT=${WORK} -P "${CHECK}"
+                  RESULT_VARIABLE result OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(result EQUAL 0)
+    set(found accepted)
+  elseif(text MATCHES "Forbidden includes:")
+    set(found refused)
+  else()
+    set(found "broken: ${text}")
+  endif()
+  if(NOT found STREQUAL expected)
+    message(SEND_ERROR "${place}: #include ${include}: ${found}, should be ${expected}")
+  endif()
+endfunction()
+
+verdict(gearset/a.hpp "\"gearset/b.hpp\"" accepted)
+verdict(gearset/a.hpp "<vector>" accepted)
+verdict(gearset/a.cpp "<Eigen/Dense>" accepted)
+verdict(bearing/a.cpp "<boost/math/tools/roots.hpp>" accepted)
+verdict(coupling/study/a.cpp "\"bearing/b.hpp\"" accepted)
+verdict(coupling/study/a.cpp "<tbb/parallel_for.h>" accepted)
+verdict(coupling/integration/a.cpp "<boost/numeric/odeint.hpp>" accepted)
+
+verdict(gearset/a.hpp "\"bearing/b.hpp\"" refused)
+verdict(gearset/a.hpp "\"b.hpp\"" refused)
+verdict(bearing/deep/a.hpp "\"gearset/b.hpp\"" refused)
+verdict(bearing/a.cpp "\"coupling/b.hpp\"" refused)
+verdict(bearing/a.cpp "<yaml-cpp/yaml.h>" refused)
+verdict(bearing/a.cpp "<fstream>" refused)
+verdict(gearset/a.cpp "<iostream>" refused)
+verdict(gearset/a.cpp "<filesystem>" refused)
+verdict(gearset/a.cpp "<cstdio>" refused)
+verdict(bearing/a.cpp "<boost/numeric/odeint.hpp>" refused)
+verdict(bearing/a.cpp "<fmt/format.h>" refused)
+verdict(bearing/a.cpp "BEARING_HEADER" refused)
+verdict(coupling/study/a.cpp "<boost/numeric/odeint.hpp>" refused)
+verdict(coupling/a.cpp "\"app/errors.hpp\"" refused)
+verdict(coupling/a.cpp "<netcdf.h>" refused)

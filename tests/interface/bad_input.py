@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""Bad input through the program itself: exit code 2, and a message with place, what was found and what is required.
+
+Needs the program's path in ORBEARING and the source folder in ORBEARING_SOURCE_DIR.
+"""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
+SHIPPED = SOURCE / "cases" / "reducer_150kW" / "case.yaml"
+SECONDS = 20  # a mistake is found at once; this stops a hang
+
+# What is wrong: what to replace in the shipped case, by what, the line of the message and a part of it.
+CHANGED_FILES = {
+    "wrong syntax": ("  power: 150 kW", "   power: 150 kW", 6, r"\(file\): wrong YAML"),
+    "tab for indentation": ("  power: 150 kW", "\tpower: 150 kW", 6, r"\(file\): wrong YAML"),
+    "quotation not closed": ('reduction set"', "reduction set", None, r"\(file\): "),
+    "second document": ("assumed:\n", "---\nassumed:\n", None, r"\(file\): a second YAML document"),
+    "anchor": ("power: 150 kW", "power: &p 150 kW", 6, r"\(file\): an anchor"),
+    "tag": ("power: 150 kW", "power: !!str 150 kW", 6, r"\(file\): the YAML tag"),
+    "unknown key": ("  module:", "  modul:", 14, r"gearset\.modul: unknown key; .*did you mean 'gearset\.module'"),
+    "unknown block": ("gearset:\n", "gearsets:\n", 10, r"gearsets: unknown key; .*'gearset'"),
+    "duplicate key": ("  planets: 4\n", "  planets: 4\n  planets: 3\n", 13, r"gearset\.planets: duplicate key"),
+    "missing key": ("  power: 150 kW\n", "", 4, r"input\.power: missing; a power like '150 kW'"),
+    "missing block": ("input:\n  member: sun\n  power: 150 kW\n  speed: 6000 rpm\n", "", 1, r"input\.power: missing"),
+    "no value": ("power: 150 kW", "power:", 6, r"input\.power: nothing found"),
+    "block for a value": ("power: 150 kW", "power: {value: 150 kW}", 6, r"input\.power: a block found"),
+    "value for a block": ("teeth: {sun: 37, planet: 22, ring: 79}", "teeth: 37", 13, r"gearset\.teeth: '37' found"),
+    "planned model": ("planetary-drivetrain", "duplex-pair", 3, r"model: 'duplex-pair' is not in this version"),
+    "unknown model": ("planetary-drivetrain", "planets", 3, r"model: 'planets' is none of the choices"),
+    "unknown assumption": ("  contact.law:", "  contact.low:", None, r"assumed\.contact\.low: unknown path"),
+    "control character": ("reduction set", "reduction\x04set", 2, r"\(file\): a control character"),
+}
+
+# Settings of the shipped case, the key of the message and a part of it.
+SETTINGS = {
+    "no unit": ("bearing.roller_diameter=5.24", "bearing.roller_diameter", "no unit, write it as in '5.24 mm'"),
+    "unknown unit": ("gearset.module=3 mmm", "gearset.module", "unit 'mmm' is not known"),
+    "wrong dimension": ("gearset.module=3 kg", "gearset.module", "does not measure the same"),
+    "speed in hertz": ("input.speed=100 Hz", "input.speed", "how much angle"),
+    "unit on a ratio": ("life.lambda=0.83 mm", "life.lambda", "number without unit"),
+    "infinite": ("input.power=.inf kW", "input.power", "finite number"),
+    "not a number": ("life.lambda=.nan", "life.lambda", "finite number"),
+    "overflow": ("input.power=1e999 kW", "input.power", "too large"),
+    "wrong sign": ("gearset.module=-3 mm", "gearset.module", "greater than 0 mm"),
+    "zero power": ("input.power=0 kW", "input.power", "greater than 0 kW"),
+    "zero speed": ("input.speed=0 rpm", "input.speed", "greater than 0 rpm"),
+    "beyond the range": ("material.poisson_ratio=0.5", "material.poisson_ratio", "less than 0.5"),
+    "fraction of a tooth": ("gearset.teeth.sun=37.5", "gearset.teeth.sun", "not a whole number"),
+    "word for a switch": ("film.enabled=yes", "film.enabled", "true or false"),
+    "unknown choice": ("gearset.fixed=pin", "gearset.fixed", "one of sun, ring, carrier"),
+    "unknown path": ("input.powr=3 kW", "input.powr", "did you mean 'input.power'"),
+    "no equals sign": ("input.power", "input.power", "has no '='"),
+    "teeth that cannot be assembled": ("gearset.planets=5", "gearset.planets", "equally spaced planets"),
+    "too many planets": ("gearset.planets=29", "gearset.planets", "at most 24"),
+    "block for a number": ("gearset.planets={}", "gearset.planets", "a block found"),
+    "fixed member driven": ("input.member=ring", "input.member", "fixed member"),
+    "rollers around the pitch circle": ("bearing.rollers=22", "bearing.rollers", "do not fit around"),
+    "rollers between the races": ("bearing.pitch_diameter=29 mm", "bearing.bore", "does not fit"),
+    "outer race beyond the ring": ("bearing.pitch_diameter=42 mm", "bearing.outside_diameter", "does not fit"),
+    "cage in the raceway": ("bearing.cage.outer_diameter=41 mm", "bearing.cage.outer_diameter", "does not fit"),
+    "rollers wider than rings": ("bearing.roller_length=12 mm", "bearing.roller_length", "does not fit"),
+    "bearings wider than the planet": ("bearing.per_planet=3", "bearing.per_planet", "does not fit"),
+    "bearing larger than the planet": ("bearing.outside_diameter=60 mm", "bearing.outside_diameter", "root diameter"),
+    "sweep of an unknown field": ("sweep.input.sped=[1 rpm]", "sweep.input.sped", "did you mean 'input.speed'"),
+    "sweep step zero": ("sweep.input.speed.step=0 rpm", "sweep.input.speed.step", "greater than 0 rpm"),
+    "sweep backwards": ("sweep.input.speed.to=500 rpm", "sweep.input.speed.to", "less than 'from'"),
+    "sweep without end": ("sweep.input.speed.step=1e-9 rpm", "sweep.input.speed.step", "too many points"),
+    "sweep of a choice": ("sweep.gearset.fixed=[sun]", "sweep.gearset.fixed", "no number"),
+    "empty reason": ("assumed.film.enabled=", "assumed.film.enabled", "the reason"),
+}
+
+
+def run(*arguments):
+    command = [os.environ["ORBEARING"], *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+class BadInput(unittest.TestCase):
+    def expect_message(self, result, pattern):
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stdout, "")
+        self.assertRegex(result.stderr, re.compile(pattern, re.MULTILINE))
+        for trace in ("std::", "YAML::", "terminate", "what()"):
+            self.assertNotIn(trace, result.stderr)
+
+    def test_shipped_case_is_good(self):
+        result = run("check", SHIPPED)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("reducer_150kW", result.stdout)
+
+    def test_changed_files(self):
+        text = SHIPPED.read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "case.yaml"
+            for kind, (old, new, line, pattern) in CHANGED_FILES.items():
+                with self.subTest(kind):
+                    self.assertIn(old, text)
+                    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+                    where = rf"{re.escape(str(path))}:{line or '[0-9]+'}:[0-9]+: "
+                    self.expect_message(run("check", path), "^" + where + pattern)
+
+    def test_settings(self):
+        for kind, (setting, key, part) in SETTINGS.items():
+            with self.subTest(kind):
+                result = run("check", SHIPPED, "--set", setting)
+                # A contradiction is reported at the key that does not fit, which may stand in the file.
+                self.expect_message(result, rf"^(--set|.*:[0-9]+:[0-9]+): {re.escape(key)}: .*{re.escape(part)}")
+
+    def test_files_that_are_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "empty.yaml").write_bytes(b"")
+            (root / "bytes.yaml").write_bytes(bytes(range(128, 256)))
+            (root / "list.yaml").write_text("- 1\n", encoding="utf-8")
+            (root / "deep.yaml").write_text("[" * 100 + "]" * 100, encoding="utf-8")
+            (root / "large.yaml").write_text("# " + "x" * (1 << 21), encoding="utf-8")
+            for name in ("missing.yaml", "empty.yaml", "bytes.yaml", "list.yaml", "deep.yaml", "large.yaml", "."):
+                with self.subTest(name):
+                    self.expect_message(run("check", root / name), r":1:[0-9]+: \(file\): .*; .* required$")
+
+    def test_all_mistakes_at_once_in_order(self):
+        result = run("check", SHIPPED, "--set", "life.lambda=2", "--set", "input.power=1 m", "--set", "x=1")
+        self.assertEqual(result.returncode, 2)
+        keys = [line.split(": ")[1] for line in result.stderr.splitlines() if line.startswith("--set: ")]
+        self.assertEqual(keys, ["life.lambda", "input.power", "x"])
+
+    def test_every_command_refuses_and_writes_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for command in ("run", "sweep"):
+                with self.subTest(command):
+                    output = pathlib.Path(folder) / command
+                    result = run(command, SHIPPED, "-o", output, "--set", "input.power=0 kW")
+                    self.expect_message(result, r"^--set: input\.power: ")
+                    self.assertFalse(output.exists())
+
+    def test_json_keeps_standard_output_clean(self):
+        self.expect_message(run("check", SHIPPED, "--json", "--set", "input.power=0 kW"), r"^--set: input\.power: ")
+
+
+if __name__ == "__main__":
+    if "ORBEARING" not in os.environ:
+        print("skipped: ORBEARING does not name the program")
+        sys.exit(77)
+    unittest.main()

@@ -1,0 +1,95 @@
+#include "app/case/sweep_axes.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/app_case/small_case.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::StartsWith;
+
+std::vector<std::string> speeds(const std::string& axis) {
+  return shipped({"sweep={}", "sweep.input.speed=" + axis}).axes().at(0).values;
+}
+
+TEST(SweepAxes, StepInTheUnitAsWritten) {
+  EXPECT_THAT(speeds("{from: 1000 rpm, to: 3000 rpm, step: 1000 rpm}"),
+              ElementsAre("1000 rpm", "2000 rpm", "3000 rpm"));
+  EXPECT_THAT(speeds("{from: 100 rad/s, to: 0.3 krad/s, step: 100 rad/s}").size(), 3U);
+}
+
+TEST(SweepAxes, ReachTheEndDespiteRounding) {
+  // 0.1 and 0.3 are not binary fractions: (0.3 - 0) / 0.1 lies below 3.
+  EXPECT_EQ(speeds("{from: 0.1 rpm, to: 0.7 rpm, step: 0.1 rpm}").size(), 7U);
+  EXPECT_EQ(speeds("{from: 1 rpm, to: 2.9 rpm, step: 1 rpm}").size(), 2U);
+  EXPECT_EQ(speeds("{from: 5 rpm, to: 5 rpm, step: 1 rpm}").size(), 1U);
+}
+
+TEST(SweepAxes, MakeEveryCombinationFirstAxisSlowest) {
+  const ResolvedCase resolved = shipped(
+      {"sweep={}", "sweep.input.power=[75 kW, 150 kW]", "sweep.bearing.rollers={from: 13, to: 15, step: 1}"});
+  ASSERT_EQ(sweep_size(resolved), 6U);
+  EXPECT_THAT(sweep_point(resolved, 0),
+              ElementsAre(Pair("input.power", "75 kW"), Pair("bearing.rollers", "13")));
+  EXPECT_THAT(sweep_point(resolved, 2),
+              ElementsAre(Pair("input.power", "75 kW"), Pair("bearing.rollers", "15")));
+  EXPECT_THAT(sweep_point(resolved, 3),
+              ElementsAre(Pair("input.power", "150 kW"), Pair("bearing.rollers", "13")));
+}
+
+TEST(SweepAxes, SetTheValuesOfAPoint) {
+  const ResolvedCase resolved = shipped();
+  const ResolvedCase point = resolved.with(sweep_point(resolved, 2));
+  EXPECT_EQ(point.given("input.speed"), "3000 rpm");
+  EXPECT_EQ(resolved.given("input.speed"), "6000 rpm");
+}
+
+std::vector<std::string> axis_mistakes(const std::string& path, const std::string& axis) {
+  return setting_mistakes({"sweep={}", "sweep." + path + "=" + axis});
+}
+
+TEST(SweepAxes, ReportMistakes) {
+  EXPECT_THAT(axis_mistakes("input.sped", "[1 rpm]"), ElementsAre(HasSubstr("did you mean 'input.speed'?")));
+  EXPECT_THAT(axis_mistakes("input", "[1 rpm]"),
+              ElementsAre(HasSubstr("the whole path, as in 'input.power'")));
+  EXPECT_THAT(axis_mistakes("gearset.fixed", "[sun]"), ElementsAre(HasSubstr("no number")));
+  EXPECT_THAT(axis_mistakes("input.speed", "3 rpm"), ElementsAre(HasSubstr("a list of values or {from")));
+  EXPECT_THAT(axis_mistakes("input.speed", "[]"), ElementsAre(HasSubstr("an empty list")));
+  EXPECT_THAT(axis_mistakes("input.speed", "[1 rpm, 1 rpm, 2 mm]"),
+              ElementsAre(HasSubstr("stands twice"), HasSubstr("does not measure")));
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 1 rpm, stop: 3 rpm}"),
+              ElementsAre(HasSubstr("unknown key"), HasSubstr("speed.to: missing"),
+                          HasSubstr("speed.step: missing")));
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 1 rpm, to: 3 rpm, step: 0 rpm}"),
+              ElementsAre(AllOf(HasSubstr("speed.step"), HasSubstr("greater than 0 rpm"))));
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 3 rpm, to: 1 rpm, step: 1 rpm}"),
+              ElementsAre(HasSubstr("less than 'from'")));
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 0 rpm, to: 1 rpm, step: 1 rpm}"),
+              ElementsAre(HasSubstr("speed.from")));
+}
+
+TEST(SweepAxes, LimitTheNumberOfPoints) {
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 1 rpm, to: 100000 rpm, step: 1 rpm}"), IsEmpty());
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 1 rpm, to: 100001 rpm, step: 1 rpm}"),
+              ElementsAre(HasSubstr("too many points")));
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 1 rpm, to: 2 rpm, step: 1e-300 rpm}"),
+              ElementsAre(HasSubstr("too many points")));
+  EXPECT_THAT(
+      setting_mistakes({"sweep.input.speed.step=1 rpm", "sweep.bearing.rollers={from: 3, to: 14, step: 1}"}),
+      ElementsAre(HasSubstr("132012 operating points")));
+}
+
+TEST(SweepAxes, ReportDuplicateAxes) {
+  const std::string axis = "  input.speed: [1 rpm]\n";
+  const std::string text = replaced(text_of(shipped_path()), "sweep:\n", "sweep:\n" + axis);
+  EXPECT_THAT(mistakes(text), ElementsAre(StartsWith("case.yaml:10:3: sweep.input.speed: duplicate key")));
+}
+
+}  // namespace
+}  // namespace orbearing::app

@@ -1,0 +1,97 @@
+#include "app/case/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <thread>
+#include <vector>
+
+namespace orbearing::app {
+namespace {
+
+// A conversion multiplies by one factor, itself rounded: a few units in the last place.
+constexpr double few_ulps = 4e-16;
+
+void expect_quantity(const char* text, const Dimension& dimension, double expected) {
+  const Reading<double> reading = read_quantity(text, dimension);
+  ASSERT_TRUE(reading.value) << text << ": " << reading.fault;
+  EXPECT_NEAR(*reading.value, expected, few_ulps * std::abs(expected)) << text;
+}
+
+void expect_fault(const char* text, const Dimension& dimension, const char* part) {
+  const Reading<double> reading = read_quantity(text, dimension);
+  ASSERT_FALSE(reading.value) << text;
+  EXPECT_NE(reading.fault.find(part), std::string::npos) << text << ": " << reading.fault;
+}
+
+TEST(Units, ConvertToSi) {
+  expect_quantity("150 kW", dimension::power, 150e3);
+  expect_quantity("3 mm", dimension::length, 3e-3);
+  expect_quantity("-5um", dimension::small_length, -5e-6);
+  expect_quantity("+.5 \xC2\xB5m", dimension::small_length, 0.5e-6);
+  expect_quantity("20 deg", dimension::angle, 20 * std::numbers::pi / 180);
+  expect_quantity("6000 rpm", dimension::angular_speed, 6000 * 2 * std::numbers::pi / 60);
+  expect_quantity("1e3 N.mm", dimension::torque, 1.0);
+  expect_quantity("15 1/GPa", dimension::pressure_viscosity, 15e-9);
+  expect_quantity("7.85 g/cm^3", dimension::density, 7850);
+  expect_quantity("10 mPa.s", dimension::viscosity, 0.01);
+}
+
+TEST(Units, KeepBitsOfTheTargetUnit) {
+  EXPECT_EQ(*read_quantity("0.1 m", dimension::length).value, 0.1);
+}
+
+TEST(Units, RefuseCyclesForRadians) {
+  expect_fault("100 Hz", dimension::angular_speed, "how much angle");
+  expect_fault("100 1/s", dimension::angular_speed, "how much angle");
+  expect_fault("0.3 1", dimension::angle, "not known");
+  expect_fault("3 mm.rad", dimension::length, "how much angle");
+}
+
+TEST(Units, RefuseBareNumbersWithRemedy) {
+  expect_fault("3", dimension::length, "write it as in '3 mm'");
+}
+
+TEST(Units, RefuseWrongAndUnknownUnits) {
+  expect_fault("3 kg", dimension::length, "does not measure the same");
+  expect_fault("3 mmm", dimension::length, "not known");
+  expect_fault("20 degC", dimension::mass, "does not measure");
+}
+
+TEST(Units, RefuseNumbersHiddenInUnits) {
+  for (const char* text : {"3 mm 10", "3 10 mm", "3 mm.4", "3 mm/2", "3 mm @ 5", "3 2", "3 1/"})
+    expect_fault(text, dimension::length, "not known");
+}
+
+TEST(Units, RefuseUnitsWithAZeroOfTheirOwn) {
+  constexpr Dimension temperature{"temperature", "K", "K", "300 K"};
+  expect_fault("20 degC", temperature, "zero point");
+}
+
+TEST(Units, RefuseNumbersThatAreNotFinite) {
+  for (const char* text : {".inf mm", "inf mm", "nan mm", "-.nan mm", "--3 mm", "+-3 mm", "mm", ""})
+    expect_fault(text, dimension::length, "finite number");
+  expect_fault("1e999 mm", dimension::length, "too large");
+  expect_fault("1e308 Tm", dimension::length, "too large");
+  expect_fault("1,000 mm", dimension::length, "commas");
+}
+
+TEST(Units, ReadPlainNumbers) {
+  EXPECT_EQ(*read_number("0.83").value, 0.83);
+  EXPECT_FALSE(read_number("0.83 mm").value);
+  EXPECT_FALSE(read_number("0x10").value);
+}
+
+TEST(Units, ConvertInSeveralThreads) {
+  std::vector<std::thread> threads;
+  std::vector<int> good(4, 0);
+  for (std::size_t t = 0; t < good.size(); ++t)
+    threads.emplace_back([&good, t] {
+      for (int i = 0; i < 200; ++i) good[t] += read_quantity("3 mm", dimension::length).value == 3e-3 ? 1 : 0;
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(good, std::vector<int>(4, 200));
+}
+
+}  // namespace
+}  // namespace orbearing::app

@@ -1,0 +1,128 @@
+#include "app/results/manifest.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/errors.hpp"
+#include "app/results/row_text.hpp"
+#include "tests/unit/app_results/fake_sweep.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+ManifestHeader header_with_all() {
+  ManifestHeader header = testing::fake_header(10);
+  header.shard = Shard{2, 3};
+  header.axes = {{"bearing.radial_clearance_um", "um", "clearance"}};
+  return header;
+}
+
+std::string line_of(const ManifestHeader& header, std::size_t point) {
+  const ResultRow row = result_row(testing::fake_result(point), std::vector<double>(header.axes.size(), 0.1));
+  return entry_line(table_head(header.axes), point, {point_file_name(point), row});
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    parse_manifest(text, "DIR/manifest.jsonl");
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Manifest, GivesBackHeaderAndRows) {
+  const ManifestHeader header = header_with_all();
+  const std::string text = header_line(header) + line_of(header, 1) + line_of(header, 4);
+  const Manifest manifest = parse_manifest(text, "m");
+  ASSERT_TRUE(manifest.header);
+  EXPECT_EQ(header_line(*manifest.header), header_line(header));
+  EXPECT_EQ(manifest.sound_bytes, text.size());
+  ASSERT_EQ(manifest.entries.size(), 2U);
+  EXPECT_EQ(entry_line(table_head(header.axes), 4, manifest.entries.at(4)), line_of(header, 4));
+}
+
+TEST(Manifest, CutAnywhereKeepsTheCompleteLines) {
+  const ManifestHeader header = testing::fake_header(10);
+  const std::string first = header_line(header);
+  const std::string second = first + line_of(header, 0);
+  const std::string third = second + line_of(header, 1);
+  for (std::size_t length = 0; length <= third.size(); ++length) {
+    const Manifest manifest = parse_manifest(third.substr(0, length), "m");
+    const std::size_t whole = (length >= first.size()) + (length >= second.size()) + (length == third.size());
+    EXPECT_EQ(manifest.header.has_value(), whole >= 1) << length;
+    EXPECT_EQ(manifest.entries.size(), whole < 2 ? 0 : whole - 1) << length;
+    EXPECT_EQ(manifest.sound_bytes,
+              std::vector<std::size_t>({0, first.size(), second.size(), third.size()})[whole]);
+  }
+}
+
+TEST(Manifest, LastLineOfZerosIsTakenForTorn) {
+  const std::string sound = header_line(testing::fake_header(10));
+  EXPECT_EQ(parse_manifest(sound + std::string(40, '\0') + "\n", "m").sound_bytes, sound.size());
+}
+
+TEST(Manifest, DamageElsewhereIsNamedByLine) {
+  const ManifestHeader header = testing::fake_header(10);
+  EXPECT_THAT(message_of(header_line(header) + "{}\n" + line_of(header, 1)),
+              HasSubstr("DIR/manifest.jsonl:2:1: "));
+  EXPECT_THAT(message_of("some text\n"), HasSubstr("DIR/manifest.jsonl:1:1: "));
+}
+
+TEST(Manifest, PointOfAnotherShardOrFileOutsideIsRefused) {
+  const ManifestHeader header = header_with_all();
+  const std::string sound = line_of(header, 1);
+  EXPECT_THAT(message_of(header_line(header) + line_of(header, 2) + sound), HasSubstr(":2:1: "));
+  std::string outside = sound;
+  outside.replace(outside.find("points/"), 6, "../../");
+  EXPECT_THAT(message_of(header_line(header) + outside + sound), HasSubstr(":2:1: "));
+}
+
+TEST(Manifest, DifferencesNameWhatWasFoundAndWhatIsRequired) {
+  ManifestHeader other = testing::fake_header(10);
+  other.program_version = "0.2.0";
+  other.instruction_set = "x86-64-v3";
+  const std::vector<std::string> lines = differences(other, testing::fake_header(10));
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[0], "program version '0.2.0' was found; '0.1.0' is required");
+}
+
+TEST(Shard, ReadsNumberOfCount) {
+  EXPECT_EQ(parse_shard("2/3"), (Shard{2, 3}));
+  EXPECT_EQ(to_string(parse_shard("1/1")), "1/1");
+}
+
+class BadShard : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BadShard, IsRefusedWithTheFormRequired) {
+  try {
+    parse_shard(GetParam());
+    FAIL() << "accepted " << GetParam();
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--shard: '" + std::string(GetParam()) + "'; i/n"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, BadShard,
+                         ::testing::Values("", "/", "1", "0/2", "3/2", "1/0", "-1/2", "1/2/3", "a/b", "1.0/2",
+                                           " 1/2", "1/99999999999999999999999"));
+
+TEST(Shard, EveryPointBelongsToOneShard) {
+  for (const std::size_t count : {1U, 2U, 3U, 7U}) {
+    std::size_t sum = 0;
+    for (std::size_t index = 1; index <= count; ++index) {
+      ManifestHeader header = testing::fake_header(23);
+      header.shard = Shard{index, count};
+      std::size_t held = 0;
+      for (std::size_t point = 0; point < 30; ++point) held += header.holds(point) ? 1U : 0U;
+      EXPECT_EQ(header.own_points(), held) << index << '/' << count;
+      sum += held;
+    }
+    EXPECT_EQ(sum, 23U);
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::app

@@ -1,0 +1,175 @@
+// Who may write into a folder: nothing may be touched where the answer is no.
+#include "app/results/result_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/errors.hpp"
+#include "tests/unit/app_results/fake_sweep.hpp"
+
+namespace orbearing::app {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::fake_header;
+using ::testing::HasSubstr;
+using testing::snapshot;
+using testing::TemporaryFolder;
+
+constexpr const char* resolved = "name: fake\n";
+
+std::string refusal(const fs::path& folder, const ManifestHeader& header, OpenMode mode) {
+  try {
+    const ResultFolder opened(folder, header, resolved, mode);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+/// Refused with a message that holds `part`, and not a byte changed.
+void expect_untouched(const fs::path& folder, const ManifestHeader& header, OpenMode mode,
+                      const std::string& part) {
+  const auto before = snapshot(folder);
+  EXPECT_THAT(refusal(folder, header, mode), HasSubstr(part));
+  EXPECT_EQ(snapshot(folder), before);
+}
+
+FinishedPoint finished(std::size_t point) {
+  return {point, "content", result_row(testing::fake_result(point), {})};
+}
+
+/// A folder with points 0 and 1 of 5.
+fs::path begun(const TemporaryFolder& place) {
+  ResultFolder folder(place / "begun", fake_header(5), resolved, OpenMode::fresh);
+  folder.keep({finished(0), finished(1)});
+  return folder.path();
+}
+
+TEST(ResultFolder, MissingFolderIsMadeWithItsParents) {
+  const TemporaryFolder place;
+  for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume}) {
+    const fs::path path = place / (mode == OpenMode::fresh ? "a/b/c" : "d/e/f/");
+    EXPECT_EQ(refusal(path, fake_header(5), mode), "accepted");
+    EXPECT_EQ(read_file(path / "case.resolved.yaml"), resolved);
+    EXPECT_TRUE(fs::is_directory(path / "points"));
+  }
+}
+
+TEST(ResultFolder, EmptyFolderIsTaken) {
+  const TemporaryFolder place;
+  for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume}) {
+    const fs::path path = place / (mode == OpenMode::fresh ? "fresh" : "resume");
+    fs::create_directory(path);
+    EXPECT_EQ(refusal(path, fake_header(5), mode), "accepted");
+  }
+}
+
+TEST(ResultFolder, ResultsAreNotWrittenOver) {
+  const TemporaryFolder place;
+  expect_untouched(begun(place), fake_header(5), OpenMode::fresh,
+                   "holds results; a new or empty folder is required, or --resume");
+}
+
+TEST(ResultFolder, ForeignFilesAreLeftAlone) {
+  const TemporaryFolder place;
+  testing::write(place / "thesis.tex", "years of work");
+  for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume})
+    expect_untouched(place / "", fake_header(5), mode, "holds 'thesis.tex', which is no result of a sweep");
+}
+
+TEST(ResultFolder, ForeignManifestIsLeftAlone) {
+  for (const char* text :
+       {"{\"from\": \"another program\"}\n", "a list of cargo", "{\"orbearing_results\":2}\n"}) {
+    const TemporaryFolder place;
+    testing::write(place / "manifest.jsonl", text);
+    for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume})
+      expect_untouched(place / "", fake_header(5), mode, "required");
+  }
+}
+
+TEST(ResultFolder, ResumesTheSameCase) {
+  const TemporaryFolder place;
+  const fs::path path = begun(place);
+  const ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
+  EXPECT_EQ(folder.finished().size(), 2U);
+  EXPECT_TRUE(folder.finished().contains(1));
+}
+
+TEST(ResultFolder, AnotherCaseVersionOrShardIsNotResumed) {
+  const TemporaryFolder place;
+  const fs::path path = begun(place);
+  const auto refuses = [&](auto change, const std::string& part) {
+    ManifestHeader header = fake_header(5);
+    change(header);
+    expect_untouched(path, header, OpenMode::resume, part);
+  };
+  refuses([](ManifestHeader& h) { h.case_hash = "ff"; },
+          "resolved case with hash '0123456789abcdef' was found; 'ff'");
+  refuses([](ManifestHeader& h) { h.program_version = "9"; },
+          "program version '0.1.0' was found; '9' is required");
+  refuses([](ManifestHeader& h) { h.fidelity = "dynamic"; }, "fidelity 'quasi-static' was found");
+  refuses([](ManifestHeader& h) { h.instruction_set = "x86-64-v4"; }, "instruction set 'x86-64' was found");
+  refuses(
+      [](ManifestHeader& h) {
+        h.shard = Shard{1, 2};
+      },
+      "the whole sweep was found; shard 1/2 is required");
+}
+
+TEST(ResultFolder, TornLastLineAndLeftoversAreClearedAtResume) {
+  const TemporaryFolder place;
+  const fs::path path = begun(place);
+  const std::string sound = read_file(path / "manifest.jsonl");
+  testing::write(path / "manifest.jsonl", sound + "{\"point\":2,\"fi");
+  testing::write(path / "points/00002.nc.tmp", "half");
+  testing::write(path / "sweep.csv.tmp", "half");
+  ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
+  EXPECT_EQ(read_file(path / "manifest.jsonl"), sound);
+  EXPECT_FALSE(fs::exists(path / "points/00002.nc.tmp"));
+  EXPECT_FALSE(fs::exists(path / "sweep.csv.tmp"));
+  folder.keep({finished(2)});
+  EXPECT_EQ(read_results(path).entries.size(), 3U);
+}
+
+TEST(ResultFolder, KilledBeforeItsHeaderWasWrittenStartsAfresh) {
+  for (const std::size_t length : {0U, 5U, 40U}) {
+    const TemporaryFolder place;
+    testing::write(place / "manifest.jsonl", header_line(fake_header(5)).substr(0, length));
+    EXPECT_EQ(refusal(place / "", fake_header(5), OpenMode::resume), "accepted");
+    EXPECT_TRUE(read_results(place / "").header);
+  }
+}
+
+TEST(ResultFolder, PointWhoseFileIsGoneIsMissing) {
+  const TemporaryFolder place;
+  const fs::path path = begun(place);
+  fs::remove(path / point_file_name(0));
+  const ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
+  EXPECT_FALSE(folder.finished().contains(0));
+  EXPECT_TRUE(folder.finished().contains(1));
+}
+
+TEST(ResultFolder, SecondSweepAtTheSameTimeIsRefused) {
+  const TemporaryFolder place;
+  const ResultFolder first(place / "d", fake_header(5), resolved, OpenMode::fresh);
+  expect_untouched(place / "d", fake_header(5), OpenMode::resume, "another sweep is writing here");
+}
+
+TEST(ResultFolder, PlaceThatCannotBeWrittenToIsBadInput) {
+  const TemporaryFolder place;
+  testing::write(place / "file", "text");
+  EXPECT_THAT(refusal(place / "file", fake_header(5), OpenMode::fresh), HasSubstr("is not a folder"));
+  EXPECT_THAT(refusal(place / "file/below", fake_header(5), OpenMode::fresh), HasSubstr("cannot be made"));
+  EXPECT_THAT(refusal("/proc/none", fake_header(5), OpenMode::resume), HasSubstr("cannot be made"));
+  EXPECT_EQ(read_file(place / "file"), "text");
+}
+
+TEST(ResultFolder, FolderWithoutResultsCannotBeRead) {
+  const TemporaryFolder place;
+  EXPECT_THROW(read_results(place / ""), BadInput);
+  EXPECT_THROW(read_results(place / "none"), BadInput);
+}
+
+}  // namespace
+}  // namespace orbearing::app

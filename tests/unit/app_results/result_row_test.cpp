@@ -1,0 +1,138 @@
+#include "app/results/result_row.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/results/row_text.hpp"
+#include "tests/unit/app_results/fake_sweep.hpp"
+
+namespace orbearing::app {
+namespace {
+
+// The contract that scripts rely on, to the letter.
+const std::vector<std::string> promised = {"input_speed_rpm",
+                                           "carrier_speed_rpm",
+                                           "planet_load_N",
+                                           "tangential_load_N",
+                                           "centrifugal_load_N",
+                                           "inner_load_max_N",
+                                           "inner_load_rms_N",
+                                           "outer_load_max_N",
+                                           "outer_load_rms_N",
+                                           "inner_life_Mrev",
+                                           "outer_life_Mrev",
+                                           "life_h",
+                                           "system_life_h",
+                                           "cage_slip",
+                                           "film_inner_um",
+                                           "film_outer_um",
+                                           "status",
+                                           "radial_mesh_load_N"};
+
+study::PointResult at_6000_rpm() {
+  study::PointResult result = testing::fake_result(0);
+  result.input_speed = 6000.0 * std::numbers::pi / 30.0;
+  return result;
+}
+
+std::uint64_t bits_of(double value) {
+  return std::bit_cast<std::uint64_t>(value);
+}
+
+TEST(ResultRow, ColumnsStandInThePromisedOrderAndAxesFollow) {
+  EXPECT_EQ(table_head({}).names, promised);
+  const TableHead head = table_head({{"bearing.radial_clearance_um", "um", "clearance"}});
+  EXPECT_EQ(head.names.back(), "bearing.radial_clearance_um");
+  EXPECT_EQ(head.names.at(head.status_place), status_column);
+}
+
+TEST(ResultRow, SpeedsInRpmAreThoseOfTheCaseFile) {
+  for (int step = 1; step <= 12000; ++step) {
+    const double rpm = step;
+    EXPECT_EQ(in_table_unit(rpm * std::numbers::pi / 30.0, 30.0 / std::numbers::pi), rpm);
+  }
+}
+
+TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
+  study::PointResult result;
+  result.carrier_speed = 2.0 * std::numbers::pi / 60.0;
+  result.planet_load = 2.0;
+  result.tangential_load = 3.0;
+  result.centrifugal_load = 4.0;
+  result.radial_mesh_load = 5.0;
+  result.inner = {6.0, 7.0, 8e6, 9e-6};
+  result.outer = {10.0, 11.0, 12e6, 13e-6};
+  result.life_hours = 14.0;
+  result.system_life_hours = 15.0;
+  result.cage_slip = 16.0;
+  const ResultRow row = result_row(result, {17.0});
+  const TableHead head = table_head({{"axis", "1", ""}});
+  const std::vector<double> expected = {0, 1, 2, 3, 4, 6, 7, 10, 11, 8, 12, 14, 15, 16, 9, 13, -1, 5, 17};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    if (i != head.status_place) {
+      EXPECT_EQ(row.values.at(i), expected[i]) << head.names[i];
+    }
+}
+
+TEST(ResultRow, FailedPointKeepsSpeedAndAxesOnly) {
+  study::PointResult result = at_6000_rpm();
+  result.status = "no balance\nfound \xff";
+  const ResultRow row = result_row(result, {37.0});
+  const TableHead head = table_head({{"axis", "1", ""}});
+  EXPECT_FALSE(row.ok());
+  EXPECT_EQ(value_of(head, row, "input_speed_rpm"), 6000.0);
+  EXPECT_EQ(value_of(head, row, "axis"), 37.0);
+  EXPECT_TRUE(std::isnan(value_of(head, row, "life_h")));
+  EXPECT_TRUE(std::isnan(value_of(head, row, "radial_mesh_load_N")));
+  EXPECT_EQ(row.status, "no balance found \xEF\xBF\xBD");  // the replacement character
+}
+
+TEST(ResultRow, InfiniteLifeIsNoNumber) {
+  study::PointResult result = at_6000_rpm();
+  result.life_hours = std::numeric_limits<double>::infinity();
+  const TableHead head = table_head({});
+  EXPECT_TRUE(row_json(head, result_row(result, {}))["life_h"].is_null());
+}
+
+TEST(RowText, CsvQuotesTextAndLeavesMissingValuesEmpty) {
+  study::PointResult result = at_6000_rpm();
+  result.status = "no \"balance\", found";
+  EXPECT_EQ(csv_line(table_head({}), result_row(result, {})),
+            "6000,,,,,,,,,,,,,,,,\"no \"\"balance\"\", found\",\n");
+  EXPECT_EQ(csv_head({{"a", "status"}, 1}), "a,status\n");
+}
+
+TEST(RowText, CsvGivesBackEveryBitInTheFewestDigits) {
+  const TableHead head{{"third", "tenth", "status"}, 2};
+  const std::string line = csv_line(head, {{1.0 / 3.0, 0.1, std::nan("")}, "ok"});
+  EXPECT_EQ(line, "0.3333333333333333,0.1,ok\n");
+  EXPECT_EQ(bits_of(std::stod(line)), bits_of(1.0 / 3.0));
+}
+
+TEST(RowText, JsonGivesBackEveryBit) {
+  const TableHead head = table_head({});
+  std::uint64_t bits = 1;
+  for (int i = 0; i < 2000; ++i) {
+    ResultRow row{{}, "ok"};
+    for (std::size_t place = 0; place < head.names.size(); ++place) {
+      bits = bits * 6364136223846793005ULL + 1442695040888963407ULL;
+      const auto value = std::bit_cast<double>(bits);
+      row.values.push_back(std::isfinite(value) && place != head.status_place ? value : std::nan(""));
+    }
+    const std::string text = row_json(head, row).dump();
+    const ResultRow again = row_from_json(head, nlohmann::ordered_json::parse(text));
+    EXPECT_EQ(csv_line(head, again), csv_line(head, row));
+    for (std::size_t place = 0; place < row.values.size(); ++place)
+      if (std::isfinite(row.values[place])) {
+        EXPECT_EQ(bits_of(again.values[place]), bits_of(row.values[place]));
+      }
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::app

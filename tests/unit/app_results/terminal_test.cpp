@@ -1,0 +1,130 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "app/results/progress.hpp"
+#include "app/results/terminal_chart.hpp"
+#include "app/results/terminal_table.hpp"
+#include "tests/unit/app_results/fake_sweep.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::vector<ResultRow> fake_rows(std::size_t count) {
+  std::vector<ResultRow> rows;
+  for (std::size_t i = 0; i < count; ++i) {
+    study::PointResult result = testing::fake_result(i == testing::failing_point ? 0 : i);
+    result.input_speed = testing::input_speed_of(i);
+    if (i == testing::failing_point) result.status = "no balance";
+    rows.push_back(result_row(result, {}));
+  }
+  return rows;
+}
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+TEST(Canvas, BrailleDotsStandWhereTheyAreSet) {
+  Canvas canvas(2, 1, Glyphs::braille);
+  canvas.dot(0, 0);  // lower left: dot 7
+  canvas.dot(3, 3);  // upper right of the second character: dot 4
+  canvas.dot(4, 0);  // outside
+  EXPECT_EQ(canvas.lines(), std::vector<std::string>{"\u2840\u2808"});
+}
+
+TEST(Canvas, LineJoinsItsEndsWithoutGaps) {
+  Canvas canvas(5, 3, Glyphs::ascii);
+  canvas.line(0, 0, 4, 2);
+  EXPECT_EQ(canvas.lines(), (std::vector<std::string>{"   ..", " ..  ", ".    "}));
+}
+
+TEST(Canvas, MarkStandsInPlaceOfDots) {
+  Canvas canvas(2, 1, Glyphs::ascii);
+  canvas.dot(1, 0);
+  canvas.mark(1, 0, "O");
+  EXPECT_EQ(canvas.lines(), std::vector<std::string>{" O"});
+}
+
+TEST(LifeChart, LabelsItsAxesAndTellsThePeak) {
+  const std::vector<ResultRow> rows = fake_rows(60);
+  const TableHead head = table_head({});
+  LifePeak peak = grid_peak(head, rows);
+  peak.refined_life_h = 50000.0;
+  peak.refined_speed_rpm = 1050.4;
+  const std::string chart = life_chart(head, rows, peak, Glyphs::braille);
+  for (const char* part : {"life [h]", "[rpm]", "1000", "●", "between grid points 50000 h at 1050.4 rpm",
+                           "1 of 60 points have no life and are not shown"})
+    EXPECT_THAT(chart, HasSubstr(part));
+}
+
+TEST(LifeChart, PlainOneNeedsNoUnicode) {
+  const std::vector<ResultRow> rows = fake_rows(60);
+  const TableHead head = table_head({});
+  const std::string chart = life_chart(head, rows, grid_peak(head, rows), Glyphs::ascii);
+  EXPECT_TRUE(is_ascii(chart));
+  EXPECT_THAT(chart, HasSubstr("O"));
+}
+
+TEST(LifeChart, EverySpeedOfOneSweepFitsTheDrawing) {
+  for (const std::size_t count : {2U, 3U, 12U, 500U}) {
+    const std::vector<ResultRow> rows = fake_rows(count);
+    const TableHead head = table_head({});
+    const std::string chart = life_chart(head, rows, grid_peak(head, rows), Glyphs::ascii);
+    std::istringstream lines(chart);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 90U) << line;
+  }
+}
+
+TEST(LifeChart, OnePointOrNoneIsToldInWords) {
+  const TableHead head = table_head({});
+  EXPECT_THAT(life_chart(head, fake_rows(1), grid_peak(head, fake_rows(1)), Glyphs::ascii),
+              ::testing::StartsWith("longest life: "));
+  EXPECT_EQ(life_chart(head, {}, {}, Glyphs::ascii), "longest life: no point has one\n");
+}
+
+TEST(LifeChart, GlyphsFollowTheLocaleInItsOrder) {
+  const auto glyphs = [](const char* all, const char* lang) {
+    setenv("LC_ALL", all, 1);
+    unsetenv("LC_CTYPE");
+    setenv("LANG", lang, 1);
+    return glyphs_of_locale();
+  };
+  EXPECT_EQ(glyphs("C", "de_DE.UTF-8"), Glyphs::ascii);
+  EXPECT_EQ(glyphs("", "de_DE.UTF-8"), Glyphs::braille);
+  EXPECT_EQ(glyphs("C.utf8", "C"), Glyphs::braille);
+  EXPECT_EQ(glyphs("", ""), Glyphs::ascii);
+  unsetenv("LC_ALL");
+  unsetenv("LANG");
+}
+
+TEST(SweepTable, ShowsUnitsAndTheReasonOfAFailure) {
+  const std::string table = sweep_table(table_head({}), fake_rows(12));
+  EXPECT_THAT(table, HasSubstr("planet load"));
+  EXPECT_THAT(table, HasSubstr("[Mrev]"));
+  EXPECT_THAT(table, HasSubstr("no balance"));
+  EXPECT_THAT(table, Not(HasSubstr("one row in")));
+}
+
+TEST(SweepTable, LongSweepIsThinnedAndSaysSo) {
+  const std::string table = sweep_table(table_head({}), fake_rows(481));
+  EXPECT_LE(std::count(table.begin(), table.end(), '\n'), 51);
+  EXPECT_THAT(table, HasSubstr("one row in 11 of 481"));
+}
+
+TEST(Progress, TellsDoneLeftAndTimeToGo) {
+  EXPECT_EQ(progress_text(30, 10, 100, 40.0), "30 of 100 points done, 70 left, 2:20 to go");
+  EXPECT_EQ(progress_text(10, 0, 1010, 40.0), "10 of 1010 points done, 1000 left, 1:06:40 to go");
+  EXPECT_EQ(progress_text(10, 10, 100, 40.0), "10 of 100 points done, 90 left");
+  EXPECT_EQ(progress_text(100, 10, 100, 40.0), "100 of 100 points done, 0 left");
+}
+
+}  // namespace
+}  // namespace orbearing::app

@@ -1,0 +1,59 @@
+// Rules of the project that a reader cannot keep an eye on by himself.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "tests/unit/repository/source_tree.hpp"
+
+namespace orbearing::repository {
+namespace {
+
+/// Keys like [Gai2025] or [ISO281] in a text.
+std::set<std::string> cited_keys(const std::string& text) {
+  static const std::regex key(R"(\[([A-Z][A-Za-z]+[0-9]{3,5}[a-z]?)\])");
+  std::set<std::string> keys;
+  for (std::sregex_iterator match(text.begin(), text.end(), key), end; match != end; ++match) {
+    keys.insert((*match)[1]);
+  }
+  return keys;
+}
+
+TEST(Repository, FindsKeysInText) {
+  const std::string opening = "[";
+  EXPECT_EQ(cited_keys("Eq. (36) of " + opening + "Nobody1900], x[3], " + opening + "ISO281]"),
+            (std::set<std::string>{"Nobody1900", "ISO281"}));
+}
+
+TEST(Repository, CitedSourcesAreInReferences) {
+  const std::set<std::string> known = cited_keys(contents(root() / "REFERENCES.md"));
+  ASSERT_FALSE(known.empty());
+  for (const auto& file : files({".hpp", ".cpp", ".py", ".md", ".yaml"})) {
+    for (const std::string& key : cited_keys(contents(file))) {
+      EXPECT_TRUE(known.contains(key)) << file << " cites " << key << ", which REFERENCES.md does not list";
+    }
+  }
+}
+
+TEST(Repository, FilesStayShort) {
+  const std::ptrdiff_t most_lines = 300;
+  const auto sources = files({".hpp", ".cpp", ".py"});
+  ASSERT_FALSE(sources.empty());
+  for (const auto& file : sources) {
+    const std::string text = contents(file);
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), most_lines) << file << " wants to be split";
+  }
+}
+
+TEST(Repository, FoldersExplainThemselves) {
+  for (const char* folder :
+       {"gearset", "bearing", "coupling", "app", "python", "cases", "tests", "docs", "benchmarks"}) {
+    EXPECT_FALSE(contents(root() / folder / "README.md").empty())
+        << folder << "/README.md is missing or empty";
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::repository

@@ -1,0 +1,40 @@
+# shellcheck shell=bash
+# Debian 12 packages and what each is for, as lines "package: reason".
+
+build_packages='
+g++: C++20 compiler
+cmake: configures the build
+ninja-build: runs the build
+pkg-config: finds netCDF and udunits
+libeigen3-dev: linear algebra
+libboost-dev: Boost.Math and Boost.Odeint
+libtbb-dev: operating points in parallel
+libyaml-cpp-dev: case files
+libudunits2-dev: units in case files
+libcli11-dev: command line
+libfmt-dev: formatting
+nlohmann-json3-dev: JSON output
+libnetcdf-dev: result files
+'
+
+report_packages='
+python3: reports
+python3-numpy: reports
+python3-matplotlib: figures of the reports
+'
+
+test_packages='
+libgtest-dev: C++ tests
+libgmock-dev: matchers of the C++ tests
+python3-yaml: tests of the command line
+python3-jsonschema: test of the schema of case files
+python3-xarray: tests that open result files as users do
+python3-netcdf4: tests that open result files as users do
+'
+
+full_packages='
+clang: second compiler and the fuzzer
+libclang-rt-14-dev: run-time part of the fuzzer and of clang'"'"'s sanitizers
+clang-tidy: static analysis
+gcovr: line coverage
+'
