@@ -18,8 +18,8 @@ double central_factor(const FilmContact& contact, double speed) {
 }
 }  // namespace
 
-FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry, Race race,
-                         const Lubricant& lubricant) {
+FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
+                         Race race, const Lubricant& lubricant) {
   const Material& steel = bearing.material;
   return {.equivalent_radius = equivalent_radius(geometry, race),
           .length = bearing.roller_length,
@@ -44,7 +44,9 @@ double Film::slope(double load) const {
   return load > cap_load_ ? -kLoadExponent * factor_ * std::pow(load, -kLoadExponent - 1.0) : 0.0;
 }
 
-double Film::least(double load) const { return central(load) / kCentralOverLeast; }
+double Film::least(double load) const {
+  return central(load) / kCentralOverLeast;
+}
 
 double Film::energy(double load) const {
   if (load <= cap_load_) return 0.0;

@@ -8,22 +8,22 @@ namespace orbearing::bearing {
 
 /// What the film of one contact depends on besides load and speed.
 struct FilmContact {
-  double equivalent_radius = 0.0;   // [m]
-  double length = 0.0;              // [m]
-  double reduced_modulus = 0.0;     // [Pa]  E' = E / (1 - nu^2)
+  double equivalent_radius = 0.0;  // [m]
+  double length = 0.0;             // [m]
+  double reduced_modulus = 0.0;    // [Pa]  E' = E / (1 - nu^2)
   Lubricant lubricant;
 };
 
 /// Film data of a roller of `bearing` on `race`.
-FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry, Race race,
-                         const Lubricant& lubricant);
+FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
+                         Race race, const Lubricant& lubricant);
 
 /// Film at one entrainment speed as a function of the contact load Q.
 ///
-/// Least film h = 2.65 alpha^0.54 (eta u)^0.7 R^0.43 / (E'^0.03 q^0.13), q = Q/l: Eq. (10) of [Gai2025], after
-/// [DowsonHigginson1966]. The central film, which enters the approach, is 4/3 of it. As q -> 0 the formula
-/// diverges; below the load where it meets the rigid-isoviscous film 4.896 eta u R / q [Martin1916] it is held
-/// at the value of that crossing, since the elastic-piezoviscous law has no meaning there.
+/// Least film h = 2.65 alpha^0.54 (eta u)^0.7 R^0.43 / (E'^0.03 q^0.13), q = Q/l: Eq. (10) of [Gai2025],
+/// after [DowsonHigginson1966]. The central film, which enters the approach, is 4/3 of it. As q -> 0 the
+/// formula diverges; below the load where it meets the rigid-isoviscous film 4.896 eta u R / q [Martin1916]
+/// it is held at the value of that crossing, since the elastic-piezoviscous law has no meaning there.
 class Film {
  public:
   /// No film at all: central() is zero at every load.

@@ -26,9 +26,10 @@ void add_roller(const CylindricalRollerBearing& bearing, RollerBearingGeometry& 
 
 void add_cage(const CylindricalRollerBearing& bearing, RollerBearingGeometry& geometry) {
   const Cage& cage = bearing.cage;
-  const double volume = ring_volume(cage.inner_diameter, cage.outer_diameter, cage.width) - pockets_volume(bearing);
-  const double mean_square_radius = 0.125 * (cage.inner_diameter * cage.inner_diameter +
-                                             cage.outer_diameter * cage.outer_diameter);
+  const double volume =
+      ring_volume(cage.inner_diameter, cage.outer_diameter, cage.width) - pockets_volume(bearing);
+  const double mean_square_radius =
+      0.125 * (cage.inner_diameter * cage.inner_diameter + cage.outer_diameter * cage.outer_diameter);
   geometry.cage_mass = cage.width > 0.0 ? cage.density * volume : 0.0;
   geometry.cage_inertia = geometry.cage_mass * mean_square_radius;
 }
@@ -43,8 +44,8 @@ RollerBearingGeometry geometry_of(const CylindricalRollerBearing& bearing) {
   geometry.outer_radius = geometry.pitch_radius + geometry.roller_radius + 0.25 * bearing.radial_clearance;
   add_roller(bearing, geometry);
   add_cage(bearing, geometry);
-  geometry.outer_ring_mass =
-      bearing.material.density * ring_volume(2.0 * geometry.outer_radius, bearing.outside_diameter, bearing.width);
+  geometry.outer_ring_mass = bearing.material.density * ring_volume(2.0 * geometry.outer_radius,
+                                                                    bearing.outside_diameter, bearing.width);
   geometry.inner_ring_mass =
       bearing.material.density * ring_volume(bearing.bore, 2.0 * geometry.inner_radius, bearing.width);
   return geometry;

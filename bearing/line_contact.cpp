@@ -17,7 +17,9 @@ double LineContact::load(double approach) const {
   return approach > 0.0 ? stiffness_ * std::pow(approach, kLoadExponent) : 0.0;
 }
 
-double LineContact::approach(double load) const { return inverse_power_ * std::pow(load, kApproachExponent); }
+double LineContact::approach(double load) const {
+  return inverse_power_ * std::pow(load, kApproachExponent);
+}
 
 double LineContact::compliance(double load) const {
   return kApproachExponent * inverse_power_ * std::pow(load, kApproachExponent - 1.0);
@@ -33,8 +35,7 @@ double LineContact::energy(double approach) const {
 
 LineContact roller_race_contact(ContactLaw law, double length) {
   const double length_factor = std::pow(kMillimetres * length, 8.0 / 9.0);
-  const double one_contact =
-      law == ContactLaw::palmgren ? 8.06e4 : 35948.0 * std::pow(2.0, kLoadExponent);
+  const double one_contact = law == ContactLaw::palmgren ? 8.06e4 : 35948.0 * std::pow(2.0, kLoadExponent);
   return LineContact(one_contact * length_factor * std::pow(kMillimetres, kLoadExponent));
 }
 

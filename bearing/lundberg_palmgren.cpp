@@ -38,7 +38,9 @@ double combined_life(double inner, double outer) {
   return std::pow(std::pow(inner, -kWeibullSlope) + std::pow(outer, -kWeibullSlope), -1.0 / kWeibullSlope);
 }
 
-double system_life(double one_bearing, int n) { return one_bearing * std::pow(n, -1.0 / kWeibullSlope); }
+double system_life(double one_bearing, int n) {
+  return one_bearing * std::pow(n, -1.0 / kWeibullSlope);
+}
 
 BearingLife lundberg_palmgren_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
                                    const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,

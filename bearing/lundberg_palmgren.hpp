@@ -21,12 +21,13 @@ enum class RaceMotion { turning, standing };
 /// lambda nu of ISO/TR 1281-1 (0.83 for cylindrical rollers) [-].
 double contact_capacity(const CylindricalRollerBearing& bearing, Race race, double lambda);
 
-/// Equivalent roller load [N] of a race: fourth-power mean where it turns relative to the load, power 4.5 where it
-/// stands, Eqs. (37) and (39) of [Gai2025]. `loads` [N] are taken at places evenly spaced on the race, unloaded
-/// ones included.
+/// Equivalent roller load [N] of a race: fourth-power mean where it turns relative to the load, power 4.5
+/// where it stands, Eqs. (37) and (39) of [Gai2025]. `loads` [N] are taken at places evenly spaced on the
+/// race, unloaded ones included.
 double equivalent_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion);
 
-/// Life of one race [rev], Eqs. (38) and (40) of [Gai2025] with the capacity in the numerator; infinite at no load.
+/// Life of one race [rev], Eqs. (38) and (40) of [Gai2025] with the capacity in the numerator; infinite at no
+/// load.
 double race_life(double capacity, double equivalent_load);
 
 /// Life of the bearing [rev] from its races, Eq. (41) of [Gai2025] with the minus signs it lost in print.
@@ -35,8 +36,8 @@ double combined_life(double inner, double outer);
 /// Life of `n` equal bearings, of which none may fail: Weibull's product law with slope 9/8. Any unit.
 double system_life(double one_bearing, int n);
 
-/// Both races and the bearing, for roller loads [N] at places evenly spaced on each race. `standing` is the race at
-/// rest relative to the load.
+/// Both races and the bearing, for roller loads [N] at places evenly spaced on each race. `standing` is the
+/// race at rest relative to the load.
 BearingLife lundberg_palmgren_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
                                    const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                    const Eigen::Ref<const Eigen::ArrayXd>& outer_loads);

@@ -1,5 +1,5 @@
-// Quasi-static cylindrical roller bearing in the frame of the carrier: the races settle where the roller loads,
-// with all inertial loads of rollers and cage, balance the load on the bore.
+// Quasi-static cylindrical roller bearing in the frame of the carrier: the races settle where the roller
+// loads, with all inertial loads of rollers and cage, balance the load on the bore.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@ namespace orbearing::bearing {
 /// What a sweep changes: the load and the motion of the bearing.
 struct OperatingPoint {
   CarrierMotion carrier;
-  double inner_speed = 0.0;                          // [rad/s]  race of the pin, relative to the carrier
-  double outer_speed = 0.0;                          // [rad/s]  race of the bore, relative to the carrier
+  double inner_speed = 0.0;                             // [rad/s]  race of the pin, relative to the carrier
+  double outer_speed = 0.0;                             // [rad/s]  race of the bore, relative to the carrier
   Eigen::Vector2d bore_load = Eigen::Vector2d::Zero();  // [N]   on the outer ring from outside the bearing
 };
 
@@ -28,21 +28,22 @@ struct QuasiStaticOptions {
   double first_roller = 0.0;      // [rad]  place of the first roller at the first cage angle
 };
 
-/// Equilibria over one roller pitch of cage angles, gathered by place on the races. Arrays are over places, evenly
-/// spaced from first_roller on.
+/// Equilibria over one roller pitch of cage angles, gathered by place on the races. Arrays are over places,
+/// evenly spaced from first_roller on.
 struct QuasiStaticResult {
-  Eigen::ArrayXd angle;               // [rad]
-  Eigen::ArrayXd inner_load;          // [N]
-  Eigen::ArrayXd outer_load;          // [N]
-  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]  mean over the cage angles
+  Eigen::ArrayXd angle;                                       // [rad]
+  Eigen::ArrayXd inner_load;                                  // [N]
+  Eigen::ArrayXd outer_load;                                  // [N]
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();     // [m]  mean over the cage angles
   Eigen::Vector2d total_bore_load = Eigen::Vector2d::Zero();  // [N]  with what cage and rollers add
-  SolverReport report;                // the worst over the cage angles
+  SolverReport report;                                        // the worst over the cage angles
 };
 
-/// Load [N] that cage and rollers add to the ring that guides the cage: the cage's inertial load and the tangential
-/// halves of the rollers', which reach it through the pockets.
-Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
-                                  const CarrierMotion& carrier, const InertiaSwitches& inertia);
+/// Load [N] that cage and rollers add to the ring that guides the cage: the cage's inertial load and the
+/// tangential halves of the rollers', which reach it through the pockets.
+Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
+                                  const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
+                                  const InertiaSwitches& inertia);
 
 /// Equilibrium with the first roller at `first_roller` [rad].
 QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,

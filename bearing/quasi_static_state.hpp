@@ -6,7 +6,8 @@
 
 namespace orbearing::bearing {
 
-/// How the solver ended. Loads of a state that did not converge are those of the last iterate: ask before use.
+/// How the solver ended. Loads of a state that did not converge are those of the last iterate: ask before
+/// use.
 struct SolverReport {
   bool converged = false;
   int iterations = 0;

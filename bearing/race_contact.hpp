@@ -6,8 +6,9 @@
 
 namespace orbearing::bearing {
 
-/// Geometric approach of the rigid bodies = elastic approach - central film, so that the film adds to the elastic
-/// approach (Eqs. (4) and (19) of [Gai2025] subtract it). The contact begins to carry at the approach onset() <= 0.
+/// Geometric approach of the rigid bodies = elastic approach - central film, so that the film adds to the
+/// elastic approach (Eqs. (4) and (19) of [Gai2025] subtract it). The contact begins to carry at the approach
+/// onset() <= 0.
 class RaceContact {
  public:
   RaceContact(LineContact elastic, Film film) : elastic_(elastic), film_(film) {}

@@ -12,17 +12,17 @@ namespace orbearing::bearing {
 
 /// Force on the outer ring out of balance, and its stiffness.
 struct Imbalance {
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();        // [N]
-  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();    // [N/m]  -d(force)/d(displacement)
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();      // [N]
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]  -d(force)/d(displacement)
 };
 
 /// What the races must balance at one cage angle. Arrays are over rollers.
 struct RaceEquilibrium {
   RollerContacts contacts;
-  double clearance = 0.0;          // [m]    diametral
+  double clearance = 0.0;                          // [m]    diametral
   Eigen::Vector2d load = Eigen::Vector2d::Zero();  // [N]  on the outer ring
-  Eigen::ArrayXd angle = {};          // [rad]
-  Eigen::ArrayXd inertial_load = {};  // [N]    of each roller, outward positive
+  Eigen::ArrayXd angle = {};                       // [rad]
+  Eigen::ArrayXd inertial_load = {};               // [N]    of each roller, outward positive
 
   /// Approach of the races at roller `j` [m] when the outer ring is displaced by `displacement` [m].
   double approach(Eigen::Index j, const Eigen::Vector2d& displacement) const;
@@ -31,8 +31,9 @@ struct RaceEquilibrium {
 };
 
 /// Contacts of a roller at pure rolling, with the film of `lubricant` in the approach where one is given.
-RollerContacts rolling_contacts(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
-                                double inner_speed, double outer_speed, const std::optional<Lubricant>& lubricant);
+RollerContacts rolling_contacts(const CylindricalRollerBearing& bearing,
+                                const RollerBearingGeometry& geometry, double inner_speed, double outer_speed,
+                                const std::optional<Lubricant>& lubricant);
 
 /// Displacement at which the forces on the outer ring balance.
 QuasiStaticState solve(const RaceEquilibrium& problem);

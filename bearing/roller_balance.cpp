@@ -17,20 +17,24 @@ struct SqueezedRoller {
   double inner_extra;  // [N]  inertial load on the inner race
   double outer_extra;  // [N]  inertial load on the outer race
 
-  double approach(double s) const { return inner.approach(s + inner_extra) + outer.approach(s + outer_extra); }
-  double compliance(double s) const { return inner.compliance(s + inner_extra) + outer.compliance(s + outer_extra); }
+  double approach(double s) const {
+    return inner.approach(s + inner_extra) + outer.approach(s + outer_extra);
+  }
+  double compliance(double s) const {
+    return inner.compliance(s + inner_extra) + outer.compliance(s + outer_extra);
+  }
 };
 
-// The dry, massless roller needs the least approach for a load, so this load is the largest there can be when the
-// film's cap is added to the approach.
+// The dry, massless roller needs the least approach for a load, so this load is the largest there can be when
+// the film's cap is added to the approach.
 double upper_bound(const SqueezedRoller& roller, double approach) {
   const double dry_approach = approach - roller.inner.onset() - roller.outer.onset();
   const double per_contact = roller.inner.elastic().approach(1.0) + roller.outer.elastic().approach(1.0);
   return std::pow(std::max(dry_approach, 0.0) / per_contact, 10.0 / 9.0);
 }
 
-// Newton's method, kept inside the bracket of all earlier iterates: the approach rises with the load everywhere, but
-// its slope jumps where the film's cap ends.
+// Newton's method, kept inside the bracket of all earlier iterates: the approach rises with the load
+// everywhere, but its slope jumps where the film's cap ends.
 double squeeze_load(const SqueezedRoller& roller, double approach) {
   double low = 0.0;
   double high = upper_bound(roller, approach);

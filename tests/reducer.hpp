@@ -21,17 +21,15 @@ inline study::PlanetaryDrivetrain reducer() {
                     .face_width = 28e-3,
                     .planet_bore = 47e-3};
   drivetrain.drive = {.member = gearset::Member::sun, .power = 150e3, .speed = 6000.0 * rpm};
-  drivetrain.bearing = {.rollers = 15,
-                        .roller_diameter = 5.24e-3,
-                        .roller_length = 5.7e-3,
-                        .pitch_diameter = 35.64e-3,
-                        .bore = 25e-3,
-                        .outside_diameter = 47e-3,
-                        .width = 11.9e-3,
-                        .cage = {.inner_diameter = 33.44e-3,
-                                 .outer_diameter = 38.54e-3,
-                                 .width = 9e-3,
-                                 .density = 1310.0}};
+  drivetrain.bearing = {
+      .rollers = 15,
+      .roller_diameter = 5.24e-3,
+      .roller_length = 5.7e-3,
+      .pitch_diameter = 35.64e-3,
+      .bore = 25e-3,
+      .outside_diameter = 47e-3,
+      .width = 11.9e-3,
+      .cage = {.inner_diameter = 33.44e-3, .outer_diameter = 38.54e-3, .width = 9e-3, .density = 1310.0}};
   drivetrain.bearings_per_planet = 2;
   drivetrain.lubricant = {.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
   return drivetrain;

@@ -1,9 +1,12 @@
-// A planetary drivetrain with roller bearings in its planets: what is stated, and what follows once and for all.
+// A planetary drivetrain with roller bearings in its planets: what is stated, and what follows once and for
+// all.
 #pragma once
 
+#include "bearing/dynamics/parameters.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/parameters.hpp"
 #include "bearing/quasi_static.hpp"
+#include "coupling/integration/steady_state.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/planet_body.hpp"
@@ -20,7 +23,9 @@ struct PlanetaryDrivetrain {
   bearing::InertiaSwitches inertia;
   bearing::Lubricant lubricant;
   bool film_in_approach = false;
-  double lambda = 0.83;     // [-]  product lambda nu of ISO/TR 1281-1
+  double lambda = 0.83;                            // [-]  product lambda nu of ISO/TR 1281-1
+  bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
+  integration::SteadyStateOptions steady_state;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 
@@ -41,8 +46,8 @@ struct BearingDuty {
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
 };
 
-/// Duty of one planet bearing at the drivetrain's power and speed. Throws std::invalid_argument where power or speed
-/// is not positive.
+/// Duty of one planet bearing at the drivetrain's power and speed. Throws std::invalid_argument where power
+/// or speed is not positive.
 BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 }  // namespace orbearing::study

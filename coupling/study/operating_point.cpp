@@ -1,5 +1,6 @@
 #include "coupling/study/operating_point.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,58 +14,124 @@ namespace {
 
 using bearing::Race;
 
-std::vector<double> as_vector(const Eigen::ArrayXd& array) { return {array.begin(), array.end()}; }
+std::vector<double> as_vector(const Eigen::ArrayXd& array) {
+  return {array.begin(), array.end()};
+}
 
 // The film is a result whether or not it takes part in the approach.
 double least_film(const bearing::Film& film, double load) {
   return film.cap() > 0.0 ? film.least(load) : std::numeric_limits<double>::quiet_NaN();
 }
 
-RaceResult race_result(const Eigen::ArrayXd& loads, double life, const bearing::Film& film) {
-  return {.load_max = loads.maxCoeff(),
-          .load_rms = std::sqrt(loads.square().mean()),
-          .life = life,
-          .least_film = least_film(film, loads.maxCoeff())};
-}
+// The load stands still in the carrier frame, and with it the pin; the bore turns under it.
+constexpr Race kStanding = Race::inner;
 
-void put_loads(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const Eigen::Vector2d& total,
-               PointResult& result) {
-  const double bearings = drivetrain.bearings_per_planet;
-  result.input_speed = drivetrain.drive.speed;
-  result.carrier_speed = duty.gears.carrier_speed;
-  result.planet_load = total.norm();
-  result.tangential_load = duty.gears.tangential_force / bearings;
-  result.radial_mesh_load = duty.gears.radial_force / bearings;
-  result.centrifugal_load = total.x() - result.radial_mesh_load;
-}
-
-void put_lives(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-               const bearing::QuasiStaticResult& loads, PointResult& result) {
-  // The load stands still in the carrier frame, and with it the pin; the bore turns under it.
-  const bearing::BearingLife life = bearing::lundberg_palmgren_life(
-      drivetrain.bearing, drivetrain.lambda, Race::inner, loads.inner_load, loads.outer_load);
-  const bearing::RollerContacts rolling =
-      bearing::rolling_contacts(drivetrain.bearing, bearing::geometry_of(drivetrain.bearing),
-                                duty.point.inner_speed, duty.point.outer_speed, drivetrain.lubricant);
-  result.inner = race_result(loads.inner_load, life.inner, rolling.inner.film());
-  result.outer = race_result(loads.outer_load, life.outer, rolling.outer.film());
+void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+              const bearing::BearingLife& life, PointResult& result) {
+  result.inner.life = life.inner;
+  result.outer.life = life.outer;
   result.life_hours = bearing::hours(life.bearing, duty.point.outer_speed);
   result.system_life_hours =
       bearing::system_life(result.life_hours, drivetrain.set.planets * drivetrain.bearings_per_planet);
 }
 
+RaceResult race_result(const Eigen::ArrayXd& loads, const bearing::Film& film) {
+  return {.load_max = loads.maxCoeff(),
+          .load_rms = std::sqrt(loads.square().mean()),
+          .least_film = least_film(film, loads.maxCoeff())};
+}
+
+PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty) {
+  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
+                                      .cage_positions = drivetrain.cage_positions};
+  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
+  const bearing::QuasiStaticResult loads =
+      bearing::quasi_static_bearing(drivetrain.bearing, duty.point, options);
+  if (!loads.report.converged) throw std::runtime_error(loads.report.message);
+  const bearing::RollerContacts rolling =
+      bearing::rolling_contacts(drivetrain.bearing, bearing::geometry_of(drivetrain.bearing),
+                                duty.point.inner_speed, duty.point.outer_speed, drivetrain.lubricant);
+  PointResult result;
+  result.inner = race_result(loads.inner_load, rolling.inner.film());
+  result.outer = race_result(loads.outer_load, rolling.outer.film());
+  result.distribution = {as_vector(loads.angle), as_vector(loads.inner_load), as_vector(loads.outer_load)};
+  put_life(drivetrain, duty,
+           bearing::lundberg_palmgren_life(drivetrain.bearing, drivetrain.lambda, kStanding, loads.inner_load,
+                                           loads.outer_load),
+           result);
+  return result;
+}
+
+bearing::dynamics::DynamicsParameters dynamics_of(const PlanetaryDrivetrain& drivetrain,
+                                                  const DrivetrainGeometry& geometry) {
+  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
+  parameters.inertia = drivetrain.inertia;
+  parameters.lubricant = drivetrain.lubricant;
+  parameters.race.film_in_approach = drivetrain.film_in_approach;
+  parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  return parameters;
+}
+
+RaceResult race_result(const bearing::dynamics::RaceStatistics& race) {
+  return {.load_max = race.load_max, .load_rms = race.load_rms, .least_film = race.least_film};
+}
+
+DynamicRecord record_of(const integration::SteadyStateResult& run) {
+  return {.steady = run.steady,
+          .roller_slip = 1.0 - run.statistics.mean_spin / run.kinematic_spin,
+          .friction_moment = run.statistics.bore_friction_moment,
+          .loss = run.statistics.loss,
+          .series = run.series,
+          .run = run.report};
+}
+
+LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& means) {
+  const Eigen::Index places = means.inner.mean_load.size();
+  const double step = boost::math::double_constants::two_pi / static_cast<double>(places);
+  const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(places, 0.0, step * static_cast<double>(places - 1));
+  return {as_vector(angle), as_vector(means.inner.mean_load), as_vector(means.outer.mean_load)};
+}
+
+PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const BearingDuty& duty) {
+  const integration::SteadyStateResult run = integration::run_to_steady_state(
+      drivetrain.bearing, duty.point, dynamics_of(drivetrain, geometry), drivetrain.steady_state);
+  if (!run.completed) throw std::runtime_error(run.message);
+  PointResult result;
+  result.inner = race_result(run.statistics.inner);
+  result.outer = race_result(run.statistics.outer);
+  result.cage_slip = run.cage_slip();
+  result.distribution = distribution_of(run.statistics);
+  result.dynamic = record_of(run);
+  put_life(drivetrain, duty,
+           bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, run.statistics),
+           result);
+  return result;
+}
+
+// Of the duty, whatever the bearing's model: the total on the bore holds what reaches it through the cage.
+void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+               const BearingDuty& duty, PointResult& result) {
+  Eigen::Vector2d total = duty.point.bore_load;
+  if (drivetrain.bearing.cage.guidance == Race::outer)
+    total += bearing::load_through_cage(drivetrain.bearing, geometry.bearing, duty.point.carrier,
+                                        drivetrain.inertia);
+  result.input_speed = drivetrain.drive.speed;
+  result.carrier_speed = duty.gears.carrier_speed;
+  result.planet_load = total.norm();
+  result.tangential_load = duty.gears.tangential_force / drivetrain.bearings_per_planet;
+  result.radial_mesh_load = duty.gears.radial_force / drivetrain.bearings_per_planet;
+  result.centrifugal_load = total.x() - result.radial_mesh_load;
+}
+
 }  // namespace
 
-PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                     Fidelity fidelity) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia, .cage_positions = drivetrain.cage_positions};
-  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
-  const bearing::QuasiStaticResult loads = bearing::quasi_static_bearing(drivetrain.bearing, duty.point, options);
-  if (!loads.report.converged) throw std::runtime_error(loads.report.message);
-  PointResult result;
-  put_loads(drivetrain, duty, loads.total_bore_load, result);
-  put_lives(drivetrain, duty, loads, result);
-  result.distribution = {as_vector(loads.angle), as_vector(loads.inner_load), as_vector(loads.outer_load)};
+  PointResult result = fidelity == Fidelity::dynamic ? dynamic_point(drivetrain, geometry, duty)
+                                                     : quasi_static_point(drivetrain, duty);
+  put_loads(drivetrain, geometry, duty, result);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // One operating point of a planetary drivetrain: from the power that enters to the life of a planet bearing.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,24 +27,37 @@ struct LoadDistribution {
   std::vector<double> outer_load;  // [N]    roller on planet bore
 };
 
+/// What only the motion in time tells.
+struct DynamicRecord {
+  bool steady = false;                 // false: the means still drifted when they were taken
+  double roller_slip = 0.0;            // [-]  1 - mean roller spin / spin at pure rolling
+  double friction_moment = 0.0;        // [N m]  of the bearing on the bore
+  bearing::dynamics::PowerLoss loss;   // [W]  by cause
+  integration::BearingSeries series;   // of the last cage revolution
+  integration::IntegrationReport run;  // what it took
+};
+
 /// What one operating point gives. Loads and lives are those of one bearing.
 struct PointResult {
-  double input_speed = 0.0;        // [rad/s]
-  double carrier_speed = 0.0;      // [rad/s]
-  double planet_load = 0.0;        // [N]  total on the bore of one bearing, with cage and rollers
-  double tangential_load = 0.0;    // [N]  y: from both meshes
-  double radial_mesh_load = 0.0;   // [N]  x: from both meshes, positive outward
-  double centrifugal_load = 0.0;   // [N]  x: planet, cage and the tangential halves of the rollers
+  double input_speed = 0.0;       // [rad/s]
+  double carrier_speed = 0.0;     // [rad/s]
+  double planet_load = 0.0;       // [N]  total on the bore of one bearing, with cage and rollers
+  double tangential_load = 0.0;   // [N]  y: from both meshes
+  double radial_mesh_load = 0.0;  // [N]  x: from both meshes, positive outward
+  double centrifugal_load = 0.0;  // [N]  x: planet, cage and the tangential halves of the rollers
   RaceResult inner;
   RaceResult outer;
   double life_hours = 0.0;         // [h]  one bearing
   double system_life_hours = 0.0;  // [h]  all planet bearings of the set
   double cage_slip = 0.0;          // [-]  1 - cage speed / kinematic cage speed
   LoadDistribution distribution;
-  std::string status = "ok";       // "ok" or why the point failed
+  std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
+  std::string status = "ok";             // "ok" or why the point failed
 };
 
-/// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance.
-PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+/// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
+/// motion could not be followed.
+PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                     Fidelity fidelity = Fidelity::quasi_static);
 
 }  // namespace orbearing::study

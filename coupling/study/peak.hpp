@@ -14,9 +14,9 @@ struct Extremum {
   bool inside = false;  // false: at an end of the bracket, where the function still rises (or falls)
 };
 
-/// Largest value of a positive function of speed between `low` and `high` [rad/s], by Brent's method on the logarithms
-/// of both. The function must have one maximum there. The speed is good to about 1e-6 of itself: the
-/// loads balance to 1e-12, and a smooth maximum is located to the square root of the noise of its values.
+/// Largest value of a positive function of speed between `low` and `high` [rad/s], by Brent's method on the
+/// logarithms of both. The function must have one maximum there. The speed is good to about 1e-6 of itself:
+/// the loads balance to 1e-12, and a smooth maximum is located to the square root of the noise of its values.
 Extremum largest(const std::function<double(double)>& of_speed, double low, double high);
 
 /// The same for the smallest value.

@@ -18,12 +18,14 @@ using testing::rpm;
 
 // The loads balance to 1e-12 of themselves, so a smooth maximum is located to the square root of that.
 constexpr double kPeakResolution = 1e-6;
-// The bar of the closed forms, which hold for one resultant load: the rollers' own inertial loads are not in them.
+// The bar of the closed forms, which hold for one resultant load: the rollers' own inertial loads are not in
+// them.
 constexpr double kClosedForm = 0.005;
 
 Extremum life_peak(const PlanetaryDrivetrain& drivetrain) {
   const DrivetrainGeometry geometry = derive(drivetrain);
-  return largest([&](double speed) { return life_at(drivetrain, geometry, speed); }, 3000.0 * rpm, 11000.0 * rpm);
+  return largest([&](double speed) { return life_at(drivetrain, geometry, speed); }, 3000.0 * rpm,
+                 11000.0 * rpm);
 }
 
 struct Parts {
@@ -84,7 +86,8 @@ TEST(StudyPeak, MeetsTheClosedFormWithRadialMeshLoad) {
   const PlanetaryDrivetrain drivetrain = without_rollers_inertia();
   const Parts parts = parts_of(drivetrain);
   ASSERT_GT(parts.c, 0.0);
-  EXPECT_NEAR(life_peak(drivetrain).speed / drivetrain.drive.speed / closed_form_life_peak(parts), 1.0, kClosedForm);
+  EXPECT_NEAR(life_peak(drivetrain).speed / drivetrain.drive.speed / closed_form_life_peak(parts), 1.0,
+              kClosedForm);
 }
 
 TEST(StudyPeak, MeetsTheClosedFormWithoutRadialMeshLoad) {

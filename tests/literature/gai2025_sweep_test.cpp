@@ -12,7 +12,8 @@ namespace {
 using testing::reducer;
 using testing::rpm;
 
-// The source's own comparison of two methods differs by 5.66 %; clearance, cage and shifts are missing from it.
+// The source's own comparison of two methods differs by 5.66 %; clearance, cage and shifts are missing from
+// it.
 constexpr double kPublishedLife = 0.15;
 constexpr double kPublishedLifeHours = 43869.0;
 
@@ -32,7 +33,9 @@ double best_of_the_grid(const PlanetaryDrivetrain& drivetrain) {
   return best;
 }
 
-TEST(Gai2025Sweep, LifeIsLongestAt6000Rpm) { EXPECT_EQ(best_of_the_grid(reducer()), 6000.0); }
+TEST(Gai2025Sweep, LifeIsLongestAt6000Rpm) {
+  EXPECT_EQ(best_of_the_grid(reducer()), 6000.0);
+}
 
 TEST(Gai2025Sweep, LifeAtThePeakIsThePublishedOne) {
   EXPECT_NEAR(life_at_rpm(reducer(), 6000.0) / kPublishedLifeHours, 1.0, kPublishedLife);

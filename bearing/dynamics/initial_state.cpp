@@ -1,0 +1,77 @@
+#include "bearing/dynamics/initial_state.hpp"
+
+#include <cmath>
+
+#include "bearing/race_equilibrium.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+namespace {
+
+Vector2 direction(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
+
+// The support carries what the rollers press on the pin ring, and the ring's own inertial load.
+Vector2 pin_displacement(const BearingModel& model, const QuasiStaticState& balance) {
+  Vector2 force = model.pin_mass * inertial_acceleration(model.frame, Vector2::Zero(), Vector2::Zero());
+  for (Eigen::Index j = 0; j < balance.angle.size(); ++j)
+    force -= balance.inner_load[j] * direction(balance.angle[j]);
+  return force / model.support.stiffness;
+}
+
+// Centre of a roller on the ray `outward` from the pin: on the inner race where it carries, else on the
+// outer.
+Vector2 roller_centre(const BearingModel& model, const RollerContacts& contacts,
+                      const QuasiStaticState& balance, Eigen::Index j, const Vector2& pin,
+                      const Vector2& bore) {
+  const RollerBearingGeometry& geometry = model.geometry;
+  const Vector2 outward = direction(balance.angle[j]);
+  if (balance.inner_load[j] > 0.0)
+    return pin +
+           (geometry.inner_radius + geometry.roller_radius - contacts.inner.approach(balance.inner_load[j])) *
+               outward;
+  return bore +
+         (geometry.outer_radius - geometry.roller_radius + contacts.outer.approach(balance.outer_load[j])) *
+             outward;
+}
+
+void set_roller(const Vector2& centre, double angle, double cage_speed, double spin, Eigen::Index j,
+                MutableStateViews& state) {
+  const double off = cross(direction(angle), centre) / centre.norm();
+  state.radius[j] = centre.norm();
+  state.angle[j] = angle + std::asin(off);
+  state.orbital_speed[j] = cage_speed;
+  state.spin[j] = spin;
+}
+
+}  // namespace
+
+InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
+                           const DynamicsParameters& parameters, double first_roller) {
+  const OperatingPoint& point = model.point;
+  QuasiStaticOptions options;
+  options.inertia = parameters.inertia;
+  if (parameters.race.film_in_approach) options.film = parameters.lubricant;
+  const QuasiStaticState balance = quasi_static_state(bearing, point, options, first_roller);
+  const RollerContacts contacts =
+      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, options.film);
+  const double cage_speed = kinematic_cage_speed(model.geometry, point.inner_speed, point.outer_speed);
+  const double spin = kinematic_roller_spin(model.geometry, point.inner_speed, point.outer_speed);
+
+  InitialState start{Eigen::VectorXd::Zero(model.layout.size()), balance.report};
+  MutableStateViews state = mutable_state_views(model.layout, start.x.data());
+  const Vector2 pin = balance.report.converged ? pin_displacement(model, balance) : Vector2::Zero();
+  const Vector2 bore = balance.report.converged ? Vector2(pin + balance.displacement) : Vector2::Zero();
+  state.pin_position = pin;
+  state.bore_position = bore;
+  state.cage_position = model.guiding_race == Race::outer ? bore : pin;
+  state.cage_angle = first_roller;
+  state.cage_speed = cage_speed;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+    set_roller(roller_centre(model, contacts, balance, j, pin, bore), balance.angle[j], cage_speed, spin, j,
+               state);
+  return start;
+}
+
+}  // namespace orbearing::bearing::dynamics

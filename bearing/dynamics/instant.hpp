@@ -1,0 +1,96 @@
+// The bearing at one instant: where its bodies are, and what acts on one roller. Shared by the equations and
+// by what is reported from them.
+#pragma once
+
+#include <cmath>
+
+#include "bearing/dynamics/model.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// Rings and cage at one instant.
+struct RingBodies {
+  BodyMotion cage;
+  BodyMotion bore;
+  BodyMotion pin;
+  Vector2 cage_direction;  // [-]  of the cage angle
+};
+
+inline RingBodies ring_bodies(const BearingModel& model, const ConstStateViews& state) {
+  return {.cage = {state.cage_position, state.cage_velocity, state.cage_speed},
+          .bore = {state.bore_position, state.bore_velocity, model.point.outer_speed},
+          .pin = {state.pin_position, state.pin_velocity, model.point.inner_speed},
+          .cage_direction = {std::cos(state.cage_angle), std::sin(state.cage_angle)}};
+}
+
+/// One roller at one instant.
+struct RollerBody {
+  BodyMotion motion;
+  Vector2 outward;             // [-]      e_r
+  double radius = 0.0;         // [m]
+  double angle = 0.0;          // [rad]
+  double radial_speed = 0.0;   // [m/s]
+  double orbital_speed = 0.0;  // [rad/s]
+};
+
+inline RollerBody roller_body(const ConstStateViews& state, Eigen::Index j) {
+  RollerBody roller;
+  roller.radius = state.radius[j];
+  roller.angle = state.angle[j];
+  roller.radial_speed = state.radial_speed[j];
+  roller.orbital_speed = state.orbital_speed[j];
+  roller.outward = {std::cos(roller.angle), std::sin(roller.angle)};
+  roller.motion.position = roller.radius * roller.outward;
+  roller.motion.velocity =
+      roller.radial_speed * roller.outward + roller.radius * roller.orbital_speed * across(roller.outward);
+  roller.motion.speed = state.spin[j];
+  return roller;
+}
+
+/// What acts on one roller.
+struct RollerForces {
+  RaceForces inner;
+  RaceForces outer;
+  PocketForces pocket;
+  double orbit_drag = 0.0;  // [N]    along e_theta
+  double spin_drag = 0.0;   // [N m]
+};
+
+/// Direction of the pocket of roller `j` [-].
+inline Vector2 pocket_direction(const BearingModel& model, const RingBodies& rings, Eigen::Index j) {
+  const Vector2& own = model.pocket_direction[static_cast<std::size_t>(j)];
+  return own.x() * rings.cage_direction + own.y() * across(rings.cage_direction);
+}
+
+inline RollerForces roller_forces(const BearingModel& model, const RingBodies& rings,
+                                  const RollerBody& roller, Eigen::Index j) {
+  return {.inner = race_forces(model.inner, roller.motion, rings.pin),
+          .outer = race_forces(model.outer, roller.motion, rings.bore),
+          .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j)),
+          .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
+          .spin_drag = model.spin_drag.force(roller.motion.speed)};
+}
+
+/// The ring whose land guides the cage.
+inline const BodyMotion& land_body(const BearingModel& model, const RingBodies& rings) {
+  return model.guiding_race == Race::outer ? rings.bore : rings.pin;
+}
+
+/// Wrenches that rollers, cage and land exert on the rings and on the cage.
+struct RingWrenches {
+  Wrench cage;
+  Wrench bore;
+  Wrench pin;
+
+  void add(const RollerForces& forces) {
+    pin += forces.inner.on_race;
+    bore += forces.outer.on_race;
+    cage += forces.pocket.on_cage;
+  }
+  void add(const GuidanceForces& forces, Race guiding_race) {
+    cage += forces.on_cage;
+    (guiding_race == Race::outer ? bore : pin) += forces.on_land;
+  }
+};
+
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,81 @@
+// Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
+//
+//   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | cage x y psi x' y' psi' | bore x y x' y' | pin x y
+//   x' y' ]
+//
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace orbearing::bearing::dynamics {
+
+/// What a variable of the state is; integrators weigh errors by kind.
+enum class VariableKind { length, angle, velocity, angular_speed };
+
+/// Order of the state of a bearing with `rollers` rollers.
+struct StateLayout {
+  Eigen::Index rollers = 0;
+
+  Eigen::Index size() const { return 5 * rollers + 14; }
+  Eigen::Index cage() const { return 5 * rollers; }
+  Eigen::Index bore() const { return cage() + 6; }
+  Eigen::Index pin() const { return bore() + 4; }
+};
+
+/// Named views on a flat state, or on its derivative: the views then hold the rate of what they are named
+/// for.
+template <typename Scalar>
+struct StateViews {
+  template <typename Plain>
+  using View = Eigen::Map<std::conditional_t<std::is_const_v<Scalar>, const Plain, Plain>>;
+
+  View<Eigen::ArrayXd> radius;          // [m]      (rollers)  from the undeformed pin axis
+  View<Eigen::ArrayXd> angle;           // [rad]    (rollers)  grows without bound
+  View<Eigen::ArrayXd> radial_speed;    // [m/s]    (rollers)
+  View<Eigen::ArrayXd> orbital_speed;   // [rad/s]  (rollers)
+  View<Eigen::ArrayXd> spin;            // [rad/s]  (rollers)  relative to the carrier
+  View<Eigen::Vector2d> cage_position;  // [m]
+  Scalar& cage_angle;                   // [rad]    grows without bound
+  View<Eigen::Vector2d> cage_velocity;  // [m/s]
+  Scalar& cage_speed;                   // [rad/s]  relative to the carrier
+  View<Eigen::Vector2d> bore_position;  // [m]
+  View<Eigen::Vector2d> bore_velocity;  // [m/s]
+  View<Eigen::Vector2d> pin_position;   // [m]
+  View<Eigen::Vector2d> pin_velocity;   // [m/s]
+};
+
+namespace detail {
+template <typename Scalar>
+StateViews<Scalar> views(const StateLayout& layout, Scalar* x) {
+  const Eigen::Index z = layout.rollers;
+  Scalar* cage = x + layout.cage();
+  Scalar* bore = x + layout.bore();
+  Scalar* pin = x + layout.pin();
+  using Pair = typename StateViews<Scalar>::template View<Eigen::Vector2d>;
+  return {{x, z},         {x + z, z}, {x + 2 * z, z}, {x + 3 * z, z}, {x + 4 * z, z}, Pair(cage),   cage[2],
+          Pair(cage + 3), cage[5],    Pair(bore),     Pair(bore + 2), Pair(pin),      Pair(pin + 2)};
+}
+}  // namespace detail
+
+using ConstStateViews = StateViews<const double>;
+using MutableStateViews = StateViews<double>;
+
+/// Views on `x`, which must outlive them.
+inline ConstStateViews state_views(const StateLayout& layout, const double* x) {
+  return detail::views(layout, x);
+}
+inline MutableStateViews mutable_state_views(const StateLayout& layout, double* x) {
+  return detail::views(layout, x);
+}
+
+/// Kind of each variable, in the order of the state.
+std::vector<VariableKind> variable_kinds(const StateLayout& layout);
+
+/// Name and unit of each variable in the order of the state, e.g. "roller_3_spin [rad/s]"; rollers count
+/// from 1.
+std::vector<std::string> variable_names(const StateLayout& layout);
+
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,86 @@
+// What the motion in time needs beyond the quasi-static bearing. Every default is an assumption, with its
+// reason.
+#pragma once
+
+#include "bearing/parameters.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// How friction in a race contact follows the sliding speed.
+enum class TractionLaw {
+  regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
+  limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
+                        // [BairWiner1979]
+};
+
+/// Race contacts: damping, friction, and whether the film adds to the elastic approach.
+struct RaceContactParameters {
+  double damping = 0.1;  // [s/m]  load grows by this share per m/s of approach speed. Assumption: 10 %
+                         //        of critical at 1 kN on a small roller, typical of oiled steel
+  TractionLaw traction = TractionLaw::regularised_coulomb;
+  double friction = 0.05;           // [-]    largest friction. Assumption: mineral oil at moderate pressure
+  double sliding_scale = 0.1;       // [m/s]  s_0. Assumption: creep of oiled contacts at full friction
+  double limiting_friction = 0.06;  // [-]    limiting shear stress / pressure. Assumption: mineral oil
+  double least_sliding_scale =
+      0.01;  // [m/s]  added to s_c, so that a film that has gone leaves finite slope. Assumption
+  double largest_barus_exponent = 8.0;  // [-]    alpha p is held here: beyond it oil does not follow Barus
+  double entrainment_scale = 0.01;      // [m/s]  rounds |u| at zero. Assumption: far below any running speed
+  bool film_in_approach = false;        // the film adds to the elastic approach
+  bool rolling_resistance = true;       // shear of the oil at the inlet
+};
+
+/// Cage pockets and the land that guides the cage.
+struct CageParameters {
+  double pocket_clearance =
+      0.1e-3;                     // [m]    along the pitch circle, both sides together. Assumption: the usual
+                                  //        play of moulded cages of this size
+  double pocket_stiffness = 3e7;  // [N/m]  Assumption: glass-filled polyamide bar
+  double pocket_damping = 1.0;    // [s/m]  as damping of the races. Assumption: polymer
+  double pocket_friction = 0.05;  // [-]    Assumption: oiled
+  double guide_diameter = 0.0;    // [m]    of the land; 0: no guidance
+  double land_width = 0.0;  // [m]    of one land; 0: what cage width and roller length leave at each side
+  int lands = 2;            // [-]
+  double largest_eccentricity =
+      0.98;                           // [-]    of the land's clearance where roughness takes over. Assumption
+  double touch_down_stiffness = 1e7;  // [N/m]  Assumption
+  double touch_down_damping = 1.0;    // [s/m]  Assumption
+  double touch_down_friction = 0.05;  // [-]    Assumption: oiled polymer on steel
+};
+
+/// Oil-air mixture around the rollers. Assumption: it rests in the carrier frame, the upper bound of its
+/// drag.
+struct OilDragParameters {
+  bool on = true;
+  double oil_density = 850.0;     // [kg/m^3]  Assumption: mineral oil
+  double oil_share = 0.05;        // [-]  of the free volume. Assumption: oil mist with jets
+  double drag_coefficient = 1.1;  // [-]  cylinder across the flow
+  double churning_coefficient =
+      0.05;  // [-]  Assumption: disc and drum friction of the Reynolds numbers at hand
+};
+
+/// Pin ring on its support in the carrier.
+struct SupportParameters {
+  double stiffness = 5e8;       // [N/m]  Assumption: short steel pin in both carrier walls
+  double damping_ratio = 0.05;  // [-]    of pin ring and bore together on the stiffness. Assumption
+};
+
+/// Load ripple that the meshes add to the load on the bore, along y: amplitude sin(frequency t + phase).
+struct MeshRipple {
+  double amplitude = 0.0;          // [N]
+  double angular_frequency = 0.0;  // [rad/s]
+  double phase = 0.0;              // [rad]
+};
+
+/// All that the roller dynamics adds to CylindricalRollerBearing.
+struct DynamicsParameters {
+  RaceContactParameters race;
+  CageParameters cage;
+  OilDragParameters drag;
+  SupportParameters support;
+  MeshRipple ripple;
+  InertiaSwitches inertia;
+  Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};  // Assumption: thin oil at 90 deg C
+  double bore_mass = 0.0;  // [kg]  planet mass per bearing; 0: that of the outer ring
+};
+
+}  // namespace orbearing::bearing::dynamics

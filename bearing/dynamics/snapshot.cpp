@@ -1,0 +1,198 @@
+#include "bearing/dynamics/snapshot.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "bearing/dynamics/instant.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+namespace {
+
+using boost::math::double_constants::two_pi;
+
+constexpr double kDifferenceTime =
+    1e-9;  // [s]  far below the shortest period, far above round-off in the speeds
+
+double wrapped(double angle) {
+  return angle - two_pi * std::floor(angle / two_pi);
+}
+
+void resize(RaceSnapshot& race, Eigen::Index rollers) {
+  race.load.resize(rollers);
+  race.sliding.resize(rollers);
+  race.entrainment.resize(rollers);
+  race.least_film.resize(rollers);
+}
+
+void resize(Snapshot& into, Eigen::Index rollers) {
+  resize(into.inner, rollers);
+  resize(into.outer, rollers);
+  into.angle.resize(rollers);
+  into.spin.resize(rollers);
+  into.pocket_load.resize(rollers);
+  into.loss = {};
+}
+
+void record(const RaceForces& forces, const FilmContact& film, Eigen::Index j, RaceSnapshot& race) {
+  race.load[j] = forces.load;
+  race.sliding[j] = forces.sliding;
+  race.entrainment[j] = forces.entrainment;
+  race.least_film[j] = Film(film, forces.entrainment).least(forces.load);
+}
+
+void add_losses(const BearingModel& model, const RollerBody& roller, const RollerForces& forces,
+                PowerLoss& loss) {
+  loss.race_damping += forces.inner.damping_power + forces.outer.damping_power;
+  loss.inner_traction += forces.inner.traction_power;
+  loss.outer_traction += forces.outer.traction_power;
+  loss.rolling += forces.inner.rolling_power + forces.outer.rolling_power;
+  loss.pockets += forces.pocket.damping_power + forces.pocket.friction_power;
+  loss.drag += model.orbit_drag.power(roller.radius * roller.orbital_speed) +
+               model.spin_drag.power(roller.motion.speed);
+}
+
+double kinetic(const BodyInertia& body, const BodyMotion& motion) {
+  return 0.5 * body.mass * motion.velocity.squaredNorm() + 0.5 * body.inertia * motion.speed * motion.speed;
+}
+
+double centrifugal(const CarrierFrame& frame, double mass, double orbit_radius, const Vector2& position) {
+  return -0.5 * mass * frame.centrifugal * (position + Vector2(orbit_radius, 0.0)).squaredNorm();
+}
+
+void add_roller_energy(const BearingModel& model, const RingBodies& rings, const RollerBody& roller,
+                       Eigen::Index j, StoredEnergy& energy) {
+  const BodyMotion& motion = roller.motion;
+  energy.kinetic += kinetic(model.roller, motion);
+  energy.centrifugal +=
+      centrifugal(model.frame, model.roller.mass, model.frame.orbit_radius, motion.position);
+  energy.races += race_energy(model.inner, motion, rings.pin) + race_energy(model.outer, motion, rings.bore);
+  energy.pockets +=
+      pocket_energy(model.pocket, motion.position, rings.cage.position, pocket_direction(model, rings, j));
+}
+
+// Wrenches on the rings alone, without what is reported per roller.
+RingWrenches ring_wrenches(const BearingModel& model, const ConstStateViews& state, const RingBodies& rings) {
+  RingWrenches sum;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+    sum.add(roller_forces(model, rings, roller_body(state, j), j));
+  sum.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
+  return sum;
+}
+
+double euler_power(const BearingModel& model, const ConstStateViews& state, const RingBodies& rings) {
+  CarrierFrame only;
+  only.euler = model.frame.euler;
+  const auto power_on = [&](double mass, double orbit_radius, const BodyMotion& body) {
+    only.orbit_radius = orbit_radius;
+    return mass * inertial_acceleration(only, body.position, Vector2::Zero()).dot(body.velocity);
+  };
+  const double orbit_radius = model.frame.orbit_radius;
+  double power = power_on(model.cage.mass, orbit_radius, rings.cage) +
+                 power_on(model.pin_mass, orbit_radius, rings.pin) +
+                 power_on(model.bore_mass, 0.0, rings.bore) -
+                 model.cage.inertia * only.euler * rings.cage.speed;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    const BodyMotion roller = roller_body(state, j).motion;
+    power +=
+        power_on(model.roller.mass, orbit_radius, roller) - model.roller.inertia * only.euler * roller.speed;
+  }
+  return power;
+}
+
+double entrainment(const RaceModel& race, const BodyMotion& roller, const BodyMotion& ring) {
+  return entrainment_speed(contact_motion(roller, race.roller_radius, ring, race.side).rolling,
+                           race.entrainment_scale);
+}
+
+double changing_film_power(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,
+                           const Eigen::Ref<const Eigen::VectorXd>& dx) {
+  const Eigen::VectorXd before = x - kDifferenceTime * dx;
+  const Eigen::VectorXd after = x + kDifferenceTime * dx;
+  const ConstStateViews views[] = {state_views(model.layout, before.data()),
+                                   state_views(model.layout, x.data()),
+                                   state_views(model.layout, after.data())};
+  const RingBodies rings[] = {ring_bodies(model, views[0]), ring_bodies(model, views[1]),
+                              ring_bodies(model, views[2])};
+  double power = 0.0;
+  const auto add = [&](const RaceModel& race, const BodyMotion RingBodies::*ring, Eigen::Index j) {
+    const BodyMotion now = roller_body(views[1], j).motion;
+    const double speed = entrainment(race, now, rings[1].*ring);
+    const double change = entrainment(race, roller_body(views[2], j).motion, rings[2].*ring) -
+                          entrainment(race, roller_body(views[0], j).motion, rings[0].*ring);
+    const double approach = contact_motion(now, race.roller_radius, rings[1].*ring, race.side).approach;
+    power += race.load.energy_slope(approach, speed) * change / (2.0 * kDifferenceTime);
+  };
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    add(model.inner, &RingBodies::pin, j);
+    add(model.outer, &RingBodies::bore, j);
+  }
+  return power;
+}
+
+}  // namespace
+
+Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x) {
+  Snapshot result;
+  take_snapshot(model, x, result);
+  return result;
+}
+
+void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into) {
+  const ConstStateViews state = state_views(model.layout, x.data());
+  const RingBodies rings = ring_bodies(model, state);
+  RingWrenches on_rings;
+  resize(into, model.layout.rollers);
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    const RollerBody roller = roller_body(state, j);
+    const RollerForces forces = roller_forces(model, rings, roller, j);
+    record(forces.inner, model.inner_film, j, into.inner);
+    record(forces.outer, model.outer_film, j, into.outer);
+    into.angle[j] = wrapped(roller.angle);
+    into.spin[j] = roller.motion.speed;
+    into.pocket_load[j] = forces.pocket.load;
+    add_losses(model, roller, forces, into.loss);
+    on_rings.add(forces);
+  }
+  const GuidanceForces guidance = guidance_forces(model.guidance, rings.cage, land_body(model, rings));
+  on_rings.add(guidance, model.guiding_race);
+  into.loss.guidance = guidance.film_power + guidance.touch_down_power;
+  into.loss.drag += model.cage_drag.power(rings.cage.speed);
+  into.loss.support = model.support.power(rings.pin.velocity);
+  into.cage_angle = state.cage_angle;
+  into.cage_speed = rings.cage.speed;
+  into.cage_position = rings.cage.position;
+  into.cage_eccentricity = guidance.eccentricity;
+  into.bore_friction_moment = on_rings.bore.moment;
+}
+
+StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x) {
+  const ConstStateViews state = state_views(model.layout, x.data());
+  const RingBodies rings = ring_bodies(model, state);
+  StoredEnergy energy;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+    add_roller_energy(model, rings, roller_body(state, j), j, energy);
+  energy.kinetic += kinetic(model.cage, rings.cage) +
+                    0.5 * model.bore_mass * rings.bore.velocity.squaredNorm() +
+                    0.5 * model.pin_mass * rings.pin.velocity.squaredNorm();
+  energy.centrifugal +=
+      centrifugal(model.frame, model.cage.mass, model.frame.orbit_radius, rings.cage.position) +
+      centrifugal(model.frame, model.pin_mass, model.frame.orbit_radius, rings.pin.position) +
+      centrifugal(model.frame, model.bore_mass, 0.0, rings.bore.position);
+  energy.guidance = guidance_energy(model.guidance, rings.cage.position, land_body(model, rings).position);
+  energy.support = model.support.energy(rings.pin.position);
+  return energy;
+}
+
+PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       const Eigen::Ref<const Eigen::VectorXd>& dx) {
+  const ConstStateViews state = state_views(model.layout, x.data());
+  const RingBodies rings = ring_bodies(model, state);
+  const RingWrenches on_rings = ring_wrenches(model, state, rings);
+  return {.bore_load = bore_load(model, time).dot(rings.bore.velocity),
+          .rotations = -on_rings.bore.moment * rings.bore.speed - on_rings.pin.moment * rings.pin.speed,
+          .euler = euler_power(model, state, rings),
+          .changing_film = changing_film_power(model, x, dx)};
+}
+
+}  // namespace orbearing::bearing::dynamics

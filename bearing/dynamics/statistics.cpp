@@ -1,0 +1,134 @@
+#include "bearing/dynamics/statistics.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace orbearing::bearing::dynamics {
+
+namespace {
+
+using boost::math::double_constants::two_pi;
+
+void add(const PowerLoss& sample, PowerLoss& sum) {
+  sum.race_damping += sample.race_damping;
+  sum.inner_traction += sample.inner_traction;
+  sum.outer_traction += sample.outer_traction;
+  sum.rolling += sample.rolling;
+  sum.drag += sample.drag;
+  sum.pockets += sample.pockets;
+  sum.guidance += sample.guidance;
+  sum.support += sample.support;
+}
+
+PowerLoss divided(const PowerLoss& sum, double by) {
+  return {.race_damping = sum.race_damping / by,
+          .inner_traction = sum.inner_traction / by,
+          .outer_traction = sum.outer_traction / by,
+          .rolling = sum.rolling / by,
+          .drag = sum.drag / by,
+          .pockets = sum.pockets / by,
+          .guidance = sum.guidance / by,
+          .support = sum.support / by};
+}
+
+Eigen::Index place_of(double angle, Eigen::Index places) {
+  const double place = angle / two_pi * static_cast<double>(places) + 0.5;
+  return static_cast<Eigen::Index>(std::floor(place)) % places;
+}
+
+}  // namespace
+
+StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index places)
+    : rollers_(rollers), places_(places) {}
+
+void StatisticsCollector::begin(double time, const Snapshot& at_start) {
+  for (RaceSums* sums : {&inner_, &outer_})
+    *sums = {.roller_square = Eigen::ArrayXd::Zero(rollers_),
+             .load = Eigen::ArrayXd::Zero(places_),
+             .fourth_power = Eigen::ArrayXd::Zero(places_),
+             .least_film = std::numeric_limits<double>::infinity()};
+  passages_ = Eigen::ArrayXd::Zero(places_);
+  sums_ = {};
+  begin_time_ = time;
+  begin_cage_angle_ = end_cage_angle_ = at_start.cage_angle;
+}
+
+void StatisticsCollector::add(const RaceSnapshot& race, const Eigen::ArrayXd& angle, RaceSums& sums) {
+  sums.roller_square += race.load.square();
+  sums.sliding += race.sliding.abs().mean();
+  Eigen::Index most_loaded = 0;
+  sums.largest = std::max(sums.largest, race.load.maxCoeff(&most_loaded));
+  sums.least_film = std::min(sums.least_film, race.least_film[most_loaded]);
+  for (Eigen::Index j = 0; j < rollers_; ++j) {
+    const Eigen::Index place = place_of(angle[j], places_);
+    const double square = race.load[j] * race.load[j];
+    sums.load[place] += race.load[j];
+    sums.fourth_power[place] += square * square;
+  }
+}
+
+void StatisticsCollector::add(double time, const Snapshot& sample) {
+  add(sample.inner, sample.angle, inner_);
+  add(sample.outer, sample.angle, outer_);
+  for (Eigen::Index j = 0; j < rollers_; ++j) passages_[place_of(sample.angle[j], places_)] += 1.0;
+  ++sums_.samples;
+  sums_.duration = time - begin_time_;
+  end_cage_angle_ = sample.cage_angle;
+  sums_.mean_spin += sample.spin.mean();
+  sums_.mean_cage_eccentricity += sample.cage_eccentricity;
+  sums_.largest_cage_eccentricity = std::max(sums_.largest_cage_eccentricity, sample.cage_eccentricity);
+  sums_.mean_cage_position += sample.cage_position;
+  sums_.bore_friction_moment += sample.bore_friction_moment;
+  dynamics::add(sample.loss, sums_.loss);
+}
+
+RaceStatistics StatisticsCollector::means(const RaceSums& sums) const {
+  const double samples = static_cast<double>(sums_.samples);
+  const Eigen::ArrayXd passages = passages_.max(1.0);
+  return {.roller_rms = (sums.roller_square / samples).sqrt(),
+          .load_rms = std::sqrt(sums.roller_square.mean() / samples),
+          .load_max = sums.largest,
+          .mean_load = sums.load / passages,
+          .mean_fourth_power = sums.fourth_power / passages,
+          .mean_sliding = sums.sliding / samples,
+          .least_film = sums.least_film};
+}
+
+WindowStatistics StatisticsCollector::means() const {
+  assert(sums_.samples > 0);
+  const double samples = static_cast<double>(sums_.samples);
+  WindowStatistics result = sums_;
+  result.inner = means(inner_);
+  result.outer = means(outer_);
+  result.cage_speed = (end_cage_angle_ - begin_cage_angle_) / sums_.duration;
+  result.mean_spin /= samples;
+  result.mean_cage_eccentricity /= samples;
+  result.mean_cage_position /= samples;
+  result.bore_friction_moment /= samples;
+  result.loss = divided(sums_.loss, samples);
+  return result;
+}
+
+double equivalent_load(const RaceStatistics& race, RaceMotion motion) {
+  const double largest = race.mean_fourth_power.maxCoeff();
+  if (largest <= 0.0) return 0.0;
+  const double exponent = motion == RaceMotion::turning ? 4.0 : 4.5;
+  const double mean = (race.mean_fourth_power / largest).pow(exponent / 4.0).mean();
+  return std::pow(largest, 0.25) * std::pow(mean, 1.0 / exponent);
+}
+
+BearingLife dynamic_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
+                         const WindowStatistics& statistics) {
+  const auto life_of = [&](Race race, const RaceStatistics& loads) {
+    const RaceMotion motion = race == standing ? RaceMotion::standing : RaceMotion::turning;
+    return race_life(contact_capacity(bearing, race, lambda), equivalent_load(loads, motion));
+  };
+  const double inner = life_of(Race::inner, statistics.inner);
+  const double outer = life_of(Race::outer, statistics.outer);
+  return {inner, outer, combined_life(inner, outer)};
+}
+
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,189 @@
+#include "coupling/integration/integrate.hpp"
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace orbearing::integration {
+
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using State = std::vector<double>;  // Odeint resizes and adds these without temporaries
+using ConstView = Eigen::Map<const Eigen::VectorXd>;
+using Clock = std::chrono::steady_clock;
+
+constexpr long kRhsPerAttempt = 6;  // dopri5 takes the seventh slope over from the step before
+constexpr long kStepsPerClockRead = 256;
+
+ConstView view(const State& x) {
+  return {x.data(), static_cast<Eigen::Index>(x.size())};
+}
+
+// Largest error of a step over what is allowed; infinite where the step is not finite, so that it is refused.
+class WeightedError {
+ public:
+  using value_type = double;
+  using algebra_type = odeint::range_algebra;
+  using operations_type = odeint::default_operations;
+
+  WeightedError() = default;
+  explicit WeightedError(const IntegrationOptions& options)
+      : weight_((options.tolerance * options.allowed_error.array()).inverse()) {}
+
+  template <class Algebra, class Old, class Slope, class Error, class Time>
+  double error(Algebra&, const Old&, const Slope&, Error& step_error, Time) const {
+    return largest_share(step_error);
+  }
+
+ private:
+  double largest_share(const State& step_error) const {
+    const double largest = (view(step_error).array() * weight_).abs().maxCoeff<Eigen::PropagateNaN>();
+    return std::isfinite(largest) ? largest : std::numeric_limits<double>::infinity();
+  }
+
+  Eigen::ArrayXd weight_;
+};
+
+using Dopri5 = odeint::runge_kutta_dopri5<State>;
+using ControlledDopri5 =
+    odeint::controlled_runge_kutta<Dopri5, WeightedError, odeint::default_step_adjuster<double, double>>;
+using DenseDopri5 = odeint::dense_output_runge_kutta<ControlledDopri5>;
+
+// Counts calls and hands flat states to the equations.
+struct System {
+  const RightHandSide& derivative;
+  long& calls;
+
+  void operator()(const State& x, State& dx, double time) const {
+    ++calls;
+    derivative(time, view(x), Eigen::Map<Eigen::VectorXd>(dx.data(), static_cast<Eigen::Index>(dx.size())));
+  }
+};
+
+// What all methods share: budget, report, output.
+class Run {
+ public:
+  Run(const IntegrationOptions& options, IntegrationReport& report)
+      : options_(options), report_(report), begin_(Clock::now()) {}
+
+  bool accept(double time, double step) {
+    ++report_.steps;
+    report_.reached = time;
+    report_.smallest_step = std::min(report_.smallest_step, step);
+    if (report_.steps > options_.most_steps) return fail("the largest number of steps was taken");
+    if (report_.steps % kStepsPerClockRead == 0 && seconds() > options_.most_seconds)
+      return fail("the allowed wall time was used up");
+    if (step < options_.smallest_step) return fail("the step fell below the smallest allowed");
+    return true;
+  }
+
+  bool fail(const std::string& reason) {
+    std::ostringstream text;
+    text << reason << " at t = " << report_.reached << " s after " << report_.steps << " steps";
+    report_.message = text.str();
+    return false;
+  }
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+ private:
+  const IntegrationOptions& options_;
+  IntegrationReport& report_;
+  Clock::time_point begin_;
+};
+
+bool run_dense(System system, Eigen::VectorXd& x, const OutputTimes& output,
+               const IntegrationOptions& options, const Observer& observe, Run& run) {
+  DenseDopri5 stepper{ControlledDopri5(WeightedError(options))};
+  State start(x.data(), x.data() + x.size());
+  State sample(start);
+  stepper.initialize(start, output.start, options.step);
+  for (long i = 1; i <= output.samples; ++i) {
+    while (stepper.current_time() < output.time(i)) {
+      try {
+        stepper.do_step(system);
+      } catch (const odeint::odeint_error&) {
+        return run.fail("no step was small enough, or the state is not finite,");
+      }
+      x = view(stepper.current_state());
+      if (!run.accept(stepper.current_time(), stepper.current_time() - stepper.previous_time())) return false;
+    }
+    stepper.calc_state(output.time(i), sample);
+    if (observe) observe(output.time(i), view(sample));
+  }
+  x = view(sample);
+  return true;
+}
+
+template <class Stepper>
+bool run_fixed(System system, Eigen::VectorXd& x, const OutputTimes& output,
+               const IntegrationOptions& options, const Observer& observe, Run& run) {
+  Stepper stepper;
+  State state(x.data(), x.data() + x.size());
+  const long steps = std::max(1L, std::lround(std::ceil(output.interval / options.step * (1.0 - 1e-12))));
+  const double step = output.interval / static_cast<double>(steps);
+  for (long i = 0; i < output.samples; ++i) {
+    for (long k = 0; k < steps; ++k) {
+      const double time = output.time(i) + static_cast<double>(k) * step;
+      stepper.do_step(system, state, time, step);
+      if (!run.accept(time + step, step)) return false;
+    }
+    if (!view(state).allFinite()) return run.fail("the state is not finite");
+    x = view(state);
+    if (observe) observe(output.time(i + 1), view(state));
+  }
+  return true;
+}
+
+}  // namespace
+
+IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x, const OutputTimes& output,
+                            const IntegrationOptions& options, const Observer& observe) {
+  IntegrationReport report;
+  report.reached = output.start;
+  Run run(options, report);
+  const System system{derivative, report.rhs_calls};
+  if (!x.allFinite()) {
+    run.fail("the state is not finite");
+    return report;
+  }
+  report.smallest_step = std::numeric_limits<double>::infinity();
+  switch (options.method) {
+    case Method::dopri5:
+      report.completed = run_dense(system, x, output, options, observe, run);
+      report.rejected = std::max(0L, (report.rhs_calls - 1) / kRhsPerAttempt - report.steps);
+      break;
+    case Method::fixed_dopri5:
+      report.completed = run_fixed<Dopri5>(system, x, output, options, observe, run);
+      break;
+    case Method::rk4:
+      report.completed = run_fixed<odeint::runge_kutta4<State>>(system, x, output, options, observe, run);
+      break;
+  }
+  if (report.steps == 0) report.smallest_step = 0.0;
+  report.wall_seconds = run.seconds();
+  return report;
+}
+
+Eigen::VectorXd bearing_allowed_errors(const bearing::dynamics::StateLayout& layout, double length,
+                                       double radius, double frequency) {
+  using bearing::dynamics::VariableKind;
+  const std::vector<VariableKind> kinds = bearing::dynamics::variable_kinds(layout);
+  Eigen::VectorXd allowed(layout.size());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const bool angular = kinds[i] == VariableKind::angle || kinds[i] == VariableKind::angular_speed;
+    const bool speed = kinds[i] == VariableKind::velocity || kinds[i] == VariableKind::angular_speed;
+    allowed[static_cast<Eigen::Index>(i)] =
+        length * (angular ? 1.0 / radius : 1.0) * (speed ? frequency : 1.0);
+  }
+  return allowed;
+}
+
+}  // namespace orbearing::integration

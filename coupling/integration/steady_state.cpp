@@ -1,0 +1,205 @@
+#include "coupling/integration/steady_state.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <stdexcept>
+
+#include "bearing/dynamics/equations.hpp"
+#include "bearing/dynamics/initial_state.hpp"
+
+namespace orbearing::integration {
+
+namespace {
+
+using bearing::dynamics::BearingModel;
+using bearing::dynamics::PlanetBearingEquations;
+using bearing::dynamics::Snapshot;
+using bearing::dynamics::StatisticsCollector;
+using bearing::dynamics::WindowStatistics;
+using boost::math::double_constants::two_pi;
+
+constexpr double kLongestWindow =
+    4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
+
+// Frequency of an unloaded roller on its race at the load where damping and inertia meet [rad/s]: a scale
+// that ties the allowed errors of speeds to those of lengths.
+double roller_frequency(const BearingModel& model) {
+  constexpr double kTypicalApproach = 1e-6;  // [m]
+  const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
+  return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
+}
+
+void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {
+  for (Eigen::ArrayXXd* matrix :
+       {&series.angle, &series.inner_load, &series.outer_load, &series.inner_sliding, &series.outer_sliding,
+        &series.inner_film, &series.outer_film, &series.pocket_load, &series.spin})
+    matrix->setZero(rollers, samples);
+  series.time.setZero(samples);
+  series.cage_position.setZero(2, samples);
+  series.cage_speed.setZero(samples);
+  series.power_loss.setZero(samples);
+}
+
+void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& series) {
+  series.time[i] = time;
+  series.angle.col(i) = now.angle;
+  series.inner_load.col(i) = now.inner.load;
+  series.outer_load.col(i) = now.outer.load;
+  series.inner_sliding.col(i) = now.inner.sliding;
+  series.outer_sliding.col(i) = now.outer.sliding;
+  series.inner_film.col(i) = now.inner.least_film;
+  series.outer_film.col(i) = now.outer.least_film;
+  series.pocket_load.col(i) = now.pocket_load;
+  series.spin.col(i) = now.spin;
+  series.cage_position.col(i) = now.cage_position;
+  series.cage_speed[i] = now.cage_speed;
+  series.power_loss[i] = now.loss.total();
+}
+
+// The run in progress: state, time and the length of the next window.
+class SteadyRun {
+ public:
+  SteadyRun(const PlanetBearingEquations& equations, const SteadyStateOptions& options,
+            SteadyStateResult& result)
+      : equations_(equations),
+        options_(options),
+        result_(result),
+        collector_(model().layout.rollers, options.places),
+        window_(two_pi / std::abs(result.kinematic_cage_speed)) {
+    settings_ = options.integration;
+    settings_.allowed_error =
+        bearing_allowed_errors(model().layout, options.allowed_length_error, model().geometry.pitch_radius,
+                               roller_frequency(model()));
+  }
+
+  /// Runs `windows` windows as one and returns their means; empty statistics where the integration failed.
+  WindowStatistics advance(int windows, BearingSeries* series) {
+    const long samples = options_.samples_per_window * windows;
+    const OutputTimes output{time_, window_ / static_cast<double>(options_.samples_per_window), samples};
+    const long first_kept = samples - options_.samples_per_window;
+    const long stride = std::max(1L, options_.samples_per_window / std::max(1L, options_.series_samples));
+    if (series) resize(*series, model().layout.rollers, (options_.samples_per_window - 1) / stride + 1);
+    take_snapshot(model(), result_.final_state, snapshot_);
+    collector_.begin(time_, snapshot_);
+    long sample = 0;
+    const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+      take_snapshot(model(), x, snapshot_);
+      collector_.add(time, snapshot_);
+      const long kept = sample++ - first_kept;
+      if (series && kept >= 0 && kept % stride == 0) record(time, snapshot_, kept / stride, *series);
+    };
+    const IntegrationReport report = integrate(derivative(), result_.final_state, output, settings_, observe);
+    add_to_report(report);
+    time_ = output.time(samples);
+    if (!report.completed) return {};
+    const WindowStatistics means = collector_.means();
+    set_window(means);
+    return means;
+  }
+
+ private:
+  const BearingModel& model() const { return equations_.model(); }
+
+  RightHandSide derivative() const {
+    return [this](double time, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx) {
+      equations_.derivative(time, x, dx);
+    };
+  }
+
+  // The next window lasts one revolution at the speed the cage had in this one.
+  void set_window(const WindowStatistics& means) {
+    const double kinematic = two_pi / std::abs(result_.kinematic_cage_speed);
+    window_ = std::min(two_pi / std::max(std::abs(means.cage_speed), 1e-300), kLongestWindow * kinematic);
+    settings_.step = std::min(settings_.step, window_ / static_cast<double>(options_.samples_per_window));
+  }
+
+  void add_to_report(const IntegrationReport& part) {
+    IntegrationReport& all = result_.report;
+    all.smallest_step = all.steps == 0 ? part.smallest_step : std::min(all.smallest_step, part.smallest_step);
+    all.steps += part.steps;
+    all.rejected += part.rejected;
+    all.rhs_calls += part.rhs_calls;
+    all.wall_seconds += part.wall_seconds;
+    all.reached = part.reached;
+    all.completed = part.completed;
+    all.message = part.message;
+    settings_.most_seconds = options_.integration.most_seconds - all.wall_seconds;
+    settings_.most_steps = options_.integration.most_steps - all.steps;
+  }
+
+  const PlanetBearingEquations& equations_;
+  const SteadyStateOptions& options_;
+  SteadyStateResult& result_;
+  IntegrationOptions settings_;
+  StatisticsCollector collector_;
+  Snapshot snapshot_;
+  double window_;      // [s]
+  double time_ = 0.0;  // [s]
+};
+
+bool is_steady(const WindowStatistics& before, const WindowStatistics& now, double kinematic_cage_speed,
+               const SteadyStateOptions& options) {
+  const auto close = [&](double a, double b) {
+    return std::abs(a - b) <= options.load_drift * std::max(a, b);
+  };
+  return close(before.inner.load_rms, now.inner.load_rms) &&
+         close(before.outer.load_rms, now.outer.load_rms) &&
+         std::abs(before.cage_speed - now.cage_speed) <= options.cage_drift * std::abs(kinematic_cage_speed);
+}
+
+// Windows until two in turn agree or there have been enough. False where the integration failed.
+bool settle(SteadyRun& run, const SteadyStateOptions& options, SteadyStateResult& result) {
+  while (static_cast<int>(result.windows.size()) < options.most_windows && !result.steady) {
+    result.windows.push_back(run.advance(1, nullptr));
+    if (!result.report.completed) return false;
+    const std::size_t done = result.windows.size();
+    if (done < 2 || static_cast<int>(done) < options.least_windows) continue;
+    result.steady =
+        is_steady(result.windows[done - 2], result.windows[done - 1], result.kinematic_cage_speed, options);
+  }
+  return true;
+}
+
+SteadyStateResult run_from(Eigen::VectorXd start, const PlanetBearingEquations& equations,
+                           const SteadyStateOptions& options) {
+  const BearingModel& model = equations.model();
+  const bearing::OperatingPoint& point = model.point;
+  SteadyStateResult result;
+  result.kinematic_cage_speed =
+      bearing::kinematic_cage_speed(model.geometry, point.inner_speed, point.outer_speed);
+  result.kinematic_spin =
+      bearing::kinematic_roller_spin(model.geometry, point.inner_speed, point.outer_speed);
+  if (result.kinematic_cage_speed == 0.0)
+    throw std::invalid_argument(
+        "speed of the races: found a standing cage; required: races that turn the cage");
+  result.final_state = std::move(start);
+  SteadyRun run(equations, options, result);
+  if (settle(run, options, result)) result.statistics = run.advance(options.observed_windows, &result.series);
+  result.completed = result.report.completed;
+  result.message = result.report.message;
+  if (result.completed && !result.steady) result.message = "the means still drifted after the last window";
+  return result;
+}
+
+}  // namespace
+
+SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& bearing,
+                                      const bearing::OperatingPoint& point,
+                                      const bearing::dynamics::DynamicsParameters& parameters,
+                                      const SteadyStateOptions& options) {
+  const PlanetBearingEquations equations(bearing_model(bearing, point, parameters));
+  const bearing::dynamics::InitialState start =
+      initial_state(bearing, equations.model(), parameters, options.first_roller);
+  return run_from(start.x, equations, options);
+}
+
+SteadyStateResult run_to_steady_state_from(const Eigen::VectorXd& start,
+                                           const bearing::CylindricalRollerBearing& bearing,
+                                           const bearing::OperatingPoint& point,
+                                           const bearing::dynamics::DynamicsParameters& parameters,
+                                           const SteadyStateOptions& options) {
+  return run_from(start, PlanetBearingEquations(bearing_model(bearing, point, parameters)), options);
+}
+
+}  // namespace orbearing::integration

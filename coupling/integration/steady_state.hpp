@@ -1,0 +1,76 @@
+// A planet bearing run in time until its means stand still, then observed over whole cage revolutions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bearing/dynamics/parameters.hpp"
+#include "bearing/dynamics/statistics.hpp"
+#include "coupling/integration/integrate.hpp"
+
+namespace orbearing::integration {
+
+/// What belongs to the method. A window is one revolution of the cage relative to the carrier.
+struct SteadyStateOptions {
+  double first_roller = 0.0;            // [rad]  place of the first roller at the start
+  double load_drift = 2e-3;             // [-]  steady: rms loads of two windows in turn differ by no more
+  double cage_drift = 1e-3;             // [-]  steady: cage speeds differ by no more of the kinematic one
+  int least_windows = 2;                // [-]  before the criterion is asked
+  int most_windows = 20;                // [-]  before the run is observed all the same, and says so
+  int observed_windows = 3;             // [-]  averaged once steady; at least ten for reliable maxima
+  long samples_per_window = 2000;       // [-]
+  long series_samples = 500;            // [-]  of the last window, kept as time series
+  long places = 72;                     // [-]  bins on the races
+  double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
+  IntegrationOptions integration;       // allowed_error is filled in
+};
+
+/// One window as time series. Matrices are (rollers, samples).
+struct BearingSeries {
+  Eigen::ArrayXd time;            // [s]  from the start of the run
+  Eigen::ArrayXXd angle;          // [rad]
+  Eigen::ArrayXXd inner_load;     // [N]
+  Eigen::ArrayXXd outer_load;     // [N]
+  Eigen::ArrayXXd inner_sliding;  // [m/s]
+  Eigen::ArrayXXd outer_sliding;  // [m/s]
+  Eigen::ArrayXXd inner_film;     // [m]
+  Eigen::ArrayXXd outer_film;     // [m]
+  Eigen::ArrayXXd pocket_load;    // [N]
+  Eigen::ArrayXXd spin;           // [rad/s]
+  Eigen::Array2Xd cage_position;  // [m]      (x and y, samples)
+  Eigen::ArrayXd cage_speed;      // [rad/s]  relative to the carrier
+  Eigen::ArrayXd power_loss;      // [W]
+};
+
+/// What a run gives.
+struct SteadyStateResult {
+  bool completed = false;  // false: `message` says why and the means hold what there was, if anything
+  bool steady = false;     // false with completed: the means drifted to the end
+  std::string message;
+  bearing::dynamics::WindowStatistics statistics;            // over the observed windows
+  std::vector<bearing::dynamics::WindowStatistics> windows;  // each window on the way to the steady state
+  BearingSeries series;                                      // of the last window
+  double kinematic_cage_speed = 0.0;                         // [rad/s]
+  double kinematic_spin = 0.0;                               // [rad/s]
+  Eigen::VectorXd final_state;
+  IntegrationReport report;  // summed over all windows; smallest step of all
+
+  /// 1 - cage speed / kinematic cage speed.
+  double cage_slip() const { return 1.0 - statistics.cage_speed / kinematic_cage_speed; }
+};
+
+/// Runs `bearing` at `point` from its quasi-static state. Throws std::invalid_argument for input that
+/// bearing_model() refuses and where nothing turns; what goes wrong later is in the result.
+SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& bearing,
+                                      const bearing::OperatingPoint& point,
+                                      const bearing::dynamics::DynamicsParameters& parameters,
+                                      const SteadyStateOptions& options);
+
+/// As above, from the given state (the final state of a neighbouring operating point).
+SteadyStateResult run_to_steady_state_from(const Eigen::VectorXd& start,
+                                           const bearing::CylindricalRollerBearing& bearing,
+                                           const bearing::OperatingPoint& point,
+                                           const bearing::dynamics::DynamicsParameters& parameters,
+                                           const SteadyStateOptions& options);
+
+}  // namespace orbearing::integration

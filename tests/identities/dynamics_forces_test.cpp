@@ -1,0 +1,182 @@
+// Forces follow from stored energy, bodies act on each other alike and opposite, and nothing dissipative
+// gives power.
+#include <gtest/gtest.h>
+
+#include "bearing/dynamics/equations.hpp"
+#include "bearing/dynamics/instant.hpp"
+#include "bearing/dynamics/snapshot.hpp"
+#include "tests/unit/dynamics/reducer_bearing.hpp"
+
+namespace orbearing::bearing::dynamics {
+namespace {
+
+constexpr int kStates = 40;
+constexpr double kSpeed = 0.05;  // share of the kinematic speeds by which a state is shaken
+
+struct Variant {
+  const char* name;
+  bool film;
+  bool inner_guidance;
+  TractionLaw traction;
+};
+
+class DynamicsIdentity : public testing::TestWithParam<Variant> {
+ protected:
+  DynamicsIdentity() {
+    parameters.race.film_in_approach = GetParam().film;
+    parameters.race.traction = GetParam().traction;
+    if (GetParam().inner_guidance) {
+      bearing.cage.guidance = Race::inner;
+      parameters.cage.guide_diameter = 33.1e-3;
+    }
+    parameters.ripple = {.amplitude = 50.0, .angular_frequency = 3e4, .phase = 0.2};
+  }
+
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  OperatingPoint point = test::reducer_point(6000.0);
+  test::Random random;
+};
+
+// At rest, without friction, what accelerates each body is the slope of all stored energy, the centrifugal
+// potential included.
+TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
+  point.outer_speed = 0.0;
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const PlanetBearingEquations equations(model);
+  const StateLayout& layout = model.layout;
+  const Eigen::Index z = layout.rollers;
+  const auto mass_of = [&](Eigen::Index i, const Eigen::VectorXd& x) {
+    if (i < z) return model.roller.mass;
+    if (i < 2 * z) return model.roller.mass * x[i - z] * x[i - z];
+    if (i < layout.bore()) return i == layout.cage() + 2 ? model.cage.inertia : model.cage.mass;
+    return i < layout.pin() ? model.bore_mass : model.pin_mass;
+  };
+  const auto check = [&](const Eigen::VectorXd& x, Eigen::Index position, Eigen::Index velocity,
+                         double external) {
+    Eigen::VectorXd dx(x.size());
+    equations.derivative(0.0, x, dx);
+    const bool angle = (position >= z && position < 2 * z) || position == layout.cage() + 2;
+    const double step = angle ? 1e-9 : 2e-11;  // [rad] or [m]: 1e-5 of the approaches
+    Eigen::VectorXd left = x, right = x;
+    left[position] -= step;
+    right[position] += step;
+    const double slope =
+        (stored_energy(model, right).total() - stored_energy(model, left).total()) / (2.0 * step);
+    const double inertial_force = mass_of(position, x) * dx[velocity];
+    // Round-off of the energy (of order 10 J through the centrifugal potential) over twice the step.
+    const double round_off = 20.0 * 2.2e-16 * 100.0 / (2.0 * step);
+    EXPECT_NEAR(inertial_force, external - slope, round_off + 1e-4 * std::abs(slope))
+        << "variable " << position;
+  };
+  for (int k = 0; k < kStates / 8; ++k) {
+    const Eigen::VectorXd shaken = test::shaken_state(model, bearing, parameters, 2e-5, 0.0, random);
+    Eigen::VectorXd x = shaken;
+    x.segment(2 * z, 3 * z).setZero();
+    x.segment(layout.cage() + 3, 3).setZero();
+    for (Eigen::Index i = 0; i < 2 * z; ++i) check(x, i, i + 2 * z, 0.0);
+    for (Eigen::Index i = 0; i < 3; ++i) check(x, layout.cage() + i, layout.cage() + 3 + i, 0.0);
+    for (Eigen::Index i = 0; i < 2; ++i) {
+      check(x, layout.bore() + i, layout.bore() + 2 + i, bore_load(model, 0.0)[i]);
+      check(x, layout.pin() + i, layout.pin() + 2 + i, 0.0);
+    }
+  }
+}
+
+// Along the motion, all that is stored changes by what enters less what is lost, in any state whatever.
+TEST_P(DynamicsIdentity, PowerBalancesInEveryState) {
+  point.carrier.acceleration = 300.0;
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const PlanetBearingEquations equations(model);
+  for (int k = 0; k < kStates; ++k) {
+    const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 5e-6, kSpeed, random);
+    Eigen::VectorXd dx(x.size());
+    const double time = 1e-3 * random();
+    equations.derivative(time, x, dx);
+    const double step = 1e-9;  // [s]
+    const double change =
+        (stored_energy(model, x + step * dx).total() - stored_energy(model, x - step * dx).total()) /
+        (2.0 * step);
+    const Snapshot now = snapshot(model, x);
+    const double entering = power_input(model, time, x, dx).total();
+    const double turned_over = std::abs(entering) + now.loss.total() + std::abs(change);
+    // Round-off of about 10 J over 2 ns, and contacts that open or close within the step.
+    EXPECT_NEAR(change, entering - now.loss.total(), 1.0 + 1e-5 * turned_over);
+  }
+}
+
+TEST_P(DynamicsIdentity, LossesAreNeverNegative) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  for (int k = 0; k < kStates; ++k) {
+    const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 3e-5, 3.0 * kSpeed, random);
+    const PowerLoss loss = snapshot(model, x).loss;
+    for (double one : {loss.race_damping, loss.inner_traction, loss.outer_traction, loss.rolling, loss.drag,
+                       loss.pockets, loss.guidance, loss.support})
+      EXPECT_GE(one, 0.0);
+    EXPECT_GT(loss.total(), 0.0);
+  }
+}
+
+// Forces inside the bearing cancel, and so do their moments about the origin.
+TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  for (int k = 0; k < kStates; ++k) {
+    const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 3e-5, kSpeed, random);
+    const ConstStateViews state = state_views(model.layout, x.data());
+    const RingBodies rings = ring_bodies(model, state);
+    RingWrenches on_rings;
+    Vector2 force = Vector2::Zero();
+    double moment = 0.0, scale = 0.0;
+    const auto add = [&](const Wrench& wrench, const Vector2& at) {
+      force += wrench.force;
+      moment += wrench.moment + cross(at, wrench.force);
+      scale += wrench.force.norm();
+    };
+    for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+      const RollerBody roller = roller_body(state, j);
+      const RollerForces forces = roller_forces(model, rings, roller, j);
+      for (const Wrench& wrench : {forces.inner.on_roller, forces.outer.on_roller, forces.pocket.on_roller})
+        add(wrench, roller.motion.position);
+      on_rings.add(forces);
+    }
+    on_rings.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
+    add(on_rings.cage, rings.cage.position);
+    add(on_rings.bore, rings.bore.position);
+    add(on_rings.pin, rings.pin.position);
+    const double round_off = 1e-14 * scale;
+    EXPECT_NEAR(force.norm(), 0.0, round_off);
+    EXPECT_NEAR(moment, 0.0, round_off * model.geometry.outer_radius);
+  }
+}
+
+// Rollers have no names: turning the cage by one pocket and renaming the rollers changes nothing.
+TEST_P(DynamicsIdentity, RollersCanBeRenamed) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const PlanetBearingEquations equations(model);
+  const Eigen::Index z = model.layout.rollers;
+  const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 1e-5, kSpeed, random);
+  Eigen::VectorXd renamed = x, dx(x.size()), renamed_dx(x.size());
+  for (Eigen::Index block = 0; block < 5; ++block)
+    for (Eigen::Index j = 0; j < z; ++j) renamed[block * z + j] = x[block * z + (j + 1) % z];
+  renamed[model.layout.cage() + 2] += 2.0 * M_PI / static_cast<double>(z);
+  equations.derivative(0.0, x, dx);
+  equations.derivative(0.0, renamed, renamed_dx);
+  const double round_off =
+      1e-10;  // relative: pocket depths are differences of lengths a thousand times as large
+  for (Eigen::Index block = 0; block < 5; ++block) {
+    const double scale = dx.segment(block * z, z).cwiseAbs().maxCoeff();
+    for (Eigen::Index j = 0; j < z; ++j)
+      EXPECT_NEAR(renamed_dx[block * z + j], dx[block * z + (j + 1) % z], round_off * scale);
+  }
+  EXPECT_NEAR((renamed_dx.tail(14) - dx.tail(14)).norm(), 0.0, round_off * dx.tail(14).norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, DynamicsIdentity,
+                         testing::Values(Variant{"dry", false, false, TractionLaw::regularised_coulomb},
+                                         Variant{"film", true, false, TractionLaw::regularised_coulomb},
+                                         Variant{"limiting_shear", false, false, TractionLaw::limiting_shear},
+                                         Variant{"inner_guidance", true, true, TractionLaw::limiting_shear}),
+                         [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics

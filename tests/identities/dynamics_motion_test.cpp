@@ -1,0 +1,208 @@
+// The bearing in motion: energy over time, convergence of the path, where unloaded rollers rest, the steady
+// state.
+#include <gtest/gtest.h>
+
+#include "bearing/dynamics/equations.hpp"
+#include "bearing/dynamics/snapshot.hpp"
+#include "coupling/integration/integrate.hpp"
+#include "coupling/integration/steady_state.hpp"
+#include "tests/unit/dynamics/reducer_bearing.hpp"
+
+namespace orbearing::bearing::dynamics {
+namespace {
+
+using integration::IntegrationOptions;
+using integration::Method;
+
+integration::RightHandSide motion_of(const PlanetBearingEquations& equations) {
+  return [&equations](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                      Eigen::Ref<Eigen::VectorXd> dx) { equations.derivative(time, x, dx); };
+}
+
+// The state with two more variables, the energy that has entered and that has been lost [J], which the
+// integrator carries along at its own order.
+struct Audit {
+  const PlanetBearingEquations& equations;
+  mutable Snapshot now;
+
+  void operator()(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                  Eigen::Ref<Eigen::VectorXd> dx) const {
+    const Eigen::Index n = x.size() - 2;
+    equations.derivative(time, x.head(n), dx.head(n));
+    take_snapshot(equations.model(), x.head(n), now);
+    dx[n] = power_input(equations.model(), time, x.head(n), dx.head(n)).total();
+    dx[n + 1] = now.loss.total();
+  }
+};
+
+class EnergyAudit : public testing::TestWithParam<bool> {};
+
+TEST_P(EnergyAudit, ClosesOverAMillisecond) {
+  constexpr double kClosure = 1e-6;  // of the energy turned over: what the issue asks of a step of 0.2 us
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.race.film_in_approach = GetParam();
+  const PlanetBearingEquations equations(bearing_model(bearing, test::reducer_point(6000.0), parameters));
+  const Eigen::Index n = equations.model().layout.size();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(n + 2);
+  x.head(n) = initial_state(bearing, equations.model(), parameters, 0.3).x;
+  const double before = stored_energy(equations.model(), x.head(n)).total();
+  const IntegrationOptions reference{.method = Method::rk4, .allowed_error = {}, .step = 2e-7};
+  const auto report = integration::integrate(Audit{equations, {}}, x, {0.0, 1e-3, 1}, reference, {});
+  ASSERT_TRUE(report.completed) << report.message;
+  const double after = stored_energy(equations.model(), x.head(n)).total();
+  const double turned_over = std::abs(x[n]) + x[n + 1] + std::abs(after - before);
+  EXPECT_GT(x[n + 1], 0.0);
+  EXPECT_NEAR(after - before, x[n] - x[n + 1], kClosure * turned_over);
+}
+
+INSTANTIATE_TEST_SUITE_P(DryAndFilm, EnergyAudit, testing::Bool());
+
+BearingModel model_at_6000_rpm(const CylindricalRollerBearing& bearing,
+                               const DynamicsParameters& parameters) {
+  return bearing_model(bearing, test::reducer_point(6000.0), parameters);
+}
+
+// A bearing and how its path over 0.3 ms depends on the step.
+class Path {
+ public:
+  Path(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters, Eigen::VectorXd start)
+      : equations_(model_at_6000_rpm(bearing, parameters)),
+        start_(std::move(start)),
+        weight_(
+            integration::bearing_allowed_errors(equations_.model().layout, 1.0, 17.8e-3, 6e5).cwiseInverse()),
+        exact_(end(Method::fixed_dopri5, 1.25e-8)) {}
+
+  /// Distance from the exact end of the path, as a length [m].
+  double error(Method method, double step) const {
+    return (end(method, step) - exact_).cwiseProduct(weight_).norm();
+  }
+
+ private:
+  Eigen::VectorXd end(Method method, double step) const {
+    Eigen::VectorXd x = start_;
+    const IntegrationOptions options{.method = method, .allowed_error = {}, .step = step};
+    const auto report = integration::integrate(motion_of(equations_), x, {0.0, 3e-4, 1}, options, {});
+    EXPECT_TRUE(report.completed) << report.message;
+    return x;
+  }
+
+  PlanetBearingEquations equations_;
+  Eigen::VectorXd start_;
+  Eigen::VectorXd weight_;
+  Eigen::VectorXd exact_;
+};
+
+// Preload keeps all race contacts closed and the cage floats free, so that the right-hand side is smooth and
+// the order shows.
+TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
+  constexpr double kMargin = 0.5;  // the term of next order, at steps near a fifth of the fastest decay time
+  CylindricalRollerBearing preloaded = test::reducer_bearing();
+  preloaded.radial_clearance = -30e-6;
+  DynamicsParameters free_cage = test::reducer_parameters();
+  free_cage.cage.pocket_clearance = 2e-3;
+  free_cage.cage.guide_diameter = 0.0;
+  test::Random random;
+  const Path path(
+      preloaded, free_cage,
+      test::shaken_state(model_at_6000_rpm(preloaded, free_cage), preloaded, free_cage, 3e-7, 5e-3, random));
+  EXPECT_NEAR(std::log2(path.error(Method::rk4, 2e-7) / path.error(Method::rk4, 1e-7)), 4.0, kMargin);
+  EXPECT_NEAR(std::log2(path.error(Method::fixed_dopri5, 2e-7) / path.error(Method::fixed_dopri5, 1e-7)), 5.0,
+              kMargin);
+}
+
+// The load of a pocket begins with a kink, that of a race as the power 10/9: touch within a step leaves an
+// error in speed of the order of step^2, whatever the method, which scatters with where in the step it falls.
+TEST(DynamicPath, ConvergesThroughImpacts) {
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const DynamicsParameters parameters = test::reducer_parameters();
+  constexpr double kLeastOrder = 1.5;  // 2 less the scatter of four starts over a factor of four in the step
+  for (Method method : {Method::rk4, Method::fixed_dopri5}) {
+    double coarse = 0.0, fine = 0.0;
+    for (double first_roller : {0.0, 0.1, 0.2, 0.3}) {
+      const Path path(
+          bearing, parameters,
+          initial_state(bearing, model_at_6000_rpm(bearing, parameters), parameters, first_roller).x);
+      coarse += path.error(method, 8e-7);
+      fine += path.error(method, 2e-7);
+    }
+    EXPECT_GT(std::log2(coarse / fine) / 2.0, kLeastOrder) << "errors " << coarse << " and " << fine;
+  }
+}
+
+// Share of the time that unloaded rollers on the sun side (cos theta < -0.3, out of the load zone) spend on
+// the pin, of the time they spend on either race.
+double share_on_pin(bool coriolis) {
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.inertia.coriolis = coriolis;
+  const integration::SteadyStateOptions options{.most_windows = 2, .observed_windows = 1, .integration = {}};
+  const auto run =
+      integration::run_to_steady_state(bearing, test::reducer_point(6000.0), parameters, options);
+  EXPECT_TRUE(run.completed) << run.message;
+  const auto sun_side = (run.series.angle > 1.9 && run.series.angle < 2.5)
+                            .cast<double>();  // 109 to 143 degrees: unloaded, sun side
+  const double on_pin = (sun_side * (run.series.inner_load > 0.0).cast<double>()).sum();
+  const double on_bore = (sun_side * (run.series.outer_load > 0.0).cast<double>()).sum();
+  return on_pin / (on_pin + on_bore);
+}
+
+TEST(CoriolisSwitch, SeatsUnloadedRollersOfTheSunSideOnThePin) {
+  EXPECT_GT(share_on_pin(true), 0.8);
+  EXPECT_LT(share_on_pin(false), 0.2);
+}
+
+// The steady state against the quasi-static bearing: the same loads within what the issue allows.
+TEST(SteadyState, AgreesWithTheQuasiStaticBearing) {
+  constexpr double kAgreement = 0.02;
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  for (double rpm : {6000.0, 12000.0}) {
+    const OperatingPoint point = test::reducer_point(rpm);
+    const QuasiStaticResult expected = quasi_static_bearing(bearing, point, {});
+    const auto run =
+        integration::run_to_steady_state(bearing, point, test::reducer_parameters(), {.integration = {}});
+    ASSERT_TRUE(run.completed) << run.message;
+    EXPECT_TRUE(run.steady);
+    const double inner = std::sqrt(expected.inner_load.square().mean());
+    const double outer = std::sqrt(expected.outer_load.square().mean());
+    EXPECT_NEAR(run.statistics.inner.load_rms, inner, kAgreement * inner) << rpm << " rpm";
+    EXPECT_NEAR(run.statistics.outer.load_rms, outer, kAgreement * outer) << rpm << " rpm";
+    EXPECT_NEAR(run.cage_slip(), 0.0, kAgreement);
+    EXPECT_TRUE(run.final_state.allFinite());
+  }
+}
+
+// Cage slip of the bearing in a housing at rest, 20 um clearance, one ring turning at 1000 rad/s.
+double slip_in_housing(double OperatingPoint::*turning, double load) {
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  bearing.radial_clearance = 20e-6;
+  OperatingPoint point;
+  point.*turning = 1000.0;
+  point.bore_load = {load, 0.0};
+  const integration::SteadyStateOptions options{.most_windows = 3, .observed_windows = 1, .integration = {}};
+  return integration::run_to_steady_state(bearing, point, test::reducer_parameters(), options).cage_slip();
+}
+
+// Centrifugal force holds unloaded rollers to the outer race. Where that race stands they brake the cage,
+// where it turns they carry the cage along; a load that presses enough rollers on the inner race holds it to
+// pure rolling.
+TEST(CageSlip, LagsBehindADrivingInnerRaceAndRunsAheadWithADrivingOuterRace) {
+  constexpr double kRolling =
+      0.02;  // pockets and clearance let the cage gain or lose about their share of the pitch
+  constexpr double kSkidding = 0.10;  // several times that: no clearance accounts for it
+  EXPECT_NEAR(slip_in_housing(&OperatingPoint::inner_speed, 1000.0), 0.0, kRolling);
+  EXPECT_NEAR(slip_in_housing(&OperatingPoint::outer_speed, 1000.0), 0.0, kRolling);
+  EXPECT_GT(slip_in_housing(&OperatingPoint::inner_speed, 10.0), kSkidding);
+  EXPECT_LT(slip_in_housing(&OperatingPoint::outer_speed, 10.0), -kSkidding);
+}
+
+TEST(SteadyState, RefusesABearingInWhichNothingTurns) {
+  OperatingPoint point = test::reducer_point(6000.0);
+  point.outer_speed = 0.0;
+  EXPECT_THROW(integration::run_to_steady_state(test::reducer_bearing(), point, test::reducer_parameters(),
+                                                {.integration = {}}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,77 @@
+#include "bearing/dynamics/model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bearing/dynamics/equations.hpp"
+#include "bearing/dynamics/snapshot.hpp"
+#include "tests/unit/dynamics/reducer_bearing.hpp"
+
+namespace orbearing::bearing::dynamics {
+namespace {
+
+std::string complaint(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters) {
+  try {
+    bearing_model(bearing, test::reducer_point(6000.0), parameters);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
+  using testing::HasSubstr;
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const DynamicsParameters parameters = test::reducer_parameters();
+  EXPECT_EQ(complaint(bearing, parameters), "accepted");
+
+  CylindricalRollerBearing no_cage = bearing;
+  no_cage.cage = {};
+  EXPECT_THAT(complaint(no_cage, parameters), HasSubstr("mass of the cage"));
+  DynamicsParameters tight_land = parameters;
+  tight_land.cage.guide_diameter = 38.0e-3;
+  EXPECT_THAT(complaint(bearing, tight_land), HasSubstr("clearance of cage and land"));
+  DynamicsParameters dry_film = parameters;
+  dry_film.race.film_in_approach = true;
+  dry_film.lubricant = {};
+  EXPECT_THAT(complaint(bearing, dry_film), HasSubstr("viscosity"));
+  DynamicsParameters no_support = parameters;
+  no_support.support.stiffness = 0.0;
+  EXPECT_THAT(complaint(bearing, no_support), HasSubstr("support stiffness"));
+  DynamicsParameters not_a_number = parameters;
+  not_a_number.cage.pocket_clearance = std::nan("");
+  EXPECT_THAT(complaint(bearing, not_a_number), HasSubstr("pocket clearance"));
+}
+
+TEST(BearingModel, RippleAddsToTheTangentialLoad) {
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.ripple = {.amplitude = 20.0, .angular_frequency = 1000.0, .phase = 0.5};
+  const OperatingPoint point = test::reducer_point(6000.0);
+  const BearingModel model = bearing_model(test::reducer_bearing(), point, parameters);
+  EXPECT_EQ(bore_load(model, 0.003).x(), point.bore_load.x());
+  EXPECT_DOUBLE_EQ(bore_load(model, 0.003).y(), point.bore_load.y() + 20.0 * std::sin(3.5));
+}
+
+// The run begins in balance: the quasi-static loads are those the equations see, film or not.
+TEST(InitialState, CarriesTheQuasiStaticLoads) {
+  for (bool film : {false, true}) {
+    const CylindricalRollerBearing bearing = test::reducer_bearing();
+    DynamicsParameters parameters = test::reducer_parameters();
+    parameters.race.film_in_approach = film;
+    const OperatingPoint point = test::reducer_point(6000.0);
+    const BearingModel model = bearing_model(bearing, point, parameters);
+    const Snapshot start = snapshot(model, initial_state(bearing, model, parameters, 0.2).x);
+    QuasiStaticOptions options;
+    if (film) options.film = parameters.lubricant;
+    const QuasiStaticState balance = quasi_static_state(bearing, point, options, 0.2);
+    // Second order in displacement / pitch radius (3e-4) on the direction of the line of centres, and the
+    // film at a speed that differs as little.
+    const double geometric = 2e-3 * balance.inner_load.maxCoeff();
+    for (int j = 0; j < bearing.rollers; ++j)
+      EXPECT_NEAR(start.inner.load[j], balance.inner_load[j], geometric)
+          << "film " << film << " roller " << j;
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics
