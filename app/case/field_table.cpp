@@ -8,6 +8,27 @@ namespace orbearing::app {
 
 namespace {
 
+// Place of a path among its neighbours: for each of its blocks, when the table first names it.
+using BlockOrder = std::vector<std::size_t>;
+
+BlockOrder block_order(const std::string& path, std::map<std::string, std::size_t>& first_seen) {
+  BlockOrder order;
+  for (std::size_t dot = path.find('.');; dot = path.find('.', dot + 1)) {
+    order.push_back(first_seen.try_emplace(path.substr(0, dot), first_seen.size()).first->second);
+    if (dot == std::string::npos) return order;
+  }
+}
+
+// Blocks stay together in what is written from the table, whichever file adds their fields.
+std::vector<Field> grouped(std::vector<Field> fields) {
+  std::map<std::string, std::size_t> first_seen;
+  std::map<std::string, BlockOrder> order;
+  for (const Field& field : fields) order[field.path] = block_order(field.path, first_seen);
+  std::stable_sort(fields.begin(), fields.end(),
+                   [&](const Field& a, const Field& b) { return order[a.path] < order[b.path]; });
+  return fields;
+}
+
 std::vector<Field> build_table() {
   std::vector<Field> fields;
   table::add_case_fields(fields);
@@ -15,7 +36,7 @@ std::vector<Field> build_table() {
   table::add_bearing_fields(fields);
   table::add_condition_fields(fields);
   table::add_dynamics_fields(fields);
-  return fields;
+  return grouped(std::move(fields));
 }
 
 // Levenshtein's distance: least number of characters put in, taken out or replaced.

@@ -6,6 +6,7 @@
 
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/ledger.hpp"
+#include "app/study/life_peak.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/study/ablation.hpp"
 
@@ -90,6 +91,7 @@ Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::Drivetra
              {"cage_outer_mm", 1e3 * b.cage.outer_diameter},
              {"bore_mm", 1e3 * b.bore},
              {"outside_mm", 1e3 * b.outside_diameter},
+             {"guide_land_mm", 1e3 * drivetrain.dynamics.cage.guide_diameter},
              {"clearance_um", 1e6 * b.radial_clearance}};
   const std::size_t stride = static_cast<std::size_t>(drivetrain.cage_positions);
   for (std::size_t place = 0; place < point.distribution.angle.size(); place += stride) {
@@ -112,6 +114,28 @@ Json ablation_curves(const study::PlanetaryDrivetrain& drivetrain, const std::ve
                     {"life_h", lives},
                     {"peak_speed_rpm", kRpm * best_speed},
                     {"peak_life_h", *best}});
+  }
+  return list;
+}
+
+Json dynamic_ablation(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm) {
+  std::vector<double> speeds;
+  for (const double rpm : speeds_rpm) speeds.push_back(rpm / kRpm);
+  const std::vector<study::Ablation> ablations = study::dynamic_ablations();
+  const std::vector<study::PointResult> points =
+      study::evaluate_all(drivetrain, ablations, speeds, study::Fidelity::dynamic);
+  Json list = Json::array();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % speeds.size() == 0)
+      list.push_back({{"name", ablations[i / speeds.size()].name}, {"points", Json::array()}});
+    Json& row = list.back()["points"];
+    row.push_back({{"speed_rpm", speeds_rpm[i % speeds.size()]}, {"status", points[i].status}});
+    if (!points[i].dynamic) continue;
+    row.back().update({{"life_h", points[i].life_hours},
+                       {"cage_slip", points[i].cage_slip},
+                       {"roller_slip", points[i].dynamic->roller_slip},
+                       {"power_loss_W", points[i].dynamic->loss.total()},
+                       {"outer_load_rms_N", points[i].outer.load_rms}});
   }
   return list;
 }
@@ -180,6 +204,9 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["ledger"] = rows_json(ledger);
   data["worth"] = worth_json(ledger);
   data["dynamic"] = nullptr;
+  if (outcome.header.fidelity == "dynamic")
+    data["dynamic"] = {{"ablation", dynamic_ablation(drivetrain, shown_speeds(grid))},
+                       {"quasi_static", {{"polar", data["polar"]}}}};
   return data;
 }
 

@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <boost/math/constants/constants.hpp>
+#include <Eigen/Core>
 #include <boost/version.hpp>
 
 #include "app/case/field_table.hpp"
@@ -12,14 +11,13 @@
 #include "app/results/terminal_chart.hpp"
 #include "app/results/terminal_table.hpp"
 #include "app/study/drivetrain_case.hpp"
+#include "app/study/life_peak.hpp"
 #include "app/version.hpp"
-#include "coupling/study/peak.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-constexpr double kRadiansPerSecond = boost::math::double_constants::pi / 30.0;  // of 1 rpm
 const std::string kSpeedPath = "input.speed";
 
 std::string label_of(const std::vector<Setting>& settings) {
@@ -65,40 +63,6 @@ study::PointResult compute_point(const ResolvedCase& resolved, std::size_t index
   return study::evaluate(drivetrain, study::derive(drivetrain), fidelity);
 }
 
-// Speeds of the swept axis next to the best one [rad/s], in ascending order with the best between them.
-std::vector<double> neighbours(const ResolvedCase& resolved, double best) {
-  std::vector<double> speeds;
-  for (const SweepAxis& axis : resolved.axes()) {
-    if (axis.path != kSpeedPath) continue;
-    for (const std::string& value : axis.values)
-      speeds.push_back(resolved.with(kSpeedPath, value).quantity(kSpeedPath));
-  }
-  std::sort(speeds.begin(), speeds.end());
-  const auto above = std::upper_bound(speeds.begin(), speeds.end(), best);
-  const auto below = std::lower_bound(speeds.begin(), speeds.end(), best);
-  return {below == speeds.begin() ? best : *(below - 1), above == speeds.end() ? best : *above};
-}
-
-std::size_t best_index(const SweepOutcome& outcome, double life_h) {
-  std::size_t row = 0;
-  while (value_of(outcome.head, outcome.rows[row], "life_h") != life_h) ++row;
-  const auto& shard = outcome.header.shard;
-  return shard ? row * shard->count + shard->index - 1 : row;
-}
-
-void refine(const ResolvedCase& at_best, const std::vector<double>& bracket, FoundPeak& found) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(at_best);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-  const study::Extremum best = study::largest(
-      [&](double speed) { return study::life_at(drivetrain, geometry, speed); }, bracket[0], bracket[1]);
-  found.peak.refined_speed_rpm = best.speed / kRadiansPerSecond;
-  found.peak.refined_life_h = best.value;
-  if (!best.inside)
-    found.warnings.push_back(
-        "sweep.input.speed: life still rises at the end of the swept range; widen it to find "
-        "the peak");
-}
-
 }  // namespace
 
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
@@ -120,17 +84,6 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
       fidelity == "dynamic" ? study::Fidelity::dynamic : study::Fidelity::quasi_static;
   request.evaluate = [resolved, level](std::size_t index) { return compute_point(resolved, index, level); };
   return request;
-}
-
-FoundPeak find_peak(const ResolvedCase& resolved, const SweepOutcome& outcome) {
-  FoundPeak found{.peak = grid_peak(outcome.head, outcome.rows)};
-  const bool speed_swept = std::any_of(resolved.axes().begin(), resolved.axes().end(),
-                                       [](const SweepAxis& axis) { return axis.path == kSpeedPath; });
-  if (!speed_swept || !(found.peak.life_h > 0.0)) return found;
-  const ResolvedCase at_best = resolved.with(sweep_point(resolved, best_index(outcome, found.peak.life_h)));
-  const std::vector<double> bracket = neighbours(resolved, at_best.quantity(kSpeedPath));
-  if (bracket[0] < bracket[1]) refine(at_best, bracket, found);
-  return found;
 }
 
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved) {

@@ -15,14 +15,6 @@ namespace orbearing::app {
 /// are left to the caller. Throws BadInput where the case's model has no sweep.
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity);
 
-/// Peak of life on the grid and, on the axis of input.speed, between its points. The continuous peak is
-/// sought with the quasi-static model, all other axes as at the best point; NaN where speed is not swept.
-struct FoundPeak {
-  LifePeak peak;
-  std::vector<std::string> warnings;
-};
-FoundPeak find_peak(const ResolvedCase& resolved, const SweepOutcome& outcome);
-
 /// `assumptions`, `warnings` and `versions` as results carry them.
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved);
 nlohmann::ordered_json versions_json();

@@ -40,9 +40,10 @@ struct FilmResistance {
   double across = 0.0;  // [-]
 };
 
-/// Resistance at `eccentricity` [-] < 1 when v' points at `direction` [rad] from the eccentricity. Closed
-/// form by the substitution of [Sommerfeld1904] in the short bearing of [Ocvirk1952]; its steady state is
-/// Eqs. (24) and (25) of [Gai2025].
+/// Resistance at `eccentricity` [-] < 1 against a squeeze velocity along `direction` (any length), given in
+/// axes along the eccentricity and across it; none where its length is zero. Closed form by the substitution
+/// of [Sommerfeld1904] in the short bearing of [Ocvirk1952]; its steady state is Eqs. (24) and (25) of
+/// [Gai2025].
 FilmResistance half_film_resistance(double eccentricity, const Vector2& direction);
 
 /// Forces between the cage and the ring whose land guides it. The film feels the velocity of the cage less

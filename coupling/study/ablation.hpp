@@ -19,6 +19,15 @@ struct Ablation {
 /// The drivetrain as it stands, then each effect switched in turn.
 std::vector<Ablation> ablations();
 
+/// What the motion in time is asked: the drivetrain as it stands, then each effect in turn.
+std::vector<Ablation> dynamic_ablations();
+
+/// One point for each ablation and input speed [rad/s], ablation by ablation; computed in parallel. A point
+/// that fails holds its reason in `status`.
+std::vector<PointResult> evaluate_all(const PlanetaryDrivetrain& drivetrain,
+                                      const std::vector<Ablation>& ablations,
+                                      const std::vector<double>& speeds, Fidelity fidelity);
+
 /// Life [h] of one bearing over input speeds [rad/s] with `ablation` in force.
 std::vector<double> life_over_speed(const PlanetaryDrivetrain& drivetrain, const Ablation& ablation,
                                     const std::vector<double>& speeds);

@@ -32,7 +32,19 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "film_inner_um",
                                            "film_outer_um",
                                            "status",
-                                           "radial_mesh_load_N"};
+                                           "radial_mesh_load_N",
+                                           "roller_slip",
+                                           "friction_moment_N_m",
+                                           "power_loss_W",
+                                           "power_loss_race_damping_W",
+                                           "power_loss_inner_traction_W",
+                                           "power_loss_outer_traction_W",
+                                           "power_loss_rolling_W",
+                                           "power_loss_drag_W",
+                                           "power_loss_pockets_W",
+                                           "power_loss_guidance_W",
+                                           "power_loss_support_W",
+                                           "steady"};
 
 study::PointResult at_6000_rpm() {
   study::PointResult result = testing::fake_result(0);
@@ -42,6 +54,11 @@ study::PointResult at_6000_rpm() {
 
 std::uint64_t bits_of(double value) {
   return std::bit_cast<std::uint64_t>(value);
+}
+
+std::string commas_after_status() {
+  const TableHead head = table_head({});
+  return std::string(head.names.size() - 1 - head.status_place, ',');
 }
 
 TEST(ResultRow, ColumnsStandInThePromisedOrderAndAxesFollow) {
@@ -70,13 +87,31 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.life_hours = 14.0;
   result.system_life_hours = 15.0;
   result.cage_slip = 16.0;
+  result.dynamic = study::DynamicRecord{.steady = true,
+                                        .roller_slip = 18.0,
+                                        .friction_moment = 19.0,
+                                        .loss = {.race_damping = 1.0,
+                                                 .inner_traction = 2.0,
+                                                 .outer_traction = 4.0,
+                                                 .rolling = 8.0,
+                                                 .drag = 16.0,
+                                                 .pockets = 32.0,
+                                                 .guidance = 64.0,
+                                                 .support = 128.0}};
   const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
-  const std::vector<double> expected = {0, 1, 2, 3, 4, 6, 7, 10, 11, 8, 12, 14, 15, 16, 9, 13, -1, 5, 17};
+  const std::vector<double> expected = {0,  1, 2,  3,  4,   6, 7, 10, 11, 8,  12, 14, 15,  16, 9, 13,
+                                        -1, 5, 18, 19, 255, 1, 2, 4,  8,  16, 32, 64, 128, 1,  17};
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (i != head.status_place) {
       EXPECT_EQ(row.values.at(i), expected[i]) << head.names[i];
     }
+}
+
+TEST(ResultRow, QuasiStaticPointHasNoDynamicNumbers) {
+  const ResultRow row = result_row(at_6000_rpm(), {});
+  for (const char* name : {"roller_slip", "friction_moment_N_m", "power_loss_W", "steady"})
+    EXPECT_TRUE(std::isnan(value_of(table_head({}), row, name))) << name;
 }
 
 TEST(ResultRow, FailedPointKeepsSpeedAndAxesOnly) {
@@ -103,7 +138,7 @@ TEST(RowText, CsvQuotesTextAndLeavesMissingValuesEmpty) {
   study::PointResult result = at_6000_rpm();
   result.status = "no \"balance\", found";
   EXPECT_EQ(csv_line(table_head({}), result_row(result, {})),
-            "6000,,,,,,,,,,,,,,,,\"no \"\"balance\"\", found\",\n");
+            "6000,,,,,,,,,,,,,,,,\"no \"\"balance\"\", found\"" + commas_after_status() + "\n");
   EXPECT_EQ(csv_head({{"a", "status"}, 1}), "a,status\n");
 }
 
