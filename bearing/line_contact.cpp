@@ -1,5 +1,6 @@
 #include "bearing/line_contact.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace orbearing::bearing {
@@ -31,6 +32,13 @@ double LineContact::stiffness(double approach) const {
 
 double LineContact::energy(double approach) const {
   return load(approach) * (approach > 0.0 ? approach : 0.0) / (kLoadExponent + 1.0);
+}
+
+double hertz_pressure(double load, double equivalent_radius, double length, const Material& material) {
+  const double reduced_modulus =
+      material.youngs_modulus / (1.0 - material.poisson_ratio * material.poisson_ratio);
+  return std::sqrt(load * reduced_modulus /
+                   (boost::math::double_constants::two_pi * equivalent_radius * length));
 }
 
 LineContact roller_race_contact(ContactLaw law, double length) {

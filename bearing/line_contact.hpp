@@ -29,6 +29,10 @@ class LineContact {
   double inverse_power_;  // K^(-9/10)
 };
 
+/// Largest pressure [Pa] of a long roller on its race under `load` [N], after Hertz: sqrt(Q E' / (2 pi R l))
+/// with the equivalent radius R [m], the effective length l [m] and E' = E / (1 - nu^2) [Pa]. [Harris2006]
+double hertz_pressure(double load, double equivalent_radius, double length, const Material& material);
+
 /// Contact of one roller of `length` [m] with one race: K = 8.06e4 l^(8/9) of Palmgren in N and mm, Eq. (13)
 /// of [Gai2025], or 2^(10/9) times c_L = 35948 l^(8/9) of [ISO16281], which holds for both contacts in
 /// series.

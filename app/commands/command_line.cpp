@@ -1,7 +1,9 @@
 #include "app/commands/command_line.hpp"
 
 #include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "app/errors.hpp"
 #include "app/version.hpp"
@@ -16,8 +18,7 @@ constexpr int kBadInput = 2;
 
 using Command = int (*)(const Options&);
 
-void add_case(CLI::App& command, Options& options) {
-  command.add_option("CASE", options.case_file, "case file")->required();
+void add_settings(CLI::App& command, Options& options) {
   command
       .add_option("--set", options.settings,
                   "path=value: replace one independent value; repeatable, e.g. --set \"input.power=75 kW\"")
@@ -25,6 +26,11 @@ void add_case(CLI::App& command, Options& options) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("PATH=VALUE");
+}
+
+void add_case(CLI::App& command, Options& options) {
+  command.add_option("CASE", options.case_file, "case file")->required();
+  add_settings(command, options);
 }
 
 void add_output(CLI::App& command, Options& options) {
@@ -58,7 +64,7 @@ struct CommandTable {
   CLI::App& add(const char* name, const char* purpose, Command command) {
     CLI::App& sub = *program.add_subcommand(name, purpose);
     sub.add_flag("--json", options.json, "print the result as one JSON object and nothing else");
-    sub.add_flag("--quiet", options.quiet, "no progress, no tables");
+    sub.add_flag("--quiet", options.quiet, "print nothing but errors");
     sub.callback([this, command] { chosen = command; });
     return sub;
   }
@@ -70,12 +76,31 @@ void add_commands(CommandTable table) {
   add_computing(table.add("run", "the case's analysis at its operating point", run_command), options);
   add_sweep(table.add("sweep", "all operating points of the case", sweep_command), options);
   CLI::App& merge = table.add("merge", "join the shards of a sweep", merge_command);
+  add_settings(merge, options);
   merge.add_option("DIR", options.folders, "folders of the shards")->required();
   add_output(merge, options);
   CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
+  add_settings(validate, options);
   validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);
+  add_settings(report, options);
   report.add_option("DIR", options.folders, "folder of a sweep")->required()->expected(1);
+}
+
+bool known(const CLI::App& program, const std::string& word) {
+  const std::vector<const CLI::App*> commands = program.get_subcommands({});
+  return std::any_of(commands.begin(), commands.end(),
+                     [&](const CLI::App* command) { return command->check_name(word); });
+}
+
+// The name of a command that does not exist, or is planned, is told as such and not as a missing command.
+void require_known_command(const CLI::App& program, int argc, char** argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  if (word.empty() || word.front() == '-' || known(program, word)) return;
+  const bool planned = std::string(" crown modes mesh fmu ").find(" " + word + " ") != std::string::npos;
+  throw BadInput(
+      fmt::format("orbearing: found the command {}{}; required: check, run, sweep, merge, validate or report",
+                  word, planned ? ", which this version does not have yet" : ""));
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -86,6 +111,7 @@ int parse_and_run(int argc, char** argv) {
   program.require_subcommand(1);
   CommandTable table{program, options, chosen};
   add_commands(table);
+  require_known_command(program, argc, argv);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -54,6 +54,9 @@ int draw(const fs::path& folder) {
 }  // namespace
 
 int report_command(const Options& options) {
+  if (!options.settings.empty())
+    throw BadInput("--set: " + options.settings.front() +
+                   ": found with report; required: set it in the sweep");
   const fs::path folder = options.folders.front();
   const Manifest manifest = read_results(folder);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());

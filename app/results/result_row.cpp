@@ -15,6 +15,7 @@ constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr double rpm_per_rad_s = 9.549296585513721;  // 30 / pi
 constexpr double million_revolutions = 1e-6;
 constexpr double micrometres = 1e6;
+constexpr double megapascals = 1e-6;
 
 /// Messages of libraries may hold line ends or bytes that are not UTF-8; tables and JSON need neither.
 std::string printable(const std::string& status) {
@@ -84,6 +85,9 @@ const std::vector<Column>& trailing_columns() {
   static const std::vector<Column> columns = {
       {"radial_mesh_load_N", "radial_mesh_load", "N", "outward load of both meshes", 1.0,
        [](const PointResult& r) { return r.radial_mesh_load; }},
+      {"contact_pressure_max_MPa", "contact_pressure_max", "Pa",
+       "largest pressure of roller and race, after Hertz", megapascals,
+       [](const PointResult& r) { return r.contact_pressure; }},
       {"roller_slip", "roller_slip", "1", "one less the mean roller spin over that at pure rolling", 1.0,
        [](const PointResult& r) { return r.dynamic ? r.dynamic->roller_slip : not_given; }},
       {"friction_moment_N_m", "friction_moment", "N m", "friction moment of the bearing on the bore", 1.0,

@@ -89,8 +89,10 @@ std::function<double(double)> continuous_life(const ResolvedCase& at_best,
 void refine(const ResolvedCase& at_best, const std::vector<AxisPoint>& near, FoundPeak& found) {
   const study::Extremum best =
       study::largest(continuous_life(at_best, near), near.front().speed, near.back().speed);
-  found.peak.refined_speed_rpm = best.speed / kRadiansPerSecond;
-  found.peak.refined_life_h = best.value;
+  // At an end of the range, or where the search could not better the grid, the grid's own point stands.
+  const bool better = best.inside && best.value > found.peak.life_h;
+  found.peak.refined_speed_rpm = better ? best.speed / kRadiansPerSecond : found.peak.speed_rpm;
+  found.peak.refined_life_h = better ? best.value : found.peak.life_h;
   if (!best.inside)
     found.warnings.push_back(
         "sweep.input.speed: life still rises at the end of the swept range; widen it to find the peak");

@@ -8,6 +8,7 @@
 #include "app/study/ledger.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/sweep_study.hpp"
+#include "app/study/sweep_warnings.hpp"
 #include "coupling/study/ablation.hpp"
 
 namespace orbearing::app {
@@ -190,8 +191,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   // The published numbers belong to the shipped case of this name, changed by the user or not.
   const Ledger ledger = ledger_of(resolved, read_expected(shipped_expected(resolved.text("name"))));
   Json data = sweep_json(outcome, found.peak, assumptions_with_worth(resolved, ledger.worth),
-                         case_warnings(resolved), versions_json());
-  for (const std::string& warning : found.warnings) data["warnings"].push_back(warning);
+                         sweep_warnings(resolved, outcome, found), versions_json());
   data["case"] = {{"name", resolved.text("name")},
                   {"source", resolved.text("source")},
                   {"model", resolved.choice("model")}};

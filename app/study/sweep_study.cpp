@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <boost/version.hpp>
 
 #include "app/case/field_table.hpp"
@@ -12,6 +13,7 @@
 #include "app/results/terminal_table.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/sweep_warnings.hpp"
 #include "app/version.hpp"
 
 namespace orbearing::app {
@@ -26,17 +28,29 @@ std::string label_of(const std::vector<Setting>& settings) {
   return label;
 }
 
-// Values of the other axes stand in the table as they are held: in SI units, or as plain numbers.
+// "kg/m3" as part of a column's name.
+std::string in_name(std::string_view unit) {
+  std::string name;
+  for (const char c : unit) name += c == '/' ? "_per_" : c == '.' ? "_" : std::string(1, c);
+  return name;
+}
+
+// Values of the other axes stand in the table in the customary unit of their field, or as plain numbers.
 SweptAxis swept_axis(const SweepAxis& axis) {
   const Field& field = *find_field(axis.path);
-  const std::string unit = field.kind == Kind::quantity ? std::string(field.dimension.si) : "1";
-  return {.column = axis.path, .units = unit, .meaning = field.meaning};
+  if (field.kind == Kind::quantity)
+    return {.column = axis.path + "_" + in_name(field.dimension.customary),
+            .units = std::string(field.dimension.customary),
+            .meaning = field.meaning};
+  return {.column = axis.path, .units = "1", .meaning = field.meaning};
 }
 
 double axis_value(const ResolvedCase& resolved, const std::string& path) {
-  switch (find_field(path)->kind) {
+  const Field& field = *find_field(path);
+  switch (field.kind) {
     case Kind::quantity:
-      return resolved.quantity(path);
+      return in_table_unit(resolved.quantity(path),
+                           *convert(1.0, field.dimension.si, field.dimension.customary).value);
     case Kind::integer:
       return resolved.integer(path);
     default:
@@ -68,7 +82,7 @@ study::PointResult compute_point(const ResolvedCase& resolved, std::size_t index
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; a sweep requires planetary-drivetrain");
+                   "; required: planetary-drivetrain, the one model that this version computes");
   SweepRequest request;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) request.points.push_back(point_of(resolved, i));
   request.header = {.case_name = resolved.text("name"),
@@ -102,14 +116,19 @@ nlohmann::ordered_json versions_json() {
           {"boost", BOOST_LIB_VERSION}};
 }
 
-std::vector<std::string> case_warnings(const ResolvedCase& resolved) {
-  return gear_warnings(study::derive(drivetrain_of(resolved)));
+namespace {
+
+const std::string& first_failure(const SweepOutcome& outcome) {
+  const auto failed =
+      std::find_if(outcome.rows.begin(), outcome.rows.end(), [](const ResultRow& row) { return !row.ok(); });
+  return failed->status;
 }
+
+}  // namespace
 
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, bool json, bool quiet) {
   const FoundPeak found = find_peak(resolved, outcome);
-  std::vector<std::string> warnings = case_warnings(resolved);
-  warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+  const std::vector<std::string> warnings = sweep_warnings(resolved, outcome, found);
   if (json) {
     fmt::print(
         "{}\n",
@@ -119,7 +138,10 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, boo
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()));
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
   }
-  return outcome.failed > 0 ? 1 : 0;
+  if (outcome.failed == 0) return 0;
+  fmt::print(stderr, "{} of {} points failed; their rows say why, the first: {}\n", outcome.failed,
+             outcome.rows.size(), first_failure(outcome));
+  return 1;
 }
 
 }  // namespace orbearing::app

@@ -15,12 +15,12 @@ namespace orbearing::app {
 /// are left to the caller. Throws BadInput where the case's model has no sweep.
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity);
 
-/// `assumptions`, `warnings` and `versions` as results carry them.
+/// `assumptions` and `versions` as results carry them.
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved);
 nlohmann::ordered_json versions_json();
-std::vector<std::string> case_warnings(const ResolvedCase& resolved);
 
-/// Prints what a finished sweep found: JSON, or the table, the chart and the peak. Returns the exit code.
+/// Prints what a finished sweep found: JSON, or the table, the chart and the peak;
+/// points that failed are told on standard error in any case. Returns the exit code.
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, bool json, bool quiet);
 
 }  // namespace orbearing::app

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/errors.hpp"
+#include "app/results/result_row.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "coupling/study/operating_point.hpp"
 
@@ -66,11 +67,16 @@ LifeCurve life_curve(const ResolvedCase& resolved) {
   LifeCurve curve;
   for (const double speed : swept_speeds(resolved)) {
     drivetrain.drive.speed = speed;
-    const study::PointResult point = study::evaluate(drivetrain, geometry);
-    curve.speed_rpm.push_back(speed / kRadiansPerSecond);
-    curve.life_h.push_back(point.life_hours);
-    curve.roller_load_rms.push_back(point.outer.load_rms);
+    try {
+      const study::PointResult point = study::evaluate(drivetrain, geometry);
+      curve.speed_rpm.push_back(in_table_unit(speed, 1.0 / kRadiansPerSecond));
+      curve.life_h.push_back(point.life_hours);
+      curve.roller_load_rms.push_back(point.outer.load_rms);
+    } catch (const std::runtime_error&) {
+      continue;  // the sweep tells why
+    }
   }
+  if (curve.speed_rpm.empty()) throw ComputationFailed("no point of the sweep has a life");
   return curve;
 }
 

@@ -16,7 +16,8 @@ struct LifeCurve {
   std::vector<double> roller_load_rms;  // [N]  on the outer race
 };
 
-/// Curve of `resolved` over its axis of input.speed; over its one speed where it has none.
+/// Curve of `resolved` over its axis of input.speed; over its one speed where it has none. Points that fail
+/// are left out. Throws ComputationFailed where none is left.
 LifeCurve life_curve(const ResolvedCase& resolved);
 
 /// A named property of a curve, such as "peak_life_h"; NaN for a name that is not known.

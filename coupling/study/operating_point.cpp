@@ -1,10 +1,12 @@
 #include "coupling/study/operating_point.hpp"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "bearing/line_contact.hpp"
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
 
@@ -124,6 +126,15 @@ void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
   result.centrifugal_load = total.x() - result.radial_mesh_load;
 }
 
+double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                        const PointResult& result) {
+  const auto pressure = [&](Race race, double load) {
+    return bearing::hertz_pressure(load, bearing::equivalent_radius(geometry.bearing, race),
+                                   drivetrain.bearing.roller_length, drivetrain.bearing.material);
+  };
+  return std::max(pressure(Race::inner, result.inner.load_max), pressure(Race::outer, result.outer.load_max));
+}
+
 }  // namespace
 
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -132,6 +143,7 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
   PointResult result = fidelity == Fidelity::dynamic ? dynamic_point(drivetrain, geometry, duty)
                                                      : quasi_static_point(drivetrain, duty);
   put_loads(drivetrain, geometry, duty, result);
+  result.contact_pressure = largest_pressure(drivetrain, geometry, result);
   return result;
 }
 

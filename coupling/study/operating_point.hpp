@@ -49,6 +49,7 @@ struct PointResult {
   RaceResult outer;
   double life_hours = 0.0;         // [h]  one bearing
   double system_life_hours = 0.0;  // [h]  all planet bearings of the set
+  double contact_pressure = 0.0;   // [Pa] largest of both races, after Hertz
   double cage_slip = 0.0;          // [-]  1 - cage speed / kinematic cage speed
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model

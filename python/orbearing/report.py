@@ -18,13 +18,13 @@ USAGE = "usage: python3 -m orbearing.report DIR"
 def build(folder: Path) -> str:
     """The page of a result folder as text; the same results give the same bytes."""
     from orbearing import style
-    from orbearing.figures import BLOCKS
+    from orbearing.figures import blocks_of
     from orbearing.page import page
     from orbearing.result_folder import read_report
 
     report = read_report(folder)
     with style.context():
-        return page(report, [block(report) for block in BLOCKS])
+        return page(report, blocks_of(report))
 
 
 def write_aside(path: Path, text: str) -> None:

@@ -41,6 +41,7 @@ class Report:
     """The content of report.json; keys and units as the file names them."""
 
     content: dict
+    folder: Path | None = None  # where the files of the points lie
 
     def record(self, key: str) -> dict:
         return record(self.content.get(key))
@@ -55,6 +56,24 @@ class Report:
     @property
     def fidelity(self) -> str:
         return str(self.content.get("fidelity") or "unknown fidelity")
+
+    @property
+    def is_dynamic(self) -> bool:
+        return self.fidelity == "dynamic"
+
+    @property
+    def peak_speed(self) -> float | None:
+        """Speed [rpm] of the best point of the sweep."""
+        speed = self.record("peak").get("speed_rpm")
+        return speed if is_number(speed) else None
+
+    @property
+    def shown_speeds(self) -> list[float]:
+        """Lowest, best and highest speed [rpm] of the points that have a life."""
+        speeds = [p["input_speed_rpm"] for p in self.records("points")
+                  if is_number(p.get("input_speed_rpm")) and is_number(p.get("life_h"))]
+        best = [min(speeds, key=lambda speed: abs(speed - self.peak_speed))] if speeds and self.peak_speed else []
+        return sorted({min(speeds), *best, max(speeds)}) if speeds else []
 
     @property
     def failed_points(self) -> list[dict]:
@@ -73,4 +92,4 @@ def read_report(folder: Path) -> Report:
         raise BadInput(f"{path}: is not JSON ({error}); one JSON object is required; {remedy}") from error
     if not isinstance(content, dict):
         raise BadInput(f"{path}: found {type(content).__name__}; one JSON object is required; {remedy}")
-    return Report(content)
+    return Report(content, folder)

@@ -85,9 +85,16 @@ def speed_axis(axes: Axes) -> None:
     thousands(axes.xaxis)
 
 
-def legend_above(axes: Axes, columns: int = 2) -> None:
-    """The legend stands above the axes, where it cannot cover data."""
-    axes.legend(loc="lower left", bbox_to_anchor=(0, 1.02), borderaxespad=0, ncol=columns, columnspacing=1.4)
+def legend_above(axes: Axes, columns: int = 2, height: float = 1.02) -> None:
+    """The legend stands above the axes, where it cannot cover data; `height` in heights of the axes."""
+    axes.legend(loc="lower left", bbox_to_anchor=(0, height), borderaxespad=0, ncol=columns, columnspacing=1.4)
+
+
+def shade(axes: Axes, across, where, label: str) -> None:
+    """A pale background over the stretches of `across` that `where` marks, if any."""
+    if any(where):
+        axes.fill_between(across, 0, 1, where=where, transform=axes.get_xaxis_transform(), color=ORANGE, alpha=0.16,
+                          linewidth=0, label=label)
 
 
 def legend_label(text: str) -> str:

@@ -26,6 +26,7 @@ SIZES = {
     "roller_diameter_mm": "roller diameter (mm)",
     "cage_inner_mm": "cage inside diameter (mm)",
     "cage_outer_mm": "cage outside diameter (mm)",
+    "guide_land_mm": "diameter of the cage's guide land (mm)",
     "clearance_um": "radial clearance, diametral measure (µm)",
 }
 BAR = 0.26  # longest load bar over the outside radius
@@ -136,7 +137,7 @@ def _set_frame(axes: Axes, drawing: dict) -> None:
 def _caption(drawing: dict) -> str:
     clearance = drawing.get("clearance_um")
     text = ("All dimensions are to scale. Rollers are coloured by their load and white where they carry none; bars outside are loads "
-            "on the outer race, bars inside on the inner race; a thin strip is a roller held there by centrifugal force alone. "
+            "on the outer race, bars inside on the inner race; a thin strip is a roller held there by its inertia alone. "
             "The orange-red arrow is the direction of the load on the planet; "
             "the load zone lies opposite. ")
     if not is_number(clearance):

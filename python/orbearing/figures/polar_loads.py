@@ -17,8 +17,9 @@ CAPTION = (
     "Contact load of the rollers by their place, seen so that the sun lies below and the carrier turns counter-clockwise: x "
     "outward, y along carrier rotation. The arrow is the direction of the load on the planet; its rollers carry on the side "
     "opposite to where it points, because there the bore is pressed against the pin. At low speed the load is tangential; the "
-    "faster the carrier turns, the more it points outward and the more the load zone moves towards the sun. On the outer race "
-    "every roller adds its own centrifugal force. Each picture has its own load scale."
+    "faster the carrier turns, the more it points outward and the more the load zone moves towards the sun. The two races differ "
+    "by the inertia of the rollers: their own orbit presses them on the outer race, the carrier's rotation away from the sun, "
+    "which on the sun side is on the inner race. Each picture has its own load scale."
 )
 
 
@@ -29,27 +30,27 @@ def block(report: Report) -> FigureBlock:
         return FigureBlock("polar", TITLE, missing="No roller loads by place were stored for this result.")
     pictures = tuple(_draw(entry, f"polar-{index}") for index, entry in enumerate(usable, start=1))
     left_out = len(report.records("polar")) - len(usable)
-    caption = CAPTION + (f" {left_out} speed(s) without loads are left out." if left_out else "")
+    caption = ("Quasi-static. " if report.is_dynamic else "") + CAPTION + (f" {left_out} speed(s) without loads are left out." if left_out else "")
     return FigureBlock("polar", TITLE, caption, pictures, data=_table(usable))
 
 
-def _columns(entry: dict) -> list[np.ndarray]:
+def columns(entry: dict) -> list[np.ndarray]:
     """Angle [deg], inner and outer load [N], by rising angle."""
-    columns = curve(entry, "angle_deg", "inner_load_N", "outer_load_N")
-    order = np.argsort(np.mod(columns[0], 360.0), kind="stable")
-    return [column[order] for column in columns]
+    unsorted = curve(entry, "angle_deg", "inner_load_N", "outer_load_N")
+    order = np.argsort(np.mod(unsorted[0], 360.0), kind="stable")
+    return [column[order] for column in unsorted]
 
 
 def _has_loads(entry: dict) -> bool:
-    angle, inner, outer = _columns(entry)
+    angle, inner, outer = columns(entry)
     return bool(np.any(np.isfinite(angle) & (np.isfinite(inner) | np.isfinite(outer))))
 
 
 def _draw(entry: dict, slug: str) -> str:
-    angle, inner, outer = _columns(entry)
+    angle, inner, outer = columns(entry)
     figure = Figure(figsize=SIZE)
     axes = figure.add_subplot(projection="polar")
-    _turn(axes)
+    turn(axes)
     series = ((outer, "outer race", style.VERMILION, "s", 4.6), (inner, "inner race", style.BLUE, "o", 3.2))
     for load, label, colour, marker, size in series:
         _ring(axes, angle, load, label=label, color=colour, marker=marker if len(angle) <= style.MOST_MARKERS else "",
@@ -65,7 +66,7 @@ def _draw(entry: dict, slug: str) -> str:
     return style.to_svg(figure, slug, f"Roller loads around the bearing at {speed} rpm")
 
 
-def _turn(axes: PolarAxes) -> None:
+def turn(axes: PolarAxes) -> None:
     """Outward is up and carrier rotation counter-clockwise."""
     axes.set_theta_zero_location("N")
     axes.set_theta_direction(1)
@@ -109,5 +110,5 @@ def _arrow(axes: PolarAxes, entry: dict, reach: float) -> None:
 
 
 def _table(entries: list[dict]) -> Table:
-    rows = [(entry.get("speed_rpm"), *row) for entry in entries for row in zip(*_columns(entry))]
+    rows = [(entry.get("speed_rpm"), *row) for entry in entries for row in zip(*columns(entry))]
     return Table(("input speed (rpm)", "place (deg)", "inner race (N)", "outer race (N)"), rows)

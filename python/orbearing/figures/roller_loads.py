@@ -25,8 +25,8 @@ def block(report: Report) -> FigureBlock:
         return FigureBlock("roller-loads", TITLE, missing="No point of this sweep has roller loads.")
     head = ("input speed (rpm)", *(f"{label} (N)" for _, label, *_ in SERIES))
     caption = ("Contact load of a single roller: the largest anywhere around the bearing, and the root mean square over time, "
-               "unloaded time included. The outer race carries each roller's own centrifugal force too, so its loads draw "
-               "away from the inner race's as speed rises.")
+               "unloaded time included. The races differ by the inertia of the roller itself: its own orbit loads the outer "
+               "race, the carrier's rotation throws it away from the sun, and so on the inner race where the load zone lies there.")
     return FigureBlock("roller-loads", TITLE, caption, (_draw(speed, columns),), data=columns_table(head, speed, *columns))
 
 

@@ -33,6 +33,7 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "film_outer_um",
                                            "status",
                                            "radial_mesh_load_N",
+                                           "contact_pressure_max_MPa",
                                            "roller_slip",
                                            "friction_moment_N_m",
                                            "power_loss_W",
@@ -87,6 +88,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.life_hours = 14.0;
   result.system_life_hours = 15.0;
   result.cage_slip = 16.0;
+  result.contact_pressure = 20e6;
   result.dynamic = study::DynamicRecord{.steady = true,
                                         .roller_slip = 18.0,
                                         .friction_moment = 19.0,
@@ -100,8 +102,8 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .support = 128.0}};
   const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
-  const std::vector<double> expected = {0,  1, 2,  3,  4,   6, 7, 10, 11, 8,  12, 14, 15,  16, 9, 13,
-                                        -1, 5, 18, 19, 255, 1, 2, 4,  8,  16, 32, 64, 128, 1,  17};
+  const std::vector<double> expected = {0,  1, 2,  3,  4,  6,   7, 10, 11, 8, 12, 14, 15, 16,  9, 13,
+                                        -1, 5, 20, 18, 19, 255, 1, 2,  4,  8, 16, 32, 64, 128, 1, 17};
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (i != head.status_place) {
       EXPECT_EQ(row.values.at(i), expected[i]) << head.names[i];

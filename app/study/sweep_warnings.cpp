@@ -1,0 +1,55 @@
+#include "app/study/sweep_warnings.hpp"
+
+#include <fmt/core.h>
+
+#include <functional>
+
+#include "app/study/drivetrain_case.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// Beyond 4000 MPa a roller contact yields: the load at which ISO 76 sets the static capacity of roller
+// bearings.
+constexpr double kStaticPressureMPa = 4000.0;
+
+// How many rows satisfy `holds`, and the first of them, in words.
+std::string rows_where(const SweepOutcome& outcome, const std::function<bool(const ResultRow&)>& holds) {
+  std::size_t count = 0;
+  std::string first;
+  for (const ResultRow& row : outcome.rows) {
+    if (!holds(row)) continue;
+    if (count++ == 0) first = fmt::format("{:g} rpm", value_of(outcome.head, row, "input_speed_rpm"));
+  }
+  return count == 0 ? "" : fmt::format("{} of {} points, first at {}", count, outcome.rows.size(), first);
+}
+
+}  // namespace
+
+std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
+                                        const FoundPeak& found) {
+  std::vector<std::string> warnings = gear_warnings(study::derive(drivetrain_of(resolved)));
+  warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+  const auto column = [&](const ResultRow& row, const char* name) {
+    return value_of(outcome.head, row, name);
+  };
+  const std::string yielding = rows_where(outcome, [&](const ResultRow& row) {
+    return column(row, "contact_pressure_max_MPa") > kStaticPressureMPa;
+  });
+  if (!yielding.empty())
+    warnings.push_back(
+        fmt::format("contact: pressure above {:g} MPa, where rollers yield and elastic contact and "
+                    "life have no meaning: {}",
+                    kStaticPressureMPa, yielding));
+  const std::string drifting =
+      rows_where(outcome, [&](const ResultRow& row) { return column(row, "steady") == 0.0; });
+  if (!drifting.empty())
+    warnings.push_back(
+        "simulation.most_revolutions: the means still drifted when they were taken; allow more "
+        "revolutions: " +
+        drifting);
+  return warnings;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,16 @@
+// What the user must be told about a sweep besides its numbers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/study/life_peak.hpp"
+
+namespace orbearing::app {
+
+/// Remarks on the gears, on the peak, on contacts beyond what steel stands and on motions that did not
+/// settle; each names its place.
+std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
+                                        const FoundPeak& found);
+
+}  // namespace orbearing::app
