@@ -25,7 +25,11 @@ constexpr const char* file_path = "(file)";
 
 std::string read_file(const std::string& file) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) refuse_file(file, "a folder");
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (std::filesystem::is_directory(status)) refuse_file(file, "a folder");
+  // Opening a pipe would wait for its other end.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    refuse_file(file, "a pipe, a device or a socket");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse_file(file, std::string("cannot be opened (") + std::strerror(errno) + ")");

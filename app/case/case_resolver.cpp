@@ -51,7 +51,9 @@ class Resolver {
       const std::string path = prefix + member.key;
       const auto [first, fresh] = first_line.emplace(member.key, member.place.line);
       if (!fresh)
-        object(member.place, path, fmt::format("duplicate key, first on line {}", first->second),
+        object(member.place, path,
+               member.place.option ? "duplicate key"
+                                   : fmt::format("duplicate key, first on line {}", first->second),
                "each key once is required");
       else if (prefix.empty() && (member.key == "sweep" || member.key == "assumed"))
         require_block(member, path, "field paths");

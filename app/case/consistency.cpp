@@ -37,7 +37,7 @@ class Checker {
     // Sums of lengths that fill a space exactly may miss it by rounding.
     constexpr double rounding = 1e-12;  // [m]
     if (may_equal ? low <= high + rounding : low < high) return;
-    object(path, fmt::format("'{}' does not fit", resolved_.given(path)),
+    object(path, quote(resolved_.given(path)) + " does not fit",
            fmt::format("{} ({:.4g} mm) {} {:.4g} mm is required", requirement, 1e3 * low,
                        may_equal ? "of at most" : "less than", 1e3 * high));
   }

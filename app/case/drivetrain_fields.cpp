@@ -65,14 +65,14 @@ void add_input(std::vector<Field>& fields) {
                     .models = drivetrain,
                     .required_by = drivetrain,
                     .dimension = dimension::power,
-                    .range = {.least = 0.0, .most = 1e6, .least_allowed = false}});
+                    .range = {1e-6, 1e7}});
   fields.push_back({.path = "input.speed",
                     .kind = Kind::quantity,
                     .meaning = "speed of the driven member relative to the housing",
                     .models = drivetrain,
                     .required_by = drivetrain,
                     .dimension = dimension::angular_speed,
-                    .range = {.least = 0.0, .most = 1e6, .least_allowed = false}});
+                    .range = {1e-3, 1e6}});
 }
 
 void add_rack(std::vector<Field>& fields) {

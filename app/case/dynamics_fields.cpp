@@ -106,6 +106,17 @@ void add_cage(std::vector<Field>& fields) {
                                       positive(1e12), "1e7 N/m", "glass-filled polyamide"}));
 }
 
+void add_guidance_film(std::vector<Field>& fields) {
+  fields.push_back(
+      {.path = "bearing.cage.guidance_film",
+       .kind = Kind::choice,
+       .meaning = "oil force between cage and land: with squeeze and whirl, or as [Gai2025] prints it",
+       .models = drivetrain,
+       .choices = {"short-bearing", "as-printed"},
+       .default_text = "short-bearing",
+       .default_reason = "the printed force depends on the frame and lacks squeeze"});
+}
+
 void add_surroundings(std::vector<Field>& fields) {
   fields.push_back(
       flag("drag.enabled", "drag and churning in the oil-air mixture", "true", "nothing left out"));
@@ -159,6 +170,7 @@ void add_run(std::vector<Field>& fields) {
 void add_dynamics_fields(std::vector<Field>& fields) {
   add_friction(fields);
   add_cage(fields);
+  add_guidance_film(fields);
   add_surroundings(fields);
   add_run(fields);
 }

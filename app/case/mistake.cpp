@@ -29,21 +29,12 @@ std::vector<std::string> sorted_lines(const std::string& file, std::vector<Mista
 
 }  // namespace
 
-std::string quote(std::string_view text) {
-  constexpr std::size_t longest = 60;  // [byte] enough to recognise the place
-  std::string shown;
-  for (const char c : text.substr(0, longest)) shown += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  if (text.size() <= longest) return "'" + shown + "'";
-  while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80) != 0) shown.pop_back();
-  return "'" + shown + "...'";
-}
-
 std::string describe(const Mistake& mistake, const std::string& file) {
-  const std::string where = mistake.place.option
-                                ? std::string("--set")
-                                : fmt::format("{}:{}:{}", file, mistake.place.line, mistake.place.column);
-  return fmt::format("{}: {}: {}; {}", where, mistake.path, mistake.complaint.found,
-                     mistake.complaint.required);
+  const Place& place = mistake.place;
+  const std::string where =
+      place.option ? "--set" : fmt::format("{}:{}:{}", printable(file), place.line, place.column);
+  return fmt::format("{}: {}: {}; {}", where, shortened(mistake.path), printable(mistake.complaint.found),
+                     printable(mistake.complaint.required));
 }
 
 void throw_mistakes(const std::string& file, std::vector<Mistake> mistakes) {

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
+
+#include "app/case/printable.hpp"
 
 namespace orbearing::app {
 
@@ -25,10 +26,8 @@ struct Mistake {
   Complaint complaint;
 };
 
-/// Text of the user's in quotes, on one line and of bearable length.
-std::string quote(std::string_view text);
-
-/// One line: `FILE:LINE:COLUMN: key.path: found; required`, or `--set: key.path: found; required`.
+/// One line: `FILE:LINE:COLUMN: key.path: found; required`, or `--set: key.path: found; required`. Whatever
+/// of the user's stands in it is printable; the path is shortened.
 std::string describe(const Mistake& mistake, const std::string& file);
 
 /// Throws BadInput (app/errors.hpp) with one line for each mistake, in the order of the file, options last.

@@ -89,13 +89,18 @@ Model ResolvedCase::model() const {
 }
 
 ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings) const {
-  CaseData data = data_;
   std::vector<Mistake> mistakes;
+  ResolvedCase changed = with(settings, mistakes);
+  if (!mistakes.empty()) throw_mistakes(changed.file(), std::move(mistakes));
+  return changed;
+}
+
+ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const {
+  CaseData data = data_;
   int number = 0;
   for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);
   ResolvedCase changed(std::move(data));
   check_consistency(changed, mistakes);
-  if (!mistakes.empty()) throw_mistakes(changed.file(), std::move(mistakes));
   return changed;
 }
 

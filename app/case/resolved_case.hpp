@@ -20,6 +20,7 @@ struct SweepAxis {
   std::vector<std::string> values;  // as they would be written in a case: "1000 rpm"
   std::string written;              // the axis as the resolved case repeats it (YAML flow style)
   Place place;
+  std::vector<Place> places{};  // of each value
 
   bool operator==(const SweepAxis& other) const {
     return path == other.path && values == other.values && written == other.written;
@@ -75,6 +76,8 @@ class ResolvedCase {
   /// Copy with independent values replaced, checked singly and together. Throws BadInput.
   ResolvedCase with(const std::vector<Setting>& settings) const;
   ResolvedCase with(const std::string& path, const std::string& text) const;
+  /// The same, with what is wrong told to `mistakes` instead; what could not be set keeps its value.
+  ResolvedCase with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const;
 
   /// Copy without its sweep: the one operating point that the values state.
   ResolvedCase without_sweep() const;

@@ -11,11 +11,13 @@ set(ORBEARING_CASE_SOURCES
   case/field.cpp
   case/field_table.cpp
   case/mistake.cpp
+  case/printable.cpp
   case/resolved_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp
   case/settings.cpp
   case/sweep_axes.cpp
+  case/sweep_consistency.cpp
   case/units.cpp
   case/yaml_tree.cpp)
 set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

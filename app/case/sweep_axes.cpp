@@ -16,7 +16,7 @@ namespace orbearing::app {
 
 namespace {
 
-// Part of a step by which rounding may put the last point beyond `to`.
+// Part of a step by which rounding may put the last point beside `to`.
 constexpr double end_tolerance = 1e-9;
 
 constexpr std::array<std::string_view, 3> range_keys{"from", "to", "step"};
@@ -26,6 +26,11 @@ struct Steps {
   double to = 0.0;    // [unit]
   double step = 0.0;  // [unit]
   std::string unit;   // unit of `from`; empty for plain numbers
+
+  double count() const { return (to - from) / step; }
+  std::string text(double value) const {
+    return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+  }
 };
 
 class AxisReader {
@@ -65,6 +70,7 @@ class AxisReader {
         object(item.place, path_, describe(item) + " stands twice", "each value once is required");
       } else {
         axis.values.push_back(reading.value.given);
+        axis.places.push_back(item.place);
         written.push_back(write_scalar(reading.value.given));
       }
     }
@@ -75,12 +81,9 @@ class AxisReader {
     if (!has_range_keys()) return;
     const std::optional<Steps> steps = read_steps();
     if (!steps || !check_steps(*steps)) return;
-    const auto last = static_cast<int>(std::floor((steps->to - steps->from) / steps->step + end_tolerance));
-    for (int i = 0; i <= last; ++i) {
-      const double value = steps->from + i * steps->step;
-      axis.values.push_back(steps->unit.empty() ? fmt::format("{}", value)
-                                                : fmt::format("{} {}", value, steps->unit));
-    }
+    const auto last = static_cast<int>(std::lround(steps->count()));
+    for (int i = 0; i <= last; ++i) axis.values.push_back(steps->text(steps->from + i * steps->step));
+    axis.places.assign(axis.values.size(), entry_.place);
     axis.written = fmt::format("{{from: {}, to: {}, step: {}}}", write_scalar(part("from").text),
                                write_scalar(part("to").text), write_scalar(part("step").text));
   }
@@ -128,11 +131,24 @@ class AxisReader {
     const std::size_t before = mistakes_.size();
     if (steps.to < steps.from)
       object(part("to").place, path_ + ".to", describe(part("to")) + " is less than 'from'",
-             "a value of at least " + part("from").text + " is required");
-    else if (!((steps.to - steps.from) / steps.step < most_points))
+             "a value of at least " + quote(part("from").text) + " is required");
+    else if (!(steps.count() < most_points))
       object(part("step").place, path_ + ".step", describe(part("step")) + " makes too many points",
              fmt::format("at most {} points are required", most_points));
+    else if (std::abs(steps.count() - std::round(steps.count())) > end_tolerance)
+      object(part("step").place, path_ + ".step",
+             describe(part("step")) + " leads past 'to', " + quote(part("to").text), required_step(steps));
     return mistakes_.size() == before;
+  }
+
+  // Names the end that this step does reach, and the step nearest to this one that reaches `to`.
+  std::string required_step(const Steps& steps) const {
+    const std::string end = steps.text(steps.from + std::floor(steps.count()) * steps.step);
+    const double parts = std::max(1.0, std::round(steps.count()));
+    const std::string step = field_.kind == Kind::integer
+                                 ? ""
+                                 : " such as '" + steps.text((steps.to - steps.from) / parts) + "'";
+    return fmt::format("a step that divides the range{}, or 'to: {}', is required", step, end);
   }
 
   const Field& field_;

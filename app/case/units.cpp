@@ -11,6 +11,8 @@
 #include <memory>
 #include <mutex>
 
+#include "app/case/printable.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -75,6 +77,12 @@ bool is_plain_unit(std::string_view unit) {
   return true;
 }
 
+// udunits2 converts a unit to its reciprocal too: m-1 to m.
+bool same_dimension(const ut_unit* unit, const ut_unit* target) {
+  const Unit ratio(ut_divide(unit, target));
+  return ratio && ut_is_dimensionless(ratio.get()) != 0;
+}
+
 // Counts radians, which udunits2 takes for 1: Hz / (rad/s) leaves some over.
 bool same_angle_content(const ut_unit* unit, const ut_unit* target) {
   const Unit ratio(ut_divide(unit, target));
@@ -92,7 +100,7 @@ Reading<double> convert_units(double value, const ut_unit* unit, const ut_unit* 
                               std::string_view name) {
   const Converter converter(ut_get_converter(const_cast<ut_unit*>(unit), const_cast<ut_unit*>(target)));
   if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)
-    return fault(fmt::format("its unit '{}' has a zero point of its own", name));
+    return fault(fmt::format("its unit {} has a zero point of its own", quote(name)));
   const double converted = cv_convert_double(converter.get(), value);
   if (!std::isfinite(converted)) return fault("its value is too large");
   return {converted, {}};
@@ -131,12 +139,12 @@ Reading<double> convert(double value, std::string_view unit, std::string_view ta
   const Unit target = parse_unit(target_unit);
   assert(target && "unit of the field table");
   const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;
-  if (!parsed) return fault(fmt::format("its unit '{}' is not known", unit));
-  if (ut_are_convertible(parsed.get(), target.get()) == 0)
-    return fault(fmt::format("its unit '{}' does not measure the same as '{}'", unit, target_unit));
+  if (!parsed) return fault(fmt::format("its unit {} is not known", quote(unit)));
+  if (!same_dimension(parsed.get(), target.get()))
+    return fault(fmt::format("its unit {} does not measure the same as '{}'", quote(unit), target_unit));
   if (!same_angle_content(parsed.get(), target.get()))
-    return fault(fmt::format("its unit '{}' does not say how much angle one unit is, as '{}' does", unit,
-                             target_unit));
+    return fault(fmt::format("its unit {} does not say how much angle one unit is, as '{}' does",
+                             quote(unit), target_unit));
   return convert_units(value, parsed.get(), target.get(), unit);
 }
 
@@ -144,7 +152,7 @@ Reading<double> read_quantity(std::string_view text, const Dimension& dimension)
   const Reading<WrittenQuantity> written = split_quantity(text);
   if (!written.value) return fault(written.fault);
   if (written.value->unit.empty())
-    return fault(fmt::format("it has no unit, write it as in '{} {}'", trim(text), dimension.customary));
+    return fault(fmt::format("it has no unit, write it as in '{} {}'", shortened(trim(text)), dimension.customary));
   return convert(written.value->value, written.value->unit, dimension.si);
 }
 

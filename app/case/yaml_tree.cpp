@@ -48,26 +48,12 @@ Place place_at(std::string_view text, std::size_t position) {
   throw YamlFault{place, {std::move(found), std::move(required)}};
 }
 
-std::size_t utf8_length(unsigned char lead) {
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead < 0xE0) return 2;
-  if (lead >= 0xE0 && lead < 0xF0) return 3;
-  return lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
-}
-
-bool is_utf8_character(std::string_view text, std::size_t at, std::size_t length) {
-  if (length == 0 || at + length > text.size()) return false;
-  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(at) + 1,
-                     text.begin() + static_cast<std::ptrdiff_t>(at + length),
-                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; });
-}
-
 // yaml-cpp stops in silence at some control characters and repairs broken UTF-8: both would lose input.
 void check_characters(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t length = utf8_length(lead);
-    if (!is_utf8_character(text, i, length))
+    const std::size_t length = utf8_character(text, i);
+    if (length == 0)
       refuse(place_at(text, i), "a byte that is not UTF-8", "a text file in UTF-8 is required");
     if ((lead < 0x20 && lead != '\t' && lead != '\n' && lead != '\r') || lead == 0x7F)
       refuse(place_at(text, i), "a control character", "a text file in UTF-8 is required");

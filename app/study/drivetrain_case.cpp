@@ -72,6 +72,9 @@ bearing::dynamics::CageParameters cage_dynamics_of(const ResolvedCase& in) {
   out.pocket_friction = in.number("bearing.cage.pocket_friction");
   if (in.has("bearing.cage.guide_land_diameter"))
     out.guide_diameter = in.quantity("bearing.cage.guide_land_diameter");
+  out.guidance_film = in.choice("bearing.cage.guidance_film") == "as-printed"
+                          ? bearing::dynamics::GuidanceFilm::as_printed
+                          : bearing::dynamics::GuidanceFilm::short_bearing;
   out.largest_eccentricity = in.number("bearing.cage.largest_eccentricity");
   out.touch_down_stiffness = in.quantity("bearing.cage.touch_down_stiffness");
   return out;

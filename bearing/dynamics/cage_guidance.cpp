@@ -56,7 +56,10 @@ void add_film(const GuidanceModel& model, const BodyMotion& cage, const BodyMoti
   const FilmResistance film = half_film_resistance(held, local);
   const Vector2 resisted(film.along * local.x() + film.mixed * local.y(),
                          film.mixed * local.x() + film.across * local.y());
-  const Vector2 force = -scale * (resisted.x() * offset.direction + resisted.y() * across(offset.direction));
+  const Vector2 local_force = model.film == GuidanceFilm::as_printed
+                                  ? printed_film_force(model, held, cage.speed + land.speed)
+                                  : Vector2(-scale * resisted);
+  const Vector2 force = local_force.x() * offset.direction + local_force.y() * across(offset.direction);
 
   const double radius = model.cage_radius;
   const double shear = two_pi * model.viscosity * radius * radius * radius * model.lands * width *
@@ -103,6 +106,16 @@ FilmResistance half_film_resistance(double eccentricity, const Vector2& directio
               (square * square * root),
           (0.5 * sine_square - eccentricity * cosine) / (square * square),
           0.5 * (span - sine_cosine) / (square * root)};
+}
+
+Vector2 printed_film_force(const GuidanceModel& model, double eccentricity, double rotation_sum) {
+  const double surface_speed = model.cage_radius * rotation_sum;
+  const double scale =
+      model.lands * model.viscosity * std::pow(model.land_width, 3) / (model.clearance * model.clearance);
+  const double square = 1.0 - eccentricity * eccentricity;
+  return {-scale * std::abs(surface_speed) * eccentricity * eccentricity / (square * square),
+          scale * surface_speed * boost::math::double_constants::pi * eccentricity /
+              (4.0 * square * std::sqrt(square))};
 }
 
 GuidanceForces guidance_forces(const GuidanceModel& model, const BodyMotion& cage, const BodyMotion& land) {

@@ -1,6 +1,7 @@
 // Guidance of the cage on the land of a ring: a short journal bearing with squeeze and whirl, and touch-down.
 #pragma once
 
+#include "bearing/dynamics/parameters.hpp"
 #include "bearing/dynamics/plane.hpp"
 
 namespace orbearing::bearing::dynamics {
@@ -14,6 +15,7 @@ struct GuidanceModel {
   double land_width = 0.0;   // [m]      of one land
   int lands = 2;             // [-]
   double viscosity = 0.0;    // [Pa s]
+  GuidanceFilm film = GuidanceFilm::short_bearing;
   double largest_eccentricity =
       0.98;                    // [-]      of the clearance: the film is held at this, and touch-down begins
   double stiffness = 0.0;      // [N/m]    of touch-down
@@ -45,6 +47,12 @@ struct FilmResistance {
 /// of [Sommerfeld1904] in the short bearing of [Ocvirk1952]; its steady state is Eqs. (24) and (25) of
 /// [Gai2025].
 FilmResistance half_film_resistance(double eccentricity, const Vector2& direction);
+
+/// Film force [N] on the cage as Eqs. (24) and (25) of [Gai2025] print it, in axes along the eccentricity and
+/// across it: of the sum of the surface speeds `rotation_sum` [rad/s] alone, without squeeze and whirl. Its
+/// power may have either sign, and it depends on the frame in which the rotations are counted: here the
+/// carrier's.
+Vector2 printed_film_force(const GuidanceModel& model, double eccentricity, double rotation_sum);
 
 /// Forces between the cage and the ring whose land guides it. The film feels the velocity of the cage less
 /// what half the sum of both rotations gives it, so that the force does not depend on the frame.

@@ -85,6 +85,7 @@ GuidanceModel guidance_model(const CylindricalRollerBearing& bearing, const Dyna
   model.land_width = given.land_width > 0.0 ? given.land_width : side_width;
   model.lands = given.lands;
   model.viscosity = parameters.lubricant.viscosity;
+  model.film = given.guidance_film;
   model.largest_eccentricity = given.largest_eccentricity;
   model.stiffness = given.touch_down_stiffness;
   model.damping = given.touch_down_damping;

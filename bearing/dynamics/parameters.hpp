@@ -29,6 +29,12 @@ struct RaceContactParameters {
   bool rolling_resistance = true;       // shear of the oil at the inlet
 };
 
+/// Force of the oil between cage and land.
+enum class GuidanceFilm {
+  short_bearing,  // with squeeze and whirl, [Ocvirk1952]
+  as_printed,     // Eqs. (24) and (25) of [Gai2025], which lack both
+};
+
 /// Cage pockets and the land that guides the cage.
 struct CageParameters {
   double pocket_clearance =
@@ -40,6 +46,7 @@ struct CageParameters {
   double guide_diameter = 0.0;    // [m]    of the land; 0: no guidance
   double land_width = 0.0;  // [m]    of one land; 0: what cage width and roller length leave at each side
   int lands = 2;            // [-]
+  GuidanceFilm guidance_film = GuidanceFilm::short_bearing;
   double largest_eccentricity =
       0.98;                           // [-]    of the land's clearance where roughness takes over. Assumption
   double touch_down_stiffness = 1e7;  // [N/m]  Assumption

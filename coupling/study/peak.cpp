@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBits = std::numeric_limits<double>::digits / 2;
 // An extremum nearer to an end of the bracket than Brent's method resolves stands at that end.
-constexpr double kEndZone = 1e-6;
+constexpr double kEndZone = 1e-4;
 
 Extremum extremum(const std::function<double(double)>& of_speed, double low, double high, double sign) {
   const double from = std::log(low);

@@ -11,6 +11,7 @@ from orbearing.result_folder import Report
 from orbearing.summary import headline, summary_table
 
 STYLE_SHEET = Path(__file__).with_name("page.css")
+SHORT, SHORT_CELL = 14, ' class="short"'  # letters of a text that stays on one line, as a number with its unit
 
 
 def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
@@ -33,7 +34,8 @@ def cell(value: Any) -> str:
         return f'<td class="number">{format_number(float(value))}</td>'
     if value is None or value == "" or isinstance(value, float):  # a float that is no number is missing
         return f'<td class="number">{MISSING}</td>'
-    return f"<td>{escape(str(value))}</td>"
+    text = str(value)
+    return f'<td{SHORT_CELL if len(text) <= SHORT else ""}>{escape(text)}</td>'
 
 
 def table(content: Table) -> str:

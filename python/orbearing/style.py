@@ -91,10 +91,12 @@ def legend_above(axes: Axes, columns: int = 2, height: float = 1.02) -> None:
 
 
 def shade(axes: Axes, across, where, label: str) -> None:
-    """A pale background over the stretches of `across` that `where` marks, if any."""
+    """A pale background over the stretches of `across` that `where` marks, if any; the limits are those of the data so far."""
     if any(where):
+        limits = axes.get_ylim()
         axes.fill_between(across, 0, 1, where=where, transform=axes.get_xaxis_transform(), color=ORANGE, alpha=0.16,
-                          linewidth=0, label=label)
+                          linewidth=0, zorder=0, label=label)
+        axes.set_ylim(limits)
 
 
 def legend_label(text: str) -> str:

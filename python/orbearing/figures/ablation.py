@@ -14,6 +14,7 @@ REFERENCE = "all effects"
 INERTIA, CLEARANCE = "inertia", "clearance"
 # Beyond this ratio between the largest and the smallest effect a linear axis hides the small one.
 WIDEST_LINEAR = 30.0
+SHORT = 30  # names of fewer letters stand in two columns of the legend
 
 
 def inertia_block(report: Report) -> FigureBlock:
@@ -97,7 +98,7 @@ def _draw_lives(axes: Axes, entries: list[dict], looks: list[dict]) -> None:
         if is_number(peak_speed) and is_number(peak_life) and peak_life > 0:
             axes.plot([peak_speed], [peak_life], "o", color=look["color"], markersize=5, markeredgecolor="white")
     style.life_axis(axes)
-    style.legend_above(axes, columns=1)
+    style.legend_above(axes, columns=2 if all(len(str(entry.get("name"))) < SHORT for entry in entries) else 1)
 
 
 def _draw_changes(axes: Axes, pairs: list[tuple[dict, dict]], reference: dict) -> None:

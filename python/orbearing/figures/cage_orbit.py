@@ -14,14 +14,14 @@ from orbearing.point_file import read_point
 from orbearing.result_folder import Report
 
 SLUG, TITLE = "cage-orbit", "Cage orbit in its clearance"
-SIZE = (3.3, 3.9)  # [inch], three stand side by side
+SIZE = (3.3, 3.45)  # [inch], three stand side by side
 MICRO = 1e6  # [µm/m]
 SMALL = 0.5  # an orbit smaller than this share of the clearance is shown enlarged as well
 EVERY = 10  # one in so many stored instants stands in the table
 CAPTION = (
     "Path of the cage's centre over one cage revolution, x outward (up), y along carrier rotation (left). {circle} The cross is the "
-    "mean, the dot the first instant. A cage thrown to one side of its circle by the carrier's rotation keeps near one spot, and "
-    "the inset enlarges its path; one that whirls draws a ring."
+    "mean, the dot the first instant. A cage that is pressed to one side of its land stays near one spot: a small ring marks it and the "
+    "inset enlarges the path. A cage that whirls draws a large ring."
 )
 CIRCLE = ("The circle is the clearance of the guide land: on it the film is used up and cage and land touch; the elastic "
           "land lets the centre pass it by a little.")
@@ -63,12 +63,17 @@ def _draw(orbit: tuple, radius: float | None, slug: str) -> str:
     if radius:
         axes.add_patch(Circle((0, 0), radius, facecolor="#f3f3f3", edgecolor=style.GREY, linewidth=1.2))
     axes.plot([0], [0], "+", color=style.GREY, markersize=8)
-    _trace(axes, path)
+    small = _is_small(path, radius)
+    if small:  # a ring shows where to look, the inset shows the path
+        axes.plot(path[1], path[0], color=style.BLUE, linewidth=1.0)
+        axes.plot([np.nanmean(path[1])], [np.nanmean(path[0])], "o", color=style.BLUE, markersize=13, markerfacecolor="none")
+        _enlarge(axes, path)
+    else:
+        _trace(axes, path)
     _frame(axes, (0, 0), reach)
     axes.set_xlabel("y, along carrier rotation (µm)")
     axes.set_ylabel("x, outward from the sun (µm)")
     axes.set_title(f"{format_number(speed)} rpm")
-    _enlarge(axes, path, radius, reach)
     return style.to_svg(figure, slug, f"Path of the cage centre at {format_number(speed)} rpm")
 
 
@@ -88,13 +93,21 @@ def _frame(axes: Axes, centre: tuple[float, float], reach: float) -> None:
         style.thousands(axis)
 
 
-def _enlarge(axes: Axes, path: np.ndarray, radius: float | None, reach: float) -> None:
-    """The path once more, in the free middle of the circle, where it is small beside the clearance."""
-    half = [np.ptp(values[np.isfinite(values)]) / 2 for values in path]
-    if not radius or max(half) == 0 or 2 * max(half) > SMALL * radius:
-        return
+def _half_widths(path: np.ndarray) -> list[float]:
+    return [(np.nanmax(values) - np.nanmin(values)) / 2 for values in path]
+
+
+def _is_small(path: np.ndarray, radius: float | None) -> bool:
+    """Small beside the clearance and away from its middle, where the inset stands."""
+    near = np.nanmin(np.hypot(*path))
+    return bool(radius and 0 < 2 * max(_half_widths(path)) < SMALL * radius < near)
+
+
+def _enlarge(axes: Axes, path: np.ndarray) -> None:
+    """The path once more, in the free middle of the circle."""
+    half = _half_widths(path)
     centre = [np.nanmin(values) + size for values, size in zip(path, half)]
-    inset = axes.inset_axes([0.31, 0.31, 0.38, 0.38])
+    inset = axes.inset_axes([0.3, 0.3, 0.42, 0.42])
     inset.set_facecolor("white")
     _trace(inset, path)
     _frame(inset, (centre[0], centre[1]), 1.25 * max(half))
@@ -110,7 +123,9 @@ def _summary(orbits: list[tuple], radius: float | None) -> Table:
         distance, mean = np.hypot(*path), np.nanmean(path, axis=1)
         share = 100 * np.nanmax(distance) / radius if radius else None
         spread = np.nanmax(np.hypot(*(path - mean[:, None])))
-        rows.append((speed, np.hypot(*mean), np.degrees(np.arctan2(mean[1], mean[0])) % 360, spread, np.nanmax(distance), share))
+        direction = np.degrees(np.arctan2(mean[1], mean[0])) % 360
+        rows.append((speed, *(round(value, 1) for value in (np.hypot(*mean), direction, spread, np.nanmax(distance))),
+                     round(share, 1) if share else None))
     head = ("input speed (rpm)", "distance of the mean (µm)", "its direction (deg)", "farthest from the mean (µm)",
             "farthest from the middle (µm)", "of the clearance (%)")
     return Table(head, rows)

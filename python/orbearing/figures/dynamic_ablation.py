@@ -12,11 +12,11 @@ from orbearing.figures.ablation import REFERENCE
 from orbearing.result_folder import Report, records
 
 SLUG, TITLE = "dynamic-ablation", "Worth of effects in motion"
-LINEAR = 10.0  # [%] changes of life up to this stand on a linear scale, larger ones on a logarithmic one
+LINEAR = 1.0  # [%] changes of life up to this stand on a linear scale, larger ones on a logarithmic one
 GROUP = 0.8  # width of the bars of one speed over the distance between speeds
 CAPTION = (
     "The dynamic run repeated with one effect left out or one law exchanged. Above: change of life against all effects; the scale is "
-    "linear up to 10 % and logarithmic beyond where it has to be. Middle and below: slip of rollers and cage with each, to be held "
+    "linear up to 1 % and logarithmic beyond where it has to be. Middle and below: slip of rollers and cage with each, to be held "
     "against the bar of all effects. Effects that barely move life may still decide how rollers and cage move."
 )
 Points = dict[float, dict]
@@ -77,8 +77,8 @@ def _bars(axes: Axes, values: list[float], index: int, count: int, label: str) -
 
 def _scale_changes(axes: Axes) -> None:
     heights = [abs(bar.get_height()) for bar in axes.patches]
-    if max(heights, default=0.0) > 10 * LINEAR:
-        axes.set_yscale("symlog", linthresh=LINEAR, linscale=1.0)
+    if max(heights, default=0.0) > 30 * LINEAR:
+        axes.set_yscale("symlog", linthresh=LINEAR)
         low, high = axes.get_ylim()
         axes.set_ylim(max(low, -100.0), 2 * high)
 
@@ -89,8 +89,8 @@ def _table(runs: dict[str, Points]) -> Table:
         for name, points in runs.items():
             point = points.get(speed, {})
             change = "reference" if name == REFERENCE else format_change(point.get("life_h"), reference.get(speed, {}).get("life_h"))
-            rows.append((speed, name, point.get("life_h"), change, _percent(points, "roller_slip", speed),
-                         _percent(points, "cage_slip", speed), point.get("power_loss_W"), point.get("outer_load_rms_N")))
+            rows.append((speed, name, point.get("life_h"), change, round(_percent(points, "roller_slip", speed), 3),
+                         round(_percent(points, "cage_slip", speed), 3), point.get("power_loss_W"), point.get("outer_load_rms_N")))
     head = ("input speed (rpm)", "what is computed", "life (h)", "against all effects", "roller slip (%)", "cage slip (%)",
             "power loss (W)", "rms load, outer race (N)")
     return Table(head, rows)

@@ -16,13 +16,17 @@ from orbearing.result_folder import Report, record, records
 
 SLUG, TITLE = "dynamic-polar", "Roller loads, quasi-static and dynamic"
 SIZE = (3.3, 5.5)  # [inch], three stand side by side
+# [share of the picture] fixed, so that neighbours stand in line whatever their labels need.
+RINGS, DIFFERENCE = (0.13, 0.44, 0.74, 0.444), (0.16, 0.06, 0.8, 0.2)
 RACES = (("outer", style.VERMILION), ("inner", style.BLUE))
+PALE = {"outer": ("#f6cfae", 8.0), "inner": ("#b5d7ea", 4.0)}  # colour and width [pt] of the quasi-static rings
 SAME_SPEED = 1e-3  # relative; far below the step of any sweep
 CAPTION = (
     "Above: contact load by place; broad pale rings are quasi-static, thin lines the mean of the dynamic run over the rollers that "
-    "pass each place. Where the lines lie within the rings, motion changes nothing on average. Below: dynamic less quasi-static, "
-    "on its own scale; what remains is unsteady load at the edges of the load zone, the cage, and friction. Places as in the "
-    "polar figure above: 0° outward, 90° along carrier rotation, 180° towards the sun."
+    "pass each place. Where the lines lie within the rings, motion changes little on average. Below: dynamic less quasi-static by "
+    "place, on its own scale: peaks at the ends of the load zone are rollers entering and leaving it, and a dip along it means that "
+    "rollers stand closer there than evenly spaced, so that each carries less, or that part of the load takes another way. Places: "
+    "0° outward, 90° along carrier rotation, 180° towards the sun."
 )
 
 
@@ -70,9 +74,9 @@ def _at(places: np.ndarray, loads: list[np.ndarray] | None) -> list[np.ndarray]:
 def _draw(pair: tuple, slug: str) -> str:
     speed, dynamic, quasi_static = pair
     figure = Figure(figsize=SIZE)
-    grid = figure.add_gridspec(2, 1, height_ratios=(2.6, 1))
-    _draw_rings(figure.add_subplot(grid[0], projection="polar"), speed, dynamic, quasi_static)
-    _draw_difference(figure.add_subplot(grid[1]), dynamic, quasi_static)
+    figure.set_layout_engine("none")
+    _draw_rings(figure.add_axes(RINGS, projection="polar"), speed, dynamic, quasi_static)
+    _draw_difference(figure.add_axes(DIFFERENCE), dynamic, quasi_static)
     return style.to_svg(figure, slug, f"Quasi-static and dynamic roller loads at {format_number(speed)} rpm")
 
 
@@ -80,17 +84,18 @@ def _draw_rings(axes: PolarAxes, speed: float, dynamic: list[np.ndarray], quasi_
     turn(axes)
     for index, (race, colour) in zip((2, 1), RACES):
         if quasi_static:
-            _ring(axes, quasi_static[0], quasi_static[index], color=colour, linewidth=5.5, alpha=0.28, label=f"{race}, quasi-static")
+            pale, width = PALE[race]
+            _ring(axes, quasi_static[0], quasi_static[index], color=pale, linewidth=width, label=f"{race}, quasi-static", zorder=2)
         _ring(axes, dynamic[0], dynamic[index], color=colour, linewidth=1.3, linestyle="-" if race == "outer" else "--",
-              label=f"{race}, dynamic")
+              label=f"{race}, dynamic", zorder=3)
     reach = max(np.nanmax(load) for load in (*dynamic[1:], *(quasi_static or ())[1:])) or 1.0
     axes.set_ylim(0, 1.12 * reach)
     centre = np.nansum(dynamic[2] * np.exp(1j * np.radians(dynamic[0])))
-    axes.set_rlabel_position(np.degrees(np.angle(-centre)))  # where the rollers carry least
+    axes.set_rlabel_position(np.degrees(np.angle(-centre)) + 45)  # where the rollers carry least, and off the horizontal
     axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10], prune="lower"))
     style.thousands(axes.yaxis)
     axes.set_title(f"{format_number(speed)} rpm, load in N", pad=12)
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncol=2, borderaxespad=0, handlelength=1.8, columnspacing=1.0)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncol=2, borderaxespad=0, handlelength=1.8, columnspacing=1.0)
 
 
 def _ring(axes: PolarAxes, angle: np.ndarray, load: np.ndarray, **look) -> None:
@@ -117,7 +122,7 @@ def _summary(pairs: list[tuple]) -> Table:
         for index, (race, _) in zip((2, 1), RACES):
             before = np.max(quasi_static[index]) if quasi_static else None
             after, gap = np.nanmax(dynamic[index]), dynamic[index] - _at(dynamic[0], quasi_static)[index - 1]
-            largest = np.nanmax(np.abs(gap)) if np.isfinite(gap).any() else None
+            largest = round(np.nanmax(np.abs(gap)), 2) if np.isfinite(gap).any() else None
             rows.append((speed, race, before, after, format_change(after, before), largest))
     head = ("input speed (rpm)", "race", "largest, quasi-static (N)", "largest mean, dynamic (N)", "change", "largest difference at a place (N)")
     return Table(head, rows)

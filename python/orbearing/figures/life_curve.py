@@ -36,7 +36,7 @@ def _peak_speed(report: Report) -> float | None:
 
 
 def _whole_range(report: Report) -> str:
-    figure, axes = style.panel()
+    figure, axes = style.panel((4.6, 4.4))  # higher than its neighbour by the legend
     _draw_curves(axes, report)
     _draw_failed(axes, report)
     style.speed_axis(axes)
@@ -68,7 +68,8 @@ def _draw_curves(axes: Axes, report: Report) -> None:
         axes.plot(fine_speed, _positive(fine_life), color=style.BLUE, label="quasi-static, fine grid")
     speed, life = report.point_column("input_speed_rpm"), _positive(report.point_column("life_h"))
     look = {"marker": "o", "linestyle": "", **style.points_look(len(speed), len(fine_speed) > 0)}
-    axes.plot(speed, life, color=style.BLUE, markerfacecolor="white", label=f"points of the sweep ({report.fidelity})", **look)
+    colour = style.GREEN if report.is_dynamic else style.BLUE
+    axes.plot(speed, life, color=colour, markerfacecolor="white", label=f"points of the sweep ({report.fidelity})", **look)
     _draw_peaks(axes, report)
     for published, marker in zip(_published(report), "DvP<>hp8"):
         label = f"published: {published['source']}, {format_number(published['life_h'])} h"

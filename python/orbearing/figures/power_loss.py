@@ -58,8 +58,8 @@ def _draw(speed: np.ndarray, values: np.ndarray, seen: np.ndarray, label: str, s
 
 
 def _caption(seen: np.ndarray) -> str:
-    text = ("Mean power lost in one bearing, stacked by cause: left in watts, right as shares of the whole. What leads at the top "
-            "of the left picture is what to improve first; on the right a band that widens is a cause that grows faster than the rest.")
+    text = ("Mean power lost in one bearing, stacked by cause: left in watts, right as shares of the whole. The broadest "
+            "band on the left is what to improve first; a band that widens on the right is a cause that grows faster than the rest.")
     thin = [name for name, shown in zip(CAUSES.values(), seen) if not shown]
     return text + (f" Below {LEAST_SHARE} % everywhere and so not drawn: {', '.join(thin)}." if thin else "")
 

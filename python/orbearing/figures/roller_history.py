@@ -14,12 +14,12 @@ from orbearing.result_folder import Report
 SLUG, TITLE = "roller-history", "One roller over one cage revolution"
 LOUPE = 0.06  # share of the largest load that the lower picture shows
 EVERY = 5  # one in so many stored instants stands in the table
-PLACES = {0: "0° outward", 90: "90°", 180: "180° sun", 270: "270°"}
+PLACES = {0: "0° outward", 90: "90°", 180: "180° to the sun", 270: "270°"}
 CAPTION = (
     "Contact loads of one roller as it goes round once, at the speed of the peak; its place stands above. Shaded is the load "
     "zone, where the mean load on the inner race is more than a twentieth of its largest. Within it the roller is squeezed "
-    "between both races. The lower picture enlarges the small loads: outside the zone the roller rests on the race to which "
-    "inertia presses it, and spikes are knocks on races and cage."
+    "between both races. The lower picture enlarges the small loads, a dot for each stored instant: outside the zone the roller "
+    "rests on the race to which inertia presses it or knocks against it, and flies free where both loads are zero."
 )
 
 
@@ -40,14 +40,16 @@ def _draw(speed: float, found: list[np.ndarray], zone: np.ndarray) -> str:
     time, angle, inner, outer = found
     figure = Figure(figsize=(5.6, 5.6))
     whole, loupe = figure.subplots(2, 1, sharex=True, gridspec_kw={"height_ratios": (2, 1)})
+    whole.plot(1e3 * time, outer, color=style.VERMILION, linewidth=1.4, label="outer race")
+    whole.plot(1e3 * time, inner, color=style.BLUE, linewidth=1.2, linestyle=(0, (3, 1)), label="inner race")
+    for load, colour in ((outer, style.VERMILION), (inner, style.BLUE)):
+        loupe.plot(1e3 * time, load, ".", color=colour, markersize=3)  # joined, the knocks would hide each other
     for axes in (whole, loupe):
         style.shade(axes, 1e3 * time, zone, "load zone")
-        axes.plot(1e3 * time, outer, color=style.VERMILION, linewidth=1.8, label="outer race")
-        axes.plot(1e3 * time, inner, color=style.BLUE, linewidth=1.2, linestyle=(0, (3, 1)), label="inner race")
         style.thousands(axes.yaxis)
     reach = max(np.nanmax(inner), np.nanmax(outer)) or 1.0
     whole.set_ylim(0, 1.06 * reach)
-    loupe.set_ylim(0, LOUPE * reach)
+    loupe.set_ylim(-0.03 * LOUPE * reach, LOUPE * reach)
     whole.set_xlim(0, 1e3 * time[-1])
     whole.set_ylabel("contact load (N)")
     loupe.set_ylabel("enlarged (N)")

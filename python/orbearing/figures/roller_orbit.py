@@ -43,9 +43,9 @@ def _draw(speed: float, columns: list[np.ndarray], zone: np.ndarray) -> str:
     figure = Figure(figsize=(5.6, 5.6))
     sliding, film = figure.subplots(2, 1, sharex=True)
     for axes, inner, outer in ((sliding, inner_sliding, outer_sliding), (film, inner_film, outer_film)):
-        style.shade(axes, place, zone, "load zone")
         axes.plot(place, outer, color=style.VERMILION, label="outer race")
         axes.plot(place, inner, color=style.BLUE, linestyle="--", label="inner race")
+        style.shade(axes, place, zone, "load zone")
     sliding.axhline(0, color=style.GREY, linewidth=0.8)
     sliding.set_ylabel("sliding speed (m/s)")
     film.set_ylabel("least film (µm)")

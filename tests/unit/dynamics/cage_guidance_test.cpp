@@ -99,6 +99,22 @@ TEST(CageGuidance, ForceDoesNotDependOnTheFrame) {
   }
 }
 
+// As printed the film knows neither whirl nor squeeze: right for a cage that stays where it is, wrong for one
+// that moves.
+TEST(CageGuidance, PrintedFilmAgreesForACageAtRestAndMissesWhirl) {
+  GuidanceModel printed = land();
+  printed.film = GuidanceFilm::as_printed;
+  const Vector2 position(0.3 * printed.clearance, 0.4 * printed.clearance);
+  const BodyMotion ring{Vector2::Zero(), Vector2::Zero(), 700.0};
+  const BodyMotion still{position, Vector2::Zero(), 400.0};
+  const Vector2 force = guidance_forces(land(), still, ring).on_cage.force;
+  EXPECT_NEAR((guidance_forces(printed, still, ring).on_cage.force - force).norm(), 0.0, 1e-9 * force.norm());
+  const BodyMotion whirling{position, 550.0 * across(position), 400.0};
+  EXPECT_NEAR(guidance_forces(land(), whirling, ring).on_cage.force.norm(), 0.0, 1e-9 * force.norm());
+  EXPECT_NEAR((guidance_forces(printed, whirling, ring).on_cage.force - force).norm(), 0.0,
+              1e-9 * force.norm());
+}
+
 TEST(CageGuidance, TouchesDownBeyondTheLargestEccentricity) {
   const GuidanceModel model = land();
   const BodyMotion ring{Vector2::Zero(), Vector2::Zero(), 0.0};

@@ -1,0 +1,23 @@
+// Text of the user's, made fit for one line of a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace orbearing::app {
+
+/// Length [byte] of the UTF-8 character that begins at `at`; 0 where none does.
+std::size_t utf8_character(std::string_view text, std::size_t at);
+
+/// Control characters, marks that turn the direction of writing, and bytes that are not UTF-8 become
+/// escapes ("\x1b", "\u202e"); all else stays. Applying it twice changes nothing more.
+std::string printable(std::string_view text);
+
+/// The same, cut to bearable length; "..." shows the cut.
+std::string shortened(std::string_view text);
+
+/// The same in quotes.
+std::string quote(std::string_view text);
+
+}  // namespace orbearing::app
