@@ -1,5 +1,6 @@
 #include "app/case/case_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include "app/case/case_resolver.hpp"
 #include "app/case/consistency.hpp"
 #include "app/case/settings.hpp"
+#include "app/case/sweep_consistency.hpp"
 
 namespace orbearing::app {
 
@@ -56,6 +58,37 @@ std::optional<Entry> read_root(std::string_view text, std::vector<Mistake>& mist
   return std::nullopt;
 }
 
+struct Outcome {
+  std::optional<ResolvedCase> resolved;  // none where the text is no YAML
+  std::vector<Mistake> mistakes;
+};
+
+Outcome resolve_all(std::string_view text, const std::string& name,
+                    const std::vector<std::string>& settings) {
+  Outcome outcome;
+  std::optional<Entry> root = read_root(text, outcome.mistakes);
+  Entry unread;
+  apply_settings(root ? *root : unread, settings, outcome.mistakes);
+  if (!root) return outcome;
+  outcome.resolved.emplace(resolve(*root, name, outcome.mistakes));
+  check_consistency(*outcome.resolved, outcome.mistakes);
+  check_sweep_consistency(*outcome.resolved, outcome.mistakes);
+  return outcome;
+}
+
+// What stands in the file and is a mistake only with the settings is theirs: a key that a replaced block
+// lacks, a bore that no longer fits.
+void blame_settings(std::vector<Mistake>& mistakes, const std::vector<Mistake>& of_file_alone,
+                    std::size_t settings) {
+  const auto is_of_file = [&](const Mistake& mistake) {
+    return std::any_of(of_file_alone.begin(), of_file_alone.end(), [&](const Mistake& other) {
+      return other.path == mistake.path && other.complaint.found == mistake.complaint.found;
+    });
+  };
+  for (Mistake& mistake : mistakes)
+    if (!mistake.place.option && !is_of_file(mistake)) mistake.place = {true, static_cast<int>(settings), 1};
+}
+
 }  // namespace
 
 ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings) {
@@ -64,15 +97,11 @@ ResolvedCase read_case(const std::string& file, const std::vector<std::string>& 
 
 ResolvedCase parse_case(std::string_view text, const std::string& name,
                         const std::vector<std::string>& settings) {
-  std::vector<Mistake> mistakes;
-  std::optional<Entry> root = read_root(text, mistakes);
-  Entry unread;
-  apply_settings(root ? *root : unread, settings, mistakes);
-  if (!root) throw_mistakes(name, std::move(mistakes));
-  ResolvedCase resolved(resolve(*root, name, mistakes));
-  check_consistency(resolved, mistakes);
-  if (!mistakes.empty()) throw_mistakes(name, std::move(mistakes));
-  return resolved;
+  Outcome outcome = resolve_all(text, name, settings);
+  if (outcome.mistakes.empty()) return std::move(*outcome.resolved);
+  if (!settings.empty())
+    blame_settings(outcome.mistakes, resolve_all(text, name, {}).mistakes, settings.size());
+  throw_mistakes(name, std::move(outcome.mistakes));
 }
 
 }  // namespace orbearing::app

@@ -191,6 +191,10 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
 
 }  // namespace
 
+bool takes_part_in_consistency(std::string_view path) {
+  return path.starts_with("gearset.") || path.starts_with("bearing.") || path == "input.member";
+}
+
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   Checker check(resolved, mistakes);
   check_members(check);

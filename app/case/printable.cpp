@@ -68,8 +68,7 @@ std::string printable(std::string_view text) {
 std::string shortened(std::string_view text) {
   if (text.size() <= longest) return printable(text);
   std::size_t end = 0;
-  for (std::size_t next = 0; next <= longest;
-       next += std::max<std::size_t>(utf8_character(text, next), 1))
+  for (std::size_t next = 0; next <= longest; next += std::max<std::size_t>(utf8_character(text, next), 1))
     end = next;
   return printable(text.substr(0, end)) + "...";
 }

@@ -145,9 +145,8 @@ class AxisReader {
   std::string required_step(const Steps& steps) const {
     const std::string end = steps.text(steps.from + std::floor(steps.count()) * steps.step);
     const double parts = std::max(1.0, std::round(steps.count()));
-    const std::string step = field_.kind == Kind::integer
-                                 ? ""
-                                 : " such as '" + steps.text((steps.to - steps.from) / parts) + "'";
+    const std::string step =
+        field_.kind == Kind::integer ? "" : " such as '" + steps.text((steps.to - steps.from) / parts) + "'";
     return fmt::format("a step that divides the range{}, or 'to: {}', is required", step, end);
   }
 

@@ -143,8 +143,8 @@ Reading<double> convert(double value, std::string_view unit, std::string_view ta
   if (!same_dimension(parsed.get(), target.get()))
     return fault(fmt::format("its unit {} does not measure the same as '{}'", quote(unit), target_unit));
   if (!same_angle_content(parsed.get(), target.get()))
-    return fault(fmt::format("its unit {} does not say how much angle one unit is, as '{}' does",
-                             quote(unit), target_unit));
+    return fault(fmt::format("its unit {} does not say how much angle one unit is, as '{}' does", quote(unit),
+                             target_unit));
   return convert_units(value, parsed.get(), target.get(), unit);
 }
 
@@ -152,7 +152,8 @@ Reading<double> read_quantity(std::string_view text, const Dimension& dimension)
   const Reading<WrittenQuantity> written = split_quantity(text);
   if (!written.value) return fault(written.fault);
   if (written.value->unit.empty())
-    return fault(fmt::format("it has no unit, write it as in '{} {}'", shortened(trim(text)), dimension.customary));
+    return fault(
+        fmt::format("it has no unit, write it as in '{} {}'", shortened(trim(text)), dimension.customary));
   return convert(written.value->value, written.value->unit, dimension.si);
 }
 

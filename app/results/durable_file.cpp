@@ -14,15 +14,12 @@
 #include <thread>
 #include <utility>
 
-#include "app/errors.hpp"
-
 namespace orbearing::app {
 namespace {
 
 [[noreturn]] void fail_to_write(const std::filesystem::path& file, int error) {
-  throw ComputationFailed(
-      fmt::format("{}: cannot be written: {}; finished points are kept: make room, then go on with --resume",
-                  file.string(), std::strerror(error)));
+  throw WriteFailed(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(error)),
+                    "finished points are kept: make room, then go on with --resume");
 }
 
 /// Closes what it holds; `release` first where the result of closing matters.
@@ -105,7 +102,11 @@ void sync_folder(const std::filesystem::path& folder) {
 }
 
 std::string read_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::error_code ignored;
+  // Opening a pipe would wait for its other end.
+  const bool regular = std::filesystem::is_regular_file(file, ignored);
+  std::ifstream stream;
+  if (regular) stream.open(file, std::ios::binary);
   std::string content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (!stream.is_open() || stream.bad())
     throw BadInput(file.string() + ": cannot be read; a readable file is required");

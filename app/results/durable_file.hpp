@@ -7,10 +7,19 @@
 #include <string_view>
 #include <vector>
 
+#include "app/errors.hpp"
+
 namespace orbearing::app {
 
 /// Ending of files being written; a kill may leave them behind.
 inline constexpr const char* aside_ending = ".tmp";
+
+/// The disk does not take a file. `cause` says which and why, without the remedy.
+struct WriteFailed : ComputationFailed {
+  WriteFailed(const std::string& cause_text, const std::string& remedy)
+      : ComputationFailed(cause_text + "; " + remedy), cause(cause_text) {}
+  std::string cause;
+};
 
 struct FileContent {
   std::filesystem::path file;
@@ -18,14 +27,14 @@ struct FileContent {
 };
 
 /// Replaces each file by its content in one step. The contents are on the disk then; the names are after the
-/// next `sync_folder`. Where one cannot be written ComputationFailed is thrown and nothing is left aside.
+/// next `sync_folder`. Where one cannot be written WriteFailed is thrown and nothing is left aside.
 void write_aside_and_rename(const std::vector<FileContent>& files);
 void write_aside_and_rename(const std::filesystem::path& file, std::string_view content);
 
-/// Brings the names in `folder` to the disk. Throws ComputationFailed.
+/// Brings the names in `folder` to the disk. Throws WriteFailed.
 void sync_folder(const std::filesystem::path& folder);
 
-/// Whole content. Throws BadInput where the file cannot be read.
+/// Whole content. Throws BadInput where the file cannot be read or is none, as a pipe is.
 std::string read_file(const std::filesystem::path& file);
 
 /// A file that only grows, locked against other programs that open it in this way.
@@ -43,7 +52,7 @@ class AppendOnlyFile {
   /// Cuts everything after `length`. [bytes]
   void truncate(std::size_t length);
   /// Adds `text` and brings it to the disk. Where that fails the file is cut to its former length and
-  /// ComputationFailed thrown.
+  /// WriteFailed thrown.
   void append(std::string_view text);
 
  private:

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "app/errors.hpp"
+#include "app/results/interruption.hpp"
+#include "app/results/point_file.hpp"
 #include "app/results/sweep_run.hpp"
 
 namespace orbearing::app {
@@ -17,6 +19,10 @@ struct ShardResults {
   Manifest manifest;
   Shard shard;  // a sweep in one piece is shard 1/1
 };
+
+fs::path resolved_file(const ShardResults& shard) {
+  return shard.folder / "case.resolved.yaml";
+}
 
 std::vector<ShardResults> read_shards(const std::vector<fs::path>& folders) {
   std::vector<ShardResults> shards;
@@ -68,11 +74,37 @@ void check_complete(const std::vector<ShardResults>& shards, std::vector<std::st
                                      to_string(Shard{i + 1, found.size()}), found.size()));
 }
 
+/// All that is copied later, so that nothing is written where a part is damaged.
+void check_files(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
+  constexpr std::size_t most_told = 20;
+  const std::string resolved = read_file(resolved_file(shards.front()));
+  std::size_t faults = 0;
+  for (const ShardResults& shard : shards) {
+    // Equal hashes were found before; so are the texts, unless one was changed since.
+    if (resolved.empty() || read_file(resolved_file(shard)) != resolved)
+      messages.push_back(
+          fmt::format("{}: is empty or differs from {}; the file as its sweep wrote it is "
+                      "required",
+                      resolved_file(shard).string(), resolved_file(shards.front()).string()));
+    for (const auto& [point, entry] : shard.manifest.entries) {
+      const std::string fault = fault_of_point_file(shard.folder / entry.file);
+      if (!fault.empty() && ++faults <= most_told)
+        messages.push_back(
+            fmt::format("{}: {}; the file as its sweep wrote it is required: remove it and "
+                        "run the shard's sweep with --resume",
+                        (shard.folder / entry.file).string(), fault));
+    }
+  }
+  if (faults > most_told)
+    messages.push_back(fmt::format("{} more point files are damaged or missing", faults - most_told));
+}
+
 void check(const std::vector<ShardResults>& shards) {
   std::vector<std::string> messages;
   check_alike(shards, messages);
   if (messages.empty()) check_complete(shards, messages);
   if (messages.empty()) check_unfinished(shards, messages);
+  if (messages.empty()) check_files(shards, messages);
   if (!messages.empty()) throw BadInput(messages);
 }
 
@@ -81,9 +113,42 @@ void copy_points(const ShardResults& shard, ResultFolder& folder) {
   for (const auto& [point, entry] : shard.manifest.entries) {
     points.push_back({point, read_file(shard.folder / entry.file), entry.row});
     if (points.size() < points_at_once) continue;
+    if (Interruption::requested())
+      throw ComputationFailed(folder.path().string() +
+                              ": interrupted; nothing of the merge is kept: merge again");
     folder.keep(std::exchange(points, {}));
   }
   folder.keep(std::move(points));
+}
+
+/// Folders that have to be made for `folder`, innermost first.
+std::vector<fs::path> missing_folders(fs::path folder) {
+  std::vector<fs::path> missing;
+  std::error_code ignored;
+  for (; !folder.empty() && !fs::exists(folder, ignored); folder = folder.parent_path())
+    missing.push_back(folder);
+  return missing;
+}
+
+SweepOutcome fill(ResultFolder& merged, const ManifestHeader& header,
+                  const std::vector<ShardResults>& shards) {
+  try {
+    for (const ShardResults& shard : shards) copy_points(shard, merged);
+    merged.write_table();
+    return outcome_of(header, merged, header.points);
+  } catch (...) {
+    merged.discard();
+    throw;
+  }
+}
+
+SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::path& folder) {
+  ManifestHeader header = *shards.front().manifest.header;
+  header.shard.reset();
+  const std::string resolved = read_file(resolved_file(shards.front()));
+  const Interruption interruption;
+  ResultFolder merged(folder, header, resolved, OpenMode::fresh);
+  return fill(merged, header, shards);
 }
 
 }  // namespace
@@ -92,12 +157,20 @@ SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& 
   if (folders.empty()) throw BadInput("merge: no folder was given; those of all shards are required");
   const std::vector<ShardResults> shards = read_shards(folders);
   check(shards);
-  ManifestHeader header = *shards.front().manifest.header;
-  header.shard.reset();
-  ResultFolder merged(folder, header, read_file(folders.front() / "case.resolved.yaml"), OpenMode::fresh);
-  for (const ShardResults& shard : shards) copy_points(shard, merged);
-  merged.write_table();
-  return outcome_of(header, merged, header.points);
+  const std::vector<fs::path> missing = missing_folders(folder);
+  const auto remove_made = [&] {
+    std::error_code ignored;
+    for (const fs::path& made : missing) fs::remove(made, ignored);  // if empty
+  };
+  try {
+    return write_merged(shards, folder);
+  } catch (const WriteFailed& error) {
+    remove_made();
+    throw ComputationFailed(error.cause + "; nothing of the merge is kept: make room, then merge again");
+  } catch (...) {
+    remove_made();
+    throw;
+  }
 }
 
 }  // namespace orbearing::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,5 +40,8 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
 
 /// The bytes of the file. One thread at a time: the netCDF library knows no more. Throws ComputationFailed.
 std::string netcdf_bytes(const PointContent& content);
+
+/// What is wrong with a point's file: "is missing", "is empty", "is no netCDF file"; empty for a sound one.
+std::string fault_of_point_file(const std::filesystem::path& file);
 
 }  // namespace orbearing::app

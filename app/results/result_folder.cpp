@@ -114,6 +114,16 @@ ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const 
   require_usable(folder_, header, mode);
   make_folder(folder_);
   manifest_ = AppendOnlyFile(folder_ / manifest_name);
+  const bool was_empty = manifest_.content().empty();
+  try {
+    begin(header, resolved_case);
+  } catch (...) {
+    if (was_empty) discard();
+    throw;
+  }
+}
+
+void ResultFolder::begin(const ManifestHeader& header, const std::string& resolved_case) {
   Manifest manifest = parse_manifest(manifest_.content(), (folder_ / manifest_name).string());
   // Another sweep may have come between the look and the lock.
   if (manifest.header) require_same(folder_, *manifest.header, header);
@@ -144,6 +154,15 @@ void ResultFolder::keep(std::vector<FinishedPoint> points) {
   }
   manifest_.append(lines);
   for (auto& [index, entry] : kept) finished_.insert_or_assign(index, std::move(entry));
+}
+
+void ResultFolder::discard() {
+  std::error_code ignored;
+  for (const char* name : {points_name, resolved_name, table_name, manifest_name}) {
+    fs::remove_all(folder_ / name, ignored);
+    fs::remove((folder_ / name).string() + aside_ending, ignored);
+  }
+  finished_.clear();
 }
 
 void ResultFolder::write_table() const {

@@ -25,7 +25,7 @@ struct FinishedPoint {
 /// Opening leaves a folder untouched unless it may be used: it is missing (made, parents too), empty, or -
 /// in resume mode - holds results of the same header. Everything else throws BadInput.
 /// A kill at any instant leaves a folder that resume mode accepts, with every point that `keep` returned
-/// from.
+/// from. A fresh folder that cannot be begun is left empty.
 class ResultFolder {
  public:
   ResultFolder(std::filesystem::path folder, const ManifestHeader& header, const std::string& resolved_case,
@@ -41,10 +41,15 @@ class ResultFolder {
   /// Writes sweep.csv from the finished points, in their order.
   void write_table() const;
 
+  /// Takes back all that stands in the folder. For a fresh one only; nothing may be kept afterwards.
+  void discard();
+
   const TableHead& head() const { return head_; }
   const std::filesystem::path& path() const { return folder_; }
 
  private:
+  void begin(const ManifestHeader& header, const std::string& resolved_case);
+
   std::filesystem::path folder_;
   TableHead head_;
   AppendOnlyFile manifest_;

@@ -52,7 +52,9 @@ SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder
 
 /// Joins the shards of one sweep into `folder`, which must be missing or empty. Its table equals that of the
 /// sweep run in one piece, byte for byte. Throws BadInput where shards are missing, unfinished, given twice,
-/// or of unlike cases, versions, fidelities or instruction sets.
+/// of unlike cases, versions, fidelities or instruction sets, or with files missing or damaged, before
+/// anything is written. Throws ComputationFailed where the disk does not take the result, or on SIGINT or
+/// SIGTERM; whatever it throws, nothing is left that it wrote.
 SweepOutcome merge_shards(const std::vector<std::filesystem::path>& shards,
                           const std::filesystem::path& folder);
 

@@ -49,8 +49,8 @@ SETTINGS = {
     "not a number": ("life.lambda=.nan", "life.lambda", "finite number"),
     "overflow": ("input.power=1e999 kW", "input.power", "too large"),
     "wrong sign": ("gearset.module=-3 mm", "gearset.module", "greater than 0 mm"),
-    "zero power": ("input.power=0 kW", "input.power", "greater than 0 kW"),
-    "zero speed": ("input.speed=0 rpm", "input.speed", "greater than 0 rpm"),
+    "zero power": ("input.power=0 kW", "input.power", "at least 1e-06 kW"),
+    "zero speed": ("input.speed=0 rpm", "input.speed", "at least 0.001 rpm"),
     "beyond the range": ("material.poisson_ratio=0.5", "material.poisson_ratio", "less than 0.5"),
     "fraction of a tooth": ("gearset.teeth.sun=37.5", "gearset.teeth.sun", "not a whole number"),
     "word for a switch": ("film.enabled=yes", "film.enabled", "true or false"),
@@ -73,6 +73,9 @@ SETTINGS = {
     "sweep backwards": ("sweep.input.speed.to=500 rpm", "sweep.input.speed.to", "less than 'from'"),
     "sweep without end": ("sweep.input.speed.step=1e-9 rpm", "sweep.input.speed.step", "too many points"),
     "sweep of a choice": ("sweep.gearset.fixed=[sun]", "sweep.gearset.fixed", "no number"),
+    "sweep beside its end": ("sweep.input.speed.step=7777 rpm", "sweep.input.speed.step", "divides the range"),
+    "sweep of wrong planets": ("sweep.gearset.planets=[3, 4]", "sweep.gearset.planets", "found 3 equally spaced"),
+    "reciprocal unit": ("gearset.module=333 m-1", "gearset.module", "does not measure the same"),
     "empty reason": ("assumed.film.enabled=", "assumed.film.enabled", "the reason"),
 }
 

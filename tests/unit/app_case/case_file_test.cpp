@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "app/case/field_table.hpp"
@@ -103,6 +106,30 @@ TEST(CaseFile, RefusesFilesThatAreNoCase) {
   EXPECT_THAT(mistakes("a: [\n"), ElementsAre(HasSubstr("(file)")));
   EXPECT_THROW(read_case("no/such/file.yaml"), BadInput);
   EXPECT_THROW(read_case(std::filesystem::temp_directory_path()), BadInput);
+}
+
+TEST(CaseFile, RefusesPipesAndDevices) {
+  // Opening a pipe without a writer would wait for ever.
+  const std::string pipe = ::testing::TempDir() + "orbearing_pipe_" + std::to_string(::getpid());
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& file : {pipe, std::string("/dev/zero")}) try {
+      read_case(file);
+      ADD_FAILURE() << file;
+    } catch (const BadInput& error) {
+      EXPECT_THAT(error.what(), HasSubstr("a pipe, a device or a socket; a readable case file is required"));
+    }
+  ::unlink(pipe.c_str());
+}
+
+TEST(CaseFile, BoundsPowerAndSpeed) {
+  EXPECT_THAT(setting_mistakes({"input.power=0.001 W", "input.speed=0.001 rpm"}), IsEmpty());
+  EXPECT_THAT(setting_mistakes({"input.power=10 GW", "input.speed=1e6 rpm"}), IsEmpty());
+  for (const char* setting : {"input.power=0.0009 W", "input.power=11 GW"})
+    EXPECT_THAT(setting_mistakes({setting}),
+                ElementsAre(HasSubstr("at least 1e-06 kW and at most 10000000 kW")));
+  for (const char* setting : {"input.speed=0.0009 rpm", "input.speed=1.1e6 rpm"})
+    EXPECT_THAT(setting_mistakes({setting}),
+                ElementsAre(HasSubstr("at least 0.001 rpm and at most 1000000 rpm")));
 }
 
 TEST(CaseFile, ReportsAnEmptyBlockOnce) {

@@ -8,6 +8,8 @@ namespace orbearing::app {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -66,6 +68,24 @@ TEST(Settings, ReportBadValues) {
               ElementsAre(StartsWith("--set: assumed.film: unknown path")));
   EXPECT_THAT(setting_mistakes({"sweep=3"}), ElementsAre(HasSubstr("sweep: '3' found")));
   EXPECT_THAT(setting_mistakes({"bearing.cage.width=9.5 mm"}), IsEmpty());
+}
+
+TEST(Settings, AreToBlameForWhatTheFileAloneDoesNotHave) {
+  // Keys missing from a replaced block, a ring that no longer fits, a model that does not know the fields.
+  EXPECT_THAT(setting_mistakes({"bearing={rollers: 14}"}), Each(StartsWith("--set: bearing.")));
+  EXPECT_THAT(setting_mistakes({"bearing={rollers: 14}"}),
+              Contains(StartsWith("--set: bearing.type: missing")));
+  EXPECT_THAT(setting_mistakes({"bearing.pitch_diameter=29 mm"}),
+              Contains(StartsWith("--set: bearing.bore: '25 mm' does not fit")));
+  EXPECT_THAT(setting_mistakes({"model=roller-bearing"}), Each(StartsWith("--set: ")));
+  EXPECT_THAT(setting_mistakes({"bearing={rollers: 14, rollers: 15}"}),
+              Contains("--set: bearing.rollers: duplicate key; each key once is required"));
+}
+
+TEST(Settings, LeaveTheFileItsOwnMistakes) {
+  EXPECT_THAT(mistakes(replaced(bearing_case, "10 mm", "10 kg"), {"bearing.rollers=two"}),
+              ElementsAre(StartsWith("case.yaml:9:20: bearing.roller_diameter"),
+                          StartsWith("--set: bearing.rollers")));
 }
 
 TEST(Settings, AreCheckedEvenIfTheFileIsNoYaml) {

@@ -27,7 +27,6 @@ TEST(SweepAxes, StepInTheUnitAsWritten) {
 TEST(SweepAxes, ReachTheEndDespiteRounding) {
   // 0.1 and 0.3 are not binary fractions: (0.3 - 0) / 0.1 lies below 3.
   EXPECT_EQ(speeds("{from: 0.1 rpm, to: 0.7 rpm, step: 0.1 rpm}").size(), 7U);
-  EXPECT_EQ(speeds("{from: 1 rpm, to: 2.9 rpm, step: 1 rpm}").size(), 2U);
   EXPECT_EQ(speeds("{from: 5 rpm, to: 5 rpm, step: 1 rpm}").size(), 1U);
 }
 
@@ -72,6 +71,18 @@ TEST(SweepAxes, ReportMistakes) {
               ElementsAre(HasSubstr("less than 'from'")));
   EXPECT_THAT(axis_mistakes("input.speed", "{from: 0 rpm, to: 1 rpm, step: 1 rpm}"),
               ElementsAre(HasSubstr("speed.from")));
+}
+
+TEST(SweepAxes, WantAStepThatReachesTheEnd) {
+  EXPECT_THAT(
+      axis_mistakes("input.speed", "{from: 1000 rpm, to: 12000 rpm, step: 7777 rpm}"),
+      ElementsAre(AllOf(StartsWith("--set: sweep.input.speed.step: '7777 rpm' leads past 'to', '12000 rpm'"),
+                        HasSubstr("such as '11000 rpm', or 'to: 8777 rpm'"))));
+  // A step wider than the range reaches its start only.
+  EXPECT_THAT(axis_mistakes("input.speed", "{from: 1 rpm, to: 2 rpm, step: 5 rpm}"),
+              ElementsAre(HasSubstr("such as '1 rpm', or 'to: 1 rpm'")));
+  EXPECT_THAT(axis_mistakes("bearing.rollers", "{from: 10, to: 15, step: 2}"),
+              ElementsAre(HasSubstr("divides the range, or 'to: 14'")));
 }
 
 TEST(SweepAxes, LimitTheNumberOfPoints) {

@@ -58,6 +58,20 @@ TEST(Units, RefuseWrongAndUnknownUnits) {
   expect_fault("20 degC", dimension::mass, "does not measure");
 }
 
+TEST(Units, RefuseReciprocalsAsAnotherDimension) {
+  expect_fault("333 m-1", dimension::length, "unit 'm-1' does not measure the same as 'm'");
+  expect_fault("1 m3/kg", dimension::density, "does not measure the same");
+  expect_fault("1.5e-8 Pa", dimension::pressure_viscosity, "does not measure the same");
+  expect_fault("1 s/rad", dimension::angular_speed, "does not measure the same");
+  expect_fault("3 dBm", dimension::power, "does not measure the same");
+}
+
+TEST(Units, ShowLongTextsCut) {
+  const std::string unit(500, 'm');
+  expect_fault(("3 " + unit).c_str(), dimension::length, "mmm...' is not known");
+  expect_fault(std::string(300, '1').c_str(), dimension::length, "111... mm'");
+}
+
 TEST(Units, RefuseNumbersHiddenInUnits) {
   for (const char* text : {"3 mm 10", "3 10 mm", "3 mm.4", "3 mm/2", "3 mm @ 5", "3 2", "3 1/"})
     expect_fault(text, dimension::length, "not known");

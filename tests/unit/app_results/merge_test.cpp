@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 
@@ -123,12 +124,75 @@ TEST(Merge, OutputThatHoldsResultsIsRefused) {
   EXPECT_THAT(refusal({first, run_shard(place, 2, 2)}, first), HasSubstr("holds results"));
 }
 
-TEST(Merge, PointFileGoneFromAShardIsNamed) {
+TEST(Merge, EveryDamagedFileIsNamedBeforeAnythingIsWritten) {
   const TemporaryFolder place;
-  const fs::path first = run_shard(place, 1, 2);
-  fs::remove(first / point_file_name(2));
-  EXPECT_THAT(refusal({first, run_shard(place, 2, 2)}, place / "merged"),
-              HasSubstr("00002.nc: cannot be read"));
+  const std::vector<fs::path> shards = {run_shard(place, 1, 2), run_shard(place, 2, 2)};
+  const std::string whole = read_file(shards[0] / point_file_name(4));
+  fs::remove(shards[0] / point_file_name(2));
+  testing::write(shards[0] / point_file_name(4), whole.substr(0, whole.size() / 2));
+  testing::write(shards[1] / point_file_name(1), "");
+  testing::write(shards[1] / point_file_name(3), "no netCDF");
+  const std::string message = refusal(shards, place / "merged");
+  EXPECT_THAT(message, HasSubstr("s1/points/00002.nc: is missing"));
+  EXPECT_THAT(message, HasSubstr("s1/points/00004.nc: is not a whole netCDF file"));
+  EXPECT_THAT(message, HasSubstr("s2/points/00001.nc: is empty"));
+  EXPECT_THAT(message, HasSubstr("s2/points/00003.nc: is not a whole netCDF file"));
+  EXPECT_FALSE(fs::exists(place / "merged"));
+}
+
+TEST(Merge, ChangedCaseOfAShardIsRefused) {
+  const TemporaryFolder place;
+  const std::vector<fs::path> shards = {run_shard(place, 1, 2), run_shard(place, 2, 2)};
+  testing::write(shards[1] / "case.resolved.yaml", "name: other\n");
+  EXPECT_THAT(refusal(shards, place / "merged"), HasSubstr("s2/case.resolved.yaml: is empty or differs"));
+  EXPECT_FALSE(fs::exists(place / "merged"));
+}
+
+/// Files cannot grow beyond a size: the manifest of many points meets it late.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t most) {
+    getrlimit(RLIMIT_FSIZE, &former_);
+    const rlimit limit{most, former_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  ~SmallDisk() { setrlimit(RLIMIT_FSIZE, &former_); }
+
+ private:
+  rlimit former_{};
+};
+
+/// Message of a merge onto a disk that takes the first points and not the last; "merged" where it takes all.
+std::string failure(const std::vector<fs::path>& shards, const fs::path& folder) {
+  const auto whole = static_cast<rlim_t>(fs::file_size(shards.front() / "manifest.jsonl"));
+  const SmallDisk disk(whole + whole / 2);
+  try {
+    merge_shards(shards, folder);
+  } catch (const ComputationFailed& error) {
+    return error.what();
+  }
+  return "merged";
+}
+
+TEST(Merge, FullDiskLeavesNothingAndTheRetrySucceeds) {
+  const TemporaryFolder place;
+  std::vector<fs::path> shards;
+  for (std::size_t index = 1; index <= 2; ++index) {
+    SweepRequest request = fake_request(place / ("s" + std::to_string(index)), 200);
+    request.header.shard = Shard{index, 2};
+    run_sweep(request);
+    shards.push_back(request.folder);
+  }
+  fs::create_directory(place / "empty");
+  for (const char* name : {"new/merged", "empty"}) {
+    EXPECT_THAT(failure(shards, place / name),
+                HasSubstr("nothing of the merge is kept: make room, then merge"));
+    EXPECT_FALSE(fs::exists(place / "new"));
+    EXPECT_TRUE(fs::is_empty(place / "empty"));
+  }
+  EXPECT_EQ(merge_shards(shards, place / "empty").rows.size(), 200U);
 }
 
 }  // namespace
