@@ -50,13 +50,13 @@ def make_page(content=None, change=lambda name, values: values, damage=lambda fo
         return command.build(Path(folder))
 
 
-def make_figures(content=None, change=lambda name, values: values):
-    """The sections that only a dynamic result has, without the time that the others take."""
+def make_figures(content=None, change=lambda name, values: values, blocks=DYNAMIC_BLOCKS):
+    """The sections that only a dynamic result has, or some of them, without the time that the others take."""
     with tempfile.TemporaryDirectory() as folder:
         dynamic.write_results(folder, dynamic.make_report() if content is None else content, change)
         report = read_report(Path(folder))
         with style.context():
-            return page(report, [block(report) for block in DYNAMIC_BLOCKS])
+            return page(report, [block(report) for block in blocks])
 
 
 def peak_only():
@@ -142,7 +142,7 @@ class MissingData(unittest.TestCase):
         for name in dynamic.variables(6000):
             for empty in (None, np.nan):
                 with self.subTest(variable=name, value=empty):
-                    text = make_figures(peak_only(), lambda n, values: values if n != name else empty)
+                    text = make_figures(peak_only(), lambda n, values: values if n != name else empty, DYNAMIC_BLOCKS[:4])
                     self.assertEqual(outline(text).faults, [])
                     self.assertNotRegex(text, r"(?i)>nan<")
 
@@ -163,7 +163,8 @@ class MissingData(unittest.TestCase):
         for value in (None, [], {}, "text", [None], {"ablation": [{"points": 3}], "quasi_static": []},
                       {"ablation": [{"name": None, "points": [None, {}]}], "quasi_static": {"polar": [{}]}}):
             with self.subTest(dynamic=value):
-                self.assertEqual(outline(make_figures({**whole, "dynamic": value})).faults, [])
+                text = make_figures({**whole, "dynamic": value}, blocks=(dynamic_polar.block, dynamic_ablation.block))
+                self.assertEqual(outline(text).faults, [])
         for key in ("points", "peak", "drawing", "polar"):
             with self.subTest(key=key):
                 self.assertEqual(outline(make_figures({**whole, key: None})).faults, [])
@@ -196,6 +197,11 @@ class Numbers(unittest.TestCase):
 
     def test_shown_speeds_are_lowest_best_and_highest(self):
         self.assertEqual(self.report.shown_speeds, [1000, 6000, 12000])
+
+    def test_speed_without_a_file_is_said_past_a_torn_line(self):
+        point = read_point(self.report, 777)
+        self.assertEqual(point.values, {})
+        self.assertIn("777 rpm is not named in manifest.jsonl", point.problem)
 
     def test_rollers_that_carry_as_quasi_static_ones_leave_no_difference(self):
         rows = np.array(self.block(dynamic_polar).data.rows, dtype=float)

@@ -58,8 +58,8 @@ def _draw(speed: np.ndarray, values: np.ndarray, seen: np.ndarray, label: str, s
 
 
 def _caption(seen: np.ndarray) -> str:
-    text = ("Mean power lost in one bearing, stacked by cause: left in watts, right as shares of the whole. The broadest "
-            "band on the left is what to improve first; a band that widens on the right is a cause that grows faster than the rest.")
+    text = ("Mean power lost in one bearing, stacked by cause: first in watts, then as shares of the whole. The broadest "
+            "band is what to improve first; a band that widens among the shares is a cause that grows faster than the rest.")
     thin = [name for name, shown in zip(CAUSES.values(), seen) if not shown]
     return text + (f" Below {LEAST_SHARE} % everywhere and so not drawn: {', '.join(thin)}." if thin else "")
 

@@ -34,6 +34,7 @@ std::string failure_of(const SweepRequest& request) {
 /// Asks for an end, as a user does by Ctrl-C, when `after` points were begun.
 SweepRequest interrupted_request(const fs::path& folder, std::size_t after) {
   SweepRequest request = fake_request(folder, points);
+  request.jobs = 1;  // a second thread could finish the sweep while the first is about to ask for its end
   request.evaluate = [after](std::size_t point) {
     if (point == after) std::raise(SIGINT);
     return testing::fake_result(point);
