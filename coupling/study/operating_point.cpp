@@ -65,8 +65,11 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Bear
 }
 
 bearing::dynamics::DynamicsParameters dynamics_of(const PlanetaryDrivetrain& drivetrain,
-                                                  const DrivetrainGeometry& geometry) {
+                                                  const DrivetrainGeometry& geometry,
+                                                  const BearingDuty& duty) {
   bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
+  parameters.ripple.angular_frequency =
+      drivetrain.set.sun_teeth * std::abs(duty.gears.sun_speed - duty.gears.carrier_speed);
   parameters.inertia = drivetrain.inertia;
   parameters.lubricant = drivetrain.lubricant;
   parameters.race.film_in_approach = drivetrain.film_in_approach;
@@ -97,7 +100,7 @@ LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& mean
 PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const BearingDuty& duty) {
   const integration::SteadyStateResult run = integration::run_to_steady_state(
-      drivetrain.bearing, duty.point, dynamics_of(drivetrain, geometry), drivetrain.steady_state);
+      drivetrain.bearing, duty.point, dynamics_of(drivetrain, geometry, duty), drivetrain.steady_state);
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);
