@@ -65,7 +65,7 @@ struct CommandTable {
     CLI::App& sub = *program.add_subcommand(name, purpose);
     sub.add_flag("--json", options.json, "print the result as one JSON object and nothing else");
     sub.add_flag("--quiet", options.quiet, "print nothing but errors");
-    sub.callback([this, command] { chosen = command; });
+    sub.callback([&into = chosen, command] { into = command; });  // the table is gone when this runs
     return sub;
   }
 };
