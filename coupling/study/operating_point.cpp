@@ -43,7 +43,8 @@ RaceResult race_result(const Eigen::ArrayXd& loads, const bearing::Film& film) {
           .least_film = least_film(film, loads.maxCoeff())};
 }
 
-PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty) {
+PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                               const BearingDuty& duty) {
   bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
                                       .cage_positions = drivetrain.cage_positions};
   if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
@@ -51,8 +52,8 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Bear
       bearing::quasi_static_bearing(drivetrain.bearing, duty.point, options);
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
   const bearing::RollerContacts rolling =
-      bearing::rolling_contacts(drivetrain.bearing, bearing::geometry_of(drivetrain.bearing),
-                                duty.point.inner_speed, duty.point.outer_speed, drivetrain.lubricant);
+      bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
+                                duty.point.outer_speed, drivetrain.lubricant);
   PointResult result;
   result.inner = race_result(loads.inner_load, rolling.inner.film());
   result.outer = race_result(loads.outer_load, rolling.outer.film());
@@ -144,7 +145,7 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
                      Fidelity fidelity) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   PointResult result = fidelity == Fidelity::dynamic ? dynamic_point(drivetrain, geometry, duty)
-                                                     : quasi_static_point(drivetrain, duty);
+                                                     : quasi_static_point(drivetrain, geometry, duty);
   put_loads(drivetrain, geometry, duty, result);
   result.contact_pressure = largest_pressure(drivetrain, geometry, result);
   return result;
