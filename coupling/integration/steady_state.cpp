@@ -30,6 +30,8 @@ double roller_frequency(const BearingModel& model) {
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
 }
 
+}  // namespace
+
 void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {
   for (Eigen::ArrayXXd* matrix :
        {&series.angle, &series.inner_load, &series.outer_load, &series.inner_sliding, &series.outer_sliding,
@@ -57,6 +59,15 @@ void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& ser
   series.power_loss[i] = now.loss.total();
 }
 
+IntegrationOptions integration_options(const BearingModel& model, const SteadyStateOptions& options) {
+  IntegrationOptions settings = options.integration;
+  settings.allowed_error = bearing_allowed_errors(model.layout, options.allowed_length_error,
+                                                  model.geometry.pitch_radius, roller_frequency(model));
+  return settings;
+}
+
+namespace {
+
 // The run in progress: state, time and the length of the next window.
 class SteadyRun {
  public:
@@ -67,10 +78,7 @@ class SteadyRun {
         result_(result),
         collector_(model().layout.rollers, options.places),
         window_(two_pi / std::abs(result.kinematic_cage_speed)) {
-    settings_ = options.integration;
-    settings_.allowed_error =
-        bearing_allowed_errors(model().layout, options.allowed_length_error, model().geometry.pitch_radius,
-                               roller_frequency(model()));
+    settings_ = integration_options(model(), options);
   }
 
   /// Runs `windows` windows as one and returns their means; empty statistics where the integration failed.
@@ -80,11 +88,11 @@ class SteadyRun {
     const long first_kept = samples - options_.samples_per_window;
     const long stride = std::max(1L, options_.samples_per_window / std::max(1L, options_.series_samples));
     if (series) resize(*series, model().layout.rollers, (options_.samples_per_window - 1) / stride + 1);
-    take_snapshot(model(), result_.final_state, snapshot_);
+    take_snapshot(model(), result_.final_state, snapshot_, time_);
     collector_.begin(time_, snapshot_);
     long sample = 0;
     const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
-      take_snapshot(model(), x, snapshot_);
+      take_snapshot(model(), x, snapshot_, time);
       collector_.add(time, snapshot_);
       const long kept = sample++ - first_kept;
       if (series && kept >= 0 && kept % stride == 0) record(time, snapshot_, kept / stride, *series);
@@ -165,9 +173,11 @@ SteadyStateResult run_from(Eigen::VectorXd start, const PlanetBearingEquations& 
                            const SteadyStateOptions& options) {
   const BearingModel& model = equations.model();
   const bearing::OperatingPoint& point = model.point;
+  if (model.driving.growth != 0.0)
+    throw std::invalid_argument(
+        "growth of the speeds: found a run-up, which has no steady state; required: 0");
   SteadyStateResult result;
-  result.kinematic_cage_speed =
-      bearing::kinematic_cage_speed(model.geometry, point.inner_speed, point.outer_speed);
+  result.kinematic_cage_speed = model.kinematic_cage_speed;
   result.kinematic_spin =
       bearing::kinematic_roller_spin(model.geometry, point.inner_speed, point.outer_speed);
   if (result.kinematic_cage_speed == 0.0)
