@@ -67,9 +67,8 @@ Eigen::ArrayXd extra_approach(const CylindricalRollerBearing& bearing, const Eig
 void require_equal_pitches(const CylindricalRollerBearing& bearing) {
   if (every_pitch_alike(bearing)) return;
   throw std::invalid_argument(
-      "bearing: found unequal rollers or waves that turn with a race; required by the quasi-static means "
-      "over "
-      "one pitch: equal rollers and standing forms. Compute the motion in time instead");
+      "bearing: found unequal rollers or waves that turn with a race; required by the means over one pitch: "
+      "equal rollers and standing forms. Compute the motion in time instead");
 }
 
 void keep_worst(const SolverReport& one, SolverReport& all) {

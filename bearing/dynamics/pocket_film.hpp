@@ -36,7 +36,7 @@ inline LineFilm line_film(double viscosity, double length, double radius, double
           viscosity * length * s * psi};
 }
 
-/// Power lost in the film [W], >= 0: at surface speeds whose difference is `sliding` and half sum
+/// Power lost in the film [W], >= 0, at surface speeds whose difference is `sliding` and half sum
 /// `entrainment` [m/s].
 inline double line_film_power(const LineFilm& film, double entrainment, double closing, double sliding) {
   return film.load * closing + film.shear * (sliding * sliding + 4.0 * entrainment * entrainment);

@@ -48,6 +48,7 @@ TEST(RaceForm, RollersAllLargerTakeClearance) {
 // An oval bore, longer along its load, takes load from the middle of the load zone to its ends.
 TEST(RaceForm, OvalBoreSpreadsTheLoad) {
   CylindricalRollerBearing oval = test::reducer_bearing();
+  oval.radial_clearance = 20e-6;  // so that its waist does not pinch the rollers at the sides
   const QuasiStaticResult round = quasi_static_bearing(oval, kPoint, {});
   const double direction = std::atan2(kPoint.bore_load.y(), kPoint.bore_load.x());
   oval.outer_form = {{2, 5e-6, -2.0 * direction, false}};
@@ -87,7 +88,9 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
   const double second_order = kShift * kShift / 17.82e-3 / 4e-6 * 10.0 / 9.0;
   EXPECT_NEAR(found.load, expected.load, 2.0 * second_order * expected.load);
   EXPECT_LT((found.on_roller.force - expected.on_roller.force).norm(), 1e-5 * expected.load);
-  EXPECT_NEAR(found.damping_power, expected.damping_power, 1e-4 * std::abs(expected.damping_power));
+  const double first_order =
+      kShift / 17.82e-3;  // of the line's turning on the approach speed, which is squared
+  EXPECT_NEAR(found.damping_power, expected.damping_power, 4.0 * first_order * expected.damping_power);
 }
 
 TEST(PrintedFilm, IsAClearance) {
