@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/case/field_table.hpp"
+#include "app/case/refinement_consistency.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
@@ -206,6 +207,7 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
   }
   check_guide_land(check);
   check_widths(check);
+  check_refinements(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }
 

@@ -12,6 +12,8 @@ set(ORBEARING_CASE_SOURCES
   case/field_table.cpp
   case/mistake.cpp
   case/printable.cpp
+  case/refinement_consistency.cpp
+  case/refinement_fields.cpp
   case/resolved_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp

@@ -2,6 +2,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include "app/study/refinements.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
@@ -178,6 +179,7 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   out.dynamics = dynamics_of(in);
   out.dynamics.cage = cage_dynamics_of(in);
   out.steady_state = steady_state_of(in);
+  add_refinements(in, out);
   return out;
 }
 
