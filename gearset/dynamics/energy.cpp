@@ -14,20 +14,15 @@ double square(double value) {
   return value * value;
 }
 
-// 1/2 m |distance from the axis|^2, less its value in the nominal place.
-double half_second_moment(const SetModel& model, const State& q) {
-  double sum = 0.0;
-  for (Eigen::Index place = 0; place < model.layout.freedoms(); place += 3) {
-    const double radius = place >= SetLayout::planet(0) ? model.parameters.carrier.radius : 0.0;
-    const double outward = q[place];
-    sum += 0.5 * model.mass[place] * (outward * (outward + 2.0 * radius) + square(q[place + 1]));
-  }
-  return sum;
-}
-
+// -1/2 m Omega^2 distance^2 from the axis, less its value in the nominal place.
 double centrifugal_energy(const SetModel& model, const CarrierTurn& turn, const State& q) {
-  return -turn.centrifugal * half_second_moment(model, q) +
-         0.5 * centrifugal_stiffness(model, turn) * square(q[SetLayout::carrier() + 2]);
+  double squares = 0.0;  // [kg m^2]
+  for (Eigen::Index place = 0; place < SetLayout::planet(0); place += 3)
+    squares += model.mass[place] * q.segment<2>(place).squaredNorm();
+  const double radius = model.parameters.carrier.radius;
+  for (Eigen::Index place = SetLayout::planet(0); place < model.layout.freedoms(); place += 3)
+    squares += model.mass[place] * q[place] * (q[place] + 2.0 * radius);
+  return -0.5 * turn.centrifugal * squares;
 }
 
 double bearing_energy(const SetModel& model, const State& q) {

@@ -1,5 +1,6 @@
 #include "gearset/dynamics/equations.hpp"
 
+#include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/frame_force.hpp"
 #include "gearset/dynamics/mesh_force.hpp"
 
@@ -21,22 +22,19 @@ void add_meshes(const SetModel& model, double time, const Positions& q, const Po
   }
 }
 
-void add_pair(const PlanetBearing& bearing, double radial, double tangential, Forces force) {
+// A force on the planet outward is a pull on the pin inward: the deflection vectors hold both signs.
+void add_bearing(const PlanetBearing& bearing, const Eigen::Vector2d& on_planet, Forces force) {
   force.segment<3>(SetLayout::carrier()) -=
-      radial * bearing.radial.central + tangential * bearing.tangential.central;
-  force.segment<3>(bearing.place) -= radial * bearing.radial.planet + tangential * bearing.tangential.planet;
+      on_planet.x() * bearing.radial.central + on_planet.y() * bearing.tangential.central;
+  force.segment<3>(bearing.place) -=
+      on_planet.x() * bearing.radial.planet + on_planet.y() * bearing.tangential.planet;
 }
 
 void add_planet_bearings(const SetModel& model, const Positions& q, const Positions& v, Forces force) {
   const PlanetMember& planet = model.parameters.planet;
   if (planet.coupled_bearing) return;
-  const auto push = [&](const PlanetBearing& bearing, const DeflectionVector& along, double error) {
-    return planet.bearing_stiffness * (along.of(q, SetLayout::carrier(), bearing.place) + error) +
-           planet.bearing_damping * along.of(v, SetLayout::carrier(), bearing.place);
-  };
   for (const PlanetBearing& bearing : model.bearings)
-    add_pair(bearing, push(bearing, bearing.radial, bearing.pin_error.x()),
-             push(bearing, bearing.tangential, bearing.pin_error.y()), force);
+    add_bearing(bearing, bearing_force(planet, bearing, q, v), force);
 }
 
 void add_supports(const SetModel& model, const CarrierTurn& turn, const Positions& q, const Positions& v,
@@ -111,9 +109,8 @@ void PlanetarySetEquations::derivative(double time, const Eigen::Ref<const Eigen
   auto force = dx.tail(n);
   force.setZero();
   add_forces(model_, time, x, force);
-  // A force on the planet outward is a pull on the pin inward: the deflection vectors hold both signs.
   for (Eigen::Index i = 0; i < model_.layout.planets; ++i)
-    add_pair(model_.bearings[static_cast<std::size_t>(i)], port_force(0, i), port_force(1, i), force);
+    add_bearing(model_.bearings[static_cast<std::size_t>(i)], port_force.col(i), force);
   force.array() *= model_.mobility.array();
 }
 

@@ -26,7 +26,7 @@ inline Eigen::Vector2d velocity_in_housing(const CarrierTurn& turn, const Eigen:
   return velocity + turn.speed * Eigen::Vector2d(-position.y(), position.x());
 }
 
-/// Acceleration [m/s^2] that the frame adds to a body at `position` from the sun's axis. Eq. (8) of
+/// Acceleration [m/s^2] that the frame adds to a central member at `position` from the axis. Eq. (8) of
 /// gearset/dynamics/README.md.
 inline Eigen::Vector2d frame_acceleration(const CarrierTurn& turn, const Eigen::Vector2d& position,
                                           const Eigen::Vector2d& velocity) {
@@ -34,23 +34,26 @@ inline Eigen::Vector2d frame_acceleration(const CarrierTurn& turn, const Eigen::
          turn.euler * Eigen::Vector2d(position.y(), -position.x());
 }
 
-/// Stiffness [N/m] of the carrier's u against the centrifugal pull of the planets on their pins, whose
-/// direction turns with the carrier. Without it a rotation of the whole set as a rigid body would meet the
-/// centrifugal terms of Eq. (8) on the planets alone, and run away. Eq. (9).
-inline double centrifugal_stiffness(const SetModel& model, const CarrierTurn& turn) {
-  return static_cast<double>(model.layout.planets) * model.parameters.planet.mass * turn.centrifugal;
+/// The same for a planet at the centre distance `radius` [m]. Its x and y are distances along the radius and
+/// along the circle, so that a rotation of the whole set as a rigid body stays free of centrifugal forces: in
+/// cartesian axes these would push it on and on. Eq. (9).
+inline Eigen::Vector2d planet_frame_acceleration(const CarrierTurn& turn, double radius, double outward,
+                                                 const Eigen::Vector2d& velocity) {
+  return {2.0 * turn.coriolis * velocity.y() + turn.centrifugal * (radius + outward),
+          -2.0 * turn.coriolis * velocity.x() - turn.euler * (radius + 2.0 * outward)};
 }
 
-/// Forces [N] of Eqs. (8) and (9) on all bodies. Planets stand at the centre distance, in axes of their own.
+/// Forces [N] of Eqs. (8) and (9) on all bodies.
 inline void add_frame_forces(const SetModel& model, const CarrierTurn& turn,
                              const Eigen::Ref<const Eigen::VectorXd>& q,
                              const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> force) {
-  for (Eigen::Index place = 0; place < model.layout.freedoms(); place += 3) {
-    Eigen::Vector2d position = q.segment<2>(place);
-    if (place >= SetLayout::planet(0)) position.x() += model.parameters.carrier.radius;
-    force.segment<2>(place) += model.mass[place] * frame_acceleration(turn, position, v.segment<2>(place));
-  }
-  force[SetLayout::carrier() + 2] -= centrifugal_stiffness(model, turn) * q[SetLayout::carrier() + 2];
+  for (Eigen::Index place = 0; place < SetLayout::planet(0); place += 3)
+    force.segment<2>(place) +=
+        model.mass[place] * frame_acceleration(turn, q.segment<2>(place), v.segment<2>(place));
+  const double radius = model.parameters.carrier.radius;
+  for (Eigen::Index place = SetLayout::planet(0); place < model.layout.freedoms(); place += 3)
+    force.segment<2>(place) +=
+        model.mass[place] * planet_frame_acceleration(turn, radius, q[place], v.segment<2>(place));
 }
 
 /// Forces [N] on the rotations as their nominal speeds rise; planets are carried round as well.

@@ -90,11 +90,11 @@ SetMatrices set_matrices(const SetModel& model) {
       .circulatory = MatrixXd::Zero(n, n)};
   const CarrierTurn turn = carrier_turn(model, {});
   for (Index place = 0; place < n; place += 3) {
-    matrices.centrifugal.diagonal().segment<2>(place).array() -= model.mass[place] * turn.centrifugal;
+    matrices.centrifugal(place, place) -= model.mass[place] * turn.centrifugal;
+    if (place < SetLayout::planet(0))
+      matrices.centrifugal(place + 1, place + 1) -= model.mass[place] * turn.centrifugal;
     add_turn(place, 2.0 * model.mass[place] * turn.coriolis, matrices.gyroscopic);
   }
-  matrices.centrifugal(SetLayout::carrier() + 2, SetLayout::carrier() + 2) +=
-      centrifugal_stiffness(model, turn);
   add_turn(SetLayout::sun(), model.parameters.sun.support.damping * turn.speed, matrices.circulatory);
   add_turn(SetLayout::ring(), model.parameters.ring.support.damping * turn.speed, matrices.circulatory);
   add_turn(SetLayout::carrier(), model.parameters.carrier.support.damping * turn.speed, matrices.circulatory);

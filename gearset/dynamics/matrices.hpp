@@ -25,6 +25,8 @@ SetMatrices set_matrices(const SetModel& model);
 struct ContactState {
   std::vector<bool> loaded;
   std::vector<bool> back;
+
+  bool operator==(const ContactState&) const = default;
 };
 
 /// Stiffness matrix [N/m] with the given flanks in contact.

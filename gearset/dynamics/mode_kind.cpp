@@ -50,6 +50,13 @@ MatrixXcd orthonormal(const MatrixXcd& shapes) {
 
 }  // namespace
 
+KindShares kind_shares(const SetLayout& layout, const Eigen::VectorXcd& shape) {
+  const auto share = [&](ModeKind kind) {
+    return projected(layout, shape, kind).squaredNorm() / shape.squaredNorm();
+  };
+  return {share(ModeKind::rotational), share(ModeKind::translational), share(ModeKind::planet)};
+}
+
 std::vector<KindShapes> by_kind(const SetLayout& layout, const MatrixXcd& shapes) {
   const MatrixXcd basis = orthonormal(shapes);
   std::vector<KindShapes> parts;

@@ -138,7 +138,7 @@ SetModel set_model(SetParameters parameters, const Operation& operation) {
 
 SpeedState speed_at(const Operation& operation, double time) {
   const RunUp& run_up = operation.run_up;
-  if (time >= run_up.duration) return {1.0, 0.0};
+  if (run_up.duration <= 0.0 || time >= run_up.duration) return {1.0, 0.0};
   const double rate = (1.0 - run_up.from) / run_up.duration;
   return {run_up.from + rate * time, rate};
 }

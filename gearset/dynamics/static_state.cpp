@@ -5,60 +5,89 @@
 
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/matrices.hpp"
-#include "gearset/dynamics/mesh_force.hpp"
 
 namespace orbearing::gearset::dynamics {
 
 namespace {
 
-ContactState contact_state(const SetModel& model, const Eigen::VectorXd& x) {
-  const Eigen::Index n = model.layout.freedoms();
+using Eigen::Index;
+using Eigen::VectorXd;
+
+struct FlankPlace {
+  const PlanetMesh& mesh;
+  const DeflectionVector& along;
+  double stiffness;  // [N/m]
+  double offset;     // [m]  half the backlash and the mean error: what the deflection needs before it carries
+};
+
+FlankPlace flank_place(const SetModel& model, const PlanetMesh& mesh, bool loaded) {
+  const Mesh& law = model.mesh(mesh.kind);
+  const double gap = model.parameters.separation ? 0.5 * law.backlash : 0.0;
+  return {mesh, loaded ? mesh.loaded : mesh.back, law.stiffness.mean(),
+          gap + (loaded ? law.error.mean() : 0.0)};
+}
+
+ContactState contact_at(const SetModel& model, const VectorXd& q) {
   ContactState contact;
+  const auto touches = [&](const FlankPlace& flank) {
+    return flank.along.of(q, flank.mesh.central, flank.mesh.place) > flank.offset;
+  };
+  const bool separation = model.parameters.separation;
   for (const PlanetMesh& mesh : model.meshes) {
-    const MeshExcitation now = excitation(model.mesh(mesh.kind), mesh.phase, {});
-    const MeshForce force = mesh_force(model, mesh, now, x.head(n), x.tail(n));
-    contact.loaded.push_back(!model.parameters.separation || force.loaded.approach > 0.0);
-    contact.back.push_back(model.parameters.separation && force.back.approach > 0.0);
+    contact.loaded.push_back(!separation || touches(flank_place(model, mesh, true)));
+    contact.back.push_back(separation && touches(flank_place(model, mesh, false)));
   }
   return contact;
 }
 
-// The shortest step, since rotations as a rigid body have no stiffness. Held freedoms are left out.
-Eigen::VectorXd newton_step(const SetModel& model, const ContactState& contact,
-                            const Eigen::VectorXd& centrifugal_diagonal, const Eigen::VectorXd& force) {
-  Eigen::MatrixXd stiffness = stiffness_with(model, contact);
-  stiffness.diagonal() += centrifugal_diagonal;
-  Eigen::VectorXd free_force = force;
-  for (Eigen::Index i = 0; i < force.size(); ++i) {
+// Loads on the set in its nominal place, with the given flanks in contact.
+VectorXd loads_with(const SetModel& model, const ContactState& contact) {
+  SetModel toothless = model;
+  toothless.meshes.clear();
+  VectorXd force = VectorXd::Zero(model.layout.freedoms());
+  add_forces(toothless, model.operation.run_up.duration, VectorXd::Zero(model.layout.size()), force);
+  const auto add = [&](const FlankPlace& flank) {
+    const double preload = flank.stiffness * flank.offset;
+    force.segment<3>(flank.mesh.central) += preload * flank.along.central;
+    force.segment<3>(flank.mesh.place) += preload * flank.along.planet;
+  };
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    if (contact.loaded[i]) add(flank_place(model, model.meshes[i], true));
+    if (contact.back[i]) add(flank_place(model, model.meshes[i], false));
+  }
+  return force;
+}
+
+// The shortest solution, since rotations as a rigid body have no stiffness. Held freedoms are left out.
+VectorXd solve(const SetModel& model, Eigen::MatrixXd stiffness, VectorXd force) {
+  for (Index i = 0; i < force.size(); ++i) {
     if (model.mobility[i] > 0.0) continue;
     stiffness.row(i).setZero();
     stiffness.col(i).setZero();
-    free_force[i] = 0.0;
+    force[i] = 0.0;
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
   factors.setThreshold(1e-10);  // between the rigid body's round-off and the softest support
   factors.compute(stiffness);
-  return factors.solve(free_force);
+  return factors.solve(force);
 }
 
 }  // namespace
 
-Eigen::VectorXd static_state(const SetModel& model) {
+VectorXd static_state(const SetModel& model) {
   constexpr int most_steps = 60;
-  const SetModel mean = averaged(model);
-  const Eigen::Index n = mean.layout.freedoms();
-  const double late = mean.operation.run_up.duration;
-  const Eigen::VectorXd centrifugal = set_matrices(mean).centrifugal.diagonal();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(mean.layout.size());
-  ContactState contact{std::vector<bool>(mean.meshes.size(), true),
-                       std::vector<bool>(mean.meshes.size(), false)};
+  const Eigen::MatrixXd centrifugal = set_matrices(model).centrifugal;
+  ContactState contact{std::vector<bool>(model.meshes.size(), true),
+                       std::vector<bool>(model.meshes.size(), false)};
   for (int step = 0; step < most_steps; ++step) {
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
-    add_forces(mean, late, x, force);
-    const Eigen::VectorXd move = newton_step(mean, contact, centrifugal, force);
-    x.head(n) += move;
-    contact = contact_state(mean, x);
-    if (move.norm() <= 1e-12 * x.head(n).norm()) return x;
+    const VectorXd q = solve(model, stiffness_with(model, contact) + centrifugal, loads_with(model, contact));
+    const ContactState found = contact_at(model, q);
+    if (found == contact) {
+      VectorXd x = VectorXd::Zero(model.layout.size());
+      x.head(q.size()) = q;
+      return x;
+    }
+    contact = found;
   }
   throw std::runtime_error(
       "no static equilibrium of the gear set was found; its supports or its teeth do not hold it under load");

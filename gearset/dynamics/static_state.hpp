@@ -8,7 +8,8 @@
 namespace orbearing::gearset::dynamics {
 
 /// State at rest in the carrier's frame with mean mesh stiffness and mean errors, centrifugal forces
-/// included. Of the rotations that cost nothing, none takes place. Newton's method, since teeth may part.
+/// included. Of the rotations that cost nothing, none takes place. Solved for the flanks in contact, until
+/// those found in contact are the same.
 /// @throws std::runtime_error where no equilibrium is found
 Eigen::VectorXd static_state(const SetModel& model);
 
