@@ -33,6 +33,7 @@ class PeriodicCurve {
 
   /// Value and slope at any real fraction.
   CurvePoint at(double fraction) const {
+    if (cubics_.size() == 1) return {mean_, 0.0};
     const Cubic& c = cubic_at(fraction);
     const double s = fraction;
     return {c.value + s * (c.slope + s * (c.square + s * c.cube)),
@@ -73,8 +74,10 @@ class PeriodicCurve {
   // The cubic that holds at `fraction`, which becomes the place s in its interval.
   const Cubic& cubic_at(double& fraction) const {
     const double begin = pieces_.front().begin;
-    double wrapped = fraction - std::floor(fraction - begin);
-    if (wrapped >= begin + 1.0) wrapped = begin;  // the difference of the two rounds up to a whole period
+    // Rounding towards zero by a conversion costs a third of std::floor without its own instruction.
+    double wrapped = fraction - static_cast<double>(static_cast<long long>(fraction - begin));
+    if (wrapped < begin) wrapped += 1.0;
+    if (wrapped >= begin + 1.0) wrapped = begin;  // the sum rounds up to a whole period
     const Piece* piece = pieces_.data();
     while (wrapped >= piece->end && piece != &pieces_.back()) ++piece;
     const double place = std::fmax(0.0, (wrapped - piece->begin) * piece->per_fraction);
