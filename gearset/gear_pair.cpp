@@ -40,9 +40,10 @@ void check_pointed(const ExternalTooth& tooth, const std::string& gear, Warnings
 void check_bore(const GearPair& pair, const ExternalTooth& tooth, const std::string& gear,
                 Warnings& problems) {
   const double root_diameter = 2.0 * tooth.root_radius;
-  if (pair.bore > 0.0 && pair.bore < root_diameter) return;
+  constexpr double round_off = 1e-9;  // of a bore that equals the root diameter on paper
+  if (pair.bore > 0.0 && pair.bore <= root_diameter * (1.0 + round_off)) return;
   problems.push_back({"pair.bore", "found a bore of " + millimetres(pair.bore) +
-                                       "; more than zero and less than the root diameter of the " + gear +
+                                       "; more than zero and at most the root diameter of the " + gear +
                                        ", " + millimetres(root_diameter) + ", is required"});
 }
 

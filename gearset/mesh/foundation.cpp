@@ -41,11 +41,15 @@ bool in_sainsot_range(const FoundationBody& body) {
   return ratio >= 1.4 && ratio <= 7.0 && body.half_angle >= 0.01 && body.half_angle <= 0.12;
 }
 
+bool sainsot_is_usable(const FoundationBody& body) {
+  return body.root_radius <= 20.0 * body.body_radius && body.half_angle >= 0.005;
+}
+
 double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
                              const ToothLoad& load, double face_width, const Elasticity& material) {
-  const double thickness = 2.0 * body.root_radius * body.half_angle;        // [m] S_f
-  const double upwards = body.body_radius < body.root_radius ? 1.0 : -1.0;  // the ring's tooth points inward
-  const double lever = upwards * (load.axis_radius - body.root_radius);     // [m] u_f
+  const double thickness = 2.0 * body.root_radius * body.half_angle;         // [m] S_f
+  const double upwards = body.body_radius <= body.root_radius ? 1.0 : -1.0;  // the ring's tooth points inward
+  const double lever = upwards * (load.axis_radius - body.root_radius);      // [m] u_f
   const double slenderness = lever / thickness;
   const double across = std::pow(std::cos(load.force_angle), 2);
   const double along = std::pow(std::sin(load.force_angle), 2);

@@ -17,9 +17,10 @@ struct MeshGear {
   Elasticity material;
 };
 
-/// An external gear on a rigid shaft; foundation by the polynomials of [Sainsot2004].
-/// @param bore_radius [m] less than the root radius
-/// @throws std::domain_error if no body is left under the teeth
+/// An external gear on a rigid shaft; foundation by the polynomials of [Sainsot2004], by the elastic ring
+/// where these are of no use.
+/// @param bore_radius [m] at most the root radius
+/// @throws std::domain_error if the bore is larger than the root circle or none
 MeshGear make_mesh_gear(const ExternalTooth& tooth, double bore_radius, double face_width,
                         const Elasticity& material);
 

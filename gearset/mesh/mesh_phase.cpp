@@ -11,6 +11,10 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
+MeshMotion mesh_motion(double sun_torque, double sun_speed_relative) {
+  return {.sun_drives = sun_torque * sun_speed_relative > 0.0, .sun_anticlockwise = sun_speed_relative > 0.0};
+}
+
 double whole_periods_off(double periods) {
   constexpr double round_off = 1e-12;
   const double fraction = periods - std::floor(periods);

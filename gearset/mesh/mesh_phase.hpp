@@ -11,6 +11,10 @@ struct MeshMotion {
   bool sun_anticlockwise = true;  // the sun turns anticlockwise relative to the carrier
 };
 
+/// @param sun_torque         [N m]    external, on the sun
+/// @param sun_speed_relative [rad/s]  to the carrier, anticlockwise
+MeshMotion mesh_motion(double sun_torque, double sun_speed_relative);
+
 /// The part of `periods` beyond whole ones, in [0, 1); a whole number but for round-off gives 0.
 double whole_periods_off(double periods);
 

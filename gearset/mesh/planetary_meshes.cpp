@@ -1,5 +1,6 @@
 #include "gearset/mesh/planetary_meshes.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "gearset/mesh/elastic_ring.hpp"
@@ -37,24 +38,34 @@ PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry&
   return meshes;
 }
 
+namespace {
+
+// What an elastic ring gives in place of the polynomials, for the end of a message.
+std::string by_elastic_ring(const MeshGear& gear, const ToothLoad& load) {
+  constexpr double thinnest = 1.01;  // root over bore diameter
+  if (!sainsot_is_usable(gear.body)) return "; an elastic ring with a rigid bore takes its place";
+  if (gear.body.root_radius < thinnest * gear.body.body_radius)
+    return "; a body as thin as that, held at its bore, does not give way at all";
+  const auto compliance = [&](const FoundationCoefficients& coefficients) {
+    return foundation_compliance(coefficients, gear.body, load, gear.face_width, gear.material);
+  };
+  const double exact = compliance(elastic_ring_coefficients(gear.body, gear.material.poisson_ratio));
+  const double more = 100.0 * (compliance(gear.foundation) / exact - 1.0);  // [%]
+  return "; an elastic ring with a rigid bore is " + decimal(std::abs(more), 0) +
+         (more > 0.0 ? " % stiffer" : " % softer");
+}
+
+}  // namespace
+
 Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const std::string& name,
                              const std::string& place) {
   const auto* tooth = std::get_if<ExternalTooth>(&gear.tooth);
   if (tooth == nullptr || in_sainsot_range(gear.body)) return {};
-  const ToothLoad load = tooth_load(*tooth, tangent_length);
-  const auto compliance = [&](const FoundationCoefficients& coefficients) {
-    return foundation_compliance(coefficients, gear.body, load, gear.face_width, gear.material);
-  };
-  const double published = compliance(gear.foundation);
-  const double exact = compliance(elastic_ring_coefficients(gear.body, gear.material.poisson_ratio));
-  const double more = 100.0 * (published / exact - 1.0);  // [%]
-  return {{place,
-           "the foundation of the " + name + " (root over bore diameter " +
-               decimal(gear.body.root_radius / gear.body.body_radius, 3) + ", half tooth angle at the root " +
-               decimal(gear.body.half_angle, 3) +
-               " rad) lies outside the range of Sainsot's formula, 1.4 to 7 and 0.01 to 0.12 rad; an elastic "
-               "ring with a rigid bore is " +
-               decimal(std::abs(more), 0) + (more > 0.0 ? " % stiffer" : " % softer")}};
+  return {{place, "the foundation of the " + name + " (root over bore diameter " +
+                      decimal(gear.body.root_radius / gear.body.body_radius, 3) +
+                      ", half tooth angle at the root " + decimal(gear.body.half_angle, 3) +
+                      " rad) lies outside the range of Sainsot's formula, 1.4 to 7 and 0.01 to 0.12 rad" +
+                      by_elastic_ring(gear, tooth_load(*tooth, tangent_length))}};
 }
 
 Warnings foundation_warnings(const PlanetaryMeshes& meshes) {

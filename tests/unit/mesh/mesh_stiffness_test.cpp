@@ -137,10 +137,23 @@ TEST(PitchPoint, OfARingMeshLiesOnThePlanetsWorkingCircle) {
               1e-12);
 }
 
+TEST(MeshGear, MayStandOnAShaftOfItsRootDiameter) {
+  const ExternalTooth gear = make_external_tooth(20, 0.0, 2e-3, {});
+  EXPECT_GT(gear_compliance(make_mesh_gear(gear, 17.5e-3, 20e-3, {}), 7e-3).foundation, 0.0);
+}
+
+// Two thousand teeth on a 35 mm shaft: the polynomials give a negative compliance.
+TEST(MeshGear, TakesTheElasticRingWhereThePolynomialsAreOfNoUse) {
+  const ExternalTooth gear = make_external_tooth(2000, 0.0, 2e-3, {});
+  const MeshGear mesh_gear = make_mesh_gear(gear, 100e-3, 20e-3, {});
+  EXPECT_LT(sainsot_coefficients(mesh_gear.body.half_angle, 20.0).moment, 0.0);
+  EXPECT_NEAR(mesh_gear.foundation.moment, 6.95, 0.01);
+}
+
 TEST(MeshGear, RefusesABodyOfNoThickness) {
   const ExternalTooth gear = make_external_tooth(30, 0.0, 2e-3, {});
   const RingTooth ring = make_ring_tooth(90, 0.0, 2e-3, {});
-  EXPECT_THROW(make_mesh_gear(gear, gear.root_radius, 20e-3, {}), std::domain_error);
+  EXPECT_THROW(make_mesh_gear(gear, 1.001 * gear.root_radius, 20e-3, {}), std::domain_error);
   EXPECT_THROW(make_mesh_gear(gear, 0.0, 20e-3, {}), std::domain_error);
   EXPECT_THROW(make_mesh_gear(ring, ring.root_radius, 20e-3, {}), std::domain_error);
 }
