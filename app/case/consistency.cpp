@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/case/field_table.hpp"
+#include "app/case/pair_case.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
@@ -63,6 +64,16 @@ void check_members(Checker& check) {
                "a member that turns is required");
 }
 
+// The checks of the gears give "what was found; what is required" and a key.
+void object_all(Checker& check, const gearset::Warnings& problems, const std::string& otherwise) {
+  for (const gearset::Warning& problem : problems) {
+    const auto split = problem.text.find("; ");
+    const bool whole = split == std::string::npos;
+    check.object(problem.place, problem.text.substr(0, split),
+                 whole ? otherwise : problem.text.substr(split + 2));
+  }
+}
+
 gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved) {
   return {.sun_teeth = check.count("gearset.teeth.sun"),
           .planet_teeth = check.count("gearset.teeth.planet"),
@@ -79,19 +90,32 @@ gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved)
           .planet_bore = check.length("bearing.outside_diameter")};
 }
 
-// The gear set's own checks give "what was found; what is required" and a key.
 void check_gears(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
                   "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
                   "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
                   "gearset.face_width", "bearing.outside_diameter"}))
     return;
-  for (const gearset::Warning& problem : gearset::assembly_problems(set_of(check, resolved))) {
-    const auto split = problem.text.find("; ");
-    const bool whole = split == std::string::npos;
-    check.object(problem.place, problem.text.substr(0, split),
-                 whole ? "a set that can be assembled is required" : problem.text.substr(split + 2));
-  }
+  object_all(check, gearset::assembly_problems(set_of(check, resolved)),
+             "a set that can be assembled is required");
+}
+
+bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) {
+  const std::size_t count = resolved.list(path).size();
+  if (count == 2) return true;
+  check.object(path, fmt::format("a list of {}", count),
+               "two values, of the driving and the driven gear, are required");
+  return false;
+}
+
+void check_pair(Checker& check, const ResolvedCase& resolved) {
+  if (!check.has({"pair.teeth", "pair.profile_shift", "pair.module", "pair.face_width", "pair.bore",
+                  "pair.pressure_angle", "pair.addendum", "pair.clearance", "pair.root_fillet_radius"}))
+    return;
+  const bool teeth = two_values(check, resolved, "pair.teeth");
+  const bool shifts = two_values(check, resolved, "pair.profile_shift");
+  if (teeth && shifts)
+    object_all(check, gearset::pair_problems(pair_of(resolved)), "a pair that meshes is required");
 }
 
 void check_roller_circle(Checker& check) {
@@ -192,13 +216,15 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
 }  // namespace
 
 bool takes_part_in_consistency(std::string_view path) {
-  return path.starts_with("gearset.") || path.starts_with("bearing.") || path == "input.member";
+  return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("pair.") ||
+         path == "input.member";
 }
 
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   Checker check(resolved, mistakes);
   check_members(check);
   check_gears(check, resolved);
+  check_pair(check, resolved);
   check_roller_circle(check);
   if (const std::optional<Races> races = races_of(check)) {
     check_rings(check, *races);

@@ -14,8 +14,9 @@ namespace orbearing::app {
 enum class Kind { quantity, integer, number, flag, choice, text, list };
 
 /// Models of this version, as bits, so that a field can name several.
-enum Model : unsigned { no_model = 0, planetary_drivetrain = 1, roller_bearing = 2 };
-inline constexpr unsigned every_model = planetary_drivetrain | roller_bearing;
+enum Model : unsigned { no_model = 0, planetary_drivetrain = 1, roller_bearing = 2, gear_pair = 4 };
+inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
+inline constexpr unsigned every_model = with_rollers | gear_pair;
 
 /// Interval of allowed values, in the customary unit of the field.
 struct Range {
@@ -29,7 +30,7 @@ struct Field {
   std::string path{};  // "bearing.radial_clearance"
   Kind kind = Kind::text;
   std::string meaning{};               // one sentence, shown by the schema
-  unsigned models = every_model;       // models that know the field
+  unsigned models = with_rollers;      // models that know the field
   unsigned required_by = no_model;     // models that cannot do without it
   Dimension dimension{};               // quantity, and list of quantities
   Range range{};                       // quantity, number, integer and the elements of a list

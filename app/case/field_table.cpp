@@ -36,6 +36,7 @@ std::vector<Field> build_table() {
   table::add_bearing_fields(fields);
   table::add_condition_fields(fields);
   table::add_dynamics_fields(fields);
+  table::add_pair_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -82,6 +83,8 @@ std::string_view model_name(Model model) {
       return "planetary-drivetrain";
     case roller_bearing:
       return "roller-bearing";
+    case gear_pair:
+      return "gear-pair";
     case no_model:
       break;
   }
@@ -89,7 +92,7 @@ std::string_view model_name(Model model) {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{planetary_drivetrain, roller_bearing};
+  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, gear_pair};
   return all;
 }
 
@@ -100,8 +103,7 @@ Model model_of(std::string_view name) {
 }
 
 const std::vector<std::string>& planned_models() {
-  static const std::vector<std::string> names{"gear-pair", "ball-bearing", "duplex-pair", "raceway-defect",
-                                              "spin-film"};
+  static const std::vector<std::string> names{"ball-bearing", "duplex-pair", "raceway-defect", "spin-film"};
   return names;
 }
 
@@ -123,15 +125,20 @@ namespace table {
 void add_case_fields(std::vector<Field>& fields) {
   std::vector<std::string> names;
   for (const Model model : models()) names.emplace_back(model_name(model));
-  fields.push_back(
-      {.path = "name", .kind = Kind::text, .meaning = "name of the case", .required_by = every_model});
+  fields.push_back({.path = "name",
+                    .kind = Kind::text,
+                    .meaning = "name of the case",
+                    .models = every_model,
+                    .required_by = every_model});
   fields.push_back({.path = "source",
                     .kind = Kind::text,
                     .meaning = "where the data come from",
+                    .models = every_model,
                     .required_by = every_model});
   fields.push_back({.path = "model",
                     .kind = Kind::choice,
                     .meaning = "what is computed",
+                    .models = every_model,
                     .required_by = every_model,
                     .choices = names});
 }

@@ -11,6 +11,8 @@ set(ORBEARING_CASE_SOURCES
   case/field.cpp
   case/field_table.cpp
   case/mistake.cpp
+  case/pair_case.cpp
+  case/pair_fields.cpp
   case/printable.cpp
   case/resolved_case.cpp
   case/resolved_writer.cpp

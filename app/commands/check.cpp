@@ -6,6 +6,7 @@
 #include "app/case/check_table.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/drivetrain_case.hpp"
+#include "app/study/mesh_study.hpp"
 
 namespace orbearing::app {
 
@@ -17,6 +18,10 @@ struct Checked {
 };
 
 Checked check(const ResolvedCase& resolved) {
+  if (resolved.model() == gear_pair) {
+    const MeshStudy meshes = mesh_study(resolved.without_sweep());
+    return {pair_quantities(resolved, meshes), meshes.warnings};
+  }
   if (resolved.model() != planetary_drivetrain) return {};
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
   const study::DrivetrainGeometry geometry = study::derive(drivetrain);

@@ -79,6 +79,8 @@ void add_commands(CommandTable table) {
   add_settings(merge, options);
   merge.add_option("DIR", options.folders, "folders of the shards")->required();
   add_output(merge, options);
+  add_case(table.add("mesh", "mesh stiffness over a mesh period, contact ratio, phases", mesh_command),
+           options);
   CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
   add_settings(validate, options);
   validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
@@ -97,10 +99,10 @@ bool known(const CLI::App& program, const std::string& word) {
 void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.front() == '-' || known(program, word)) return;
-  const bool planned = std::string(" crown modes mesh fmu ").find(" " + word + " ") != std::string::npos;
-  throw BadInput(
-      fmt::format("orbearing: found the command {}{}; required: check, run, sweep, merge, validate or report",
-                  word, planned ? ", which this version does not have yet" : ""));
+  const bool planned = std::string(" crown modes fmu ").find(" " + word + " ") != std::string::npos;
+  throw BadInput(fmt::format(
+      "orbearing: found the command {}{}; required: check, run, sweep, merge, mesh, validate or report", word,
+      planned ? ", which this version does not have yet" : ""));
 }
 
 int parse_and_run(int argc, char** argv) {

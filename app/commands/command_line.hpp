@@ -27,6 +27,7 @@ int check_command(const Options& options);
 int run_command(const Options& options);
 int sweep_command(const Options& options);
 int merge_command(const Options& options);
+int mesh_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
 

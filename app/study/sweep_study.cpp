@@ -82,7 +82,8 @@ study::PointResult compute_point(const ResolvedCase& resolved, std::size_t index
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; required: planetary-drivetrain, the one model that this version computes");
+                   "; required: planetary-drivetrain, the one model that this version computes" +
+                   (resolved.model() == gear_pair ? "; orbearing mesh shows a pair's stiffness" : ""));
   SweepRequest request;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) request.points.push_back(point_of(resolved, i));
   request.header = {.case_name = resolved.text("name"),
