@@ -121,6 +121,8 @@ Json by_path(Model model, const char* key, const char* description, bool (*takes
       patterns[pattern_in_sets(*field)] = {{"$ref", fmt::format("#/$defs/{}/properties/{}/properties/{}",
                                                                 model_name(model), key, field->path)}};
   }
+  if ((model & planetary_drivetrain) != 0 && takes(shaft_field()))
+    patterns[fmt::format("^shafts\\.{}$", name_pattern)] = schema(shaft_field());
   Json block = {{"description", description},
                 {"type", "object"},
                 {"additionalProperties", false},

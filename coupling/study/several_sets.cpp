@@ -21,7 +21,7 @@ SetResult summary(const std::string& name, const PointResult& point) {
 PointResult evaluate_named(const NamedSet& set, Fidelity fidelity) {
   try {
     return evaluate(set.drivetrain, set.geometry, fidelity);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     throw std::runtime_error(set.name + ": " + error.what());
   }
 }

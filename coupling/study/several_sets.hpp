@@ -17,7 +17,7 @@ struct NamedSet {
 
 /// The point of the set whose bearing lives shortest, with all sets' results and the life of all bearings
 /// together, Eq. (4) of coupling/README.md; a set that is alone, as `evaluate` gives it. Throws
-/// std::runtime_error that names the set where one has no balance, std::invalid_argument for no sets.
+/// std::runtime_error that names the set where one has no result, std::invalid_argument for no sets.
 PointResult evaluate(const std::vector<NamedSet>& sets, Fidelity fidelity = Fidelity::quasi_static);
 
 /// Copies of the sets with another speed of the motor [rad/s].
