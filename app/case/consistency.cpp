@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/case/arrangement_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/pair_case.hpp"
 #include "gearset/checks.hpp"
@@ -74,6 +75,13 @@ void object_all(Checker& check, const gearset::Warnings& problems, const std::st
   }
 }
 
+// One of several sets may go without.
+bool has_bearing(const ResolvedCase& resolved) {
+  for (const Field& field : all_fields())
+    if (field.path.starts_with("bearing.") && resolved.has(field.path)) return true;
+  return false;
+}
+
 gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved) {
   return {.sun_teeth = check.count("gearset.teeth.sun"),
           .planet_teeth = check.count("gearset.teeth.planet"),
@@ -87,14 +95,15 @@ gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved)
           .sun_shift = resolved.number("gearset.profile_shift.sun"),
           .ring_shift = resolved.number("gearset.profile_shift.ring"),
           .face_width = check.length("gearset.face_width"),
-          .planet_bore = check.length("bearing.outside_diameter")};
+          .planet_bore = has_bearing(resolved) ? check.length("bearing.outside_diameter") : 0.0};
 }
 
 void check_gears(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
                   "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
                   "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
-                  "gearset.face_width", "bearing.outside_diameter"}))
+                  "gearset.face_width"}) ||
+      (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
   object_all(check, gearset::assembly_problems(set_of(check, resolved)),
              "a set that can be assembled is required");
@@ -213,14 +222,7 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
                  "diameters, width and density, or no cage, are required");
 }
 
-}  // namespace
-
-bool takes_part_in_consistency(std::string_view path) {
-  return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("pair.") ||
-         path == "input.member";
-}
-
-void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   Checker check(resolved, mistakes);
   check_members(check);
   check_gears(check, resolved);
@@ -233,6 +235,33 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
   check_guide_land(check);
   check_widths(check);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
+}
+
+// Each set as a case of its own, what is said of it under its name; then what joins them.
+void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  for (const std::string& set : resolved.shape().sets) {
+    std::vector<Mistake> of_set;
+    check_one_set(resolved.of_set(set), of_set);
+    for (Mistake& mistake : of_set) {
+      mistake.path = set_prefix(set) + mistake.path;
+      mistakes.push_back(std::move(mistake));
+    }
+  }
+  check_arrangement(resolved, mistakes);
+}
+
+}  // namespace
+
+bool takes_part_in_consistency(std::string_view path) {
+  return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("sets.") ||
+         path.starts_with("shafts.") || path.starts_with("pair.") || path == "input.member";
+}
+
+void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  if (resolved.shape().several)
+    check_several_sets(resolved, mistakes);
+  else
+    check_one_set(resolved, mistakes);
 }
 
 }  // namespace orbearing::app

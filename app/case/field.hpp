@@ -42,9 +42,10 @@ struct Field {
 
 /// A checked value of a field.
 struct FieldValue {
-  std::string given;         // as written, in the form that the resolved case repeats
-  double number = 0.0;       // [SI] quantity; plain for number and integer; 1 or 0 for flag
-  std::vector<double> list;  // [SI] list
+  std::string given;                 // as written, in the form that the resolved case repeats
+  double number = 0.0;               // [SI] quantity; plain for number and integer; 1 or 0 for flag
+  std::vector<double> list;          // [SI] list
+  std::vector<std::string> texts{};  // list of texts
 
   bool operator==(const FieldValue&) const = default;
 };

@@ -4,6 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "app/case/case_shape.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -64,6 +66,11 @@ const std::vector<Field>& all_fields() {
 }
 
 const Field* find_field(std::string_view path) {
+  if (path.starts_with("shafts.")) return is_name(path.substr(7)) ? &shaft_field() : nullptr;
+  if (const std::size_t prefix = set_prefix_length(path); prefix > 0) {
+    const Field* field = find_field(path.substr(prefix));
+    return field != nullptr && in_each_set(*field) ? field : nullptr;
+  }
   const std::vector<Field>& fields = all_fields();
   const auto found =
       std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.path == path; });

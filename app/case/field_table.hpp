@@ -12,7 +12,7 @@ namespace orbearing::app {
 /// All fields, in the order in which cases are written.
 const std::vector<Field>& all_fields();
 
-/// The field of that path, or null.
+/// The field of that path, or null. Of "sets.NAME.gearset.module" it is "gearset.module", which knows no set.
 const Field* find_field(std::string_view path);
 
 /// Fields that a model knows, in table order.

@@ -1,12 +1,14 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/case/case_file.hpp"
 #include "app/case/check_table.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
+#include "app/study/power_table.hpp"
 
 namespace orbearing::app {
 
@@ -15,6 +17,7 @@ namespace {
 struct Checked {
   std::vector<Derived> derived;
   std::vector<std::string> warnings;
+  std::optional<PowerTable> power;  // of a drivetrain
 };
 
 Checked check(const ResolvedCase& resolved) {
@@ -23,9 +26,7 @@ Checked check(const ResolvedCase& resolved) {
     return {pair_quantities(resolved, meshes), meshes.warnings};
   }
   if (resolved.model() != planetary_drivetrain) return {};
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-  return {derived_quantities(drivetrain, geometry), gear_warnings(geometry)};
+  return {derived_quantities(resolved), gear_warnings(resolved), power_table(resolved)};
 }
 
 }  // namespace
@@ -36,11 +37,13 @@ int check_command(const Options& options) {
   if (options.json) {
     nlohmann::json object = check_json(resolved, checked.derived);
     object["warnings"] = checked.warnings;
+    if (checked.power) object.update(power_json(*checked.power));
     fmt::print("{}\n", object.dump(2));
     return 0;
   }
   if (options.quiet) return 0;
   fmt::print("{}", check_table(resolved, checked.derived));
+  if (checked.power) fmt::print("\n{}", power_text(*checked.power));
   for (const std::string& warning : checked.warnings) fmt::print("warning: {}\n", warning);
   return 0;
 }

@@ -1,8 +1,11 @@
 #include "app/study/drivetrain_case.hpp"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
+#include "app/case/arrangement_case.hpp"
 #include "gearset/checks.hpp"
+#include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
 
@@ -30,9 +33,10 @@ gearset::PlanetarySet set_of(const ResolvedCase& in) {
           .sun_shift = in.number("gearset.profile_shift.sun"),
           .ring_shift = in.number("gearset.profile_shift.ring"),
           .face_width = in.quantity("gearset.face_width"),
-          .planet_bore = in.quantity("bearing.outside_diameter"),
+          .planet_bore = in.has("bearing.rollers") ? in.quantity("bearing.outside_diameter") : 0.0,
           .density = in.quantity("material.density"),
-          .fixed_member = member_of(in.choice("gearset.fixed"))};
+          .fixed_member =
+              in.has("gearset.fixed") ? member_of(in.choice("gearset.fixed")) : gearset::Member::ring};
 }
 
 bearing::Cage cage_of(const ResolvedCase& in) {
@@ -92,7 +96,8 @@ integration::SteadyStateOptions steady_state_of(const ResolvedCase& in) {
 
 study::PlanetaryDrivetrain quasi_static_drivetrain(const ResolvedCase& in) {
   return {.set = set_of(in),
-          .drive = {.member = member_of(in.choice("input.member")),
+          .drive = {.member =
+                        in.has("input.member") ? member_of(in.choice("input.member")) : gearset::Member::sun,
                     .power = in.quantity("input.power"),
                     .speed = in.quantity("input.speed")},
           .bearing = bearing_of(in),
@@ -178,19 +183,55 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   return out;
 }
 
-std::vector<Derived> derived_quantities(const study::PlanetaryDrivetrain& drivetrain,
-                                        const study::DrivetrainGeometry& geometry) {
+std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
+  std::vector<std::string> names;
+  for (const std::string& set : resolved.shape().sets)
+    if (resolved.has(set_prefix(set) + "bearing.rollers")) names.push_back(set);
+  return names;
+}
+
+std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
+  if (!resolved.shape().several) {
+    study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    return {{"", std::move(drivetrain), geometry}};
+  }
+  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
+  const std::vector<std::string>& all = resolved.shape().sets;
+  std::vector<study::NamedSet> sets;
+  for (const std::string& name : bearing_set_names(resolved)) {
+    study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
+    const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    drivetrain.in_arrangement = flow.sets[place];
+    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    sets.push_back({name, std::move(drivetrain), geometry});
+  }
+  return sets;
+}
+
+std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
   std::vector<Derived> rows;
-  add_gears(drivetrain, geometry, rows);
-  add_bearing(geometry, rows);
-  add_motion(study::bearing_duty(drivetrain, geometry), rows);
+  for (const study::NamedSet& set : bearing_sets(resolved)) {
+    std::vector<Derived> of_set;
+    add_gears(set.drivetrain, set.geometry, of_set);
+    add_bearing(set.geometry, of_set);
+    add_motion(study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    for (Derived& row : of_set) {
+      if (!set.name.empty()) row.path = set_prefix(set.name) + row.path;
+      rows.push_back(std::move(row));
+    }
+  }
   return rows;
 }
 
-std::vector<std::string> gear_warnings(const study::DrivetrainGeometry& geometry) {
+std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> texts;
-  for (const gearset::Warning& warning : gearset::tooth_warnings(geometry.gears))
-    texts.push_back(warning.place + ": " + warning.text);
+  const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
+    for (const gearset::Warning& warning : gearset::tooth_warnings(gearset::working_geometry(set_of(set))))
+      texts.push_back(prefix + warning.place + ": " + warning.text);
+  };
+  if (!resolved.shape().several) add("", resolved);
+  for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
   return texts;
 }
 

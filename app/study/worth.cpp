@@ -62,13 +62,11 @@ ResolvedCase with_settings(const ResolvedCase& resolved, const std::vector<std::
 }
 
 LifeCurve life_curve(const ResolvedCase& resolved) {
-  study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const std::vector<study::NamedSet> sets = bearing_sets(resolved);
   LifeCurve curve;
   for (const double speed : swept_speeds(resolved)) {
-    drivetrain.drive.speed = speed;
     try {
-      const study::PointResult point = study::evaluate(drivetrain, geometry);
+      const study::PointResult point = study::evaluate(study::at_speed(sets, speed));
       curve.speed_rpm.push_back(in_table_unit(speed, 1.0 / kRadiansPerSecond));
       curve.life_h.push_back(point.life_hours);
       curve.roller_load_rms.push_back(point.outer.load_rms);
