@@ -41,6 +41,8 @@ class Film {
   double cap_load() const { return cap_load_; }
   /// Central film of the unloaded contact [m]: the gap at which the contact begins to carry.
   double cap() const { return cap_; }
+  /// Central film [m] at a load of 1 N, were it not capped.
+  double factor() const { return factor_; }
   /// Integral of load over -d(central) from zero to `load` [J]: what the film's thinning stores.
   double energy(double load) const;
 

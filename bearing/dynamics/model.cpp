@@ -158,4 +158,10 @@ Vector2 bore_load(const BearingModel& model, double time) {
   return {model.point.bore_load.x(), model.point.bore_load.y() + along_y};
 }
 
+Vector2 bore_load_slope(const BearingModel& model, double time) {
+  const MeshRipple& ripple = model.ripple;
+  const double speed = ripple.amplitude * ripple.angular_frequency;
+  return {0.0, speed * std::cos(ripple.angular_frequency * time + ripple.phase)};
+}
+
 }  // namespace orbearing::bearing::dynamics

@@ -63,5 +63,7 @@ BearingModel bearing_model(const CylindricalRollerBearing& bearing, const Operat
 
 /// External load on the bore [N] at `time` [s], ripple included.
 Vector2 bore_load(const BearingModel& model, double time);
+/// Its slope by time [N/s].
+Vector2 bore_load_slope(const BearingModel& model, double time);
 
 }  // namespace orbearing::bearing::dynamics

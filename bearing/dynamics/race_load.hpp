@@ -26,12 +26,17 @@ class RaceLoadLaw {
   /// Elastic approach [m] = geometric approach + central film; zero or negative without contact.
   double elastic_approach(double approach, double entrainment) const;
 
- private:
+  /// The film at one entrainment speed.
   struct FilmScale {
     double factor;        // A K^-0.13, so that h = factor e^-(13/90) at elastic approach e  [m^(103/90)]
     double cap;           // [m]
     double cap_approach;  // elastic approach at which the cap begins [m]
   };
+  const LineContact& elastic() const { return elastic_; }
+  bool with_film() const { return with_film_; }
+  FilmScale film_at_unit_speed() const { return {factor_, cap_, cap_approach_}; }
+
+ private:
   FilmScale film_scale(double entrainment) const;
 
   LineContact elastic_;

@@ -30,6 +30,13 @@ class TractionCurve {
     return limiting_shear(load, sliding, entrainment);
   }
 
+  TractionLaw law() const { return law_; }
+  double friction() const { return friction_; }
+  double sliding_scale() const { return sliding_scale_; }
+  double largest_exponent() const { return largest_exponent_; }
+  const FilmContact& contact() const { return contact_; }
+  const Film& film_at_unit_speed() const { return film_at_unit_speed_; }
+
  private:
   double limiting_shear(double load, double sliding, double entrainment) const;
 
@@ -53,6 +60,8 @@ class RollingResistance {
   /// Backward force on each surface [N], with the sign of `rolling` [m/s], at contact load `load` [N].
   /// `entrainment` [m/s] > 0 is |rolling|, rounded at zero. Falls to zero with the load.
   double force(double load, double rolling, double entrainment) const;
+  /// Resistance [N] at unit speed and load.
+  double factor() const { return factor_; }
 
  private:
   double factor_ = 0.0;  // [N] at unit speed and load

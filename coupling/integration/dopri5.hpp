@@ -1,15 +1,13 @@
-// The steppers of Odeint as this project uses them, and what every run shares: error measure, count of calls,
-// budget. Included by the sources of this folder alone.
+// The formula of Dormand and Prince from Odeint, with this project's error measure. Included by the sources of
+// this folder alone.
 #pragma once
 
 #include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 #include "coupling/integration/integrate.hpp"
@@ -19,10 +17,8 @@ namespace orbearing::integration::detail {
 namespace odeint = boost::numeric::odeint;
 using State = std::vector<double>;  // Odeint resizes and adds these without temporaries
 using ConstView = Eigen::Map<const Eigen::VectorXd>;
-using Clock = std::chrono::steady_clock;
 
 constexpr long kRhsPerAttempt = 6;  // dopri5 takes the seventh slope over from the step before
-constexpr long kStepsPerClockRead = 256;
 
 inline ConstView view(const State& x) {
   return {x.data(), static_cast<Eigen::Index>(x.size())};
@@ -67,38 +63,6 @@ struct System {
     ++calls;
     derivative(time, view(x), Eigen::Map<Eigen::VectorXd>(dx.data(), static_cast<Eigen::Index>(dx.size())));
   }
-};
-
-// What all methods share: budget, report, output.
-class Run {
- public:
-  Run(const IntegrationOptions& options, IntegrationReport& report)
-      : options_(options), report_(report), begin_(Clock::now()) {}
-
-  bool accept(double time, double step) {
-    ++report_.steps;
-    report_.reached = time;
-    report_.smallest_step = std::min(report_.smallest_step, step);
-    if (report_.steps > options_.most_steps) return fail("the largest number of steps was taken");
-    if (report_.steps % kStepsPerClockRead == 0 && seconds() > options_.most_seconds)
-      return fail("the allowed wall time was used up");
-    if (step < options_.smallest_step) return fail("the step fell below the smallest allowed");
-    return true;
-  }
-
-  bool fail(const std::string& reason) {
-    std::ostringstream text;
-    text << reason << " at t = " << report_.reached << " s after " << report_.steps << " steps";
-    report_.message = text.str();
-    return false;
-  }
-
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
-
- private:
-  const IntegrationOptions& options_;
-  IntegrationReport& report_;
-  Clock::time_point begin_;
 };
 
 }  // namespace orbearing::integration::detail

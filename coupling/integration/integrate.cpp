@@ -4,8 +4,10 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "coupling/integration/dopri5.hpp"
+#include "coupling/integration/run.hpp"
 
 namespace orbearing::integration {
 
@@ -77,6 +79,8 @@ IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x,
     case Method::fixed_dopri5:
       report.completed = run_fixed<Dopri5>(system, x, output, options, observe, run);
       break;
+    case Method::linearly_implicit:
+      throw std::invalid_argument("linearly implicit steps need a Jacobian: integrate_bearing()");
     case Method::rk4:
       report.completed = run_fixed<odeint::runge_kutta4<State>>(system, x, output, options, observe, run);
       break;

@@ -1,6 +1,7 @@
 #include "coupling/integration/integrate_pieces.hpp"
 
 #include "coupling/integration/dopri5.hpp"
+#include "coupling/integration/run.hpp"
 
 namespace orbearing::integration {
 

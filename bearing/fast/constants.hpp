@@ -1,0 +1,90 @@
+// All constants of a run as plain numbers: what the vectorised model reads instead of BearingModel. No header
+// of a library here, since files compiled for special instruction sets include it.
+#pragma once
+
+namespace orbearing::bearing::fast {
+
+/// Lanes to which the arrays over rollers are padded, whatever the instruction set.
+inline constexpr int kPadding = 8;
+
+/// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp.
+struct RaceConstants {
+  double side = 1.0;               // [-]      -1 inner race, +1 outer race
+  double radius = 0.0;             // [m]
+  double speed = 0.0;              // [rad/s]  of the race
+  double stiffness = 0.0;          // [N/m^(10/9)]
+  double damping = 0.0;            // [s/m]
+  double entrainment_scale = 0.0;  // [m/s]
+
+  bool film = false;               // the film adds to the elastic approach
+  double film_factor = 0.0;        // [m^(103/90)]  thinning film times approach^(13/90), at 1 m/s
+  double film_cap = 0.0;           // [m]  largest film at 1 m/s
+  double film_cap_approach = 0.0;  // [m]  elastic approach where the cap begins, at 1 m/s
+
+  bool limiting_shear = false;
+  double friction = 0.0;               // [-]    largest friction, or limiting stress over pressure
+  double sliding_scale = 0.0;          // [m/s]
+  double largest_exponent = 0.0;       // [-]    of the pressure-viscosity law
+  double pressure_factor = 0.0;        // [Pa/N^0.5]  mean pressure over the root of the load
+  double pressure_viscosity = 0.0;     // [1/Pa]
+  double viscosity = 0.0;              // [Pa s]
+  double central_film_factor = 0.0;    // [m N^0.13]  at 1 m/s
+  double central_film_cap_load = 0.0;  // [N]         at 1 m/s
+
+  double rolling_factor = 0.0;  // [N]  of the rolling resistance at unit speed and load; 0: none
+};
+
+/// The land that guides the cage; see dynamics/cage_guidance.hpp.
+struct LandConstants {
+  bool present = false;
+  bool on_bore = true;                // the bore carries the land, else the pin
+  bool as_printed = false;            // film force of the source, without squeeze and whirl
+  double speed = 0.0;                 // [rad/s]  of the land
+  double side = 1.0;                  // [-]
+  double clearance = 0.0;             // [m]      radial
+  double cage_radius = 0.0;           // [m]
+  double largest_eccentricity = 0.0;  // [-]
+  double film_scale = 0.0;            // [N s/m]    lands eta L^3 R / c^3
+  double printed_scale = 0.0;         // [N s/m]    lands eta L^3 / c^2
+  double shear_scale = 0.0;           // [N m s]    2 pi eta R^3 lands L / c
+  double stiffness = 0.0;             // [N/m]      of touch-down
+  double damping = 0.0;               // [s/m]
+  double friction = 0.0;              // [-]
+  double sliding_scale = 0.0;         // [m/s]
+};
+
+/// Constants of a run.
+struct Constants {
+  int rollers = 0;
+  double roller_radius = 0.0;   // [m]
+  double roller_mass = 0.0;     // [kg]
+  double roller_inertia = 0.0;  // [kg m^2]
+  double orbit_drag = 0.0;      // [N s^2/m^2]
+  double spin_drag = 0.0;       // [N m s^2/rad^2]
+  double cage_drag = 0.0;       // [N m s^2/rad^2]
+
+  double coriolis_speed = 0.0;  // [rad/s]
+  double centrifugal = 0.0;     // [rad^2/s^2]
+  double euler = 0.0;           // [rad/s^2]
+  double own_orbit = 1.0;       // [-]
+  double orbit_radius = 0.0;    // [m]
+
+  RaceConstants inner;
+  RaceConstants outer;
+
+  double half_clearance = 0.0;        // [m]  of a pocket
+  double pocket_stiffness = 0.0;      // [N/m]
+  double pocket_damping = 0.0;        // [s/m]
+  double pocket_friction = 0.0;       // [-]
+  double pocket_sliding_scale = 0.0;  // [m/s]
+
+  double cage_mass = 0.0;          // [kg]
+  double cage_inertia = 0.0;       // [kg m^2]
+  double bore_mass = 0.0;          // [kg]
+  double pin_mass = 0.0;           // [kg]
+  double support_stiffness = 0.0;  // [N/m]
+  double support_damping = 0.0;    // [N s/m]
+  LandConstants land;
+};
+
+}  // namespace orbearing::bearing::fast

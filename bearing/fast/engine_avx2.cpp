@@ -1,0 +1,15 @@
+// The engine for one instruction set: the same source as the others, compiled with its own options.
+#if defined(__x86_64__)
+#define ORBEARING_LANES lanes_avx2
+#include "bearing/fast/engines.hpp"
+#include "bearing/fast/lane_solve.hpp"
+
+namespace orbearing::bearing::fast {
+
+Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers) {
+  return new lanes_avx2::LaneEngine(constants, rollers);
+}
+
+}  // namespace orbearing::bearing::fast
+
+#endif

@@ -1,0 +1,281 @@
+// The engine of one instruction set: walks the rollers pack by pack and gathers what acts on the rings.
+#pragma once
+
+#include <new>
+
+#include "bearing/fast/block_arrow.hpp"
+#include "bearing/fast/engine.hpp"
+#include "bearing/fast/guidance.hpp"
+#include "bearing/fast/pocket_contact.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_LANES {
+
+/// Array on the boundary of a register.
+template <class T>
+class AlignedArray {
+ public:
+  explicit AlignedArray(int size) : data_(new (std::align_val_t{64}) T[static_cast<unsigned>(size)]()) {}
+  ~AlignedArray() { operator delete[](data_, std::align_val_t{64}); }
+  AlignedArray(const AlignedArray&) = delete;
+  AlignedArray& operator=(const AlignedArray&) = delete;
+  T& operator[](int i) { return data_[i]; }
+  const T& operator[](int i) const { return data_[i]; }
+
+ private:
+  T* data_;
+};
+
+/// Position and velocity of a ring or of the cage.
+struct Body {
+  double x, y, v_x, v_y;
+};
+
+/// A vector in the plane.
+struct Pair {
+  Pack x{}, y{};
+};
+
+/// One pack of rollers at the last linearisation.
+struct RollerPack {
+  Pack r, radial, orbital, spin;  // [m], [m/s], [rad/s], [rad/s]
+  Pack cosine, sine;
+  Pack f_r, f_t;    // all contact forces on the roller [N]
+  Pack orbit_rate;  // theta'' [rad/s^2]
+  ContactSlopes inner, outer;
+  PocketSlopes pocket;
+  bool caged = false;
+};
+
+/// What the rollers do to the rings, summed pack by pack.
+struct RingLoads {
+  Pair pin, bore, cage;
+  Pack cage_moment{};
+};
+
+class LaneEngine final : public Engine {
+ public:
+  LaneEngine(const Constants& constants, const RollerConstants& rollers)
+      : c_(constants),
+        given_(rollers),
+        layout_{constants.rollers},
+        packs_(layout_.lanes() / kLanes),
+        linear_(packs_),
+        block_(packs_),
+        inner_load_(packs_),
+        outer_load_(packs_) {}
+
+  void derivative(const double* x, double load_x, double load_y, double* dx) override {
+    evaluate<false>(x, load_x, load_y, dx);
+  }
+  void linearise(const double* x, double load_x, double load_y, double* dx) override {
+    evaluate<true>(x, load_x, load_y, dx);
+  }
+  bool factor(double g) override;
+  void solve(const double* rhs, double* k) const override;
+  ContactLoads loads() const override {
+    return {reinterpret_cast<const double*>(&inner_load_[0]),
+            reinterpret_cast<const double*>(&outer_load_[0])};
+  }
+
+ private:
+  using GuidanceDual = Dual<5>;  // by offset x y, velocity x y, cage speed
+
+  template <bool WithSlopes>
+  void evaluate(const double* x, double load_x, double load_y, double* dx);
+  template <bool WithSlopes>
+  void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
+  template <bool WithSlopes>
+  void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
+  void build_block(int p, double g, Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]);
+  void add_rings(double g, RingBlock& rings) const;
+
+  Mask present(int p) const {
+    Mask mask;
+    for (int i = 0; i < kLanes; ++i) mask[i] = p * kLanes + i < c_.rollers ? -1LL : 0LL;
+    return mask;
+  }
+  const double* entry(const double* x, int group, int p) const {
+    return x + group * layout_.lanes() + p * kLanes;
+  }
+  double* entry(double* x, int group, int p) const { return x + group * layout_.lanes() + p * kLanes; }
+
+  Constants c_;
+  RollerConstants given_;
+  PaddedLayout layout_;
+  int packs_;
+  AlignedArray<RollerPack> linear_;
+  AlignedArray<RollerBlock> block_;
+  AlignedArray<Pack> inner_load_;
+  AlignedArray<Pack> outer_load_;
+  RingBlock rings_;
+  double g_ = 0.0;
+  GuidanceDual land_x_, land_y_, land_moment_;
+  double cage_speed_ = 0.0;
+  double cage_cosine_ = 1.0;
+  double cage_sine_ = 0.0;
+};
+
+/// Motion of the rollers relative to `body`, in their polar axes.
+inline RelativeMotion relative_motion(const Pack& r, const Pack& radial, const Pack& orbital,
+                                      const Pack& spin, const Pack& cosine, const Pack& sine,
+                                      const Body& body) {
+  return {r - (body.x * cosine + body.y * sine), body.x * sine - body.y * cosine,
+          radial - (body.v_x * cosine + body.v_y * sine), r * orbital + body.v_x * sine - body.v_y * cosine,
+          spin};
+}
+
+/// Adds the opposite of a force in polar axes to a sum in x and y.
+inline void react(const ContactForce& force, const Pack& cosine, const Pack& sine, Pair& sum) {
+  sum.x -= force.f_r * cosine - force.f_t * sine;
+  sum.y -= force.f_r * sine + force.f_t * cosine;
+}
+
+template <bool WithSlopes>
+void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums) {
+  const Pack r = load(entry(x, 0, p)), theta = load(entry(x, 1, p)), radial = load(entry(x, 2, p)),
+             orbital = load(entry(x, 3, p)), spin = load(entry(x, 4, p));
+  const double* cage = x + layout_.cage();
+  const double* bore = x + layout_.bore();
+  const double* pin = x + layout_.pin();
+  const SineCosine turn = sine_cosine(theta);
+  const Pack cosine = turn.cosine, sine = turn.sine;
+  const Mask here = present(p);
+  const Pack radius = load(given_.radius + p * kLanes);
+  RollerPack& linear = linear_[p];
+
+  const auto motion_to = [&](const Body& body) {
+    return relative_motion(r, radial, orbital, spin, cosine, sine, body);
+  };
+  if constexpr (WithSlopes) linear.inner = linear.outer = ContactSlopes{};
+  const ContactForce inner = race_contact<WithSlopes>(
+      c_.inner, radius, here, motion_to({pin[0], pin[1], pin[2], pin[3]}), linear.inner);
+  const ContactForce outer = race_contact<WithSlopes>(
+      c_.outer, radius, here, motion_to({bore[0], bore[1], bore[2], bore[3]}), linear.outer);
+  const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
+             own_sine = load(given_.pocket_sine + p * kLanes);
+  const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
+  const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
+  const PocketForce pocket =
+      pocket_contact<WithSlopes>(c_, radius, here, e_x * cosine + e_y * sine, e_y * cosine - e_x * sine,
+                                 cage[5], motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
+  inner_load_[p] = inner.load;
+  outer_load_[p] = outer.load;
+  react(inner, cosine, sine, sums.pin);
+  react(outer, cosine, sine, sums.bore);
+  if (pocket.touched) react(pocket.on_roller, cosine, sine, sums.cage);
+  sums.cage_moment += pocket.cage_moment;
+
+  const Pack f_r = inner.f_r + outer.f_r + pocket.on_roller.f_r;
+  const Pack f_t = inner.f_t + outer.f_t + pocket.on_roller.f_t;
+  const Pack moment = inner.moment + outer.moment + pocket.on_roller.moment;
+  const Pack speed = r * orbital;
+  const Pack drag = -c_.orbit_drag * speed * absolute(speed);
+  const Pack radial_rate = f_r / c_.roller_mass + c_.own_orbit * speed * orbital +
+                           2.0 * c_.coriolis_speed * speed + c_.centrifugal * (r + c_.orbit_radius * cosine) -
+                           c_.euler * c_.orbit_radius * sine;
+  const Pack orbit_rate = ((f_t + drag) / c_.roller_mass - 2.0 * c_.coriolis_speed * radial -
+                           c_.centrifugal * c_.orbit_radius * sine -
+                           c_.euler * (r + c_.orbit_radius * cosine) - 2.0 * radial * orbital) /
+                          r;
+  const Pack spin_rate = (moment - c_.spin_drag * spin * absolute(spin)) / c_.roller_inertia - c_.euler;
+  store(radial, entry(dx, 0, p));
+  store(orbital, entry(dx, 1, p));
+  store(only(here, radial_rate), entry(dx, 2, p));
+  store(only(here, orbit_rate), entry(dx, 3, p));
+  store(only(here, spin_rate), entry(dx, 4, p));
+  if constexpr (WithSlopes) {
+    linear.r = r;
+    linear.radial = radial;
+    linear.orbital = orbital;
+    linear.spin = spin;
+    linear.cosine = cosine;
+    linear.sine = sine;
+    linear.f_r = f_r;
+    linear.f_t = f_t;
+    linear.orbit_rate = only(here, orbit_rate);
+    linear.caged = pocket.touched;
+  }
+}
+
+template <bool WithSlopes>
+void LaneEngine::evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums,
+                                double* dx) {
+  const double* cage = x + layout_.cage();
+  const double* bore = x + layout_.bore();
+  const double* pin = x + layout_.pin();
+  double* cage_rate = dx + layout_.cage();
+  double* bore_rate = dx + layout_.bore();
+  double* pin_rate = dx + layout_.pin();
+  const double* land = c_.land.on_bore ? bore : pin;
+  const double offset[5] = {cage[0] - land[0], cage[1] - land[1], cage[3] - land[2], cage[4] - land[3],
+                            cage[5]};
+  double land_x, land_y, land_moment;
+  if constexpr (WithSlopes) {
+    LandMotion<GuidanceDual> motion{
+        GuidanceDual::variable(offset[0], 0), GuidanceDual::variable(offset[1], 1),
+        GuidanceDual::variable(offset[2], 2), GuidanceDual::variable(offset[3], 3),
+        GuidanceDual::variable(offset[4], 4)};
+    const LandForce<GuidanceDual> force = land_force(c_.land, motion);
+    land_x_ = force.x;
+    land_y_ = force.y;
+    land_moment_ = force.moment;
+    cage_speed_ = cage[5];
+    land_x = force.x.value;
+    land_y = force.y.value;
+    land_moment = force.moment.value;
+  } else {
+    const LandForce<double> force =
+        land_force(c_.land, LandMotion<double>{offset[0], offset[1], offset[2], offset[3], offset[4]});
+    land_x = force.x;
+    land_y = force.y;
+    land_moment = force.moment;
+  }
+  const double on_bore = c_.land.on_bore ? 1.0 : 0.0;
+  const auto frame_x = [&](double px, double py, double vy, double orbit_radius) {
+    return 2.0 * c_.coriolis_speed * vy + c_.centrifugal * (px + orbit_radius) + c_.euler * py;
+  };
+  const auto frame_y = [&](double px, double py, double vx, double orbit_radius) {
+    return -2.0 * c_.coriolis_speed * vx + c_.centrifugal * py - c_.euler * (px + orbit_radius);
+  };
+  cage_rate[0] = cage[3];
+  cage_rate[1] = cage[4];
+  cage_rate[2] = cage[5];
+  cage_rate[3] =
+      (sum(sums.cage.x) + land_x) / c_.cage_mass + frame_x(cage[0], cage[1], cage[4], c_.orbit_radius);
+  cage_rate[4] =
+      (sum(sums.cage.y) + land_y) / c_.cage_mass + frame_y(cage[0], cage[1], cage[3], c_.orbit_radius);
+  cage_rate[5] = (sum(sums.cage_moment) + land_moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) /
+                     c_.cage_inertia -
+                 c_.euler;
+  // The load on the bore holds the planet's inertial load at the origin: here only what displacement adds.
+  bore_rate[0] = bore[2];
+  bore_rate[1] = bore[3];
+  bore_rate[2] =
+      (sum(sums.bore.x) - on_bore * land_x + load_x) / c_.bore_mass + frame_x(bore[0], bore[1], bore[3], 0.0);
+  bore_rate[3] =
+      (sum(sums.bore.y) - on_bore * land_y + load_y) / c_.bore_mass + frame_y(bore[0], bore[1], bore[2], 0.0);
+  const double on_pin = 1.0 - on_bore;
+  pin_rate[0] = pin[2];
+  pin_rate[1] = pin[3];
+  pin_rate[2] =
+      (sum(sums.pin.x) - on_pin * land_x - c_.support_stiffness * pin[0] - c_.support_damping * pin[2]) /
+          c_.pin_mass +
+      frame_x(pin[0], pin[1], pin[3], c_.orbit_radius);
+  pin_rate[3] =
+      (sum(sums.pin.y) - on_pin * land_y - c_.support_stiffness * pin[1] - c_.support_damping * pin[3]) /
+          c_.pin_mass +
+      frame_y(pin[0], pin[1], pin[2], c_.orbit_radius);
+}
+
+template <bool WithSlopes>
+void LaneEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
+  RingLoads sums;
+  const double cage_angle = x[layout_.cage() + 2];
+  cage_cosine_ = __builtin_cos(cage_angle);
+  cage_sine_ = __builtin_sin(cage_angle);
+  for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes>(p, x, dx, sums);
+  for (int i = layout_.end(); i < layout_.size(); ++i) dx[i] = 0.0;
+  evaluate_rings<WithSlopes>(x, load_x, load_y, sums, dx);
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_LANES

@@ -1,0 +1,86 @@
+// Elementary functions of a pack of numbers. Relative error below 4e-16 in the ranges named.
+#pragma once
+
+#include "bearing/fast/lanes.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_LANES {
+
+namespace detail {
+inline constexpr double kRounder = 0x1.8p52;  // adding it rounds a small number to a whole one
+inline Mask bits(long long value) {
+  return Mask{} + value;
+}
+/// Signed whole numbers below 2^51 after a shift to the right, as floating-point numbers.
+inline Pack whole_numbers(const Mask& x, int shift) {
+  return (Pack)((x >> shift) + bits(0x4338000000000000LL)) - kRounder;
+}
+/// Nearest whole numbers of |x| < 2^51.
+inline Mask nearest(const Pack& x) {
+  return (Mask)(x + kRounder) - bits(0x4338000000000000LL);
+}
+}  // namespace detail
+
+/// Natural logarithm of normal numbers > 0: ln x = k ln 2 + 2 artanh((m - 1)/(m + 1)), sqrt(1/2) <= m <
+/// sqrt(2).
+inline Pack logarithm(const Pack& x) {
+  constexpr long long kHalfRoot = 0x3fe6a09e667f3bcdLL;  // of sqrt(1/2)
+  const Mask shifted = (Mask)x - detail::bits(kHalfRoot);
+  const Mask exponent = shifted >> 52;
+  const Pack mantissa = (Pack)((Mask)x - (exponent << 52));
+  const Pack whole = (Pack)(exponent + detail::bits(0x4338000000000000LL)) - detail::kRounder;
+  const Pack s = (mantissa - 1.0) / (mantissa + 1.0);
+  const Pack q = s * s;
+  const Pack even =
+      1.0 / 3 + q * q * (1.0 / 7 + q * q * (1.0 / 11 + q * q * (1.0 / 15 + q * q * (1.0 / 19))));
+  const Pack odd = 1.0 / 5 + q * q * (1.0 / 9 + q * q * (1.0 / 13 + q * q * (1.0 / 17 + q * q * (1.0 / 21))));
+  const Pack tail = q * (even + q * odd);
+  return whole * 0x1.62e42fefa3800p-1 + (2.0 * s + (2.0 * s * tail + whole * 0x1.ef35793c76730p-45));
+}
+
+/// Exponential for -700 < x < 700.
+inline Pack exponential(const Pack& x) {
+  const Pack shifted = x * 0x1.71547652b82fep+0 + detail::kRounder;
+  const Pack whole = shifted - detail::kRounder;
+  const Pack r = (x - whole * 0x1.62e42fefa3800p-1) - whole * 0x1.ef35793c76730p-45;
+  const Pack r2 = r * r;
+  const Pack r4 = r2 * r2;
+  const Pack low = (1.0 + r) + r2 * (1.0 / 2 + r * (1.0 / 6));
+  const Pack middle = (1.0 / 24 + r * (1.0 / 120)) + r2 * (1.0 / 720 + r * (1.0 / 5040));
+  const Pack high = (1.0 / 40320 + r * (1.0 / 362880)) + r2 * (1.0 / 3628800 + r * (1.0 / 39916800));
+  const Pack top = 1.0 / 479001600 + r * (1.0 / 6227020800.0);
+  const Pack y = low + r4 * (middle + r4 * (high + r4 * top));
+  return (Pack)((Mask)y + ((Mask)shifted << 52));
+}
+
+struct SineCosine {
+  Pack sine;
+  Pack cosine;
+};
+
+/// Sine and cosine for |x| < 1e8.
+inline SineCosine sine_cosine(const Pack& x) {
+  const Pack shifted = x * 0x1.45f306dc9c883p-1 + detail::kRounder;
+  const Pack whole = shifted - detail::kRounder;
+  const Pack r =
+      ((x - whole * 0x1.921fb54400000p+0) - whole * 0x1.0b4611a600000p-34) - whole * 0x1.3198a2e037073p-69;
+  const Pack q = r * r;
+  const Pack sine_tail =
+      -1.0 / 6 +
+      q * (1.0 / 120 + q * (-1.0 / 5040 +
+                            q * (1.0 / 362880 + q * (-1.0 / 39916800 + q * (1.0 / 6227020800.0 +
+                                                                            q * (-1.0 / 1307674368000.0))))));
+  const Pack cosine_tail =
+      1.0 / 24 +
+      q * (-1.0 / 720 + q * (1.0 / 40320 + q * (-1.0 / 3628800 +
+                                                q * (1.0 / 479001600 + q * (-1.0 / 87178291200.0 +
+                                                                            q * (1.0 / 20922789888000.0))))));
+  const Pack s = r + r * q * sine_tail;
+  const Pack c = 1.0 - 0.5 * q + q * q * cosine_tail;
+  const Mask quadrant = (Mask)shifted;
+  const Mask odd = -(quadrant & detail::bits(1));
+  const Mask sine_negative = (quadrant & detail::bits(2)) << 62;
+  const Mask cosine_negative = ((quadrant + detail::bits(1)) & detail::bits(2)) << 62;
+  return {(Pack)((Mask)select(odd, c, s) ^ sine_negative), (Pack)((Mask)select(odd, s, c) ^ cosine_negative)};
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_LANES

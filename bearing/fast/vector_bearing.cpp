@@ -1,0 +1,75 @@
+#include "bearing/fast/vector_bearing.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "bearing/fast/constants_of.hpp"
+#include "bearing/fast/engines.hpp"
+
+namespace orbearing::bearing::fast {
+
+namespace {
+
+std::unique_ptr<Engine> make_engine(InstructionSet set, const Constants& constants,
+                                    const RollerConstants& rollers) {
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return std::unique_ptr<Engine>(avx512_engine(constants, rollers));
+  if (set == InstructionSet::avx2) return std::unique_ptr<Engine>(avx2_engine(constants, rollers));
+#endif
+  return std::unique_ptr<Engine>(baseline_engine(constants, rollers));
+}
+
+}  // namespace
+
+VectorBearing::VectorBearing(const dynamics::BearingModel& model, InstructionSet set)
+    : model_(model), layout_{static_cast<int>(model.layout.rollers)}, set_(set) {
+  const auto lanes = static_cast<std::size_t>(layout_.lanes());
+  pocket_cosine_.assign(lanes, 1.0);
+  pocket_sine_.assign(lanes, 0.0);
+  roller_radius_.assign(lanes, model.geometry.roller_radius);
+  for (std::size_t j = 0; j < model.pocket_direction.size(); ++j) {
+    pocket_cosine_[j] = model.pocket_direction[j].x();
+    pocket_sine_[j] = model.pocket_direction[j].y();
+  }
+  engine_ = make_engine(set, constants_of(model),
+                        {pocket_cosine_.data(), pocket_sine_.data(), roller_radius_.data()});
+}
+
+void VectorBearing::derivative(double time, const double* x, double* dx) {
+  const dynamics::Vector2 load = dynamics::bore_load(model_, time);
+  engine_->derivative(x, load.x(), load.y(), dx);
+}
+
+void VectorBearing::linearise(double time, const double* x, double* dx) {
+  const dynamics::Vector2 load = dynamics::bore_load(model_, time);
+  engine_->linearise(x, load.x(), load.y(), dx);
+}
+
+void VectorBearing::time_slope(double time, double* rate) const {
+  std::fill(rate, rate + layout_.size(), 0.0);
+  const dynamics::Vector2 slope = dynamics::bore_load_slope(model_, time);
+  rate[layout_.bore() + 2] = slope.x() / model_.bore_mass;
+  rate[layout_.bore() + 3] = slope.y() / model_.bore_mass;
+}
+
+std::vector<double> VectorBearing::padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const {
+  assert(flat.size() == model_.layout.size());
+  std::vector<double> x(static_cast<std::size_t>(layout_.size()), 0.0);
+  const int z = layout_.rollers, lanes = layout_.lanes();
+  const double pitch_radius = 0.5 * (model_.geometry.inner_radius + model_.geometry.outer_radius);
+  std::fill(x.begin(), x.begin() + lanes, pitch_radius);
+  for (int group = 0; group < 5; ++group)
+    std::copy(flat.data() + group * z, flat.data() + (group + 1) * z, x.begin() + group * lanes);
+  std::copy(flat.data() + 5 * z, flat.data() + flat.size(), x.begin() + layout_.cage());
+  return x;
+}
+
+void VectorBearing::flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const {
+  const int z = layout_.rollers, lanes = layout_.lanes();
+  for (int group = 0; group < 5; ++group)
+    std::copy(padded + group * lanes, padded + group * lanes + z, flat.data() + group * z);
+  std::copy(padded + layout_.cage(), padded + layout_.end(), flat.data() + 5 * z);
+}
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,50 @@
+// The planet bearing in time, vectorised over rollers, with its Jacobian in block-arrow form: the fast path
+// beside the readable equations of bearing/dynamics, with which it agrees to round-off.
+//
+// A roller couples only with pin, bore and cage. In the stages of a linearly implicit method positions follow
+// from velocities, so one roller leaves three unknowns and the rings seven; eliminating the rollers costs
+// O(rollers).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bearing/dynamics/model.hpp"
+#include "bearing/fast/engine.hpp"
+#include "bearing/fast/instruction_set.hpp"
+
+namespace orbearing::bearing::fast {
+
+/// The vectorised bearing: engine, layout and conversion from and to the flat state of bearing/dynamics.
+class VectorBearing {
+ public:
+  explicit VectorBearing(const dynamics::BearingModel& model, InstructionSet set = best_instruction_set());
+
+  const PaddedLayout& layout() const { return layout_; }
+  const dynamics::BearingModel& model() const { return model_; }
+  InstructionSet instruction_set() const { return set_; }
+
+  /// Rate `dx` of the padded state `x` at `time` [s].
+  void derivative(double time, const double* x, double* dx);
+  /// As derivative(), and keeps the Jacobian for factor() and solve().
+  void linearise(double time, const double* x, double* dx);
+  /// Slope of the right-hand side by time alone at `time` [s], into `rate` (padded).
+  void time_slope(double time, double* rate) const;
+  bool factor(double g) { return engine_->factor(g); }
+  void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
+  ContactLoads loads() const { return engine_->loads(); }
+
+  std::vector<double> padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const;
+  void flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const;
+
+ private:
+  dynamics::BearingModel model_;
+  PaddedLayout layout_;
+  InstructionSet set_;
+  std::vector<double> pocket_cosine_;
+  std::vector<double> pocket_sine_;
+  std::vector<double> roller_radius_;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,110 @@
+// A linearly implicit stepper of order 2 for stiff systems whose Jacobian has a structure of its own.
+//
+// ROS2 of [Verwer1999]: with gamma = 1 - 1/sqrt(2), L-stable,
+//   (1 - gamma h J) k1 = f(t, x) + gamma h f_t
+//   (1 - gamma h J) k2 = f(t + h, x + h k1) - gamma h f_t - 2 k1
+//   x(t + h) = x + 3/2 h k1 + 1/2 h k2,   error estimate 1/2 h (k1 + k2), that of the first-order x + h k1.
+#pragma once
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
+#include <boost/numeric/odeint/stepper/stepper_categories.hpp>
+#include <cmath>
+#include <vector>
+
+namespace orbearing::integration {
+
+namespace detail {
+void add_scaled(const double* x, double a, const double* y, double* z, std::size_t n);
+void second_stage(const double* k1, double g, const double* time_slope, double* rhs, std::size_t n);
+// The state after the step into `next`; returns the largest share of the allowed error. `n` is a multiple of
+// eight.
+double finish(const double* x, double h, const double* k1, const double* k2, const double* weight,
+              double* next, std::size_t n);
+}  // namespace detail
+
+/// Controlled stepper in the sense of Odeint. `System` offers
+///   linearise(t, x, dx)   rate dx at x, and keeps the Jacobian J there
+///   derivative(t, x, dx)
+///   time_slope(t, dx)     slope of the rate by time alone
+///   bool factor(g), solve(rhs, k)   k = (1 - g J)^-1 rhs
+/// on plain arrays, whose length is a multiple of eight. `allowed` holds the allowed error of each variable
+/// in one step.
+class Rosenbrock2 {
+ public:
+  using state_type = std::vector<double>;
+  using deriv_type = state_type;
+  using value_type = double;
+  using time_type = double;
+  using stepper_category = boost::numeric::odeint::controlled_stepper_tag;
+
+  explicit Rosenbrock2(state_type allowed, double longest_step)
+      : weight_(allowed.size()),
+        longest_step_(longest_step),
+        slope_(allowed.size()),
+        time_slope_(allowed.size()),
+        rhs_(allowed.size()),
+        k1_(allowed.size()),
+        k2_(allowed.size()),
+        next_(allowed.size()) {
+    std::transform(allowed.begin(), allowed.end(), weight_.begin(),
+                   [](double e) { return e > 0.0 ? 1.0 / e : 0.0; });
+  }
+
+  /// Rate at `x`, kept for the next step and whatever else is wanted there.
+  template <class System>
+  void begin(System& system, const state_type& x, double t) {
+    system.linearise(t, x.data(), slope_.data());
+    linear_ = true;
+  }
+
+  /// One attempt: on success `x` and `t` move on; `dt` becomes the step to try next in any case.
+  template <class System>
+  boost::numeric::odeint::controlled_step_result try_step(System& system, state_type& x, double& t,
+                                                          double& dt) {
+    using boost::numeric::odeint::fail;
+    using boost::numeric::odeint::success;
+    if (!linear_) begin(system, x, t);
+    const double h = dt;
+    const double error = attempt(system, x, t, h);
+    if (!(error <= 1.0)) {
+      dt = h * (std::isfinite(error) ? std::max(kLeastFactor, kSafety / std::sqrt(error)) : kLeastFactor);
+      return fail;
+    }
+    t += h;
+    x.swap(next_);
+    linear_ = false;
+    dt = std::min(longest_step_,
+                  h * std::clamp(kSafety / std::sqrt(std::max(error, 1e-4)), kLeastFactor, kMostFactor));
+    return success;
+  }
+
+ private:
+  static constexpr double kGamma = 0.29289321881345247559915563789515;
+  static constexpr double kSafety = 0.85;
+  static constexpr double kLeastFactor = 0.2;
+  static constexpr double kMostFactor = 2.0;
+
+  // Writes the state after the step to next_; returns the largest share of the allowed error.
+  template <class System>
+  double attempt(System& system, const state_type& x, double t, double h) {
+    const double g = kGamma * h;
+    const std::size_t n = x.size();
+    if (!system.factor(g)) return INFINITY;
+    system.time_slope(t, time_slope_.data());
+    detail::add_scaled(slope_.data(), g, time_slope_.data(), rhs_.data(), n);
+    system.solve(rhs_.data(), k1_.data());
+    detail::add_scaled(x.data(), h, k1_.data(), next_.data(), n);
+    system.derivative(t + h, next_.data(), rhs_.data());
+    detail::second_stage(k1_.data(), g, time_slope_.data(), rhs_.data(), n);
+    system.solve(rhs_.data(), k2_.data());
+    return detail::finish(x.data(), h, k1_.data(), k2_.data(), weight_.data(), next_.data(), n);
+  }
+
+  state_type weight_;
+  double longest_step_;
+  bool linear_ = false;  // the system holds slope_ and the Jacobian at the present state
+  state_type slope_, time_slope_, rhs_, k1_, k2_, next_;
+};
+
+}  // namespace orbearing::integration
