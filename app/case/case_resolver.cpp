@@ -53,12 +53,26 @@ class Resolver {
     const Member* sets = find_member(root_, "sets");
     const Member* shafts = find_member(root_, "shafts");
     data_.shape.several = sets != nullptr || shafts != nullptr;
-    if (!data_.shape.several) return;
+    if (!data_.shape.several) {
+      find_parts();
+      return;
+    }
     for (const char* key : {"gearset", "bearing"})
       if (const Member* own = find_member(root_, key); own != nullptr)
         object(own->place.option ? own->place : (sets != nullptr ? sets : shafts)->place, key,
                "the fields of one set beside 'sets' and 'shafts'",
                "either gearset and bearing, or sets and shafts, are required");
+  }
+
+  // One set without a bearing, and perhaps without teeth.
+  void find_parts() {
+    const Member* gearset = find_member(root_, "gearset");
+    const auto states = [&](const char* key) {
+      return gearset != nullptr && gearset->value.shape == Entry::Shape::block &&
+             find_member(gearset->value, key) != nullptr;
+    };
+    data_.shape.bearing = find_member(root_, "bearing") != nullptr;
+    data_.shape.teeth = data_.shape.bearing || !states("dynamics") || states("teeth");
   }
 
   void read_block(const Entry& block, const std::string& prefix) {
@@ -132,8 +146,7 @@ class Resolver {
     }
     if (!belongs(data_.shape, path)) {
       if (!is_faulty(path))
-        object(member.place, path, "a field that a case of several sets does not use",
-               "the shafts, which say where motor and ground are, are required instead");
+        object(member.place, path, unused_because(), use_instead());
       return;
     }
     if (refuse_planned_model(member, field)) return;
@@ -145,6 +158,18 @@ class Resolver {
     StoredValue& stored = data_.values[path];
     stored = {std::move(reading.value), member.value.place, false};
     for (const Entry& item : member.value.items) stored.item_places.push_back(item.place);
+  }
+
+  std::string unused_because() const {
+    if (data_.shape.several) return "a field that a case of several sets does not use";
+    return data_.shape.teeth ? "a field that a set without a bearing does not use"
+                             : "a field that a set without teeth does not use";
+  }
+
+  std::string use_instead() const {
+    if (data_.shape.several) return "the shafts, which say where motor and ground are, are required instead";
+    return data_.shape.teeth ? "a case without it, or with a bearing, is required"
+                             : "a case without it, or with gearset.teeth, is required";
   }
 
   bool refuse_planned_model(const Member& member, const Field& field) {
@@ -177,7 +202,8 @@ class Resolver {
   // Of several sets, one may go without bearings: it carries power and has no life.
   bool is_needed(const Input& input) const {
     if (model_ == no_model) return input.path.find('.') == std::string::npos;
-    return (input.field->required_by & model_) != 0 && !is_of_missing_bearing(input);
+    const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
+    return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input);
   }
 
   bool is_of_missing_bearing(const Input& input) const {
@@ -202,10 +228,15 @@ class Resolver {
     return (key == "sets" ? data_.shape.sets : data_.shape.shafts).empty();
   }
 
+  bool has_bearing(const std::string& path) const {
+    const std::size_t prefix = set_prefix_length(path);
+    return prefix == 0 ? data_.shape.bearing : block_places_.contains(path.substr(0, prefix) + "bearing");
+  }
+
   void fill_defaults() {
     for (const auto& [path, field] : inputs_of(model_, data_.shape)) {
       if (field->default_text.empty() || data_.values.contains(path) || is_faulty(path) ||
-          is_of_missing_bearing({path, field}))
+          is_of_missing_bearing({path, field}) || (field->default_without_bearing && has_bearing(path)))
         continue;
       data_.values[path] = {read_field_text(*field, field->default_text).value, {}, true};
       data_.assumed[path] = "default: " + field->default_reason;

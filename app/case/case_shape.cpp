@@ -71,13 +71,32 @@ const Field& shaft_field() {
   return field;
 }
 
+bool is_of_bearing(const Field& field) {
+  if (field.path.starts_with("inertia.")) return field.path == "inertia.own_orbit";
+  for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
+                            "support.", "simulation.", "numerics.", "gearset.mesh_ripple."})
+    if (field.path.starts_with(block)) return true;
+  return false;
+}
+
+bool is_of_teeth(const Field& field) {
+  if (field.path.find('.') == std::string::npos || field.path == "gearset.planets" ||
+      field.path == "gearset.pressure_angle")
+    return false;
+  // What follows from the drive or from the run in time is of no use without tooth numbers.
+  for (const char* used : {"run_up", "backlash", "separation", "error", "periods", "plate_ratio"})
+    if (field.path.find(used) != std::string::npos) return true;
+  return !field.path.starts_with("gearset.dynamics.");
+}
+
 bool belongs(const CaseShape& shape, std::string_view path) {
   if (path.starts_with(shafts_block)) return has_name(shape.shafts, path.substr(shafts_block.size()));
   const std::size_t prefix = set_prefix_length(path);
   const Field* field = find_field(path);
   if (field == nullptr) return false;
   if (prefix > 0) return has_name(shape.sets, path.substr(sets_block.size(), prefix - 1 - sets_block.size()));
-  return !shape.several || (!in_each_set(*field) && !is_of_one_set(*field));
+  if (shape.several) return !in_each_set(*field) && !is_of_one_set(*field);
+  return (shape.bearing || !is_of_bearing(*field)) && (shape.teeth || !is_of_teeth(*field));
 }
 
 std::vector<Input> inputs_of(unsigned models, const CaseShape& shape) {

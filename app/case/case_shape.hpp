@@ -5,6 +5,8 @@
 //     gearset: {...}          sets:   {reduction: {gearset: {...}, bearing: {...}}, ...}
 //     bearing: {...}          shafts: {input: [motor, reduction.sun], ...}
 //
+// One set may go without a bearing: its planets stand on springs, and it has no life. Without a bearing it may
+// also go without teeth: gearset.dynamics then states its masses and stiffnesses.
 #pragma once
 
 #include <string>
@@ -20,6 +22,8 @@ struct CaseShape {
   std::vector<std::string> sets;
   std::vector<std::string> shafts;
   bool several = false;  // whether the case has sets and shafts, well or badly given
+  bool bearing = true;   // one set: whether it has a bearing
+  bool teeth = true;     // one set: whether it has teeth
 
   bool operator==(const CaseShape&) const = default;
 };
@@ -49,6 +53,10 @@ bool in_each_set(const Field& field);
 
 /// The field of `shafts.NAME`.
 const Field& shaft_field();
+
+/// Whether a field is of no use without a bearing; without teeth.
+bool is_of_bearing(const Field& field);
+bool is_of_teeth(const Field& field);
 
 /// Whether a case of that shape has a place for the path.
 bool belongs(const CaseShape& shape, std::string_view path);

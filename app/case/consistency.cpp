@@ -82,6 +82,11 @@ bool has_bearing(const ResolvedCase& resolved) {
   return false;
 }
 
+double bore_without_bearing(const Checker& check, const ResolvedCase& resolved) {
+  return resolved.number("gearset.planet_bore_ratio") * check.length("gearset.module") *
+         (check.count("gearset.teeth.planet") - 2.5);
+}
+
 gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved) {
   return {.sun_teeth = check.count("gearset.teeth.sun"),
           .planet_teeth = check.count("gearset.teeth.planet"),
@@ -95,7 +100,8 @@ gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved)
           .sun_shift = resolved.number("gearset.profile_shift.sun"),
           .ring_shift = resolved.number("gearset.profile_shift.ring"),
           .face_width = check.length("gearset.face_width"),
-          .planet_bore = has_bearing(resolved) ? check.length("bearing.outside_diameter") : 0.0};
+          .planet_bore = has_bearing(resolved) ? check.length("bearing.outside_diameter")
+                                               : bore_without_bearing(check, resolved)};
 }
 
 void check_gears(Checker& check, const ResolvedCase& resolved) {
@@ -125,6 +131,23 @@ void check_pair(Checker& check, const ResolvedCase& resolved) {
   const bool shifts = two_values(check, resolved, "pair.profile_shift");
   if (teeth && shifts)
     object_all(check, gearset::pair_problems(pair_of(resolved)), "a pair that meshes is required");
+}
+
+// Errors are listed pin by pin, and over a mesh period at more than one place.
+void check_error_lists(Checker& check, const ResolvedCase& resolved) {
+  for (const char* path : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
+    if (!check.has({path, "gearset.planets"})) continue;
+    const std::size_t count = resolved.list(path).size();
+    const auto planets = static_cast<std::size_t>(check.count("gearset.planets"));
+    if (count != planets)
+      check.object(path, fmt::format("a list of {}", count),
+                   fmt::format("one value for each of the {} planets is required", planets));
+  }
+  for (const char* path :
+       {"gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"})
+    if (check.has({path}) && resolved.list(path).size() < 3)
+      check.object(path, fmt::format("a list of {}", resolved.list(path).size()),
+                   "at least three values, at equal steps of a mesh period, are required");
 }
 
 void check_roller_circle(Checker& check) {
@@ -227,6 +250,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_members(check);
   check_gears(check, resolved);
   check_pair(check, resolved);
+  check_error_lists(check, resolved);
   check_roller_circle(check);
   if (const std::optional<Races> races = races_of(check)) {
     check_rings(check, *races);

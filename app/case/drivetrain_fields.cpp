@@ -104,6 +104,9 @@ void add_bodies(std::vector<Field>& fields) {
                          "outside diameter of the ring, where it is held, as a multiple of its root diameter",
                          {1.005, 20.0}, "1.15",
                          "a rim of some five modules; the mesh stiffness alone feels it"));
+  fields.push_back(ratio("gearset.planet_bore_ratio",
+                         "bore of a planet that has no given bearing, as a share of module x (teeth - 2.5)",
+                         {0.02, 0.98}, "0.7", "room for roller bearings under a rim of a few modules"));
 }
 
 }  // namespace

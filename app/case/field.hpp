@@ -18,6 +18,9 @@ enum Model : unsigned { no_model = 0, planetary_drivetrain = 1, roller_bearing =
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
 inline constexpr unsigned every_model = with_rollers | gear_pair;
 
+/// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
+inline constexpr unsigned toothless_set = 1u << 16;
+
 /// Interval of allowed values, in the customary unit of the field.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
@@ -38,6 +41,7 @@ struct Field {
   std::string default_text{};          // as it would be written in a case; empty: none
   std::string default_reason{};        // why this value may stand in for one that is not given
   Kind element = Kind::number;         // list: kind of its elements
+  bool default_without_bearing = false;  // the default stands in only where a set has no bearing
 };
 
 /// A checked value of a field.

@@ -35,6 +35,7 @@ std::vector<Field> build_table() {
   std::vector<Field> fields;
   table::add_case_fields(fields);
   table::add_drivetrain_fields(fields);
+  table::add_gear_dynamics_fields(fields);
   table::add_bearing_fields(fields);
   table::add_condition_fields(fields);
   table::add_dynamics_fields(fields);

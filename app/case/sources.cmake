@@ -13,6 +13,7 @@ set(ORBEARING_CASE_SOURCES
   case/field.cpp
   case/field_table.cpp
   case/key_hints.cpp
+  case/gear_dynamics_fields.cpp
   case/mistake.cpp
   case/pair_case.cpp
   case/pair_fields.cpp

@@ -7,6 +7,7 @@
 #include "app/case/check_table.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/drivetrain_case.hpp"
+#include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/power_table.hpp"
 
@@ -26,7 +27,12 @@ Checked check(const ResolvedCase& resolved) {
     return {pair_quantities(resolved, meshes), meshes.warnings};
   }
   if (resolved.model() != planetary_drivetrain) return {};
-  return {derived_quantities(resolved), gear_warnings(resolved), power_table(resolved)};
+  Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
+  if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
+  if (!resolved.shape().several)
+    for (const Derived& row : gear_dynamics_quantities(resolved))
+      if (!resolved.has(row.path)) checked.derived.push_back(row);
+  return checked;
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ struct Options {
   std::vector<std::string> settings;  // path=value
   std::string output;
   std::string fidelity = "quasi-static";
+  std::optional<std::string> speed;  // modes: none means at rest
   std::optional<std::string> shard;  // "i/n"
   int jobs = 0;                      // 0: one for each core
   bool resume = false;
@@ -28,6 +29,7 @@ int run_command(const Options& options);
 int sweep_command(const Options& options);
 int merge_command(const Options& options);
 int mesh_command(const Options& options);
+int modes_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
 

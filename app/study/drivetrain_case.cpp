@@ -20,6 +20,12 @@ gearset::Member member_of(const std::string& name) {
   return name == "carrier" ? gearset::Member::carrier : gearset::Member::sun;
 }
 
+double planet_bore_of(const ResolvedCase& in) {
+  if (in.has("bearing.rollers")) return in.quantity("bearing.outside_diameter");
+  return in.number("gearset.planet_bore_ratio") * in.quantity("gearset.module") *
+         (in.integer("gearset.teeth.planet") - 2.5);
+}
+
 gearset::PlanetarySet set_of(const ResolvedCase& in) {
   return {.sun_teeth = in.integer("gearset.teeth.sun"),
           .planet_teeth = in.integer("gearset.teeth.planet"),
@@ -33,7 +39,7 @@ gearset::PlanetarySet set_of(const ResolvedCase& in) {
           .sun_shift = in.number("gearset.profile_shift.sun"),
           .ring_shift = in.number("gearset.profile_shift.ring"),
           .face_width = in.quantity("gearset.face_width"),
-          .planet_bore = in.has("bearing.rollers") ? in.quantity("bearing.outside_diameter") : 0.0,
+          .planet_bore = planet_bore_of(in),
           .density = in.quantity("material.density"),
           .fixed_member =
               in.has("gearset.fixed") ? member_of(in.choice("gearset.fixed")) : gearset::Member::ring};
@@ -97,12 +103,15 @@ integration::SteadyStateOptions steady_state_of(const ResolvedCase& in) {
   return out;
 }
 
+gearset::Drive drive_of(const ResolvedCase& in) {
+  return {.member = in.has("input.member") ? member_of(in.choice("input.member")) : gearset::Member::sun,
+          .power = in.quantity("input.power"),
+          .speed = in.quantity("input.speed")};
+}
+
 study::PlanetaryDrivetrain quasi_static_drivetrain(const ResolvedCase& in) {
   return {.set = set_of(in),
-          .drive = {.member =
-                        in.has("input.member") ? member_of(in.choice("input.member")) : gearset::Member::sun,
-                    .power = in.quantity("input.power"),
-                    .speed = in.quantity("input.speed")},
+          .drive = drive_of(in),
           .bearing = bearing_of(in),
           .bearings_per_planet = in.integer("bearing.per_planet"),
           .inertia = {.own_orbit = in.flag("inertia.own_orbit"),
@@ -137,12 +146,16 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
       {"gearset.planet_mass", geometry.planet_mass, "kg", "gear body and outer rings of its bearings"});
 }
 
-void add_motion(const study::BearingDuty& duty, std::vector<Derived>& rows) {
-  rows.push_back({"operation.carrier_speed", kRpm * duty.gears.carrier_speed, "rpm", "Willis"});
-  rows.push_back({"operation.planet_speed", kRpm * duty.gears.planet_speed_relative, "rpm",
+void add_motion(const gearset::MeanLoads& gears, std::vector<Derived>& rows) {
+  rows.push_back({"operation.carrier_speed", kRpm * gears.carrier_speed, "rpm", "Willis"});
+  rows.push_back({"operation.planet_speed", kRpm * gears.planet_speed_relative, "rpm",
                   "relative to the carrier; negative: against carrier rotation"});
-  rows.push_back({"operation.input_torque_sun", duty.gears.sun_torque, "N.m", "on the sun"});
-  rows.push_back({"operation.mesh_normal_force", duty.gears.normal_force, "N", "one mesh of one planet"});
+  rows.push_back({"operation.input_torque_sun", gears.sun_torque, "N.m", "on the sun"});
+  rows.push_back({"operation.mesh_normal_force", gears.normal_force, "N", "one mesh of one planet"});
+}
+
+void add_duty(const study::BearingDuty& duty, std::vector<Derived>& rows) {
+  add_motion(duty.gears, rows);
   rows.push_back({"operation.bore_load_x", duty.point.bore_load.x(), "N",
                   "gears and planet on one bearing, outward; cage and rollers not included"});
   rows.push_back(
@@ -179,6 +192,7 @@ bearing::CylindricalRollerBearing bearing_of(const ResolvedCase& in) {
 }
 
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
+  if (!in.has("bearing.rollers")) return {.set = set_of(in), .drive = drive_of(in)};
   study::PlanetaryDrivetrain out = quasi_static_drivetrain(in);
   out.dynamics = dynamics_of(in);
   out.dynamics.cage = cage_dynamics_of(in);
@@ -212,13 +226,30 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
   return sets;
 }
 
+namespace {
+
+std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
+  std::vector<Derived> rows;
+  if (!resolved.shape().teeth) return rows;
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+  study::DrivetrainGeometry geometry;
+  geometry.gears = gearset::working_geometry(drivetrain.set);
+  geometry.planet_mass = gearset::planet_body(drivetrain.set, geometry.gears).mass;
+  add_gears(drivetrain, geometry, rows);
+  add_motion(gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive), rows);
+  return rows;
+}
+
+}  // namespace
+
 std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
+  if (!resolved.shape().several && !resolved.shape().bearing) return quantities_without_bearing(resolved);
   std::vector<Derived> rows;
   for (const study::NamedSet& set : bearing_sets(resolved)) {
     std::vector<Derived> of_set;
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.geometry, of_set);
-    add_motion(study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    add_duty(study::bearing_duty(set.drivetrain, set.geometry), of_set);
     for (Derived& row : of_set) {
       if (!set.name.empty()) row.path = set_prefix(set.name) + row.path;
       rows.push_back(std::move(row));
@@ -233,6 +264,7 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
     for (const gearset::Warning& warning : gearset::tooth_warnings(gearset::working_geometry(set_of(set))))
       texts.push_back(prefix + warning.place + ": " + warning.text);
   };
+  if (!resolved.shape().teeth) return texts;
   if (!resolved.shape().several) add("", resolved);
   for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
   return texts;

@@ -84,6 +84,10 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; required: planetary-drivetrain, the one model that this version computes" +
                    (resolved.model() == gear_pair ? "; orbearing mesh shows a pair's stiffness" : ""));
+  if (!resolved.shape().bearing)
+    throw BadInput(resolved.file() +
+                   ": bearing: missing; required: a planet bearing, for its life; orbearing run gives the "
+                   "vibration of gears alone");
   if (resolved.shape().several && bearing_set_names(resolved).empty())
     throw BadInput(resolved.file() +
                    ": sets: found no set with a bearing; required: at least one, for its life");
