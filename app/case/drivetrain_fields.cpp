@@ -99,11 +99,11 @@ void add_rack(std::vector<Field>& fields) {
 
 void add_bodies(std::vector<Field>& fields) {
   fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter",
-                         {0.02, 0.98}, "0.5", "a sun on a shaft; the mesh stiffness alone feels it"));
+                         {0.02, 0.98}, "0.5", "a sun on a shaft; mesh stiffness and mass of the sun feel it"));
   fields.push_back(ratio("gearset.ring_outside_ratio",
                          "outside diameter of the ring, where it is held, as a multiple of its root diameter",
                          {1.005, 20.0}, "1.15",
-                         "a rim of some five modules; the mesh stiffness alone feels it"));
+                         "a rim of some five modules; mesh stiffness and mass of the ring feel it"));
   fields.push_back(ratio("gearset.planet_bore_ratio",
                          "bore of a planet that has no given bearing, as a share of module x (teeth - 2.5)",
                          {0.02, 0.98}, "0.7", "room for roller bearings under a rim of a few modules"));

@@ -73,7 +73,10 @@ struct CommandTable {
 void add_commands(CommandTable table) {
   Options& options = table.options;
   add_case(table.add("check", "resolve and print every input of a case", check_command), options);
-  add_computing(table.add("run", "the case's analysis at its operating point", run_command), options);
+  CLI::App& run = table.add("run", "the case's analysis at its operating point", run_command);
+  add_computing(run, options);
+  run.add_flag("--gears", options.gears,
+               "the vibration of the gears alone, their bearings as springs; so in any case without a bearing");
   add_sweep(table.add("sweep", "all operating points of the case", sweep_command), options);
   CLI::App& merge = table.add("merge", "join the shards of a sweep", merge_command);
   add_settings(merge, options);

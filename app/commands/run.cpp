@@ -9,7 +9,7 @@ namespace orbearing::app {
 
 int run_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
-  if (runs_gears_alone(resolved)) return run_gear_case(resolved, options);
+  if (options.gears || runs_gears_alone(resolved)) return run_gear_case(resolved, options);
   SweepRequest request = sweep_request(resolved, options.fidelity);
   request.folder = options.output;
   request.jobs = 1;

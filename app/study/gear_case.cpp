@@ -153,8 +153,11 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
 }
 
 std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved) {
-  if (!resolved.shape().teeth) return {};
-  return mesh_study(resolved).warnings;
+  std::vector<std::string> texts = gear_warnings(resolved);
+  if (!resolved.shape().teeth) return texts;
+  for (const gearset::Warning& warning : gearset::foundation_warnings(planetary_meshes_of(resolved)))
+    texts.push_back(warning.place + ": " + warning.text);
+  return texts;
 }
 
 }  // namespace orbearing::app

@@ -76,11 +76,11 @@ bool runs_gears_alone(const ResolvedCase& resolved) {
 }
 
 int run_gear_case(const ResolvedCase& resolved, const Options& options) {
+  const gearset::dynamics::SetModel model = gear_model_of(resolved);
   if (!resolved.shape().teeth)
     throw BadInput(resolved.file() +
                    ": gearset.teeth: missing; required: teeth, which give loads and mesh frequency; "
                    "orbearing modes shows the natural frequencies of a set without");
-  const gearset::dynamics::SetModel model = gear_model_of(resolved);
   const ManifestHeader header = header_of(resolved);
   ResultFolder folder(options.output, header, write_resolved(resolved),
                       options.resume ? OpenMode::resume : OpenMode::fresh);

@@ -136,6 +136,8 @@ double mass(const gearset::ExternalTooth& gear, const gearset::GearPair& pair, d
 
 MeshStudy mesh_study(const ResolvedCase& resolved) {
   if (resolved.model() == gear_pair) return pair_study(resolved);
+  if (resolved.model() == planetary_drivetrain && !resolved.shape().teeth)
+    throw BadInput(resolved.file() + ": gearset.teeth: missing; required: teeth, which the meshes follow from");
   if (resolved.model() == planetary_drivetrain) return set_study(resolved);
   throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                  "; required: gear-pair or planetary-drivetrain, which have meshes");
