@@ -2,6 +2,8 @@
 // all.
 #pragma once
 
+#include <optional>
+
 #include "bearing/dynamics/parameters.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/parameters.hpp"
@@ -20,10 +22,14 @@ struct RunUp {
   double duration = 0.0;      // [s]
 };
 
-/// Parameters of a drivetrain of one planetary set. A sweep changes one or the other and derives anew.
+/// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
+/// other and derives anew.
 struct PlanetaryDrivetrain {
   gearset::PlanetarySet set;
   gearset::Drive drive;
+  /// Among several sets: how this one's members turn and are loaded for what `drive` puts into the whole, of
+  /// which only power and speed count then. None: the set is alone and driven at drive.member.
+  std::optional<gearset::MemberRatios> in_arrangement;
   bearing::CylindricalRollerBearing bearing;
   int bearings_per_planet = 1;
   bearing::InertiaSwitches inertia;
