@@ -74,7 +74,7 @@ const Field& shaft_field() {
 bool is_of_bearing(const Field& field) {
   if (field.path.starts_with("inertia.")) return field.path == "inertia.own_orbit";
   for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
-                            "support.", "simulation.", "numerics.", "gearset.mesh_ripple."})
+                            "support.", "simulation.", "numerics.", "gearset.mesh_variation"})
     if (field.path.starts_with(block)) return true;
   return false;
 }

@@ -136,11 +136,9 @@ void add_surroundings(std::vector<Field>& fields) {
                           "0.05",
                           "bolted steel structure"}));
   fields.push_back(
-      quantity(dimension::force, {"gearset.mesh_ripple.amplitude",
-                                  "ripple of the tangential load on one bearing at mesh frequency",
-                                  {0.0, 1e9},
-                                  "0 N",
-                                  "steady mesh forces"}));
+      flag("gearset.mesh_variation",
+           "teeth that pass shake the planet bearing in time; false: the meshes give their mean forces",
+           "true", "nothing left out; several sets give mean forces whatever is said here"));
 }
 
 void add_run(std::vector<Field>& fields) {

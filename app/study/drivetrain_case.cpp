@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
+#include "app/study/gear_case.hpp"
 #include "app/study/refinements.hpp"
 #include "app/case/arrangement_case.hpp"
 #include "gearset/checks.hpp"
@@ -71,7 +72,6 @@ bearing::dynamics::DynamicsParameters dynamics_of(const ResolvedCase& in) {
   out.drag.oil_share = in.number("lubricant.share");
   out.support.stiffness = in.quantity("support.stiffness");
   out.support.damping_ratio = in.number("support.damping_ratio");
-  out.ripple.amplitude = in.quantity("gearset.mesh_ripple.amplitude");
   return out;
 }
 
@@ -198,6 +198,8 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   out.dynamics = dynamics_of(in);
   out.dynamics.cage = cage_dynamics_of(in);
   out.steady_state = steady_state_of(in);
+  if (in.flag("gearset.mesh_variation") && !in.shape().several && !out.in_arrangement)
+    out.gear_set = [in] { return gear_model_of(in).parameters; };
   add_refinements(in, out);
   return out;
 }

@@ -169,12 +169,19 @@ void set_driving(const InertiaSwitches& inertia, BearingModel& model) {
       model.bore_mass * inertial_acceleration(model.frame, none, none) - model.bore_loads.centrifugal;
 }
 
+Vector2 ripple_load(const MeshRipple& ripple, double angle) {
+  Vector2 load = Vector2::Zero();
+  for (const LoadHarmonic& harmonic : ripple.harmonics)
+    load +=
+        std::cos(harmonic.order * angle) * harmonic.cosine + std::sin(harmonic.order * angle) * harmonic.sine;
+  return load;
+}
+
 // Load on the bore in a run-up; the ripple falls with the meshes' load and quickens with their speed.
 Vector2 growing_load(const BearingModel& model, double time) {
   const double ratio = speed_ratio(model.driving, time);
-  const MeshRipple& ripple = model.ripple;
-  const double angle = ripple.angular_frequency * equivalent_time(model.driving, time) + ripple.phase;
-  const Vector2 meshes = model.bore_loads.meshes + Vector2(0.0, ripple.amplitude * std::sin(angle));
+  const double turned = model.ripple.angular_frequency * equivalent_time(model.driving, time);
+  const Vector2 meshes = model.bore_loads.meshes + ripple_load(model.ripple, turned);
   return meshes / ratio + model.bore_loads.centrifugal * ratio * ratio + model.bore_loads.euler;
 }
 
@@ -219,15 +226,18 @@ BearingModel bearing_model(const CylindricalRollerBearing& bearing, const Operat
 
 Vector2 bore_load(const BearingModel& model, double time) {
   if (model.driving.growth != 0.0) return growing_load(model, time);
-  const MeshRipple& ripple = model.ripple;
-  const double along_y = ripple.amplitude * std::sin(ripple.angular_frequency * time + ripple.phase);
-  return {model.point.bore_load.x(), model.point.bore_load.y() + along_y};
+  if (model.ripple.harmonics.empty()) return model.point.bore_load;
+  return model.point.bore_load + ripple_load(model.ripple, model.ripple.angular_frequency * time);
 }
 
 Vector2 bore_load_slope(const BearingModel& model, double time) {
-  const MeshRipple& ripple = model.ripple;
-  const double speed = ripple.amplitude * ripple.angular_frequency;
-  return {0.0, speed * std::cos(ripple.angular_frequency * time + ripple.phase)};
+  Vector2 slope = Vector2::Zero();
+  const double angle = model.ripple.angular_frequency * time;
+  for (const LoadHarmonic& harmonic : model.ripple.harmonics)
+    slope += harmonic.order * model.ripple.angular_frequency *
+             (std::cos(harmonic.order * angle) * harmonic.sine -
+              std::sin(harmonic.order * angle) * harmonic.cosine);
+  return slope;
 }
 
 }  // namespace orbearing::bearing::dynamics

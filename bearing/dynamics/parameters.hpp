@@ -2,6 +2,9 @@
 // reason.
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "bearing/parameters.hpp"
 
 namespace orbearing::bearing::dynamics {
@@ -106,11 +109,17 @@ struct SupportParameters {
   double damping_ratio = 0.05;  // [-]    of pin ring and bore together on the stiffness. Assumption
 };
 
-/// Load ripple that the meshes add to the load on the bore, along y: amplitude sin(frequency t + phase).
+/// One harmonic of a load: cosine cos(order angle) + sine sin(order angle).
+struct LoadHarmonic {
+  int order = 1;
+  Eigen::Vector2d cosine = Eigen::Vector2d::Zero();  // [N]
+  Eigen::Vector2d sine = Eigen::Vector2d::Zero();    // [N]
+};
+
+/// What the meshes add to the mean load on the bore as their teeth pass, as a Fourier series.
 struct MeshRipple {
-  double amplitude = 0.0;          // [N]
-  double angular_frequency = 0.0;  // [rad/s]
-  double phase = 0.0;              // [rad]
+  double angular_frequency = 0.0;  // [rad/s]  of tooth engagement
+  std::vector<LoadHarmonic> harmonics;
 };
 
 /// Run-up or run-down: all speeds are (1 + growth t) times those at t = 0. The meshes pass constant power, so

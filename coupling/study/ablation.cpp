@@ -31,6 +31,7 @@ std::vector<Ablation> dynamic_ablations() {
       {"all effects", group, [](Drivetrain&) {}},
       {"no Coriolis", group, [](Drivetrain& d) { d.inertia.coriolis = false; }},
       {"no carrier centrifugal", group, [](Drivetrain& d) { d.inertia.carrier_centrifugal = false; }},
+      {"constant mesh stiffness", group, [](Drivetrain& d) { d.gear_set = nullptr; }},
       {"film in the approach", group, [](Drivetrain& d) { d.film_in_approach = true; }},
       {"limiting-shear traction", group,
        [](Drivetrain& d) { d.dynamics.race.traction = TractionLaw::limiting_shear; }},

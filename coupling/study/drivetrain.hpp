@@ -2,6 +2,7 @@
 // all.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "bearing/dynamics/parameters.hpp"
@@ -9,6 +10,7 @@
 #include "bearing/parameters.hpp"
 #include "bearing/quasi_static.hpp"
 #include "coupling/integration/steady_state.hpp"
+#include "gearset/dynamics/parameters.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/planet_body.hpp"
@@ -40,6 +42,9 @@ struct PlanetaryDrivetrain {
   bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
   integration::SteadyStateOptions steady_state;
   RunUp run_up;
+  /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes give
+  /// their mean forces. Called once for each operating point that is computed in time.
+  std::function<gearset::dynamics::SetParameters()> gear_set;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 

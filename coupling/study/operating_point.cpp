@@ -10,6 +10,7 @@
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
 #include "coupling/integration/run_up.hpp"
+#include "coupling/study/mesh_ripple.hpp"
 
 namespace orbearing::study {
 
@@ -71,8 +72,7 @@ bearing::dynamics::DynamicsParameters dynamics_of(const PlanetaryDrivetrain& dri
                                                   const DrivetrainGeometry& geometry,
                                                   const BearingDuty& duty) {
   bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
-  parameters.ripple.angular_frequency =
-      drivetrain.set.sun_teeth * std::abs(duty.gears.sun_speed - duty.gears.carrier_speed);
+  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
   parameters.inertia = drivetrain.inertia;
   parameters.lubricant = drivetrain.lubricant;
   parameters.race.film_in_approach = drivetrain.film_in_approach;

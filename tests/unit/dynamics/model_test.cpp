@@ -43,13 +43,19 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
   EXPECT_THAT(complaint(bearing, not_a_number), HasSubstr("pocket clearance"));
 }
 
-TEST(BearingModel, RippleAddsToTheTangentialLoad) {
+TEST(BearingModel, RippleAddsItsHarmonics) {
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.ripple = {.amplitude = 20.0, .angular_frequency = 1000.0, .phase = 0.5};
+  parameters.ripple = {.angular_frequency = 1000.0,
+                       .harmonics = {{.order = 1, .cosine = {0.0, 7.0}, .sine = {0.0, 20.0}},
+                                     {.order = 2, .cosine = {0.0, 0.0}, .sine = {4.0, 0.0}}}};
   const OperatingPoint point = test::reducer_point(6000.0);
   const BearingModel model = bearing_model(test::reducer_bearing(), point, parameters);
-  EXPECT_EQ(bore_load(model, 0.003).x(), point.bore_load.x());
-  EXPECT_DOUBLE_EQ(bore_load(model, 0.003).y(), point.bore_load.y() + 20.0 * std::sin(3.5));
+  const Vector2 load = bore_load(model, 0.003);
+  EXPECT_DOUBLE_EQ(load.x(), point.bore_load.x() + 4.0 * std::sin(6.0));
+  EXPECT_DOUBLE_EQ(load.y(), point.bore_load.y() + 7.0 * std::cos(3.0) + 20.0 * std::sin(3.0));
+  const double step = 1e-7;  // [s]  the series bends by 1e-8 of itself in it
+  const Vector2 difference = (bore_load(model, 0.003 + step) - bore_load(model, 0.003 - step)) / (2.0 * step);
+  EXPECT_LT((bore_load_slope(model, 0.003) - difference).norm(), 1e-6 * difference.norm());
 }
 
 // The run begins in balance: the quasi-static loads are those the equations see, film or not.

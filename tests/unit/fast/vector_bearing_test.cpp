@@ -47,7 +47,9 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
                             {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
       bearing.roller_diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
     }
-    parameters.ripple = {.amplitude = 50.0, .angular_frequency = 3e4, .phase = 0.2};
+    parameters.ripple = {.angular_frequency = 3e4,
+                         .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}},
+                                       {.order = 3, .cosine = {5.0, 0.0}, .sine = {0.0, 0.0}}}};
     point.carrier.acceleration = 300.0;
   }
 
