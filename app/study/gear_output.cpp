@@ -87,7 +87,8 @@ double mode_property(const std::vector<Mode>& modes, const std::string& quantity
   std::map<std::string, int> count;
   for (const Mode& mode : modes) {
     const std::string kind = kind_name(mode.kind);
-    if (mode.frequency > 0.0 && fmt::format("{}_{}_Hz", kind, ++count[kind]) == quantity) return mode.frequency;
+    if (mode.frequency > 0.0 && fmt::format("{}_{}_Hz", kind, ++count[kind]) == quantity)
+      return mode.frequency;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
