@@ -8,6 +8,7 @@
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/refinement_consistency.hpp"
 #include "app/case/pair_case.hpp"
 #include "gearset/checks.hpp"
 
@@ -258,6 +259,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   }
   check_guide_land(check);
   check_widths(check);
+  check_refinements(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }
 

@@ -39,6 +39,7 @@ std::vector<Field> build_table() {
   table::add_bearing_fields(fields);
   table::add_condition_fields(fields);
   table::add_dynamics_fields(fields);
+  table::add_refinement_fields(fields);
   table::add_pair_fields(fields);
   return grouped(std::move(fields));
 }

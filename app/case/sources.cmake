@@ -18,6 +18,8 @@ set(ORBEARING_CASE_SOURCES
   case/pair_case.cpp
   case/pair_fields.cpp
   case/printable.cpp
+  case/refinement_consistency.cpp
+  case/refinement_fields.cpp
   case/resolved_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
+#include "app/study/refinements.hpp"
 #include "app/case/arrangement_case.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -197,6 +198,7 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   out.dynamics = dynamics_of(in);
   out.dynamics.cage = cage_dynamics_of(in);
   out.steady_state = steady_state_of(in);
+  add_refinements(in, out);
   return out;
 }
 

@@ -31,9 +31,7 @@ LedgerRow compare(const PublishedValue& published, double ours, const std::strin
                 .published = published.value,
                 .tolerance = published.tolerance};
   if (std::isfinite(ours)) row.ours = ours;
-  if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
-  row.verdict = verdict_of(row, published.trend);
-  return row;
+  return judged(std::move(row), published.trend);
 }
 
 std::string cell(const std::optional<double>& value) {
@@ -55,10 +53,10 @@ nlohmann::ordered_json number(const std::optional<double>& value) {
 std::string worth_text(const Ledger& ledger) {
   if (ledger.worth.empty()) return "";
   std::string text = "\nWhat each assumption is worth\n";
-  text += fmt::format("{:<28} {:>14} {:>12} {:>11}  {}\n", "assumption", "peak [rpm]", "life [h]",
+  text += fmt::format("{:<44} {:>14} {:>12} {:>11}  {}\n", "assumption", "peak [rpm]", "life [h]",
                       "worth [h]", "other reading");
   for (const Worth& worth : ledger.worth)
-    text += fmt::format("{:<28} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", worth.alternative.assumption,
+    text += fmt::format("{:<44} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", worth.alternative.assumption,
                         worth.peak_speed_rpm, worth.peak_life_h, worth.worth_h, worth.alternative.reading);
   return text;
 }
@@ -88,6 +86,12 @@ std::vector<gearset::dynamics::Mode> modes_of(const ResolvedCase& resolved) {
 }
 
 }  // namespace
+
+LedgerRow judged(LedgerRow row, bool trend) {
+  if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
+  row.verdict = verdict_of(row, trend);
+  return row;
+}
 
 Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected) {
   if (resolved.model() == gear_pair) return study_ledger(resolved, expected, mesh_study, mesh_property);
@@ -143,7 +147,7 @@ std::string ledger_text(const Ledger& ledger) {
     text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}\n", row.source,
                         cell(row.published), cell(row.ours), deviation_cell(row.deviation), row.tolerance,
                         row.verdict, key_with_reading(row));
-  return text + worth_text(ledger);
+  return ledger.worth.empty() ? text : text + worth_text(ledger);
 }
 
 }  // namespace orbearing::app

@@ -16,6 +16,12 @@
 
 namespace orbearing::study {
 
+/// Growth of the input speed at constant power, for the dynamic bearing.
+struct RunUp {
+  double acceleration = 0.0;  // [rad/s^2]  of the driven member; 0: steady speeds
+  double duration = 0.0;      // [s]
+};
+
 /// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
 /// other and derives anew.
 struct PlanetaryDrivetrain {
@@ -29,9 +35,11 @@ struct PlanetaryDrivetrain {
   bearing::InertiaSwitches inertia;
   bearing::Lubricant lubricant;
   bool film_in_approach = false;
+  bearing::FilmApproach film_approach = bearing::FilmApproach::added;
   double lambda = 0.83;                            // [-]  product lambda nu of ISO/TR 1281-1
   bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
   integration::SteadyStateOptions steady_state;
+  RunUp run_up;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 

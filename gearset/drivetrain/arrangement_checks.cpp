@@ -147,9 +147,14 @@ void check_torque_freedom(const Arrangement& arrangement, const TorqueSystem& sy
     }
   }
   if (problem.members.empty()) return;
-  problem.found =
-      "torques left open: more than one way for them through " + member_places(arrangement, problem.members);
-  problem.required = "one load, and no second path, joint or ground that the speeds do without, is required";
+  const Shafts loads = shafts_where(arrangement, &Shaft::load);
+  problem.found = loads.size() > 1 ? "torques left open: how the loads on " +
+                                         shaft_names(arrangement, loads) + " share the power does not follow"
+                                   : "torques left open: more than one way for them through " +
+                                         member_places(arrangement, problem.members);
+  problem.required = loads.size() > 1
+                         ? "one load is required"
+                         : "no second path, joint or ground that the speeds do without is required";
   problems.push_back(std::move(problem));
 }
 

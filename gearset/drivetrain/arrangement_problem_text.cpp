@@ -19,22 +19,6 @@ std::string place_of(const Arrangement& arrangement, const SetMember& member) {
 
 }  // namespace
 
-const char* member_word(Member member) {
-  switch (member) {
-    case Member::sun:
-      return "sun";
-    case Member::ring:
-      return "ring";
-    case Member::carrier:
-      break;
-  }
-  return "carrier";
-}
-
-std::string name_of(const Arrangement& arrangement, const SetMember& member) {
-  return arrangement.sets[member.set].name + "." + member_word(member.member);
-}
-
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {

@@ -32,8 +32,8 @@ FoundationCoefficients sainsot_coefficients(double half_angle, double ratio);
 /// Whether the polynomials are used where their authors fitted them: ratio 1.4 to 7, angle 0.01 to 0.12 rad.
 bool in_sainsot_range(const FoundationBody& body);
 
-/// Whether the polynomials still give a sensible value: to a ratio of 20, where they are 13 % off at most,
-/// and down to 0.005 rad; the powers of 1/theta and h run away beyond.
+/// Whether the polynomials still give a value of the right size: to a ratio of 20 and down to 0.005 rad; the
+/// powers of h and 1/theta run away beyond, to negative stiffness too.
 bool sainsot_is_usable(const FoundationBody& body);
 
 /// Deflection along the force per unit of force. Eq. (6) of gearset/mesh/README.md.

@@ -103,7 +103,7 @@ ARRANGEMENTS = {
                    r"shafts\.input: motors on 'input' and 'output'"),
     "load missing": ("[transmission.carrier, load]", "[transmission.carrier, ground]", 10, r"shafts: no load on any shaft"),
     "open torques": ("[coupling.carrier, transmission.sun]", "[coupling.carrier, transmission.sun, load]", 12,
-                     r"shafts\.second: torques left open"),
+                     r"shafts\.second: torques left open: how the loads on 'second' and 'output' share"),
     "open speeds": (", transmission.ring]", "]\n  other: [transmission.ring, load]", 13,
                     r"shafts\.output: speeds left open: of transmission\.carrier"),
     "member on two shafts": ("[transmission.carrier, load]", "[transmission.carrier, load, reduction.ring]", 14,

@@ -77,6 +77,16 @@ TEST(ElasticRing, UnderASmallToothIsAHalfPlane) {
     EXPECT_NEAR(elastic_ring_coefficients(body(0.005, ratio), nu).moment, closed, of_the_series * closed);
 }
 
+// On a half-plane a shear stress q turns its middle by (1 + nu)(1 - 2 nu) q/E, and a linear pressure k s
+// draws it aside by half that times k c^2: 1 + 3/2 times (1 + nu)(1 - 2 nu). A body of finite size adds some
+// tooth widths.
+TEST(ElasticRing, CouplesMomentAndShearUnderASmallToothAsAHalfPlaneDoes) {
+  const double closed = 2.5 * (1.0 + nu) * (1.0 - 2.0 * nu);
+  constexpr double half_angle = 0.002;
+  for (const double ratio : {2.0, 0.5})
+    EXPECT_NEAR(elastic_ring_coefficients(body(half_angle, ratio), nu).cross, closed, 10.0 * half_angle);
+}
+
 // The ring solves the problem behind the polynomials. Below a ratio of 2 the fit goes astray, not the ring.
 TEST(ElasticRing, AgreesWithThePolynomialsInTheirRange) {
   constexpr double of_the_whole = 0.03;  // what this project asks of a foundation
