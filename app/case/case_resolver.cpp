@@ -54,7 +54,7 @@ class Resolver {
     const Member* shafts = find_member(root_, "shafts");
     data_.shape.several = sets != nullptr || shafts != nullptr;
     if (!data_.shape.several) {
-      find_parts();
+      find_parts(root_, data_.shape);
       return;
     }
     for (const char* key : {"gearset", "bearing"})
@@ -62,17 +62,6 @@ class Resolver {
         object(own->place.option ? own->place : (sets != nullptr ? sets : shafts)->place, key,
                "the fields of one set beside 'sets' and 'shafts'",
                "either gearset and bearing, or sets and shafts, are required");
-  }
-
-  // One set without a bearing, and perhaps without teeth.
-  void find_parts() {
-    const Member* gearset = find_member(root_, "gearset");
-    const auto states = [&](const char* key) {
-      return gearset != nullptr && gearset->value.shape == Entry::Shape::block &&
-             find_member(gearset->value, key) != nullptr;
-    };
-    data_.shape.bearing = find_member(root_, "bearing") != nullptr;
-    data_.shape.teeth = data_.shape.bearing || !states("dynamics") || states("teeth");
   }
 
   void read_block(const Entry& block, const std::string& prefix) {
@@ -145,8 +134,9 @@ class Resolver {
       return;
     }
     if (!belongs(data_.shape, path)) {
-      if (!is_faulty(path))
-        object(member.place, path, unused_because(), use_instead());
+      if (is_faulty(path)) return;
+      const auto [found, required] = unused_field(data_.shape);
+      object(member.place, path, found, required);
       return;
     }
     if (refuse_planned_model(member, field)) return;
@@ -158,18 +148,6 @@ class Resolver {
     StoredValue& stored = data_.values[path];
     stored = {std::move(reading.value), member.value.place, false};
     for (const Entry& item : member.value.items) stored.item_places.push_back(item.place);
-  }
-
-  std::string unused_because() const {
-    if (data_.shape.several) return "a field that a case of several sets does not use";
-    return data_.shape.teeth ? "a field that a set without a bearing does not use"
-                             : "a field that a set without teeth does not use";
-  }
-
-  std::string use_instead() const {
-    if (data_.shape.several) return "the shafts, which say where motor and ground are, are required instead";
-    return data_.shape.teeth ? "a case without it, or with a bearing, is required"
-                             : "a case without it, or with gearset.teeth, is required";
   }
 
   bool refuse_planned_model(const Member& member, const Field& field) {

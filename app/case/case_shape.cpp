@@ -71,6 +71,27 @@ const Field& shaft_field() {
   return field;
 }
 
+void find_parts(const Entry& root, CaseShape& shape) {
+  const Member* gearset = find_member(root, "gearset");
+  const auto states = [&](const char* key) {
+    return gearset != nullptr && gearset->value.shape == Entry::Shape::block &&
+           find_member(gearset->value, key) != nullptr;
+  };
+  shape.bearing = find_member(root, "bearing") != nullptr;
+  shape.teeth = shape.bearing || !states("dynamics") || states("teeth");
+}
+
+Complaint unused_field(const CaseShape& shape) {
+  if (shape.several)
+    return {"a field that a case of several sets does not use",
+            "the shafts, which say where motor and ground are, are required instead"};
+  if (shape.teeth)
+    return {"a field that a set without a bearing does not use",
+            "a case without it, or with a bearing, is required"};
+  return {"a field that a set without teeth does not use",
+          "a case without it, or with gearset.teeth, is required"};
+}
+
 bool is_of_bearing(const Field& field) {
   if (field.path.starts_with("inertia.")) return field.path == "inertia.own_orbit";
   for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",

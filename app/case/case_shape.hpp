@@ -5,8 +5,8 @@
 //     gearset: {...}          sets:   {reduction: {gearset: {...}, bearing: {...}}, ...}
 //     bearing: {...}          shafts: {input: [motor, reduction.sun], ...}
 //
-// One set may go without a bearing: its planets stand on springs, and it has no life. Without a bearing it may
-// also go without teeth: gearset.dynamics then states its masses and stiffnesses.
+// One set may go without a bearing: its planets stand on springs, and it has no life. Without a bearing it
+// may also go without teeth: gearset.dynamics then states its masses and stiffnesses.
 #pragma once
 
 #include <string>
@@ -35,6 +35,12 @@ struct Input {
 };
 
 inline constexpr std::size_t most_sets = 16;
+
+/// Which parts one set has: a bearing, teeth. `root` is the whole case.
+void find_parts(const Entry& root, CaseShape& shape);
+
+/// What is said of a field for which a case of that shape has no place: what was found, what is required.
+Complaint unused_field(const CaseShape& shape);
 
 /// Names of sets and shafts: letters, digits and _, beginning with a letter.
 bool is_name(std::string_view name);

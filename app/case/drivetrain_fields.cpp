@@ -99,7 +99,8 @@ void add_rack(std::vector<Field>& fields) {
 
 void add_bodies(std::vector<Field>& fields) {
   fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter",
-                         {0.02, 0.98}, "0.5", "a sun on a shaft; mesh stiffness and mass of the sun feel it"));
+                         {0.02, 0.98}, "0.5",
+                         "a sun on a shaft; mesh stiffness and mass of the sun feel it"));
   fields.push_back(ratio("gearset.ring_outside_ratio",
                          "outside diameter of the ring, where it is held, as a multiple of its root diameter",
                          {1.005, 20.0}, "1.15",

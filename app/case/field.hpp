@@ -32,15 +32,15 @@ struct Range {
 struct Field {
   std::string path{};  // "bearing.radial_clearance"
   Kind kind = Kind::text;
-  std::string meaning{};               // one sentence, shown by the schema
-  unsigned models = with_rollers;      // models that know the field
-  unsigned required_by = no_model;     // models that cannot do without it
-  Dimension dimension{};               // quantity, and list of quantities
-  Range range{};                       // quantity, number, integer and the elements of a list
-  std::vector<std::string> choices{};  // choice
-  std::string default_text{};          // as it would be written in a case; empty: none
-  std::string default_reason{};        // why this value may stand in for one that is not given
-  Kind element = Kind::number;         // list: kind of its elements
+  std::string meaning{};                 // one sentence, shown by the schema
+  unsigned models = with_rollers;        // models that know the field
+  unsigned required_by = no_model;       // models that cannot do without it
+  Dimension dimension{};                 // quantity, and list of quantities
+  Range range{};                         // quantity, number, integer and the elements of a list
+  std::vector<std::string> choices{};    // choice
+  std::string default_text{};            // as it would be written in a case; empty: none
+  std::string default_reason{};          // why this value may stand in for one that is not given
+  Kind element = Kind::number;           // list: kind of its elements
   bool default_without_bearing = false;  // the default stands in only where a set has no bearing
 };
 

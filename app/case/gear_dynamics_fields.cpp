@@ -47,7 +47,7 @@ void add_body(std::vector<Field>& fields, const std::string& member, const std::
       dimension::mass,
       {member + ".mass", "mass of the " + member + "; derived from the teeth if absent", positive(1e6)})));
   fields.push_back(needed_without_teeth(
-      quantity(dimension::mass, {member + ".inertia_over_radius_squared",
+      quantity(dimension::mass, {member + ".equivalent_mass",
                                  "moment of inertia of the " + member + " over the square of its " + radius +
                                      "; derived from the teeth if absent",
                                  positive(1e6)})));

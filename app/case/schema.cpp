@@ -156,6 +156,23 @@ Json named_blocks(const char* description, Json block) {
           {"patternProperties", {{fmt::format("^{}$", name_pattern), std::move(block)}}}};
 }
 
+Json with(const char* key) {
+  return {{"required", {key}}};
+}
+
+// One set with teeth, with or without a bearing; one set of masses and stiffnesses; several sets.
+void add_shapes(Json& schema) {
+  Json& gearset = schema["properties"]["gearset"];
+  Json toothed = {{"required", gearset["required"]}};
+  Json toothless = {{"required", {"dynamics"}}, {"not", with("teeth")}};
+  gearset["required"] = {"planets"};
+  schema["oneOf"] = {{{"required", {"input", "gearset"}}, {"properties", {{"gearset", std::move(toothed)}}}},
+                     {{"required", {"gearset"}},
+                      {"properties", {{"gearset", std::move(toothless)}}},
+                      {"not", with("bearing")}},
+                     {{"required", {"input", "sets", "shafts"}}}};
+}
+
 // Either the fields of one set at the top, or several sets and their shafts.
 void add_several_sets(Json& schema) {
   Json set = {{"type", "object"},
@@ -169,9 +186,9 @@ void add_several_sets(Json& schema) {
   schema["properties"]["sets"] = named_blocks("planetary sets by name", std::move(set));
   schema["properties"]["shafts"] = named_blocks("what turns as one, by name", field_schema(shaft_field()));
   Json& required = schema["required"];
-  for (const char* key : {"gearset", "bearing"})
+  for (const char* key : {"gearset", "bearing", "input"})
     required.erase(std::find(required.begin(), required.end(), key));
-  schema["oneOf"] = {{{"required", {"gearset", "bearing"}}}, {{"required", {"sets", "shafts"}}}};
+  add_shapes(schema);
 }
 
 Json model_schema(Model model) {

@@ -18,7 +18,7 @@ struct Options {
   std::optional<std::string> speed;  // modes: none means at rest
   std::optional<std::string> shard;  // "i/n"
   int jobs = 0;                      // 0: one for each core
-  bool gears = false;  // run: without the dynamics of bearings
+  bool gears = false;                // run: without the dynamics of bearings
   bool resume = false;
   bool json = false;
   bool quiet = false;

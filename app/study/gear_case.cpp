@@ -25,7 +25,7 @@ std::vector<double> list_of(const ResolvedCase& in, const std::string& path) {
 
 study::GearMemberChoice member_choice(const ResolvedCase& in, const std::string& member) {
   return {.mass = given(in, member + ".mass"),
-          .inertia = given(in, member + ".inertia_over_radius_squared"),
+          .inertia = given(in, member + ".equivalent_mass"),
           .support_stiffness = value_or_zero(in, member + ".support_stiffness"),
           .torsional_stiffness = value_or_zero(in, member + ".torsional_stiffness")};
 }
@@ -135,8 +135,7 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
   std::vector<Derived> rows;
   const auto add_body = [&](const std::string& member, double mass, double inertia) {
     rows.push_back(row(member + ".mass", mass, "kg", "as the dynamics have it"));
-    rows.push_back(
-        row(member + ".inertia_over_radius_squared", inertia, "kg", "moment of inertia / radius^2"));
+    rows.push_back(row(member + ".equivalent_mass", inertia, "kg", "moment of inertia / radius^2"));
   };
   add_body("sun", set.sun.mass, set.sun.inertia);
   add_body("ring", set.ring.mass, set.ring.inertia);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace orbearing::app {
 
@@ -79,6 +81,16 @@ std::string modes_text(const std::vector<Mode>& modes) {
     text += fmt::format("{:12.1f}  {:14}{:12}{}\n", mode.frequency, kind_name(mode.kind), mode.multiplicity,
                         mode.growth > 0.0 ? fmt::format("  grows at {:.3g} /s", mode.growth) : "");
   return text;
+}
+
+double mode_property(const std::vector<Mode>& modes, const std::string& quantity) {
+  std::map<std::string, int> count;
+  for (const Mode& mode : modes) {
+    const std::string kind = kind_name(mode.kind);
+    if (mode.frequency > 0.0 && fmt::format("{}_{}_Hz", kind, ++count[kind]) == quantity)
+      return mode.frequency;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 Json campbell_json(const gearset::dynamics::SetModel& model, double nominal_speed) {

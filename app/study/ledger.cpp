@@ -7,6 +7,8 @@
 #include <map>
 
 #include "app/errors.hpp"
+#include "app/study/gear_case.hpp"
+#include "app/study/gear_output.hpp"
 #include "app/study/mesh_study.hpp"
 
 namespace orbearing::app {
@@ -63,17 +65,24 @@ std::string reading_of(const std::vector<std::string>& settings) {
   return fmt::format("{}", fmt::join(settings, ", "));
 }
 
-Ledger pair_ledger(const ResolvedCase& resolved, const ExpectedFile& expected) {
+// Numbers that one study of the case answers all at once; each may belong to a variant of the case.
+template <typename StudyOf, typename Property>
+Ledger study_ledger(const ResolvedCase& resolved, const ExpectedFile& expected, const StudyOf& study_of,
+                    const Property& property_of) {
   Ledger ledger{.case_name = resolved.text("name")};
-  std::map<std::string, MeshStudy> studies;  // by reading; most numbers belong to one of few
+  std::map<std::string, decltype(study_of(resolved))> studies;  // by reading; most belong to one of few
   for (const PublishedValue& published : expected.published) {
     const std::string reading = reading_of(published.settings);
     auto study = studies.find(reading);
     if (study == studies.end())
-      study = studies.emplace(reading, mesh_study(with_settings(resolved, published.settings))).first;
-    ledger.rows.push_back(compare(published, mesh_property(study->second, published.quantity), reading));
+      study = studies.emplace(reading, study_of(with_settings(resolved, published.settings))).first;
+    ledger.rows.push_back(compare(published, property_of(study->second, published.quantity), reading));
   }
   return ledger;
+}
+
+std::vector<gearset::dynamics::Mode> modes_of(const ResolvedCase& resolved) {
+  return modes_at_rest(gear_model_of(resolved));
 }
 
 }  // namespace
@@ -85,10 +94,11 @@ LedgerRow judged(LedgerRow row, bool trend) {
 }
 
 Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected) {
-  if (resolved.model() == gear_pair) return pair_ledger(resolved, expected);
+  if (resolved.model() == gear_pair) return study_ledger(resolved, expected, mesh_study, mesh_property);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; the ledger requires planetary-drivetrain or gear-pair");
+  if (!resolved.shape().teeth) return study_ledger(resolved, expected, modes_of, mode_property);
   const LifeCurve base = life_curve(resolved);
   Ledger ledger{.case_name = resolved.text("name"), .worth = worth_of(resolved, base, expected.alternatives)};
   for (const PublishedValue& published : expected.published)

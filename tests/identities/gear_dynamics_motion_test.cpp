@@ -84,9 +84,6 @@ TEST(GearDynamicsMotion, WorkBalancesOverAThousandMeshPeriods) {
   EXPECT_LT(std::abs(balance.residual), kBalance * balance.turned_over);
   // Without the work of the stiffness at its jumps the balance would be far off.
   EXPECT_GT(balance.at_jumps, 1e4 * kBalance * balance.turned_over);
-  RecordProperty("relative_residual", std::to_string(balance.residual / balance.turned_over));
-  printf("work balance: residual %.3g J of %.3g J turned over (%.2g), jumps %.3g J\n", balance.residual,
-         balance.turned_over, balance.residual / balance.turned_over, balance.at_jumps);
 }
 
 TEST(GearDynamicsMotion, WorkBalancesInARunUpWithPartingTeethAndErrors) {
@@ -99,8 +96,6 @@ TEST(GearDynamicsMotion, WorkBalancesInARunUpWithPartingTeethAndErrors) {
   const SetModel model = set_model(set, operation);
   const Balance balance = work_balance(model, 1e-8, 50.13);
   EXPECT_LT(std::abs(balance.residual), kBalance * balance.turned_over);
-  printf("run-up balance: residual %.3g J of %.3g J turned over (%.2g)\n", balance.residual,
-         balance.turned_over, balance.residual / balance.turned_over);
 }
 
 // Halving the allowed error by 32 lets dopri5's steps halve: the error falls with the tolerance.
@@ -127,7 +122,6 @@ TEST(GearDynamicsMotion, ConvergesWithTheAllowedError) {
   const Index n = model.layout.freedoms();
   const double order =
       std::log((coarse - exact).head(n).norm() / (fine - exact).head(n).norm()) / std::log(many / few);
-  printf("order in the number of steps: %.2f (%.0f to %.0f steps)\n", order, few, many);
   EXPECT_GT(order, 4.0);
 }
 

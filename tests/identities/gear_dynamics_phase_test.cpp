@@ -74,8 +74,6 @@ TEST_P(PhaseRule, TellsTheKindOfEachHarmonic) {
     const double own = k == 0 ? shares.rotational : k == 2 ? shares.planet : shares.translational;
     EXPECT_GT(own, 1.0 - leak) << "harmonic " << l << ": rotational " << shares.rotational
                                << ", translational " << shares.translational << ", planet " << shares.planet;
-    printf("%s l=%d k=%d: rotational %.6f translational %.6f planet %.6f, amplitude %.3g\n", GetParam().name,
-           l, k, shares.rotational, shares.translational, shares.planet, amplitude.col(l - 1).norm());
   }
 }
 
