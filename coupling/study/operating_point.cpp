@@ -65,19 +65,6 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   return result;
 }
 
-bearing::dynamics::DynamicsParameters dynamics_of(const PlanetaryDrivetrain& drivetrain,
-                                                  const DrivetrainGeometry& geometry,
-                                                  const BearingDuty& duty) {
-  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
-  parameters.ripple.angular_frequency =
-      drivetrain.set.sun_teeth * std::abs(duty.gears.sun_speed - duty.gears.carrier_speed);
-  parameters.inertia = drivetrain.inertia;
-  parameters.lubricant = drivetrain.lubricant;
-  parameters.race.film_in_approach = drivetrain.film_in_approach;
-  parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
-  return parameters;
-}
-
 RaceResult race_result(const bearing::dynamics::RaceStatistics& race) {
   return {.load_max = race.load_max, .load_rms = race.load_rms, .least_film = race.least_film};
 }
@@ -101,7 +88,7 @@ LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& mean
 PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const BearingDuty& duty) {
   const integration::SteadyStateResult run = integration::run_to_steady_state(
-      drivetrain.bearing, duty.point, dynamics_of(drivetrain, geometry, duty), drivetrain.steady_state);
+      drivetrain.bearing, duty.point, dynamics_parameters(drivetrain, geometry, duty), drivetrain.steady_state);
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);
@@ -140,6 +127,19 @@ double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainG
 }
 
 }  // namespace
+
+bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
+                                                          const DrivetrainGeometry& geometry,
+                                                          const BearingDuty& duty) {
+  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
+  parameters.ripple.angular_frequency =
+      drivetrain.set.sun_teeth * std::abs(duty.gears.sun_speed - duty.gears.carrier_speed);
+  parameters.inertia = drivetrain.inertia;
+  parameters.lubricant = drivetrain.lubricant;
+  parameters.race.film_in_approach = drivetrain.film_in_approach;
+  parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  return parameters;
+}
 
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity) {
