@@ -74,7 +74,7 @@ CvodeReport report_of(void* memory) {
 }  // namespace
 
 CvodeReport run_cvode(const FlatDerivative& derivative, Eigen::VectorXd& x, double duration, long samples,
-                      const Eigen::VectorXd& allowed, const FlatObserver& observe) {
+                      const Eigen::VectorXd& allowed, int most_order, const FlatObserver& observe) {
   const Context context = make_context();
   const sunindextype n = x.size();
   Eigen::VectorXd allowed_copy = allowed;
@@ -88,6 +88,7 @@ CvodeReport run_cvode(const FlatDerivative& derivative, Eigen::VectorXd& x, doub
   require(CVodeSetUserData(memory.get(), const_cast<FlatDerivative*>(&derivative)), "setting the equations");
   require(CVodeSetLinearSolver(memory.get(), solver.get(), jacobian.get()), "setting the linear solver");
   require(CVodeSetMaxNumSteps(memory.get(), kMostStepsBetweenSamples), "setting the number of steps");
+  require(CVodeSetMaxOrd(memory.get(), most_order), "setting the order");
   for (long i = 1; i <= samples; ++i) {
     const double until = duration * static_cast<double>(i) / static_cast<double>(samples);
     double time = 0.0;

@@ -19,9 +19,10 @@ struct CvodeReport {
 };
 
 /// Integrates from `x` at time zero over `samples` equal intervals that make up `duration` [s]; the final
-/// state is left in `x`. `allowed` is the allowed error of each variable, without a relative part; CVODE
-/// holds the root mean square of the shares below one. Throws std::runtime_error where CVODE gives up.
+/// state is left in `x`. BDF takes orders up to `most_order`, at most 5. `allowed` is the allowed error of
+/// each variable, without a relative part; CVODE holds the root mean square of the shares below one. Throws
+/// std::runtime_error where CVODE gives up.
 CvodeReport run_cvode(const FlatDerivative& derivative, Eigen::VectorXd& x, double duration, long samples,
-                      const Eigen::VectorXd& allowed, const FlatObserver& observe);
+                      const Eigen::VectorXd& allowed, int most_order, const FlatObserver& observe);
 
 }  // namespace orbearing::bench

@@ -40,6 +40,7 @@ enum class Method {
   fast_dopri5,   // vectorised equations, Odeint's controlled dopri5
   plain_dopri5,  // readable equations, Odeint's controlled dopri5: the frozen baseline
   cvode,         // vectorised equations, SUNDIALS CVODE BDF with dense Jacobian by differences
+  cvode_order2,  // the same with its order held at two, where BDF damps the ring's resonance
   rk4,           // vectorised equations, classic Runge-Kutta at the fixed step `tolerance` [s]: the reference
 };
 
@@ -48,6 +49,8 @@ class Contest {
  public:
   explicit Contest(const Duty& duty);
 
+  /// Where the quasi-static bearing has rollers and rings.
+  Eigen::VectorXd quasi_static_start() const;
   /// The state after quasi-static start and `duration` [s] by the fast path.
   Eigen::VectorXd settled(double duration);
   /// Runs from `start` by `method`. `tolerance` [m] is the allowed error of lengths in one step, from which
@@ -62,7 +65,7 @@ class Contest {
  private:
   Run run_fast(const Eigen::VectorXd& start, const Span& span, double tolerance);
   Run run_odeint(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance);
-  Run run_cvode(const Eigen::VectorXd& start, const Span& span, double tolerance);
+  Run run_cvode(const Eigen::VectorXd& start, const Span& span, double tolerance, int most_order);
   void derivative(double time, const double* x, double* dx);
 
   Duty duty_;
