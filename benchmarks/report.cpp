@@ -67,7 +67,7 @@ void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial,
   say("accuracy of the fast path");
   out["errors"] = errors_json(main_trial.errors(Method::fast, fast_tolerance()));
   out["fast_allowed_length_error_m"] = fast_tolerance();
-  const double other_step = 1.2 * kReferenceStep;
+  const double other_step = 0.75 * kReferenceStep;
   out["reference_spread"] = errors_json(main_trial.errors(Method::rk4, other_step));
   for (const double rpm : {1000.0, 6000.0, 12000.0})
     for (const double clearance : kClearances) {

@@ -1,0 +1,79 @@
+// Equilibria vectorised over operating points against the readable solver, on bearings, loads and motions
+// drawn at random.
+#include "bearing/fast/equilibrium_batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+#include "tests/random_bearings.hpp"
+
+namespace orbearing::bearing::fast {
+namespace {
+
+// Of the largest force at hand: both solvers accept 1e-9 of it out of balance.
+constexpr double kAgreement = 2e-9;
+constexpr int kPointsOfOneBearing = 65;  // eight blocks and one point more
+
+int number_of_bearings() {
+  const char* text = std::getenv("RANDOM_BEARINGS");
+  return text == nullptr ? 100 : std::atoi(text);
+}
+
+struct Study {
+  CylindricalRollerBearing bearing;
+  std::vector<EquilibriumPoint> points;
+};
+
+Study next_study(RandomBearings& bearings) {
+  Study study{bearings.next().bearing, {}};
+  for (int i = 0; i < kPointsOfOneBearing; ++i) {
+    const Draw draw = bearings.next();
+    study.points.push_back({draw.point, draw.options.first_roller});
+  }
+  return study;
+}
+
+double largest_force(const EquilibriumPoint& point, const QuasiStaticState& state) {
+  return std::max({point.point.bore_load.norm(), state.outer_load.maxCoeff(), state.inner_load.maxCoeff()});
+}
+
+void expect_agreement(const Study& study, const EquilibriumResults& results, const std::string& set) {
+  for (std::size_t i = 0; i < study.points.size(); ++i) {
+    const EquilibriumPoint& point = study.points[i];
+    const QuasiStaticState state = quasi_static_state(study.bearing, point.point, {}, point.first_roller);
+    const auto row = static_cast<Eigen::Index>(i);
+    const double allowed = kAgreement * largest_force(point, state);
+    const double inner = (results.inner_load.row(row).transpose() - state.inner_load).abs().maxCoeff();
+    const double outer = (results.outer_load.row(row).transpose() - state.outer_load).abs().maxCoeff();
+    EXPECT_LE(std::max(inner, outer), allowed)
+        << set << ", point " << i << " after " << results.iterations[row] << " iterations: "
+        << Draw{study.bearing, point.point, {}};
+  }
+}
+
+TEST(EquilibriumBatch, RandomPointsAgreeWithTheReadableSolver) {
+  for (const InstructionSet set : instruction_sets()) {
+    RandomBearings bearings;
+    long points = 0, singly = 0, iterations = 0;
+    for (int i = 0; i < number_of_bearings(); ++i) {
+      const Study study = next_study(bearings);
+      EquilibriumBatch batch(study.bearing, {}, set);
+      EquilibriumResults results;
+      batch.solve(study.points, results);
+      EXPECT_TRUE(results.failures.empty());
+      expect_agreement(study, results, name_of(set) + ", bearing " + std::to_string(i));
+      points += kPointsOfOneBearing;
+      singly += results.solved_singly;
+      iterations += results.iterations.sum();
+    }
+    std::printf("%s: %ld of %ld singly, %.3f iterations\n", name_of(set).c_str(), singly, points, double(iterations)/double(points));
+    EXPECT_LE(singly, points / 1000);
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::fast
