@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bearing/dynamics/equations.hpp"
+#include "bearing/fast/equilibrium_batch.hpp"
 #include "benchmarks/runs.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 
@@ -22,6 +23,8 @@ constexpr double kTypicalStep = 5e-6;  // [s]
 constexpr double kSettling = 5e-3;     // [s]
 constexpr int kRepetitions = 5;
 constexpr double kLeastTime = 0.02;  // [s]  of each repetition
+constexpr int kStaticPoints = 1024;
+constexpr int kPlainStaticPoints = 32;
 constexpr int kRollerFactors[] = {1, 2, 4, 8};
 
 using Body = std::function<void()>;
@@ -95,11 +98,28 @@ void add_step(const Duty& duty, int factor) {
   add("step_" + std::to_string(factor), [bench] { bench->step(); });
 }
 
-void add_static(const Duty& duty) {
-  const bearing::QuasiStaticOptions options{.inertia = duty.parameters.inertia};
-  add("static_point", [duty, options] {
-    benchmark::DoNotOptimize(bearing::quasi_static_state(duty.bearing, duty.point, options, 0.0));
+// Speeds at constant power, each at another cage angle, in no order that a solver could profit from.
+std::vector<bearing::fast::EquilibriumPoint> static_points(const study::PlanetaryDrivetrain& drivetrain) {
+  std::vector<bearing::fast::EquilibriumPoint> points;
+  for (int i = 0; i < kStaticPoints; ++i) {
+    const double rpm = 1000.0 + 11000.0 * std::fmod(0.618033988749895 * i, 1.0);
+    points.push_back({duty_at(drivetrain, rpm, 0.0).point, 0.37 * i});
+  }
+  return points;
+}
+
+void add_static(const study::PlanetaryDrivetrain& drivetrain) {
+  const auto points = static_points(drivetrain);
+  const bearing::CylindricalRollerBearing bearing = drivetrain.bearing;
+  add("plain_static", [points, bearing] {
+    for (int i = 0; i < kPlainStaticPoints; ++i)
+      benchmark::DoNotOptimize(bearing::quasi_static_state(bearing, points[static_cast<std::size_t>(i)].point,
+                                                           {},
+                                                           points[static_cast<std::size_t>(i)].first_roller));
   });
+  const auto batch = std::make_shared<bearing::fast::EquilibriumBatch>(bearing);
+  const auto results = std::make_shared<bearing::fast::EquilibriumResults>();
+  add("fast_static", [points, batch, results] { batch->solve(points, *results); });
 }
 
 // Slope of the straight line through the logarithms.
@@ -118,7 +138,7 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
   const Duty duty = duty_at(drivetrain, 6000.0, 0.0);
   add_kernels(std::make_shared<Bench>(duty));
   for (const int factor : kRollerFactors) add_step(duty, factor);
-  add_static(duty);
+  add_static(drivetrain);
   int argc = 1;
   std::string program = "orbearing_bench";
   char* argv[] = {program.data(), nullptr};
@@ -134,7 +154,8 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
           .solve = ns.at("solve"),
           .step = ns.at("step_1"),
           .exponent = fitted_exponent(ns),
-          .static_point = ns.at("static_point")};
+          .plain_static = ns.at("plain_static") / kPlainStaticPoints,
+          .fast_static = ns.at("fast_static") / kStaticPoints};
 }
 
 }  // namespace orbearing::bench

@@ -14,7 +14,8 @@ struct KernelTimes {
   double solve = 0.0;         // with the factors
   double step = 0.0;          // all of a step of the stepper
   double exponent = 0.0;      // of the step's cost over the number of rollers, fitted to 15, 30, 60, 120
-  double static_point = 0.0;  // quasi-static, one cage angle, readable
+  double plain_static = 0.0;  // a quasi-static point, one cage angle, readable
+  double fast_static = 0.0;   // the same in a batch over speeds, loads and cage angles, one core
 };
 
 KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain);

@@ -74,8 +74,8 @@ void EquilibriumBatch::fill(const EquilibriumPoint& at, int lane) {
                          frame.centrifugal);
   input_.cosine[lane] = mass * frame.centrifugal * frame.orbit_radius;
   input_.sine[lane] = -mass * frame.euler * frame.orbit_radius;
-  input_.first_cosine[lane] = std::cos(at.first_roller);
-  input_.first_sine[lane] = std::sin(at.first_roller);
+  input_.first_roller[lane] =
+      std::abs(at.first_roller) < 1e6 ? at.first_roller : std::remainder(at.first_roller, two_pi);
 }
 
 void EquilibriumBatch::solve_singly(const EquilibriumPoint& point, std::size_t index,

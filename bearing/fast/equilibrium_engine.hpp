@@ -24,8 +24,7 @@ struct EquilibriumInput {
   double steady[kBlock];        // [N]
   double cosine[kBlock];        // [N]
   double sine[kBlock];          // [N]
-  double first_cosine[kBlock];  // [-]  of the angle of the first roller
-  double first_sine[kBlock];    // [-]
+  double first_roller[kBlock];  // [rad]  place of the first roller, below 1e8
 };
 
 struct EquilibriumOutput {

@@ -117,7 +117,7 @@ class LaneEquilibrium final : public EquilibriumEngine {
 };
 
 inline void LaneEquilibrium::place_rollers(const EquilibriumInput& input, int first) {
-  const Pack cosine = load(input.first_cosine + first), sine = load(input.first_sine + first);
+  const auto [sine, cosine] = sine_cosine(load(input.first_roller + first));
   const Pack steady = load(input.steady + first), by_x = load(input.cosine + first),
              by_y = load(input.sine + first);
   load_.x = load(input.force_x + first);

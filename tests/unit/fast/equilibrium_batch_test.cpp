@@ -50,8 +50,8 @@ void expect_agreement(const Study& study, const EquilibriumResults& results, con
     const double inner = (results.inner_load.row(row).transpose() - state.inner_load).abs().maxCoeff();
     const double outer = (results.outer_load.row(row).transpose() - state.outer_load).abs().maxCoeff();
     EXPECT_LE(std::max(inner, outer), allowed)
-        << set << ", point " << i << " after " << results.iterations[row] << " iterations: "
-        << Draw{study.bearing, point.point, {}};
+        << set << ", point " << i << " after " << results.iterations[row]
+        << " iterations: " << Draw{study.bearing, point.point, {}};
   }
 }
 
@@ -70,7 +70,8 @@ TEST(EquilibriumBatch, RandomPointsAgreeWithTheReadableSolver) {
       singly += results.solved_singly;
       iterations += results.iterations.sum();
     }
-    std::printf("%s: %ld of %ld singly, %.3f iterations\n", name_of(set).c_str(), singly, points, double(iterations)/double(points));
+    std::printf("%s: %ld of %ld singly, %.3f iterations\n", name_of(set).c_str(), singly, points,
+                double(iterations) / double(points));
     EXPECT_LE(singly, points / 1000);
   }
 }
