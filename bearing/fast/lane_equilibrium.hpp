@@ -6,66 +6,17 @@
 // with x on the race that feels the squeeze alone. Eliminating x roller by roller leaves two equations for u.
 #pragma once
 
-#include "bearing/fast/aligned_array.hpp"
 #include "bearing/fast/equilibrium_engine.hpp"
+#include "bearing/fast/equilibrium_start.hpp"
 #include "bearing/fast/lane_math.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
-
-/// x^power to some per cent, from the bits of `x` > 0, which are nearly its logarithm.
-inline Pack rough_power(const Pack& x, double power) {
-  constexpr long long kOne = 0x3ff0000000000000LL;
-  const Pack bits = detail::whole_numbers((Mask)x - (Mask{} + kOne), 32);
-  return (Pack)((detail::nearest(bits * power) << 32) + (Mask{} + kOne));
-}
-
-/// x^(1/9) for x >= 0, relative error below 1e-15; far below 1e-200 the root of that number. From a rough
-/// z = x^(-1/9) by z <- z (1 - r)^(-1/9), r = 1 - x z^9, in powers of r: no division.
-inline Pack ninth_root(const Pack& x) {
-  constexpr double c1 = 1.0 / 9, c2 = c1 * 10 / 18, c3 = c2 * 19 / 27, c4 = c3 * 28 / 36, c5 = c4 * 37 / 45,
-                   c6 = c5 * 46 / 54, c7 = c6 * 55 / 63;
-  constexpr double kMiddle = 0.9676;  // the rough power is never too small: |r| < 0.35 about the middle
-  const Pack safe = larger(x, spread(1e-200));
-  Pack z = kMiddle * rough_power(safe, -c1);
-  Pack z2 = z * z, z4 = z2 * z2;
-  const Pack r = 1.0 - (safe * z) * (z4 * z4), r2 = r * r;
-  z *= (1.0 + c1 * r) + r2 * ((c2 + c3 * r) + r2 * ((c4 + c5 * r) + r2 * (c6 + c7 * r)));
-  z2 = z * z, z4 = z2 * z2;
-  const Pack z8 = z4 * z4, root = safe * z8, t = 1.0 - root * z;
-  // x z^8 with z (1 - t)^(-1/9): the root is root (1 - t)^(-8/9).
-  return root * (1.0 + t * (8.0 / 9 + t * (68.0 / 81 + t * (1768.0 / 2187))));
-}
-
-/// A roller between two passes over all of them.
-struct RollerUnknown {
-  Pack e_x, e_y;  // [-]  direction
-  Pack inertial;  // [N]
-  Pack x;         // [N^0.9]  approach of the race that feels the squeeze alone
-  Pack step;      // [N^0.9]  its correction at the present displacement of the rings
-  Pack slope;     // [-]      d(x)/d(A)
-  Pack squeeze;   // [N]      load of that race
-};
-
-/// A vector in the plane, a lane for each operating point.
-struct PlaneVector {
-  Pack x{}, y{};
-};
-
-inline Pack dot(const PlaneVector& a, const PlaneVector& b) {
-  return a.x * b.x + a.y * b.y;
-}
 
 /// Force on the outer ring out of balance, and its stiffness.
 struct RingBalance {
   PlaneVector force;            // [N]
   Pack k_xx{}, k_xy{}, k_yy{};  // [N^0.1]
   Pack error{};                 // [N]  of the force, as the rollers are not yet in balance
-};
-
-/// Two rollers of each lane.
-struct FacingRollers {
-  Pack e_x[2], e_y[2];  // [-]
-  Pack inertial[2];     // [N]
 };
 
 class LaneEquilibrium final : public EquilibriumEngine {
@@ -80,21 +31,17 @@ class LaneEquilibrium final : public EquilibriumEngine {
 
  private:
   static constexpr int kMostIterations = 60;
-  static constexpr int kPatience = 8;
+  static constexpr int kPatience = 8;          // iterations before move() becomes patient
   static constexpr double kTolerance = 2e-11;  // of the largest force at hand
   static constexpr double kAcceptable = 1e-9;  // of the largest force, where round-off ends the iteration
-  static constexpr double kBend = 1.0 / 16.0;
-  static constexpr double kTrusted = 0.1;     // error of a force whose sign is relied on
-  static constexpr double kRoundOff = 1e-15;  // of the lengths whose difference is the approach
+  static constexpr double kBend = 1.0 / 16.0;  // curvature of the law of a contact, from above
+  static constexpr double kTrusted = 0.1;      // error of a force whose sign is relied on
+  static constexpr double kRoundOff = 1e-15;   // of the lengths whose difference is the approach
 
   void solve(const EquilibriumInput& input, int first, EquilibriumOutput& output, double* inner_load,
              double* outer_load);
   void place_rollers(const EquilibriumInput& input, int first);
-  PlaneVector unsqueezed_force() const;
-  FacingRollers facing(const PlaneVector& d) const;
-  PlaneVector closed_gaps(const FacingRollers& two) const;
-  Pack rough_approach(const Pack& force, const Pack& gap) const;
-  void guess();
+  void start();
   RingBalance balance(const Mask& done);
   void balance_roller(RollerUnknown& roller, const Mask& done, RingBalance& sums) const;
   PlaneVector newton_step(const RingBalance& now) const;
@@ -142,78 +89,8 @@ inline void LaneEquilibrium::place_rollers(const EquilibriumInput& input, int fi
   reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, 0.9);
 }
 
-// Force on the outer ring while no roller is squeezed.
-inline PlaneVector LaneEquilibrium::unsqueezed_force() const {
-  PlaneVector force = load_;
-  for (int j = 0; j < c_.rollers; ++j) {
-    const Pack outward = larger(roller_[j].inertial, Pack{});
-    force.x += outward * roller_[j].e_x;
-    force.y += outward * roller_[j].e_y;
-  }
-  return force;
-}
-
-// The two rollers that a displacement along `d` meets first.
-inline FacingRollers LaneEquilibrium::facing(const PlaneVector& d) const {
-  FacingRollers found{};
-  Pack most = spread(-2.0), next = most;
-  for (int j = 0; j < c_.rollers; ++j) {
-    const RollerUnknown& roller = roller_[j];
-    const Pack towards = -(d.x * roller.e_x + d.y * roller.e_y);
-    const Mask first = towards > most, second = towards > next;
-    const auto keep = [&](const Pack& value, Pack(&of)[2]) {
-      of[1] = select(first, of[0], select(second, value, of[1]));
-      of[0] = select(first, value, of[0]);
-    };
-    keep(roller.e_x, found.e_x);
-    keep(roller.e_y, found.e_y);
-    keep(roller.inertial, found.inertial);
-    next = select(first, most, larger(next, towards));
-    most = larger(most, towards);
-  }
-  return found;
-}
-
-// Where a small force along the facing rollers' bisector holds the ring: both gaps are closed.
-inline PlaneVector LaneEquilibrium::closed_gaps(const FacingRollers& two) const {
-  Pack gap[2];
-  for (int i = 0; i < 2; ++i)
-    gap[i] = larger(c_.half_clearance + rough_power(absolute(two.inertial[i]) + 1e-200, 0.9), Pack{});
-  const Pack scale = -1.0 / (two.e_x[0] * two.e_y[1] - two.e_x[1] * two.e_y[0]);
-  return {scale * (gap[0] * two.e_y[1] - gap[1] * two.e_y[0]),
-          scale * (gap[1] * two.e_x[0] - gap[0] * two.e_x[1])};
-}
-
-// Approach under the load `force` [N] beyond a gap: the load of the most loaded roller from the integral of
-// the load zone for line contacts [Harris2006], here a straight line over the zone's extent; with
-// interference from the stiffness of all rollers.
-inline Pack LaneEquilibrium::rough_approach(const Pack& force, const Pack& gap) const {
-  const double share = 1.0 / c_.rollers;
-  const Pack centred = 2.0 * rough_power(4.08 * share * force, 0.9);
-  const Pack open = larger(gap, Pack{});
-  Pack approach = centred;
-  for (int i = 0; i < 2; ++i) {
-    const Pack extent = 0.5 * approach / (approach + open);
-    const Pack zone = root(extent) * (0.4139 - 0.134 * extent);
-    approach = centred * rough_power(0.2453 / larger(zone, spread(share)), 0.9);
-  }
-  const Pack squeeze = larger(-0.5 * gap, spread(1e-200));
-  const Pack preloaded = 3.6 * share * force / rough_power(squeeze, 1.0 / 9);
-  return select(gap > 0.0, approach, smaller(preloaded, centred));
-}
-
-// A displacement that brings the rollers under the load into contact.
-inline void LaneEquilibrium::guess() {
-  const PlaneVector force = unsqueezed_force();
-  const Pack size = root(dot(force, force));
-  const Pack safe = larger(size, spread(1e-200));
-  const PlaneVector d{force.x / safe, force.y / safe};
-  const FacingRollers two = facing(d);
-  const Pack gap = c_.half_clearance + rough_power(absolute(two.inertial[0]) + 1e-200, 0.9);
-  const Pack approach = rough_approach(safe, gap);
-  const PlaneVector closed = closed_gaps(two);
-  u_.x = only(size > 0.0, closed.x + approach * d.x);
-  u_.y = only(size > 0.0, closed.y + approach * d.y);
+inline void LaneEquilibrium::start() {
+  u_ = starting_displacement(roller_, c_.rollers, c_.half_clearance, load_);
   moved_ = trial_ = {};
   slope_ = Pack{};
   trusted_ = Mask{};
@@ -301,7 +178,7 @@ inline Mask LaneEquilibrium::move(const RingBalance& now, const Mask& done, bool
 inline void LaneEquilibrium::solve(const EquilibriumInput& input, int first, EquilibriumOutput& output,
                                    double* inner_load, double* outer_load) {
   place_rollers(input, first);
-  guess();
+  start();
   Mask done{}, converged{};
   Pack iterations{};
   for (int i = 0; i < kMostIterations; ++i) {

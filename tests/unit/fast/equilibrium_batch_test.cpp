@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "tests/random_bearings.hpp"
@@ -41,10 +43,12 @@ double largest_force(const EquilibriumPoint& point, const QuasiStaticState& stat
   return std::max({point.point.bore_load.norm(), state.outer_load.maxCoeff(), state.inner_load.maxCoeff()});
 }
 
-void expect_agreement(const Study& study, const EquilibriumResults& results, const std::string& set) {
+void expect_agreement(const Study& study, const InertiaSwitches& inertia, const EquilibriumResults& results,
+                      const std::string& set) {
   for (std::size_t i = 0; i < study.points.size(); ++i) {
     const EquilibriumPoint& point = study.points[i];
-    const QuasiStaticState state = quasi_static_state(study.bearing, point.point, {}, point.first_roller);
+    const QuasiStaticState state =
+        quasi_static_state(study.bearing, point.point, {.inertia = inertia}, point.first_roller);
     const auto row = static_cast<Eigen::Index>(i);
     const double allowed = kAgreement * largest_force(point, state);
     const double inner = (results.inner_load.row(row).transpose() - state.inner_load).abs().maxCoeff();
@@ -65,15 +69,59 @@ TEST(EquilibriumBatch, RandomPointsAgreeWithTheReadableSolver) {
       EquilibriumResults results;
       batch.solve(study.points, results);
       EXPECT_TRUE(results.failures.empty());
-      expect_agreement(study, results, name_of(set) + ", bearing " + std::to_string(i));
+      expect_agreement(study, {}, results, name_of(set) + ", bearing " + std::to_string(i));
       points += kPointsOfOneBearing;
       singly += results.solved_singly;
       iterations += results.iterations.sum();
     }
-    std::printf("%s: %ld of %ld singly, %.3f iterations\n", name_of(set).c_str(), singly, points,
-                double(iterations) / double(points));
+    RecordProperty("singly_" + name_of(set), std::to_string(singly));
+    RecordProperty("iterations_" + name_of(set), std::to_string(iterations));
     EXPECT_LE(singly, points / 1000);
   }
+}
+
+// Neighbours in a register do not touch each other's results, not in the last bit.
+TEST(EquilibriumBatch, OrderOfPointsDoesNotMatter) {
+  RandomBearings bearings;
+  Study study = next_study(bearings);
+  for (const InstructionSet set : instruction_sets()) {
+    EquilibriumBatch batch(study.bearing, {}, set);
+    EquilibriumResults forward, backward;
+    batch.solve(study.points, forward);
+    std::vector<EquilibriumPoint> reversed(study.points.rbegin(), study.points.rend());
+    batch.solve(reversed, backward);
+    EXPECT_TRUE((forward.inner_load == backward.inner_load.colwise().reverse()).all()) << name_of(set);
+    EXPECT_TRUE((forward.outer_load == backward.outer_load.colwise().reverse()).all()) << name_of(set);
+    EXPECT_TRUE((forward.displacement == backward.displacement.rowwise().reverse()).all()) << name_of(set);
+  }
+}
+
+TEST(EquilibriumBatch, KeepsToSwitchesAndInnerGuidance) {
+  RandomBearings bearings;
+  Study study = next_study(bearings);
+  study.bearing.cage.guidance = Race::inner;
+  const InertiaSwitches inertia{.own_orbit = false, .coriolis = true, .carrier_centrifugal = false};
+  EquilibriumBatch batch(study.bearing, inertia);
+  EquilibriumResults results;
+  batch.solve(study.points, results);
+  expect_agreement(study, inertia, results, "switches");
+}
+
+TEST(EquilibriumBatch, RefusesLoadsThatAreNotFinite) {
+  RandomBearings bearings;
+  Study study = next_study(bearings);
+  study.points[9].point.bore_load.x() = std::numeric_limits<double>::quiet_NaN();
+  EquilibriumBatch batch(study.bearing);
+  EquilibriumResults results;
+  EXPECT_THROW(batch.solve(study.points, results), std::invalid_argument);
+}
+
+TEST(EquilibriumBatch, NothingToDoIsDone) {
+  RandomBearings bearings;
+  EquilibriumBatch batch(bearings.next().bearing);
+  EquilibriumResults results;
+  batch.solve({}, results);
+  EXPECT_EQ(results.inner_load.rows(), 0);
 }
 
 }  // namespace
