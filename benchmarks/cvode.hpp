@@ -1,4 +1,5 @@
-// SUNDIALS CVODE as reference integrator: BDF of variable order, Newton with a dense Jacobian by differences.
+// SUNDIALS CVODE [Hindmarsh2005] as reference integrator: BDF of variable order, Newton with a dense Jacobian
+// by differences.
 #pragma once
 
 #include <Eigen/Core>

@@ -88,7 +88,8 @@ LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& mean
 PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const BearingDuty& duty) {
   const integration::SteadyStateResult run = integration::run_to_steady_state(
-      drivetrain.bearing, duty.point, dynamics_parameters(drivetrain, geometry, duty), drivetrain.steady_state);
+      drivetrain.bearing, duty.point, dynamics_parameters(drivetrain, geometry, duty),
+      drivetrain.steady_state);
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);

@@ -16,8 +16,8 @@
 namespace orbearing::bearing::fast {
 namespace {
 
-// Of the largest force at hand: both solvers accept 1e-9 of it out of balance.
-constexpr double kAgreement = 2e-9;
+// Of the largest force at hand: required; where round-off ends their search both solvers accept as much.
+constexpr double kAgreement = 1e-9;
 constexpr int kPointsOfOneBearing = 65;  // eight blocks and one point more
 
 int number_of_bearings() {
