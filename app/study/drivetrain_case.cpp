@@ -87,6 +87,9 @@ integration::SteadyStateOptions steady_state_of(const ResolvedCase& in) {
   out.load_drift = in.number("simulation.load_drift");
   out.cage_drift = in.number("simulation.cage_drift");
   out.allowed_length_error = in.quantity("simulation.length_error");
+  out.integration.method = in.choice("simulation.integrator") == "dopri5"
+                               ? integration::Method::dopri5
+                               : integration::Method::linearly_implicit;
   return out;
 }
 

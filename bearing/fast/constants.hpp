@@ -5,7 +5,7 @@
 namespace orbearing::bearing::fast {
 
 /// Lanes to which the arrays over rollers are padded, whatever the instruction set.
-inline constexpr int kPadding = 8;
+inline constexpr int kPadding = 16;
 
 /// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp.
 struct RaceConstants {

@@ -73,11 +73,7 @@ class LaneEngine final : public Engine {
   void build_block(int p, double g, Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]);
   void add_rings(double g, RingBlock& rings) const;
 
-  Mask present(int p) const {
-    Mask mask;
-    for (int i = 0; i < kLanes; ++i) mask[i] = p * kLanes + i < c_.rollers ? -1LL : 0LL;
-    return mask;
-  }
+  Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
   const double* entry(const double* x, int group, int p) const {
     return x + group * layout_.lanes() + p * kLanes;
   }
