@@ -11,6 +11,7 @@ struct Duty {
   bearing::CylindricalRollerBearing bearing;
   bearing::OperatingPoint point;
   bearing::dynamics::DynamicsParameters parameters;
+  double allowed_length_error = 0.0;  // [m]  of one step, as the case has it
 
   bearing::dynamics::BearingModel model() const {
     return bearing::dynamics::bearing_model(bearing, point, parameters);

@@ -11,6 +11,7 @@
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/kernels.hpp"
 #include "benchmarks/speed.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
 
 namespace orbearing::bench {
 
@@ -72,14 +73,15 @@ void put_real_time(const study::PlanetaryDrivetrain& drivetrain, Json& out) {
 
 void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial, Json& out) {
   say("accuracy of the fast path");
-  out["errors"] = errors_json(main_trial.errors(Method::fast, fast_tolerance()));
-  out["fast_allowed_length_error_m"] = fast_tolerance();
+  out["errors"] = errors_json(main_trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
+  out["fast_allowed_length_error_m"] =
+      integration::kLinearlyImplicitErrorFactor * drivetrain.steady_state.allowed_length_error;
   // What chance alone does to the means: RK4 at another step takes another path.
   out["reference_spread"] = errors_json(main_trial.errors(Method::rk4, kOtherReferenceStep));
   for (const auto& [rpm, clearance] : kAccuracyPoints) {
     Trial trial(duty_at(drivetrain, rpm, clearance));
     out["errors_at"][fmt::format("{:.0f}/{:.0f}", rpm, clearance)] =
-        errors_json(trial.errors(Method::fast, fast_tolerance()));
+        errors_json(trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
   }
 }
 

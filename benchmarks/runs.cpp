@@ -6,10 +6,8 @@
 
 #include "bearing/dynamics/equations.hpp"
 #include "bearing/dynamics/initial_state.hpp"
-#include "benchmarks/clocks.hpp"
 #include "benchmarks/cvode.hpp"
-#include "coupling/integration/integrate.hpp"
-#include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
 
 namespace orbearing::bench {
 
@@ -19,7 +17,6 @@ using bearing::fast::VectorBearing;
 
 constexpr int kMostOrder = 5;              // of BDF, as CVODE comes
 constexpr double kFirstStep = 1e-6;        // [s]
-constexpr double kSmallestStep = 1e-12;    // [s]
 constexpr double kFirstRollerAngle = 0.0;  // [rad]
 
 // As in coupling/integration/steady_state.cpp: a roller between its races at a typical approach.
@@ -29,10 +26,6 @@ double roller_frequency(const bearing::dynamics::BearingModel& model) {
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
 }
 
-RunMeans means_of(const LoadTally& tally, double turned, double duration) {
-  return {tally.inner_rms(), tally.outer_rms(), tally.largest(), turned / duration};
-}
-
 // From the flat state to the padded one, whose other entries stay as they are.
 void scatter(const bearing::fast::PaddedLayout& layout, const double* flat, double* padded) {
   const int z = layout.rollers;
@@ -40,57 +33,7 @@ void scatter(const bearing::fast::PaddedLayout& layout, const double* flat, doub
   std::copy_n(flat + 5 * z, 14, padded + layout.cage());
 }
 
-// The fast path's own loop: loads are taken where the stepper linearises, each weighed by half of both steps.
-class FastRun {
- public:
-  FastRun(VectorBearing& bearing, std::vector<double> start, std::vector<double> allowed)
-      : bearing_(bearing), stepper_(std::move(allowed), fast_longest_step()), x_(std::move(start)) {}
-
-  long advance(double duration, LoadTally* tally) {
-    long steps = 0;
-    double t = 0.0, dt = kFirstStep, last = 0.0;
-    while (t < duration * (1.0 - 1e-12)) {
-      stepper_.begin(bearing_, x_, t);
-      if (tally) keep_loads();
-      const double before = t;
-      step(t, dt, duration);
-      ++steps;
-      if (tally) tally->add(inner_.data(), outer_.data(), 0.5 * (last + t - before));
-      last = t - before;
-    }
-    return steps;
-  }
-
-  const std::vector<double>& state() const { return x_; }
-
- private:
-  void step(double& t, double& dt, double end) {
-    dt = std::min(dt, end - t);
-    while (stepper_.try_step(bearing_, x_, t, dt) == boost::numeric::odeint::fail)
-      if (dt < kSmallestStep) throw std::runtime_error("the fast stepper found no step small enough");
-  }
-
-  void keep_loads() {
-    const auto rollers = static_cast<std::size_t>(bearing_.layout().rollers);
-    inner_.assign(bearing_.loads().inner, bearing_.loads().inner + rollers);
-    outer_.assign(bearing_.loads().outer, bearing_.loads().outer + rollers);
-  }
-
-  VectorBearing& bearing_;
-  integration::Rosenbrock2 stepper_;
-  std::vector<double> x_;
-  std::vector<double> inner_, outer_;
-};
-
 }  // namespace
-
-double fast_tolerance() {
-  return 1e-7;
-}
-
-double fast_longest_step() {
-  return 5e-5;
-}
 
 Contest::Contest(const Duty& duty) : duty_(duty), model_(duty.model()), fast_(model_) {
   padded_state_ = fast_.padded(Eigen::VectorXd::Zero(model_.layout.size()));
@@ -107,7 +50,7 @@ Eigen::VectorXd Contest::quasi_static_start() const {
 }
 
 Eigen::VectorXd Contest::settled(double duration) {
-  return run(Method::fast, quasi_static_start(), {duration}, fast_tolerance()).state;
+  return run(Method::fast, quasi_static_start(), {duration}, duty_.allowed_length_error).state;
 }
 
 Run Contest::run(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {
@@ -128,17 +71,31 @@ Run Contest::run(Method method, const Eigen::VectorXd& start, const Span& span, 
 
 Run Contest::run_fast(const Eigen::VectorXd& start, const Span& span, double tolerance) {
   LoadTally tally(duty_.bearing.rollers);
-  std::vector<double> weights = fast_.padded(allowed(tolerance));
-  FastRun run(fast_, fast_.padded(start), std::move(weights));
+  const auto on_step = [&](const integration::StepSample& step) {
+    tally.add(step.inner_load, step.outer_load, step.weight);
+  };
+  integration::IntegrationOptions options;
+  options.step = kFirstStep;
+  options.allowed_error = allowed(tolerance);
   Run result{.state = start};
   const Stopwatch watch;
-  result.steps = run.advance(span.duration, span.samples > 0 ? &tally : nullptr);
+  const integration::IntegrationReport report =
+      integration::integrate_bearing(fast_, result.state, {0.0, span.duration, 1}, options, nullptr,
+                                     span.samples > 0 ? integration::StepObserver(on_step) : nullptr);
+  finish(watch, start, span, tally, result);
+  if (!report.completed) throw std::runtime_error(report.message);
+  result.steps = report.steps;
+  return result;
+}
+
+void Contest::finish(const Stopwatch& watch, const Eigen::VectorXd& start, const Span& span,
+                     const LoadTally& tally, Run& result) const {
   result.cpu_seconds = watch.cpu();
   result.wall_seconds = watch.wall();
-  fast_.flatten(run.state().data(), result.state);
   const Eigen::Index angle = model_.layout.cage() + 2;
-  if (span.samples > 0) result.means = means_of(tally, result.state[angle] - start[angle], span.duration);
-  return result;
+  const double turned = result.state[angle] - start[angle];
+  if (span.samples > 0)
+    result.means = {tally.inner_rms(), tally.outer_rms(), tally.largest(), turned / span.duration};
 }
 
 void Contest::derivative(double time, const double* x, double* dx) {
@@ -172,12 +129,9 @@ Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span&
   const Stopwatch watch;
   const integration::IntegrationReport report = integration::integrate(
       rate, result.state, output, options, span.samples > 0 ? integration::Observer(observe) : nullptr);
-  result.cpu_seconds = watch.cpu();
-  result.wall_seconds = watch.wall();
+  finish(watch, start, span, tally, result);
   if (!report.completed) throw std::runtime_error(report.message);
   result.steps = report.steps;
-  const Eigen::Index angle = model_.layout.cage() + 2;
-  if (span.samples > 0) result.means = means_of(tally, result.state[angle] - start[angle], span.duration);
   return result;
 }
 
@@ -194,11 +148,8 @@ Run Contest::run_cvode(const Eigen::VectorXd& start, const Span& span, double to
   const CvodeReport report =
       bench::run_cvode(rate, result.state, span.duration, std::max(1L, span.samples), allowed(tolerance),
                        most_order, span.samples > 0 ? FlatObserver(observe) : nullptr);
-  result.cpu_seconds = watch.cpu();
-  result.wall_seconds = watch.wall();
+  finish(watch, start, span, tally, result);
   result.steps = report.steps;
-  const Eigen::Index angle = model_.layout.cage() + 2;
-  if (span.samples > 0) result.means = means_of(tally, result.state[angle] - start[angle], span.duration);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bearing/fast/vector_bearing.hpp"
+#include "benchmarks/clocks.hpp"
 #include "benchmarks/load_tally.hpp"
 #include "benchmarks/reducer.hpp"
 
@@ -54,7 +55,8 @@ class Contest {
   /// The state after quasi-static start and `duration` [s] by the fast path.
   Eigen::VectorXd settled(double duration);
   /// Runs from `start` by `method`. `tolerance` [m] is the allowed error of lengths in one step, from which
-  /// those of all other variables follow. Throws std::runtime_error where the integrator gives up.
+  /// those of all other variables follow; the fast path turns it into its own (integrate_bearing.hpp). Throws
+  /// std::runtime_error where the integrator gives up.
   Run run(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance);
 
   bearing::fast::VectorBearing& fast() { return fast_; }
@@ -66,6 +68,8 @@ class Contest {
   Run run_fast(const Eigen::VectorXd& start, const Span& span, double tolerance);
   Run run_odeint(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance);
   Run run_cvode(const Eigen::VectorXd& start, const Span& span, double tolerance, int most_order);
+  void finish(const Stopwatch& watch, const Eigen::VectorXd& start, const Span& span, const LoadTally& tally,
+              Run& result) const;
   void derivative(double time, const double* x, double* dx);
 
   Duty duty_;
@@ -74,9 +78,5 @@ class Contest {
   std::vector<double> padded_state_;
   std::vector<double> padded_rate_;
 };
-
-/// Allowed length error of the fast path unless told otherwise [m], and its longest step [s].
-double fast_tolerance();
-double fast_longest_step();
 
 }  // namespace orbearing::bench

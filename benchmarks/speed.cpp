@@ -22,7 +22,8 @@ constexpr double kSweepDuration = 0.13;  // [s]
 
 void simulate(const study::PlanetaryDrivetrain& drivetrain, double rpm, double clearance) {
   Contest contest(duty_at(drivetrain, rpm, clearance));
-  contest.run(Method::fast, contest.quasi_static_start(), {kSweepDuration, 1}, fast_tolerance());
+  contest.run(Method::fast, contest.quasi_static_start(), {kSweepDuration, 1},
+              contest.duty().allowed_length_error);
 }
 
 // Slow speeds take longest, and go first.
@@ -56,7 +57,9 @@ double speedup(Trial& trial, Method method, double tolerance) {
   const Span one{trial.span.duration / kRevolutions};
   std::vector<double> ratios;
   for (int pair = 0; pair < kPairs; ++pair) {
-    const double fast = trial.contest.run(Method::fast, trial.start, one, fast_tolerance()).cpu_seconds;
+    const double fast =
+        trial.contest.run(Method::fast, trial.start, one, trial.contest.duty().allowed_length_error)
+            .cpu_seconds;
     const double other = trial.contest.run(method, trial.start, one, tolerance).cpu_seconds;
     ratios.push_back(other / fast);
   }
@@ -69,8 +72,9 @@ RealTime real_time(const study::PlanetaryDrivetrain& drivetrain, double rpm, dou
   const Eigen::VectorXd start = contest.settled(duration);
   std::vector<double> factors;
   for (int run = 0; run < kRealTimeRuns; ++run)
-    factors.push_back(duration /
-                      contest.run(Method::fast, start, {duration, 1}, fast_tolerance()).cpu_seconds);
+    factors.push_back(
+        duration /
+        contest.run(Method::fast, start, {duration, 1}, contest.duty().allowed_length_error).cpu_seconds);
   return {name_of(rpm, clearance), median(factors)};
 }
 

@@ -1,11 +1,11 @@
-// What a solver of quasi-static equilibria for one instruction set offers: eight operating points at a time.
-// No header of a library here, since files compiled for special instruction sets include it.
+// What a solver of quasi-static equilibria for one instruction set offers: a block of operating points at a
+// time. No header of a library here, since files compiled for special instruction sets include it.
 #pragma once
 
 namespace orbearing::bearing::fast {
 
 /// Operating points in one block, whatever the instruction set.
-inline constexpr int kBlock = 8;
+inline constexpr int kBlock = 16;
 
 /// What all operating points of a bearing share. Lengths are divided by the approach of one contact under
 /// 1 N, so that a contact carries Q = x^(10/9) with Q in [N].

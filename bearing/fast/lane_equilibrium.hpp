@@ -31,6 +31,7 @@ class LaneEquilibrium final : public EquilibriumEngine {
 
  private:
   static constexpr int kMostIterations = 60;
+  static constexpr double kNothing = 1e-300;   // so that zero is below zero
   static constexpr int kPatience = 8;          // iterations before move() becomes patient
   static constexpr double kTolerance = 2e-11;  // of the largest force at hand
   static constexpr double kAcceptable = 1e-9;  // of the largest force, where round-off ends the iteration
@@ -158,12 +159,13 @@ inline PlaneVector LaneEquilibrium::newton_step(const RingBalance& now) const {
 // 0.7 of what it was went too far, and is halved. That judgement needs forces that are known; a patient
 // iteration waits with the rings until the rollers are nearly in balance.
 inline Mask LaneEquilibrium::move(const RingBalance& now, const Mask& done, bool patient) {
-  const Mask known = now.error * now.error <= kTrusted * kTrusted * dot(now.force, now.force);
+  const Mask known = now.error * now.error < kTrusted * kTrusted * dot(now.force, now.force);
   const Mask waiting = patient ? ~known : Mask{};
   const Mask too_far = trusted_ & (dot(now.force, trial_) < -0.7 * slope_);
   const PlaneVector step = newton_step(now);
   const Pack limit = round_off();
-  const Mask lost = (dot(step, step) <= limit * limit) & (now.error <= kAcceptable * scale_) & ~too_far;
+  const Mask lost =
+      (dot(step, step) < limit * limit + kNothing) & (now.error < kAcceptable * scale_ + kNothing) & ~too_far;
   const Mask moving = ~(done | lost | waiting);
   const PlaneVector next{select(too_far, 0.5 * trial_.x, step.x), select(too_far, 0.5 * trial_.y, step.y)};
   moved_ = {only(moving, select(too_far, -next.x, next.x)), only(moving, select(too_far, -next.y, next.y))};
@@ -185,14 +187,14 @@ inline void LaneEquilibrium::solve(const EquilibriumInput& input, int first, Equ
     const RingBalance now = balance(done);
     const Pack residual = root(dot(now.force, now.force));
     store(residual, output.residual + first);
-    const Mask balanced = residual + now.error <= kTolerance * scale_;
+    const Mask balanced = residual + now.error < kTolerance * scale_ + kNothing;
     const Pack unseen = (now.k_xx + now.k_yy) * round_off();
-    done |= balanced;
-    converged |= balanced;
+    done = done | balanced;
+    converged = converged | balanced;
     if (!any(~done)) break;
     const Mask lost = move(now, done, i >= kPatience);
-    converged |= lost & (residual <= kAcceptable * scale_ + unseen);
-    done |= lost;
+    converged = converged | (lost & (residual < kAcceptable * scale_ + unseen + kNothing));
+    done = done | lost;
     iterations += only(~done, spread(1.0));
   }
   store(u_.x, output.displacement_x + first);

@@ -8,8 +8,8 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 /// x^power to some per cent, from the bits of `x` > 0, which are nearly its logarithm.
 inline Pack rough_power(const Pack& x, double power) {
   constexpr long long kOne = 0x3ff0000000000000LL;
-  const Pack bits = detail::whole_numbers((Mask)x - (Mask{} + kOne), 32);
-  return (Pack)((detail::nearest(bits * power) << 32) + (Mask{} + kOne));
+  const Pack exponent = detail::whole_numbers(bits_of(x) - bits(kOne), 32);
+  return from_bits((detail::nearest(exponent * power) << 32) + bits(kOne));
 }
 
 /// x^(1/9) for x >= 0, relative error below 1e-15; far below 1e-200 the root of that number. From a rough
@@ -22,7 +22,7 @@ inline Pack ninth_root(const Pack& x) {
   Pack z = kMiddle * rough_power(safe, -c1);
   Pack z2 = z * z, z4 = z2 * z2;
   const Pack r = 1.0 - (safe * z) * (z4 * z4), r2 = r * r;
-  z *= (1.0 + c1 * r) + r2 * ((c2 + c3 * r) + r2 * ((c4 + c5 * r) + r2 * (c6 + c7 * r)));
+  z = z * ((1.0 + c1 * r) + r2 * ((c2 + c3 * r) + r2 * ((c4 + c5 * r) + r2 * (c6 + c7 * r))));
   z2 = z * z, z4 = z2 * z2;
   const Pack z8 = z4 * z4, root = safe * z8, t = 1.0 - root * z;
   // x z^8 with z (1 - t)^(-1/9): the root is root (1 - t)^(-8/9).

@@ -18,7 +18,7 @@ namespace {
 
 // Of the largest force at hand: required; where round-off ends their search both solvers accept as much.
 constexpr double kAgreement = 1e-9;
-constexpr int kPointsOfOneBearing = 65;  // eight blocks and one point more
+constexpr int kPointsOfOneBearing = 65;  // whole blocks and one point more
 
 int number_of_bearings() {
   const char* text = std::getenv("RANDOM_BEARINGS");
@@ -122,6 +122,18 @@ TEST(EquilibriumBatch, NothingToDoIsDone) {
   EquilibriumResults results;
   batch.solve({}, results);
   EXPECT_EQ(results.inner_load.rows(), 0);
+}
+
+TEST(EquilibriumBatch, WithoutAnyLoadNothingIsCarried) {
+  RandomBearings bearings;
+  CylindricalRollerBearing bearing = bearings.next().bearing;
+  bearing.radial_clearance = 0.0;
+  const std::vector<EquilibriumPoint> points(3);
+  EquilibriumBatch batch(bearing);
+  EquilibriumResults results;
+  batch.solve(points, results);
+  EXPECT_TRUE(results.failures.empty());
+  EXPECT_EQ(results.outer_load.abs().maxCoeff(), 0.0);
 }
 
 }  // namespace
