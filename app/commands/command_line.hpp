@@ -15,8 +15,10 @@ struct Options {
   std::vector<std::string> settings;  // path=value
   std::string output;
   std::string fidelity = "quasi-static";
+  std::optional<std::string> speed;  // modes: none means at rest
   std::optional<std::string> shard;  // "i/n"
   int jobs = 0;                      // 0: one for each core
+  bool gears = false;  // run: without the dynamics of bearings
   bool resume = false;
   bool json = false;
   bool quiet = false;
@@ -27,6 +29,8 @@ int check_command(const Options& options);
 int run_command(const Options& options);
 int sweep_command(const Options& options);
 int merge_command(const Options& options);
+int mesh_command(const Options& options);
+int modes_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
 

@@ -29,6 +29,7 @@ ManifestHeader header_from(const Json& object) {
   for (const Json& axis : object.at("axes"))
     header.axes.push_back({axis.at("column").get<std::string>(), axis.at("units").get<std::string>(),
                            axis.at("meaning").get<std::string>()});
+  if (object.contains("sets")) header.sets = object.at("sets").get<std::vector<std::string>>();
   return header;
 }
 
@@ -36,8 +37,9 @@ void add_entry(Manifest& manifest, const Json& object) {
   const auto point = object.at("point").get<std::size_t>();
   if (!manifest.header->holds(point)) throw BadInput("a point that is not of this sweep");
   if (object.at("file") != point_file_name(point)) throw BadInput("a file of another name");
-  manifest.entries[point] = {point_file_name(point),
-                             row_from_json(table_head(manifest.header->axes), object.at("row"))};
+  manifest.entries[point] = {
+      point_file_name(point),
+      row_from_json(table_head(manifest.header->axes, manifest.header->sets), object.at("row"))};
 }
 
 void add_line(Manifest& manifest, std::string_view line) {
@@ -91,6 +93,7 @@ std::string header_line(const ManifestHeader& header) {
   if (header.shard) object["shard"] = to_string(*header.shard);
   for (const SweptAxis& axis : header.axes)
     object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
+  if (!header.sets.empty()) object["sets"] = header.sets;
   return object.dump() + '\n';
 }
 

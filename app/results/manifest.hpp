@@ -30,9 +30,10 @@ struct ManifestHeader {
   std::string program_version;
   std::string instruction_set;  // results are equal to the last bit within one only
   std::string fidelity;
-  std::size_t points = 0;       // of the whole sweep, all shards together
-  std::optional<Shard> shard;   // none: the whole sweep
-  std::vector<SweptAxis> axes;  // other than input.speed
+  std::size_t points = 0;         // of the whole sweep, all shards together
+  std::optional<Shard> shard;     // none: the whole sweep
+  std::vector<SweptAxis> axes;    // other than input.speed
+  std::vector<std::string> sets;  // with bearings, of a drivetrain of several sets
 
   bool holds(std::size_t point) const { return point < points && (!shard || shard->holds(point)); }
   std::size_t own_points() const;

@@ -46,6 +46,8 @@ EquilibriumBatch::EquilibriumBatch(const CylindricalRollerBearing& bearing, cons
       geometry_(geometry_of(bearing)),
       inertia_(inertia),
       unit_length_(roller_race_contact(bearing.contact_law, bearing.roller_length).approach(1.0)),
+      round_(bearing.inner_form.empty() && bearing.outer_form.empty() &&
+             bearing.roller_diameter_deviation.empty()),
       cage_mass_(mass_through_cage(bearing, geometry_)) {
   const auto rollers = static_cast<std::size_t>(bearing.rollers);
   for (std::size_t j = 0; j < rollers; ++j) {
@@ -94,6 +96,10 @@ void EquilibriumBatch::solve_singly(const EquilibriumPoint& point, std::size_t i
 
 void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results) {
   resize(results, points.size(), bearing_.rollers);
+  if (!round_) {
+    for (std::size_t index = 0; index < points.size(); ++index) solve_singly(points[index], index, results);
+    return;
+  }
   for (std::size_t first = 0; first < points.size(); first += kBlock) {
     const std::size_t count = std::min<std::size_t>(kBlock, points.size() - first);
     for (int lane = 0; lane < kBlock; ++lane)

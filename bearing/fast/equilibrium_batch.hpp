@@ -44,8 +44,8 @@ class EquilibriumBatch {
                             InstructionSet set = best_instruction_set());
 
   /// Solves all points; each result depends on its own point alone. What the vectorised iteration does not
-  /// balance is left to quasi_static_state(). Throws std::invalid_argument where a load or speed is not
-  /// finite.
+  /// balance, and all points of races that are not round or rollers that are not equal, is left to
+  /// quasi_static_state(). Throws std::invalid_argument where a load or speed is not finite.
   void solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results);
 
  private:
@@ -56,6 +56,7 @@ class EquilibriumBatch {
   RollerBearingGeometry geometry_;
   InertiaSwitches inertia_;
   double unit_length_;  // [m]   approach of one contact under 1 N
+  bool round_;          // round races and equal rollers: what the engine knows
   double cage_mass_;    // [kg]  whose inertial load reaches the outer ring
   std::vector<double> pocket_cosine_;
   std::vector<double> pocket_sine_;

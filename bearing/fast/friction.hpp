@@ -54,6 +54,33 @@ inline Friction limiting_shear(const RaceConstants& race, const Pack& load, cons
           only(loaded, by_scale * sheared * 0.7 / entrainment)};
 }
 
+/// Friction shared by film and asperities, dynamics/mixed_lubrication.hpp; `film` is that of the film alone.
+inline Friction mixed_friction(const RaceConstants& race, const Friction& film, const Pack& load,
+                               const Pack& sliding, const Pack& entrainment, const Pack& log_entrainment) {
+  constexpr double kLoad = 0.13, kSpeed = 0.7, kCapSpeed = 19.0 / 29.0;
+  const Mask loaded = load > 0.0;
+  const Pack q = select(loaded, load, spread(1.0));
+  const Pack free = race.least_film_factor * exponential(kSpeed * log_entrainment - kLoad * logarithm(q));
+  const Pack cap = race.least_film_cap * exponential(kCapSpeed * log_entrainment);
+  const Mask thinned = free < cap;
+  const Pack ratio = select(thinned, free, cap) * (1.0 / race.roughness);
+  const Pack inverse = 1.0 / (1.0 + ratio);
+  const Pack share = inverse * inverse;
+  const Pack by_log_film = -2.0 * share * ratio * inverse;  // d(share)/d(ln film)
+  RaceConstants boundary = race;
+  boundary.friction = race.boundary_friction;
+  boundary.sliding_scale = race.boundary_scale;
+  const Friction dry = coulomb(boundary, load, sliding);
+  const Pack more = dry.force - film.force;
+  const Pack rest = 1.0 - share;
+  return {
+      share * dry.force + rest * film.force,
+      share * dry.by_load + rest * film.by_load + only(thinned & loaded, more * by_log_film * (-kLoad) / q),
+      share * dry.by_sliding + rest * film.by_sliding,
+      rest * film.by_entrainment +
+          more * by_log_film * select(thinned, spread(kSpeed), spread(kCapSpeed)) / entrainment};
+}
+
 /// Rolling resistance on each surface [N] with slopes by load and by the signed rolling speed; `turn` is the
 /// rolling speed over the entrainment speed.
 inline Slopes2 rolling_resistance(const RaceConstants& race, const Pack& load, const Pack& rolling,

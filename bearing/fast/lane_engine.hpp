@@ -128,9 +128,9 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   };
   if constexpr (WithSlopes) linear.inner = linear.outer = ContactSlopes{};
   const ContactForce inner = race_contact<WithSlopes>(
-      c_.inner, radius, here, motion_to({pin[0], pin[1], pin[2], pin[3]}), linear.inner);
+      c_.inner, radius, here, cosine, sine, motion_to({pin[0], pin[1], pin[2], pin[3]}), linear.inner);
   const ContactForce outer = race_contact<WithSlopes>(
-      c_.outer, radius, here, motion_to({bore[0], bore[1], bore[2], bore[3]}), linear.outer);
+      c_.outer, radius, here, cosine, sine, motion_to({bore[0], bore[1], bore[2], bore[3]}), linear.outer);
   const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
              own_sine = load(given_.pocket_sine + p * kLanes);
   const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;

@@ -32,6 +32,8 @@ double roller_frequency(const BearingModel& model) {
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
 }
 
+}  // namespace
+
 void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {
   for (Eigen::ArrayXXd* matrix :
        {&series.angle, &series.inner_load, &series.outer_load, &series.inner_sliding, &series.outer_sliding,
@@ -58,6 +60,17 @@ void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& ser
   series.cage_speed[i] = now.cage_speed;
   series.power_loss[i] = now.loss.total();
 }
+
+IntegrationOptions integration_options(const BearingModel& model, const SteadyStateOptions& options) {
+  IntegrationOptions settings = options.integration;
+  settings.allowed_error = bearing_allowed_errors(model.layout, options.allowed_length_error,
+                                                  model.geometry.pitch_radius, roller_frequency(model));
+  if (settings.method == Method::linearly_implicit && !bearing::fast::supports(model))
+    settings.method = Method::dopri5;
+  return settings;
+}
+
+namespace {
 
 // Keeps the samples of the last window as series.
 class Recorder {
@@ -92,10 +105,7 @@ class SteadyRun {
         result_(result),
         collector_(model().layout.rollers, options.places),
         window_(two_pi / std::abs(result.kinematic_cage_speed)) {
-    settings_ = options.integration;
-    settings_.allowed_error =
-        bearing_allowed_errors(model().layout, options.allowed_length_error, model().geometry.pitch_radius,
-                               roller_frequency(model()));
+    settings_ = integration_options(model(), options);
     if (settings_.method == Method::linearly_implicit) vectorised_.emplace(model());
   }
 
@@ -103,7 +113,7 @@ class SteadyRun {
   WindowStatistics advance(int windows, BearingSeries* series) {
     const long per_window = samples_per_window();
     const OutputTimes output{time_, window_ / static_cast<double>(per_window), per_window * windows};
-    take_snapshot(model(), result_.final_state, snapshot_);
+    take_snapshot(model(), result_.final_state, snapshot_, time_);
     collector_.begin(time_, snapshot_);
     add_to_report(vectorised_ ? advance_vectorised(output, series) : advance_readable(output, series));
     time_ = output.time(output.samples);
@@ -125,7 +135,7 @@ class SteadyRun {
   IntegrationReport advance_readable(const OutputTimes& output, BearingSeries* series) {
     Recorder recorder(output, samples_per_window(), options_.series_samples, model().layout.rollers, series);
     const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
-      take_snapshot(model(), x, snapshot_);
+      take_snapshot(model(), x, snapshot_, time);
       collector_.add(time, snapshot_);
       recorder.add(time, snapshot_);
     };
@@ -137,7 +147,7 @@ class SteadyRun {
     long sample = 0;
     const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
       const bool counts = ++sample % kStatesPerSample == 0 || sample == output.samples;
-      if (counts || recorder.wants_next()) take_snapshot(model(), x, snapshot_);
+      if (counts || recorder.wants_next()) take_snapshot(model(), x, snapshot_, time);
       if (counts) collector_.add_state(time, snapshot_);
       recorder.add(time, snapshot_);
     };
@@ -213,9 +223,11 @@ SteadyStateResult run_from(Eigen::VectorXd start, const PlanetBearingEquations& 
                            const SteadyStateOptions& options) {
   const BearingModel& model = equations.model();
   const bearing::OperatingPoint& point = model.point;
+  if (model.driving.growth != 0.0)
+    throw std::invalid_argument(
+        "growth of the speeds: found a run-up, which has no steady state; required: 0");
   SteadyStateResult result;
-  result.kinematic_cage_speed =
-      bearing::kinematic_cage_speed(model.geometry, point.inner_speed, point.outer_speed);
+  result.kinematic_cage_speed = model.kinematic_cage_speed;
   result.kinematic_spin =
       bearing::kinematic_roller_spin(model.geometry, point.inner_speed, point.outer_speed);
   if (result.kinematic_cage_speed == 0.0)

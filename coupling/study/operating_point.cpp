@@ -9,6 +9,7 @@
 #include "bearing/line_contact.hpp"
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
+#include "coupling/integration/run_up.hpp"
 
 namespace orbearing::study {
 
@@ -48,6 +49,7 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
                                       .cage_positions = drivetrain.cage_positions};
   if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
+  options.film_approach = drivetrain.film_approach;
   const bearing::QuasiStaticResult loads =
       bearing::quasi_static_bearing(drivetrain.bearing, duty.point, options);
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
@@ -85,11 +87,27 @@ LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& mean
   return {as_vector(angle), as_vector(means.inner.mean_load), as_vector(means.outer.mean_load)};
 }
 
+integration::SteadyStateResult motion_of(const PlanetaryDrivetrain& drivetrain,
+                                         const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+  const bearing::dynamics::DynamicsParameters parameters = dynamics_parameters(drivetrain, geometry, duty);
+  if (parameters.driving.growth == 0.0)
+    return integration::run_to_steady_state(drivetrain.bearing, duty.point, parameters,
+                                            drivetrain.steady_state);
+  return integration::run_up(drivetrain.bearing, duty.point, parameters, drivetrain.steady_state,
+                             drivetrain.run_up.duration);
+}
+
+// The life in hours of a run-up is that at its mean speed.
+BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
+  const RunUp& run_up = drivetrain.run_up;
+  if (run_up.acceleration != 0.0)
+    duty.point.outer_speed *= 1.0 + 0.5 * run_up.acceleration * run_up.duration / drivetrain.drive.speed;
+  return duty;
+}
+
 PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const BearingDuty& duty) {
-  const integration::SteadyStateResult run = integration::run_to_steady_state(
-      drivetrain.bearing, duty.point, dynamics_parameters(drivetrain, geometry, duty),
-      drivetrain.steady_state);
+  const integration::SteadyStateResult run = motion_of(drivetrain, geometry, duty);
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);
@@ -97,7 +115,7 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   result.cage_slip = run.cage_slip();
   result.distribution = distribution_of(run.statistics);
   result.dynamic = record_of(run);
-  put_life(drivetrain, duty,
+  put_life(drivetrain, mean_duty(drivetrain, duty),
            bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, run.statistics),
            result);
   return result;
@@ -138,6 +156,8 @@ bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetr
   parameters.inertia = drivetrain.inertia;
   parameters.lubricant = drivetrain.lubricant;
   parameters.race.film_in_approach = drivetrain.film_in_approach;
+  parameters.race.film_approach = drivetrain.film_approach;
+  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
   return parameters;
 }

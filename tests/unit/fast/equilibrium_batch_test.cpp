@@ -136,5 +136,16 @@ TEST(EquilibriumBatch, WithoutAnyLoadNothingIsCarried) {
   EXPECT_EQ(results.outer_load.abs().maxCoeff(), 0.0);
 }
 
+TEST(EquilibriumBatch, LeavesWhatIsNotRoundToTheReadableSolver) {
+  RandomBearings bearings;
+  Study study = next_study(bearings);
+  study.bearing.outer_form.push_back({.order = 2, .amplitude = 20e-6});
+  EquilibriumBatch batch(study.bearing);
+  EquilibriumResults results;
+  batch.solve(study.points, results);
+  EXPECT_EQ(results.solved_singly, kPointsOfOneBearing);
+  expect_agreement(study, {}, results, "oval bore");
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::fast
