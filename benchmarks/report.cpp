@@ -80,8 +80,11 @@ void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial,
   out["reference_spread"] = errors_json(main_trial.errors(Method::rk4, kOtherReferenceStep));
   for (const auto& [rpm, clearance] : kAccuracyPoints) {
     Trial trial(duty_at(drivetrain, rpm, clearance));
-    out["errors_at"][fmt::format("{:.0f}/{:.0f}", rpm, clearance)] =
+    const std::string name = fmt::format("{:.0f}/{:.0f}", rpm, clearance);
+    out["errors_at"][name] =
         errors_json(trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
+    if (rpm > 1000.0 && clearance > 0.0)
+      out["reference_spread_at"][name] = errors_json(trial.errors(Method::rk4, kOtherReferenceStep));
   }
 }
 
