@@ -32,9 +32,15 @@ python3-xarray: tests that open result files as users do
 python3-netcdf4: tests that open result files as users do
 '
 
+bench_packages='
+libbenchmark-dev: times of small kernels
+libsundials-dev: CVODE, the general-purpose integrator to compare with
+'
+
 full_packages='
 clang: second compiler and the fuzzer
 libclang-rt-14-dev: run-time part of the fuzzer and of clang'"'"'s sanitizers
 clang-tidy: static analysis
 gcovr: line coverage
+libsundials-dev: CVODE, whose runs the tests compare with ours
 '

@@ -1,29 +1,13 @@
 // The engine of one instruction set: walks the rollers pack by pack and gathers what acts on the rings.
 #pragma once
 
-#include <new>
-
+#include "bearing/fast/aligned_array.hpp"
 #include "bearing/fast/block_arrow.hpp"
 #include "bearing/fast/engine.hpp"
 #include "bearing/fast/guidance.hpp"
 #include "bearing/fast/pocket_contact.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
-
-/// Array on the boundary of a register.
-template <class T>
-class AlignedArray {
- public:
-  explicit AlignedArray(int size) : data_(new (std::align_val_t{64}) T[static_cast<unsigned>(size)]()) {}
-  ~AlignedArray() { operator delete[](data_, std::align_val_t{64}); }
-  AlignedArray(const AlignedArray&) = delete;
-  AlignedArray& operator=(const AlignedArray&) = delete;
-  T& operator[](int i) { return data_[i]; }
-  const T& operator[](int i) const { return data_[i]; }
-
- private:
-  T* data_;
-};
 
 /// Position and velocity of a ring or of the cage.
 struct Body {

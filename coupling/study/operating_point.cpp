@@ -68,20 +68,6 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   return result;
 }
 
-bearing::dynamics::DynamicsParameters dynamics_of(const PlanetaryDrivetrain& drivetrain,
-                                                  const DrivetrainGeometry& geometry,
-                                                  const BearingDuty& duty) {
-  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
-  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
-  parameters.inertia = drivetrain.inertia;
-  parameters.lubricant = drivetrain.lubricant;
-  parameters.race.film_in_approach = drivetrain.film_in_approach;
-  parameters.race.film_approach = drivetrain.film_approach;
-  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
-  parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
-  return parameters;
-}
-
 RaceResult race_result(const bearing::dynamics::RaceStatistics& race) {
   return {.load_max = race.load_max, .load_rms = race.load_rms, .least_film = race.least_film};
 }
@@ -104,7 +90,7 @@ LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& mean
 
 integration::SteadyStateResult motion_of(const PlanetaryDrivetrain& drivetrain,
                                          const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const bearing::dynamics::DynamicsParameters parameters = dynamics_of(drivetrain, geometry, duty);
+  const bearing::dynamics::DynamicsParameters parameters = dynamics_parameters(drivetrain, geometry, duty);
   if (parameters.driving.growth == 0.0)
     return integration::run_to_steady_state(drivetrain.bearing, duty.point, parameters,
                                             drivetrain.steady_state);
@@ -161,6 +147,20 @@ double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainG
 }
 
 }  // namespace
+
+bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
+                                                          const DrivetrainGeometry& geometry,
+                                                          const BearingDuty& duty) {
+  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
+  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
+  parameters.inertia = drivetrain.inertia;
+  parameters.lubricant = drivetrain.lubricant;
+  parameters.race.film_in_approach = drivetrain.film_in_approach;
+  parameters.race.film_approach = drivetrain.film_approach;
+  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
+  parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  return parameters;
+}
 
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity) {

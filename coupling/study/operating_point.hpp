@@ -69,6 +69,11 @@ struct PointResult {
   std::string status = "ok";             // "ok" or why the point failed
 };
 
+/// What the bearing's motion in time needs at this duty.
+bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
+                                                          const DrivetrainGeometry& geometry,
+                                                          const BearingDuty& duty);
+
 /// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
 /// motion could not be followed.
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,

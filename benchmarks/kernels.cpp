@@ -1,0 +1,161 @@
+#include "benchmarks/kernels.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bearing/dynamics/equations.hpp"
+#include "bearing/fast/equilibrium_batch.hpp"
+#include "benchmarks/runs.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+
+namespace orbearing::bench {
+
+namespace {
+
+constexpr double kStageShare = 0.29;   // g of 1 - g J over the step
+constexpr double kTypicalStep = 5e-6;  // [s]
+constexpr double kSettling = 5e-3;     // [s]
+constexpr int kRepetitions = 5;
+constexpr double kLeastTime = 0.02;  // [s]  of each repetition
+constexpr int kStaticPoints = 1024;
+constexpr int kPlainStaticPoints = 32;
+constexpr int kRollerFactors[] = {1, 2, 4, 8};
+
+using Body = std::function<void()>;
+
+// Keeps the median time of each benchmark; prints nothing.
+class MedianKeeper : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.aggregate_name == "median") nanoseconds[run.run_name.function_name] = run.GetAdjustedCPUTime();
+  }
+  std::map<std::string, double> nanoseconds;
+};
+
+void add(const std::string& name, Body body) {
+  const auto loop = [body = std::move(body)](benchmark::State& state) {
+    for (auto _ : state) {
+      body();
+      benchmark::ClobberMemory();
+    }
+  };
+  benchmark::RegisterBenchmark(name.c_str(), loop)
+      ->Repetitions(kRepetitions)
+      ->ReportAggregatesOnly()
+      ->MinTime(kLeastTime)
+      ->Unit(benchmark::kNanosecond);
+}
+
+// A settled bearing and the arrays its kernels write to.
+struct Bench {
+  Contest contest;
+  bearing::dynamics::PlanetBearingEquations plain;
+  Eigen::VectorXd flat;
+  Eigen::VectorXd flat_rate;
+  std::vector<double> x, rate, k;
+  integration::Rosenbrock2 stepper;
+
+  explicit Bench(const Duty& duty)
+      : contest(duty),
+        plain(duty.model()),
+        flat(contest.settled(kSettling)),
+        flat_rate(flat.size()),
+        x(contest.fast().padded(flat)),
+        rate(x.size()),
+        k(x.size()),
+        stepper(contest.fast().padded(contest.allowed(1.0)), kTypicalStep) {}
+
+  void step() {
+    std::vector<double>& state = k;
+    state = x;
+    double t = 0.0, dt = kTypicalStep;
+    stepper.begin(contest.fast(), state, t);
+    stepper.try_step(contest.fast(), state, t, dt);
+  }
+};
+
+void add_kernels(const std::shared_ptr<Bench>& b) {
+  bearing::fast::VectorBearing& fast = b->contest.fast();
+  add("plain_rhs", [b] { b->plain.derivative(0.0, b->flat, b->flat_rate); });
+  add("rhs", [b, &fast] { fast.derivative(0.0, b->x.data(), b->rate.data()); });
+  add("jacobian", [b, &fast] { fast.linearise(0.0, b->x.data(), b->rate.data()); });
+  add("factor", [b, &fast] {
+    if (!fast.factor(kStageShare * kTypicalStep)) throw std::logic_error("singular at a settled state");
+  });
+  add("solve", [b, &fast] { fast.solve(b->rate.data(), b->k.data()); });
+}
+
+void add_step(const Duty& duty, int factor) {
+  const auto bench = std::make_shared<Bench>(with_more_rollers(duty, factor));
+  add("step_" + std::to_string(factor), [bench] { bench->step(); });
+}
+
+// Speeds at constant power, each at another cage angle, in no order that a solver could profit from.
+std::vector<bearing::fast::EquilibriumPoint> static_points(const study::PlanetaryDrivetrain& drivetrain) {
+  std::vector<bearing::fast::EquilibriumPoint> points;
+  for (int i = 0; i < kStaticPoints; ++i) {
+    const double rpm = 1000.0 + 11000.0 * std::fmod(0.618033988749895 * i, 1.0);
+    points.push_back({duty_at(drivetrain, rpm, 0.0).point, 0.37 * i});
+  }
+  return points;
+}
+
+void add_static(const study::PlanetaryDrivetrain& drivetrain) {
+  const auto points = static_points(drivetrain);
+  const bearing::CylindricalRollerBearing bearing = drivetrain.bearing;
+  add("plain_static", [points, bearing] {
+    for (int i = 0; i < kPlainStaticPoints; ++i)
+      benchmark::DoNotOptimize(bearing::quasi_static_state(bearing, points[static_cast<std::size_t>(i)].point,
+                                                           {},
+                                                           points[static_cast<std::size_t>(i)].first_roller));
+  });
+  const auto batch = std::make_shared<bearing::fast::EquilibriumBatch>(bearing);
+  const auto results = std::make_shared<bearing::fast::EquilibriumResults>();
+  add("fast_static", [points, batch, results] { batch->solve(points, *results); });
+}
+
+// Slope of the straight line through the logarithms.
+double fitted_exponent(const std::map<std::string, double>& times) {
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  for (const int factor : kRollerFactors) {
+    const double a = std::log(factor), b = std::log(times.at("step_" + std::to_string(factor)));
+    n += 1.0, x += a, y += b, xx += a * a, xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+}  // namespace
+
+KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
+  const Duty duty = duty_at(drivetrain, 6000.0, 0.0);
+  add_kernels(std::make_shared<Bench>(duty));
+  for (const int factor : kRollerFactors) add_step(duty, factor);
+  add_static(drivetrain);
+  int argc = 1;
+  std::string program = "orbearing_bench";
+  char* argv[] = {program.data(), nullptr};
+  benchmark::Initialize(&argc, argv);
+  MedianKeeper keeper;
+  benchmark::RunSpecifiedBenchmarks(&keeper);
+  benchmark::Shutdown();
+  const std::map<std::string, double>& ns = keeper.nanoseconds;
+  return {.plain_rhs = ns.at("plain_rhs"),
+          .rhs = ns.at("rhs"),
+          .jacobian = ns.at("jacobian"),
+          .factor = ns.at("factor"),
+          .solve = ns.at("solve"),
+          .step = ns.at("step_1"),
+          .exponent = fitted_exponent(ns),
+          .plain_static = ns.at("plain_static") / kPlainStaticPoints,
+          .fast_static = ns.at("fast_static") / kStaticPoints};
+}
+
+}  // namespace orbearing::bench

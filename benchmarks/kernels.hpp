@@ -1,0 +1,23 @@
+// Small kernels, timed by Google Benchmark: medians of CPU time.
+#pragma once
+
+#include "coupling/study/drivetrain.hpp"
+
+namespace orbearing::bench {
+
+/// Times of single calls [ns] at 6000 rpm and zero clearance.
+struct KernelTimes {
+  double plain_rhs = 0.0;     // readable equations
+  double rhs = 0.0;           // vectorised
+  double jacobian = 0.0;      // vectorised, with the Jacobian
+  double factor = 0.0;        // of 1 - g J
+  double solve = 0.0;         // with the factors
+  double step = 0.0;          // all of a step of the stepper
+  double exponent = 0.0;      // of the step's cost over the number of rollers, fitted to 15, 30, 60, 120
+  double plain_static = 0.0;  // a quasi-static point, one cage angle, readable
+  double fast_static = 0.0;   // the same in a batch over speeds, loads and cage angles, one core
+};
+
+KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain);
+
+}  // namespace orbearing::bench

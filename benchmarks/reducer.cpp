@@ -1,0 +1,46 @@
+#include "benchmarks/reducer.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "app/case/case_file.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::bench {
+
+using boost::math::double_constants::two_pi;
+
+double Duty::cage_revolution() const {
+  const double speed =
+      bearing::kinematic_cage_speed(bearing::geometry_of(bearing), point.inner_speed, point.outer_speed);
+  return two_pi / std::abs(speed);
+}
+
+study::PlanetaryDrivetrain shipped_reducer() {
+  const std::string file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml";
+  return app::drivetrain_of(app::read_case(file, {"film.enabled=true"}));
+}
+
+Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance) {
+  drivetrain.drive.speed = rpm * two_pi / 60.0;
+  drivetrain.bearing.radial_clearance = 1e-6 * clearance;
+  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
+  return {drivetrain.bearing, duty.point, study::dynamics_parameters(drivetrain, geometry, duty),
+          drivetrain.steady_state.allowed_length_error};
+}
+
+Duty with_more_rollers(const Duty& duty, int factor) {
+  Duty larger = duty;
+  larger.bearing.rollers *= factor;
+  const double growth = (factor - 1) * duty.bearing.pitch_diameter;
+  for (double* diameter : {&larger.bearing.pitch_diameter, &larger.bearing.bore,
+                           &larger.bearing.outside_diameter, &larger.bearing.cage.inner_diameter,
+                           &larger.bearing.cage.outer_diameter, &larger.parameters.cage.guide_diameter})
+    *diameter += growth;
+  larger.point.bore_load *= factor;
+  return larger;
+}
+
+}  // namespace orbearing::bench

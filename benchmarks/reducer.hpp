@@ -1,0 +1,32 @@
+// The bearing that is timed: a planet bearing of cases/reducer_150kW with film and traction on.
+#pragma once
+
+#include "bearing/dynamics/model.hpp"
+#include "coupling/study/drivetrain.hpp"
+
+namespace orbearing::bench {
+
+/// One operating point, ready to be run in time.
+struct Duty {
+  bearing::CylindricalRollerBearing bearing;
+  bearing::OperatingPoint point;
+  bearing::dynamics::DynamicsParameters parameters;
+  double allowed_length_error = 0.0;  // [m]  of one step, as the case has it
+
+  bearing::dynamics::BearingModel model() const {
+    return bearing::dynamics::bearing_model(bearing, point, parameters);
+  }
+  /// One revolution of the cage relative to the carrier at pure rolling [s].
+  double cage_revolution() const;
+};
+
+/// The shipped case, with the film in the approach. Throws app::BadInput where it cannot be read.
+study::PlanetaryDrivetrain shipped_reducer();
+
+/// Duty at the input speed `rpm` [1/min] with diametral clearance `clearance` [um].
+Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance);
+
+/// The same rollers, `factor` times as many on a pitch circle as much larger, under as much more load.
+Duty with_more_rollers(const Duty& duty, int factor);
+
+}  // namespace orbearing::bench

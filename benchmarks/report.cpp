@@ -1,0 +1,126 @@
+#include "benchmarks/report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "bearing/fast/instruction_set.hpp"
+#include "benchmarks/accuracy.hpp"
+#include "benchmarks/clocks.hpp"
+#include "benchmarks/kernels.hpp"
+#include "benchmarks/speed.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
+
+namespace orbearing::bench {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSpeeds = 12;                    // thousands of revolutions per minute
+constexpr double kClearances[] = {0.0, 37.0};  // [um]
+const std::vector<double> kTolerances{1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10, 3e-11, 1e-11};  // [m]
+
+constexpr double kOtherReferenceStep = 0.75 * kReferenceStep;
+// Beside 6000 rpm without clearance [1/min], [um].
+constexpr std::pair<double, double> kAccuracyPoints[] = {
+    {1000.0, 0.0}, {1000.0, 37.0}, {6000.0, 37.0}, {12000.0, 0.0}, {12000.0, 37.0}};
+
+void say(const std::string& what) {
+  fmt::print(stderr, "bench: {}\n", what);
+}
+
+Json errors_json(const MeanErrors& errors) {
+  return {{"rms_relative", errors.rms},
+          {"max_relative", errors.load_max},
+          {"cage_speed_relative", errors.cage_speed}};
+}
+
+void put_kernels(const KernelTimes& times, Json& out) {
+  out["rhs_ns"] = times.rhs;
+  out["jacobian_ns"] = times.jacobian;
+  out["factor_ns"] = times.factor;
+  out["solve_ns"] = times.solve;
+  out["step_ns"] = times.step;
+  out["plain_rhs_ns"] = times.plain_rhs;
+  out["rollers_exponent"] = times.exponent;
+  out["static_points_per_s"] = 1e9 / times.fast_static;
+  out["plain_static_points_per_s"] = 1e9 / times.plain_static;
+}
+
+// A reference that meets the accuracy at none of the tolerances has no ratio: null.
+void put_speedup(Trial& trial, const std::string& name, Method searched, Method timed, Json& out) {
+  say("tolerance and time of " + name);
+  const Fit fit = loosest(trial, searched, kTolerances);
+  out["speedup_over_" + name] = fit.found ? Json(speedup(trial, timed, fit.tolerance)) : Json();
+  out["references"][name] = {{"allowed_length_error_m", fit.found ? Json(fit.tolerance) : Json()},
+                             {"errors", errors_json(fit.errors)}};
+}
+
+void put_real_time(const study::PlanetaryDrivetrain& drivetrain, Json& out) {
+  say("real-time factors");
+  double least = INFINITY;
+  for (const double clearance : kClearances)
+    for (int speed = 1; speed <= kSpeeds; ++speed) {
+      const RealTime point = real_time(drivetrain, 1000.0 * speed, clearance);
+      out["real_time_factor"][point.name] = point.factor;
+      least = std::min(least, point.factor);
+    }
+  out["min_real_time_factor"] = least;
+}
+
+void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial, Json& out) {
+  say("accuracy of the fast path");
+  out["errors"] = errors_json(main_trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
+  out["fast_allowed_length_error_m"] =
+      integration::kLinearlyImplicitErrorFactor * drivetrain.steady_state.allowed_length_error;
+  // What chance alone does to the means: RK4 at another step takes another path.
+  out["reference_spread"] = errors_json(main_trial.errors(Method::rk4, kOtherReferenceStep));
+  for (const auto& [rpm, clearance] : kAccuracyPoints) {
+    Trial trial(duty_at(drivetrain, rpm, clearance));
+    const std::string name = fmt::format("{:.0f}/{:.0f}", rpm, clearance);
+    out["errors_at"][name] =
+        errors_json(trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
+    if (rpm > 1000.0 && clearance > 0.0)
+      out["reference_spread_at"][name] = errors_json(trial.errors(Method::rk4, kOtherReferenceStep));
+  }
+}
+
+}  // namespace
+
+Json measure() {
+  const Stopwatch watch;
+  const study::PlanetaryDrivetrain drivetrain = shipped_reducer();
+  Json out;
+  out["instruction_set"] = bearing::fast::name_of(bearing::fast::best_instruction_set());
+  say("kernels");
+  put_kernels(time_kernels(drivetrain), out);
+  say("reference of 6000 rpm");
+  Trial trial(duty_at(drivetrain, 6000.0, 0.0));
+  // The search needs no clock, and both equations agree to round-off: the faster ones serve it.
+  put_speedup(trial, "dopri5", Method::fast_dopri5, Method::plain_dopri5, out);
+  put_speedup(trial, "cvode", Method::cvode, Method::cvode, out);
+  put_speedup(trial, "cvode_order2", Method::cvode_order2, Method::cvode_order2, out);
+  put_real_time(drivetrain, out);
+  say("sweeps");
+  out["sweep12_s"] = sweep_seconds(drivetrain, 0.0);
+  out["sweep12_37um_s"] = sweep_seconds(drivetrain, 37.0);
+  put_errors(drivetrain, trial, out);
+  out["bench_s"] = watch.wall();
+  return out;
+}
+
+std::string table(const Json& figures) {
+  std::string text;
+  const Json flat = figures.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    const std::string name = path.substr(1);
+    text += value.is_number() ? fmt::format("{:<48} {:>12.4g}\n", name, value.get<double>())
+                              : fmt::format("{:<48} {:>12}\n", name, value.dump());
+  }
+  return text;
+}
+
+}  // namespace orbearing::bench

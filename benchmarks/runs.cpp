@@ -1,0 +1,156 @@
+#include "benchmarks/runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bearing/dynamics/equations.hpp"
+#include "bearing/dynamics/initial_state.hpp"
+#include "benchmarks/cvode.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
+
+namespace orbearing::bench {
+
+namespace {
+
+using bearing::fast::VectorBearing;
+
+constexpr int kMostOrder = 5;              // of BDF, as CVODE comes
+constexpr double kFirstStep = 1e-6;        // [s]
+constexpr double kFirstRollerAngle = 0.0;  // [rad]
+
+// As in coupling/integration/steady_state.cpp: a roller between its races at a typical approach.
+double roller_frequency(const bearing::dynamics::BearingModel& model) {
+  constexpr double kTypicalApproach = 1e-6;  // [m]
+  const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
+  return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
+}
+
+// From the flat state to the padded one, whose other entries stay as they are.
+void scatter(const bearing::fast::PaddedLayout& layout, const double* flat, double* padded) {
+  const int z = layout.rollers;
+  for (int group = 0; group < 5; ++group) std::copy_n(flat + group * z, z, padded + group * layout.lanes());
+  std::copy_n(flat + 5 * z, 14, padded + layout.cage());
+}
+
+}  // namespace
+
+Contest::Contest(const Duty& duty) : duty_(duty), model_(duty.model()), fast_(model_) {
+  padded_state_ = fast_.padded(Eigen::VectorXd::Zero(model_.layout.size()));
+  padded_rate_.resize(padded_state_.size());
+}
+
+Eigen::VectorXd Contest::allowed(double length) const {
+  return integration::bearing_allowed_errors(model_.layout, length, model_.geometry.pitch_radius,
+                                             roller_frequency(model_));
+}
+
+Eigen::VectorXd Contest::quasi_static_start() const {
+  return bearing::dynamics::initial_state(duty_.bearing, model_, duty_.parameters, kFirstRollerAngle).x;
+}
+
+Eigen::VectorXd Contest::settled(double duration) {
+  return run(Method::fast, quasi_static_start(), {duration}, duty_.allowed_length_error).state;
+}
+
+Run Contest::run(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {
+  switch (method) {
+    case Method::fast:
+      return run_fast(start, span, tolerance);
+    case Method::cvode:
+      return run_cvode(start, span, tolerance, kMostOrder);
+    case Method::cvode_order2:
+      return run_cvode(start, span, tolerance, 2);
+    case Method::fast_dopri5:
+    case Method::plain_dopri5:
+    case Method::rk4:
+      break;
+  }
+  return run_odeint(method, start, span, tolerance);
+}
+
+Run Contest::run_fast(const Eigen::VectorXd& start, const Span& span, double tolerance) {
+  LoadTally tally(duty_.bearing.rollers);
+  const auto on_step = [&](const integration::StepSample& step) {
+    tally.add(step.inner_load, step.outer_load, step.weight);
+  };
+  integration::IntegrationOptions options;
+  options.step = kFirstStep;
+  options.allowed_error = allowed(tolerance);
+  Run result{.state = start};
+  const Stopwatch watch;
+  const integration::IntegrationReport report =
+      integration::integrate_bearing(fast_, result.state, {0.0, span.duration, 1}, options, nullptr,
+                                     span.samples > 0 ? integration::StepObserver(on_step) : nullptr);
+  finish(watch, start, span, tally, result);
+  if (!report.completed) throw std::runtime_error(report.message);
+  result.steps = report.steps;
+  return result;
+}
+
+void Contest::finish(const Stopwatch& watch, const Eigen::VectorXd& start, const Span& span,
+                     const LoadTally& tally, Run& result) const {
+  result.cpu_seconds = watch.cpu();
+  result.wall_seconds = watch.wall();
+  const Eigen::Index angle = model_.layout.cage() + 2;
+  const double turned = result.state[angle] - start[angle];
+  if (span.samples > 0)
+    result.means = {tally.inner_rms(), tally.outer_rms(), tally.largest(), turned / span.duration};
+}
+
+void Contest::derivative(double time, const double* x, double* dx) {
+  scatter(fast_.layout(), x, padded_state_.data());
+  fast_.derivative(time, padded_state_.data(), padded_rate_.data());
+  fast_.flatten(padded_rate_.data(), Eigen::Map<Eigen::VectorXd>(dx, model_.layout.size()));
+}
+
+Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {
+  const bearing::dynamics::PlanetBearingEquations plain(model_);
+  const integration::RightHandSide rate = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                                              Eigen::Ref<Eigen::VectorXd> dx) {
+    if (method == Method::plain_dopri5)
+      plain.derivative(time, x, dx);
+    else
+      derivative(time, x.data(), dx.data());
+  };
+  integration::IntegrationOptions options;
+  options.method = method == Method::rk4 ? integration::Method::rk4 : integration::Method::dopri5;
+  options.step = method == Method::rk4 ? tolerance : kFirstStep;
+  options.allowed_error = allowed(tolerance);
+  LoadTally tally(duty_.bearing.rollers);
+  Eigen::VectorXd ignored(start.size());
+  const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+    derivative(time, x.data(), ignored.data());
+    tally.add(fast_.loads().inner, fast_.loads().outer, 1.0);
+  };
+  const long samples = std::max(1L, span.samples);
+  const integration::OutputTimes output{0.0, span.duration / static_cast<double>(samples), samples};
+  Run result{.state = start};
+  const Stopwatch watch;
+  const integration::IntegrationReport report = integration::integrate(
+      rate, result.state, output, options, span.samples > 0 ? integration::Observer(observe) : nullptr);
+  finish(watch, start, span, tally, result);
+  if (!report.completed) throw std::runtime_error(report.message);
+  result.steps = report.steps;
+  return result;
+}
+
+Run Contest::run_cvode(const Eigen::VectorXd& start, const Span& span, double tolerance, int most_order) {
+  LoadTally tally(duty_.bearing.rollers);
+  Eigen::VectorXd ignored(start.size());
+  const auto rate = [&](double time, const double* x, double* dx) { derivative(time, x, dx); };
+  const auto observe = [&](double time, const double* x) {
+    derivative(time, x, ignored.data());
+    tally.add(fast_.loads().inner, fast_.loads().outer, 1.0);
+  };
+  Run result{.state = start};
+  const Stopwatch watch;
+  const CvodeReport report =
+      bench::run_cvode(rate, result.state, span.duration, std::max(1L, span.samples), allowed(tolerance),
+                       most_order, span.samples > 0 ? FlatObserver(observe) : nullptr);
+  finish(watch, start, span, tally, result);
+  result.steps = report.steps;
+  return result;
+}
+
+}  // namespace orbearing::bench

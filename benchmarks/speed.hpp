@@ -1,0 +1,31 @@
+// Ratios of time between integrators, and of simulated to computing time.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "benchmarks/accuracy.hpp"
+
+namespace orbearing::bench {
+
+/// How many times faster the fast path is than `method` at its tolerance: median over pairs of runs taken in
+/// turn, CPU time of this thread.
+double speedup(Trial& trial, Method method, double tolerance);
+
+/// Simulated over computing time of one operating point.
+struct RealTime {
+  std::string name;  // "rpm/clearance in um"
+  double factor = 0.0;
+};
+
+/// The fast path, loads watched, over at least one cage revolution from the settled state; median of three.
+RealTime real_time(const study::PlanetaryDrivetrain& drivetrain, double rpm, double clearance);
+
+/// Wall time [s] of twelve speeds, 0.13 s simulated each from the quasi-static state, on two threads; median
+/// of five.
+double sweep_seconds(const study::PlanetaryDrivetrain& drivetrain, double clearance);
+
+double median(std::vector<double> values);
+
+}  // namespace orbearing::bench
