@@ -11,9 +11,9 @@
 namespace orbearing::bearing::dynamics {
 namespace {
 
-constexpr double kViscosity = 0.01;   // [Pa s]
-constexpr double kLength = 5.7e-3;    // [m]
-constexpr double kRadius = 2.62e-3;   // [m]
+constexpr double kViscosity = 0.01;  // [Pa s]
+constexpr double kLength = 5.7e-3;   // [m]
+constexpr double kRadius = 2.62e-3;  // [m]
 constexpr double kQuadrature =
     1e-7;  // relative: the integrals begin 1e-9 rad short of infinity, on spans of 0.01 rad and more
 constexpr double kRoundOff = 1e-12;
