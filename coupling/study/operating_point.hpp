@@ -35,6 +35,7 @@ struct DynamicRecord {
   bearing::dynamics::PowerLoss loss;   // [W]  by cause
   integration::BearingSeries series;   // of the last cage revolution
   integration::IntegrationReport run;  // what it took
+  Eigen::VectorXd final_state;         // where it ended; a neighbouring point may go on from here
 };
 
 /// What one operating point gives. Loads and lives are those of one bearing.
@@ -60,5 +61,10 @@ struct PointResult {
 /// motion could not be followed.
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity = Fidelity::quasi_static);
+
+/// The motion at one point from `start`, the final state of a neighbouring point, taken as it is. Throws as
+/// above, and std::invalid_argument where the state is not one of a bearing with that many rollers.
+PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const Eigen::VectorXd& start);
 
 }  // namespace orbearing::study
