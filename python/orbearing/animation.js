@@ -138,8 +138,13 @@ const drawSenses = (page) => {
   page.line(page.point(-0.98 * edge, 0), page.point(-1.08 * edge, 0), BLACK, 2);
   for (const y of [-0.02, 0.02]) page.line(page.point(-1.08 * edge, 0), page.point(-1.05 * edge, y * edge), BLACK, 2);
   page.text("sun", -1.12 * edge, 0);
-  page.text("x", 1.0 * edge, -0.28 * edge, GREY);
-  page.text("y", 0, 1.08 * edge, GREY);
+  for (const [x, y, name] of [[1, 0, "x"], [0, 1, "y"]]) { // the frame, in a corner
+    const foot = [0.85 * edge, 0.86 * edge], reach = 0.16 * edge, tip = [foot[0] + x * reach, foot[1] + y * reach];
+    page.line(page.point(...foot), page.point(...tip), GREY, 1.5);
+    for (const side of [-0.03, 0.03])
+      page.line(page.point(tip[0] - 0.05 * edge * x + side * edge * y, tip[1] - 0.05 * edge * y + side * edge * x), page.point(...tip), GREY, 1.5);
+    page.text(name, foot[0] + 1.35 * x * reach, foot[1] + 1.35 * y * reach, GREY);
+  }
 };
 
 // The cage's centre inside its clearance, at a scale of its own, in the empty bore.
@@ -160,7 +165,8 @@ const drawOrbit = (page, place) => {
   page.pen.arc(across, down, 4, 0, 2 * Math.PI);
   page.pen.fillStyle = VERMILION;
   page.pen.fill();
-  page.text(data.clearance ? `cage centre, circle ${fixed(data.clearance, 0)} \u00b5m` : "cage centre", -1.45 * room, 0);
+  page.text("cage centre", 1.7 * room, 0);
+  if (data.clearance) page.text(`circle: ${fixed(data.clearance, 0)} \u00b5m`, 1.25 * room, 0);
 };
 
 const drawTrace = (place) => {

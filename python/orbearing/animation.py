@@ -29,7 +29,8 @@ NOTES = (
     "Frame of the carrier: x points outward from the sun, y along carrier rotation; the carrier turns counter-clockwise. Everything is to "
     "scale except the shift of the cage, which is drawn {factor} times as large as it is, and the clearances, too small to be seen. Bars "
     "outside are loads on the outer race, bars inside those on the inner race; rollers are the darker the more they carry. The line in a "
-    "roller shows its rotation, the long mark on the outer ring that of the planet. Slip is measured against pure rolling."
+    "roller shows its rotation, the long marks on the outer ring and on the cage theirs; arrows show their sense. The small circle is the "
+    "clearance of the cage in its guidance, with the path of its centre. Slip is measured against pure rolling."
 )
 
 
@@ -102,6 +103,8 @@ def page(report: Report, speed_rpm: float, content: dict[str, Any]) -> str:
     rows = [("now-time", "time"), ("now-cage", "speed of the cage in the carrier frame"), ("now-slip", "slip of the cage"),
             ("now-load", "largest load of a roller"), ("now-carrying", "rollers that carry"), ("now-shift", "shift of the cage")]
     cells = "\n".join(f'<tr><th scope="row">{label}</th><td id="{key}"></td></tr>' for key, label in rows)
+    cells += ('\n<tr><th scope="row">speed of the planet in the carrier frame</th>'
+              f'<td>{format_number(content["outerSpeed"] / RAD_PER_S, 5)} rpm</td></tr>')
     if is_number(carrier):
         cells += f'\n<tr><th scope="row">speed of the carrier</th><td>{format_number(carrier * speed_rpm, 5)} rpm</td></tr>'
     paces = "".join(f'<option value="{value}"{" selected" if value == PACES[1] else ""}></option>' for value in PACES)

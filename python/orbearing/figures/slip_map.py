@@ -16,7 +16,7 @@ SLUG, TITLE = "slip-map", "Slip over speed and load"
 SLIPS = (("cage_slip", "cage"), ("roller_slip", "rollers"))
 MOST_LABELLED = 80  # cells of a map that show their number
 CAPTION = (
-    "Slip in per cent at each operating point of the sweep, over input speed and {axis}; thin lines are the load on one bearing's bore in "
+    "Slip in per cent at each operating point of the sweep, over input speed and {axis}; {loads} the load on one bearing's bore in "
     "newtons, the carrier's centrifugal field included. {limits} Published measurements and models of cylindrical roller bearings with a "
     "turning inner ring report slip that grows with speed and falls with load, up to 60 % of cage and rollers in the load zone and 80 % of "
     "rollers outside it under light loads [GuoKeller2020]. In a planet the load itself grows with the square of the speed and rollers are "
@@ -38,7 +38,7 @@ def block(report: Report) -> FigureBlock:
     load = _grid(points, chosen, speeds, values, "planet_load_N")
     pictures = tuple(_draw(speeds, values, maps[name], load, chosen, title, f"{SLUG}-{title}") for name, title in SLIPS
                      if np.isfinite(maps[name]).any())
-    caption = CAPTION.format(axis=_label(chosen), limits=_limits(report))
+    caption = CAPTION.format(axis=_label(chosen), loads="below it" if load.size <= MOST_LABELLED else "thin lines are", limits=_limits(report))
     return FigureBlock(SLUG, TITLE, caption, pictures, summary=_trend(maps, chosen), data=_data(points, chosen))
 
 
@@ -89,7 +89,7 @@ def _limits(report: Report) -> str:
         return text.strip()
     ends = sorted(100 * (1 - race / cage) for race in (inner, outer))
     return text + (f"A cage that turned with one race would slip by {format_number(ends[0], 3)} % or {format_number(ends[1], 3)} %: "
-                   "nothing lies beyond.")
+                   "traction of the races takes it no further.")
 
 
 def _draw(speeds: np.ndarray, values: np.ndarray, slip: np.ndarray, load: np.ndarray, column: str, title: str, slug: str) -> str:
@@ -97,13 +97,13 @@ def _draw(speeds: np.ndarray, values: np.ndarray, slip: np.ndarray, load: np.nda
     x, y = np.arange(len(speeds)), np.arange(len(values))
     colours, scale = _colours(slip)
     mesh = axes.pcolormesh(x, y, np.ma.masked_invalid(slip), shading="nearest", cmap=colours, norm=scale, edgecolors="white", linewidth=0.4)
-    if np.isfinite(load).all():
+    if slip.size <= MOST_LABELLED:
+        _number(axes, slip, load, colours, scale)
+    elif np.isfinite(load).all():
         lines = axes.contour(x, y, load, 5, colors=style.GREY, linewidths=0.8)
         axes.clabel(lines, fmt=lambda value: f"{value:,.0f}", fontsize=7)
     if np.isfinite(slip).all() and slip.min() < 0 < slip.max():
         axes.contour(x, y, slip, [0.0], colors=style.BLACK, linewidths=1.8)
-    if slip.size <= MOST_LABELLED:
-        _number(axes, slip, colours, scale)
     _ticks(axes.xaxis, x, speeds)
     _ticks(axes.yaxis, y, values)
     axes.grid(False)
@@ -131,12 +131,15 @@ def _colours(slip: np.ndarray):
     return (colormaps["Oranges"], Normalize(0, reach)) if high > 0 else (colormaps["Purples_r"], Normalize(-reach, 0))
 
 
-def _number(axes: Axes, slip: np.ndarray, colours, scale) -> None:
+def _number(axes: Axes, slip: np.ndarray, load: np.ndarray, colours, scale) -> None:
+    """Slip and, below it, the load in each cell."""
     for row, column in np.argwhere(np.isfinite(slip)):
         red, green, blue, _ = colours(scale(slip[row, column]))
         dark = 0.3 * red + 0.59 * green + 0.11 * blue < 0.5
-        axes.text(column, row, f"{slip[row, column]:.2g}".replace("-", "\u2212"), ha="center", va="center", fontsize=7,
-                  color="white" if dark else style.BLACK)
+        colour = "white" if dark else style.BLACK
+        axes.text(column, row + 0.08, f"{slip[row, column]:.2g}".replace("-", "\u2212"), ha="center", va="bottom", fontsize=8, color=colour)
+        if np.isfinite(load[row, column]):
+            axes.text(column, row - 0.08, f"{load[row, column]:,.0f}", ha="center", va="top", fontsize=6, color=colour)
 
 
 def _trend(maps: dict[str, np.ndarray], column: str) -> Table:
