@@ -27,16 +27,15 @@ def block(report: Report) -> FigureBlock:
     rolling = [report.record("kinematics").get(name) for name in ("roller_spin", "cage")]
     found = one_roller(point, "roller_spin")
     stored = point.get("time", "roller_spin", "cage_speed")
-    if found is None or stored is None or len(stored[2]) != len(stored[0]):
+    if found is None or stored is None or len(stored[2]) != len(stored[0]) or not np.isfinite(found[2]).any():
         return FigureBlock(SLUG, TITLE, missing=point.problem or "No spins over time were stored at the speed of the peak.")
     if not all(is_number(ratio) and ratio for ratio in rolling):
         return FigureBlock(SLUG, TITLE, missing="The speeds at pure rolling are not given.")
     spin, cage = (ratio * speed * RAD_PER_S for ratio in rolling)
     one = [found[0], slip(found[2], spin)]
-    known = np.isfinite(stored[1]).any(axis=0)
-    mean = np.full(len(stored[0]), np.nan)
-    mean[known] = np.nanmean(stored[1][:, known], axis=0)
-    every = [stored[0] - stored[0][0], slip(mean, spin), slip(stored[2], cage)]
+    known = np.isfinite(stored[0]) & np.isfinite(stored[1]).any(axis=0)
+    time, spins, cage_speed = (values[..., known] for values in stored)
+    every = [time - time[0], slip(np.nanmean(spins, axis=0), spin), slip(cage_speed, cage)]
     rows = zip(1e3 * every[0][::EVERY], np.interp(every[0], *one)[::EVERY], *(values[::EVERY] for values in every[1:]))
     table = Table(("time (ms)", "one roller (%)", "mean of the rollers (%)", "cage (%)"), list(rows))
     return FigureBlock(SLUG, TITLE, CAPTION, (_draw(speed, one, every, load_zone(point, found[1])),), data=table)
