@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Sequence
 
 from orbearing.blocks import MISSING, FigureBlock, Table, format_number, format_quantity, is_number
-from orbearing.result_folder import Report
+from orbearing.result_folder import Report, records
 from orbearing.summary import headline, summary_table
 
 STYLE_SHEET = Path(__file__).with_name("page.css")
@@ -146,6 +146,8 @@ def _text(value: Any) -> str:
 
 def _reproduce(report: Report) -> str:
     fidelity = f" --fidelity {report.fidelity}" if report.fidelity in ("quasi-static", "dynamic") else ""
+    first = next(iter(records(report.record("branches").get("runs"))), {}).get("name")
+    fidelity += f" --continue {first}" if first in ("up", "down") else ""
     commands = f"orbearing sweep case.resolved.yaml -o again{fidelity}\norbearing report again"
     text = "<p>In the folder of this page, which holds the case with every default resolved:</p>"
     return _section("How to reproduce", f"{text}\n<pre>{escape(commands)}</pre>")

@@ -231,6 +231,7 @@ class WholePage(unittest.TestCase):
         for slug in ("slip-map", "branches"):
             self.assertEqual(text.count(f'<section id="{slug}">'), 1)
         self.assertIn("with input.power_kW = 150", re.search("<h1>(.*?)</h1>", text).group(1))
+        self.assertIn("-o again --fidelity dynamic --continue up", text)
         self.assertEqual(outline(text).faults, [])
 
 
