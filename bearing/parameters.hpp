@@ -1,6 +1,8 @@
 // What the user states about a cylindrical roller bearing and what lies around it. SI units throughout.
 #pragma once
 
+#include <vector>
+
 namespace orbearing::bearing {
 
 /// Elastic and inertial properties of rings and rollers.
@@ -34,6 +36,21 @@ enum class ContactLaw {
   iso16281,  // 35948 l^(8/9) for both contacts in series [N, mm]
 };
 
+/// One wave of a race that is not round: its radius grows by amplitude cos(order * angle + phase).
+struct RaceHarmonic {
+  int order = 2;           // [-]    waves around the race: 2 for an oval
+  double amplitude = 0.0;  // [m]
+  double phase = 0.0;      // [rad]
+  bool turning = false;    // true: angle from a mark on the race (waviness made into it); false: from the
+                           // outward direction (a shape that loads hold while the race turns through it)
+};
+
+/// How a film takes part in the approach of roller and race.
+enum class FilmApproach {
+  added,       // elastic approach = geometric approach + film
+  as_printed,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see bearing/printed_film.hpp
+};
+
 /// Cylindrical roller bearing between a pin (inner race) and the bore of a planet (outer race).
 struct CylindricalRollerBearing {
   int rollers = 0;
@@ -47,6 +64,9 @@ struct CylindricalRollerBearing {
   Material material;
   ContactLaw contact_law = ContactLaw::palmgren;
   Cage cage;
+  std::vector<RaceHarmonic> inner_form;           // of the pin's race; none: round
+  std::vector<RaceHarmonic> outer_form;           // of the bore's race
+  std::vector<double> roller_diameter_deviation;  // [m]  (rollers)  from roller_diameter; missing ones: 0
 };
 
 /// Which inertial loads of the carrier frame act on the bodies in it.

@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "bearing/carrier_frame.hpp"
+#include "bearing/printed_film.hpp"
 #include "bearing/race_equilibrium.hpp"
+#include "bearing/race_form.hpp"
 
 namespace orbearing::bearing {
 
@@ -50,6 +52,25 @@ Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
   return point.bore_load + load_through_cage(bearing, geometry, point.carrier, inertia);
 }
 
+// What waves of the races and unequal rollers add to the approach of the races; empty where there are none.
+Eigen::ArrayXd extra_approach(const CylindricalRollerBearing& bearing, const Eigen::ArrayXd& angle) {
+  if (bearing.inner_form.empty() && bearing.outer_form.empty() && bearing.roller_diameter_deviation.empty())
+    return {};
+  Eigen::ArrayXd extra(angle.size());
+  for (Eigen::Index j = 0; j < angle.size(); ++j)
+    extra[j] = form_at(bearing.inner_form, angle[j], 0.0).height -
+               form_at(bearing.outer_form, angle[j], 0.0).height +
+               diameter_deviation(bearing, static_cast<std::size_t>(j));
+  return extra;
+}
+
+void require_equal_pitches(const CylindricalRollerBearing& bearing) {
+  if (every_pitch_alike(bearing)) return;
+  throw std::invalid_argument(
+      "bearing: found unequal rollers or waves that turn with a race; required by the means over one pitch: "
+      "equal rollers and standing forms. Compute the motion in time instead");
+}
+
 void keep_worst(const SolverReport& one, SolverReport& all) {
   all.iterations = std::max(all.iterations, one.iterations);
   all.residual = std::max(all.residual, one.residual);
@@ -74,11 +95,17 @@ QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, con
   const CarrierFrame frame = carrier_frame(point.carrier, options.inertia);
   const double cage_speed = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
 
-  RaceEquilibrium problem{
-      rolling_contacts(bearing, geometry, point.inner_speed, point.outer_speed, options.film)};
-  problem.clearance = bearing.radial_clearance;
+  const bool subtracted = options.film && options.film_approach == FilmApproach::as_printed;
+  const double film_clearance = subtracted ? printed_film(bearing, *options.film, point.inner_speed,
+                                                          point.outer_speed, point.bore_load.norm())
+                                                 .clearance()
+                                           : 0.0;
+  RaceEquilibrium problem{rolling_contacts(bearing, geometry, point.inner_speed, point.outer_speed,
+                                           subtracted ? std::nullopt : options.film)};
+  problem.clearance = bearing.radial_clearance + film_clearance;
   problem.load = total_bore_load(bearing, geometry, point, options.inertia);
   problem.angle = roller_angles(bearing.rollers, first_roller);
+  problem.extra_approach = extra_approach(bearing, problem.angle);
   problem.inertial_load = problem.angle.unaryExpr(
       [&](double angle) { return roller_inertial_load(geometry, frame, cage_speed, angle); });
   return solve(problem);
@@ -86,6 +113,7 @@ QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, con
 
 QuasiStaticResult quasi_static_bearing(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
                                        const QuasiStaticOptions& options) {
+  require_equal_pitches(bearing);
   const int positions = options.cage_positions;
   const int places = positions * bearing.rollers;
   QuasiStaticResult result;

@@ -26,6 +26,7 @@ struct QuasiStaticOptions {
   std::optional<Lubricant> film;  // lubricant whose film enters the approach; none: dry
   int cage_positions = 16;        // cage angles over one roller pitch that are averaged
   double first_roller = 0.0;      // [rad]  place of the first roller at the first cage angle
+  FilmApproach film_approach = FilmApproach::added;
 };
 
 /// Equilibria over one roller pitch of cage angles, gathered by place on the races. Arrays are over places,
@@ -45,11 +46,13 @@ Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
                                   const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
                                   const InertiaSwitches& inertia);
 
-/// Equilibrium with the first roller at `first_roller` [rad].
+/// Equilibrium with the first roller at `first_roller` [rad]. Races that are not round stand as at t = 0; the
+/// small tangential part of their contact forces, of the order amplitude * order / radius, is left out.
 QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
                                     const QuasiStaticOptions& options, double first_roller);
 
-/// Equilibria over one roller pitch. Throws std::invalid_argument where a load or speed is not finite.
+/// Equilibria over one roller pitch. Throws std::invalid_argument where a load or speed is not finite, and
+/// where rollers are unequal or waves turn with a race: then no pitch is like the next.
 QuasiStaticResult quasi_static_bearing(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
                                        const QuasiStaticOptions& options);
 

@@ -26,6 +26,12 @@ double force_scale(const RaceEquilibrium& problem) {
   return std::max(problem.load.norm(), problem.inertial_load.abs().maxCoeff());
 }
 
+// The largest length [m] by which the races stand apart or overlap where they are concentric.
+double largest_gap(const RaceEquilibrium& problem) {
+  const double extra = problem.extra_approach.size() == 0 ? 0.0 : problem.extra_approach.abs().maxCoeff();
+  return std::abs(problem.clearance) + 2.0 * extra;
+}
+
 // A first displacement that brings the rollers under the load into contact, of the size that one loaded
 // roller asks.
 Eigen::Vector2d first_guess(const RaceEquilibrium& problem) {
@@ -42,7 +48,7 @@ double contact_reach(const RaceEquilibrium& problem) {
   const double all = problem.load.norm() + problem.inertial_load.abs().sum();
   const LineContact& inner = problem.contacts.inner.elastic();
   const LineContact& outer = problem.contacts.outer.elastic();
-  return std::max(std::abs(problem.clearance), 1e-6) + inner.approach(all) + outer.approach(all);
+  return std::max(largest_gap(problem), 1e-6) + inner.approach(all) + outer.approach(all);
 }
 
 // The stiffness is lifted a little so that a ring that is free to roll off a single roller keeps a finite
@@ -69,7 +75,7 @@ double step_fraction(const RaceEquilibrium& problem, const Eigen::Vector2d& from
 
 // The smallest change of the displacement [m] that the approach can resolve.
 double round_off(const RaceEquilibrium& problem, const Eigen::Vector2d& displacement) {
-  return kRoundOff * (displacement.norm() + std::abs(problem.clearance));
+  return kRoundOff * (displacement.norm() + largest_gap(problem));
 }
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
@@ -95,7 +101,8 @@ void fill_loads(const RaceEquilibrium& problem, QuasiStaticState& state) {
 }  // namespace
 
 double RaceEquilibrium::approach(Eigen::Index j, const Eigen::Vector2d& displacement) const {
-  return -0.5 * clearance - displacement.dot(direction(angle[j]));
+  const double round = -0.5 * clearance - displacement.dot(direction(angle[j]));
+  return extra_approach.size() == 0 ? round : round + extra_approach[j];
 }
 
 Imbalance RaceEquilibrium::imbalance(const Eigen::Vector2d& displacement) const {

@@ -23,6 +23,7 @@ struct RaceEquilibrium {
   Eigen::Vector2d load = Eigen::Vector2d::Zero();  // [N]  on the outer ring
   Eigen::ArrayXd angle = {};                       // [rad]
   Eigen::ArrayXd inertial_load = {};               // [N]    of each roller, outward positive
+  Eigen::ArrayXd extra_approach = {};  // [m]    by unequal rollers and races that are not round; empty: none
 
   /// Approach of the races at roller `j` [m] when the outer ring is displaced by `displacement` [m].
   double approach(Eigen::Index j, const Eigen::Vector2d& displacement) const;

@@ -18,47 +18,47 @@ std::string found(double value, const std::string& required) {
   return "found " + decimal(value, 4) + "; " + required;
 }
 
-void check_count(int value, const char* place, Warnings& problems) {
+void check_count(int value, const std::string& place, Warnings& problems) {
   if (value > 0) return;
   problems.push_back(
       {place, "found " + std::to_string(value) + "; a whole number of at least 1 is required"});
 }
 
-void check_positive(double value, const char* place, Warnings& problems) {
+void check_positive(double value, const std::string& place, Warnings& problems) {
   if (value > 0.0 && std::isfinite(value)) return;
   problems.push_back({place, "a positive, finite value is required"});
 }
 
-void check_shift(double shift, const char* place, Warnings& problems) {
+void check_shift(double shift, const std::string& place, Warnings& problems) {
   if (std::abs(shift) <= largest_shift) return;
   problems.push_back({place, found(shift, "a profile shift between -2 and 2 modules is required")});
 }
 
-void check_fillet(const BasicRack& rack, Warnings& problems) {
+void check_fillet(const BasicRack& rack, const std::string& block, Warnings& problems) {
   const double tangent = std::tan(rack.pressure_angle);
   const double half_tip = std::numbers::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
   const double largest = half_tip / (1.0 / std::cos(rack.pressure_angle) - tangent);
   if (largest <= 0.0) {
-    problems.push_back({"gearset.addendum", found(rack.addendum,
-                                                  "the rack's teeth end in a point; a smaller "
-                                                  "addendum or pressure angle is required")});
+    problems.push_back({block + ".addendum", found(rack.addendum,
+                                                   "the rack's teeth end in a point; a smaller "
+                                                   "addendum or pressure angle is required")});
   } else if (!(rack.root_fillet_radius >= 0.0 && rack.root_fillet_radius <= largest)) {
-    problems.push_back({"gearset.root_fillet_radius",
+    problems.push_back({block + ".root_fillet_radius",
                         found(rack.root_fillet_radius,
                               "from 0 to " + decimal(largest, 4) + " module fits on the rack's tip")});
   }
 }
 
-void check_rack(const BasicRack& rack, Warnings& problems) {
+void check_rack(const BasicRack& rack, const std::string& block, Warnings& problems) {
   if (!(rack.pressure_angle > 0.0 && rack.pressure_angle < largest_pressure_angle)) {
-    problems.push_back({"gearset.pressure_angle", "an angle between 0 and 45 deg is required"});
+    problems.push_back({block + ".pressure_angle", "an angle between 0 and 45 deg is required"});
     return;
   }
-  check_positive(rack.addendum, "gearset.addendum", problems);
+  check_positive(rack.addendum, block + ".addendum", problems);
   if (!(rack.clearance >= 0.0 && std::isfinite(rack.clearance))) {
-    problems.push_back({"gearset.clearance", "a bottom clearance that is not negative is required"});
+    problems.push_back({block + ".clearance", "a bottom clearance that is not negative is required"});
   }
-  check_fillet(rack, problems);
+  check_fillet(rack, block, problems);
 }
 
 Warnings single_value_problems(const PlanetarySet& set) {
@@ -71,7 +71,7 @@ Warnings single_value_problems(const PlanetarySet& set) {
   check_positive(set.face_width, "gearset.face_width", problems);
   check_shift(set.sun_shift, "gearset.profile_shift.sun", problems);
   check_shift(set.ring_shift, "gearset.profile_shift.ring", problems);
-  check_rack(set.rack, problems);
+  check_rack(set.rack, "gearset", problems);
   return problems;
 }
 
@@ -133,6 +133,12 @@ void check_geometry(const PlanetarySet& set, Warnings& problems) {
 }
 
 }  // namespace
+
+Warnings rack_problems(const BasicRack& rack, const std::string& block) {
+  Warnings problems;
+  check_rack(rack, block, problems);
+  return problems;
+}
 
 Warnings assembly_problems(const PlanetarySet& set) {
   Warnings problems = single_value_problems(set);

@@ -1,6 +1,8 @@
 // Whether a set can be assembled, and whether its teeth are sound.
 #pragma once
 
+#include <string>
+
 #include "gearset/parameters.hpp"
 #include "gearset/warning.hpp"
 #include "gearset/working_geometry.hpp"
@@ -10,6 +12,10 @@ namespace orbearing::gearset {
 /// Reasons why the set cannot be built; empty if it can. Each names what was found, what is required and a
 /// remedy.
 Warnings assembly_problems(const PlanetarySet& set);
+
+/// Reasons why a basic rack can cut no teeth.
+/// @param block of the case that states the rack: "gearset"
+Warnings rack_problems(const BasicRack& rack, const std::string& block);
 
 /// Faults of a set that runs all the same: undercut, and ends of teeth that reach where there is no involute.
 Warnings tooth_warnings(const WorkingGeometry& geometry);

@@ -20,6 +20,13 @@ struct Torques {
   double carrier = 0.0;  // [N m]
 };
 
+/// Speeds and torques of a set's members within a drivetrain, for each unit of the speed and of the torque by
+/// which power enters that drivetrain: both are linear in them.
+struct MemberRatios {
+  Speeds speed;    // [-]  in the motor's sense, so that the carrier may turn backwards here
+  Torques torque;  // [-]
+};
+
 /// Speeds when `drive.member` turns at drive.speed and the fixed member stands. Eqs. (15) and (16) of
 /// gearset/README.md.
 /// @throws std::invalid_argument if the driven member is the fixed one, or its speed is not positive and

@@ -2,15 +2,15 @@
 
 #include <cassert>
 #include <cmath>
-
-#include "gearset/kinematics.hpp"
+#include <stdexcept>
 
 namespace orbearing::gearset {
 
-MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive) {
+namespace {
+
+MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, const Speeds& speeds,
+                   const Torques& torques) {
   assert(set.planets > 0);
-  const Speeds speeds = member_speeds(set, drive);
-  const Torques torques = member_torques(set, drive);
   const double sun_angle = geometry.sun_mesh.working_pressure_angle;
   const double ring_angle = geometry.ring_mesh.working_pressure_angle;
 
@@ -28,6 +28,29 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
   // Teeth only push: the sun outward and the ring inward, whichever flank carries.
   loads.radial_force = loads.normal_force * (std::sin(sun_angle) - std::sin(ring_angle));
   return loads;
+}
+
+void require_positive(double value, const char* message) {
+  if (!(value > 0.0) || !std::isfinite(value)) throw std::invalid_argument(message);
+}
+
+}  // namespace
+
+MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive) {
+  return loads_of(set, geometry, member_speeds(set, drive), member_torques(set, drive));
+}
+
+MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,
+                     const Drive& drive) {
+  require_positive(drive.speed, "the speed of the motor must be positive and finite");
+  require_positive(drive.power, "the power of the motor must be positive and finite");
+  const double sense = ratios.speed.carrier < 0.0 ? -1.0 : 1.0;
+  const double speed = sense * drive.speed;                 // [rad/s]
+  const double torque = sense * drive.power / drive.speed;  // [N m]
+  return loads_of(set, geometry,
+                  {speed * ratios.speed.sun, speed * ratios.speed.ring, speed * ratios.speed.carrier,
+                   speed * ratios.speed.planet_relative},
+                  {torque * ratios.torque.sun, torque * ratios.torque.ring, torque * ratios.torque.carrier});
 }
 
 double planet_tangential_load(double carrier_torque, int planets, double centre_distance) {

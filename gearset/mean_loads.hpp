@@ -1,6 +1,7 @@
 // Mean speeds, torques and tooth forces of one set under steady power.
 #pragma once
 
+#include "gearset/kinematics.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/working_geometry.hpp"
 
@@ -26,6 +27,13 @@ struct MeanLoads {
 /// Mean loads of the set. Eqs. (15) to (20) of gearset/README.md.
 /// @throws std::invalid_argument if power or speed is not positive, or the driven member is fixed
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive);
+
+/// Mean loads of a set whose members turn and are loaded as `ratios` of what `drive` puts into the
+/// drivetrain; drive.member has no meaning here. Where the carrier would turn backwards the set is seen from
+/// its other side, so that the frame of the planet still runs with it.
+/// @throws std::invalid_argument if power or speed is not positive
+MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,
+                     const Drive& drive);
 
 /// Tangential load that the carrier's torque puts on one planet: the mean load of its bearings together.
 /// @param carrier_torque  [N m]

@@ -30,11 +30,16 @@ RackFillet rack_fillet(double shift, double module, const BasicRack& rack) {
   return fillet;
 }
 
-double involute_half_angle(const ExternalTooth& tooth, double radius) {
+// Of the tooth of an external gear with these data, or of the space in a ring.
+template <typename Tooth>
+double rack_cut_base_half_angle(const Tooth& tooth) {
   const double at_pitch_circle =
       (pi / 2.0 + 2.0 * tooth.shift * std::tan(tooth.pressure_angle)) / tooth.teeth;
-  return at_pitch_circle + involute(tooth.pressure_angle) -
-         involute(pressure_angle_at(tooth.base_radius, radius));
+  return at_pitch_circle + involute(tooth.pressure_angle);
+}
+
+double involute_half_angle(const ExternalTooth& tooth, double radius) {
+  return base_half_angle(tooth) - involute(pressure_angle_at(tooth.base_radius, radius));
 }
 
 double trochoid_half_angle(const ExternalTooth& tooth, double radius) {
@@ -115,10 +120,16 @@ double half_thickness_angle(const ExternalTooth& tooth, double radius) {
 }
 
 double half_thickness_angle(const RingTooth& tooth, double radius) {
-  const double space_at_pitch_circle =
-      (pi / 2.0 + 2.0 * tooth.shift * std::tan(tooth.pressure_angle)) / tooth.teeth;
   const double working = pressure_angle_at(tooth.base_radius, std::max(radius, tooth.base_radius));
-  return pi / tooth.teeth - (space_at_pitch_circle + involute(tooth.pressure_angle) - involute(working));
+  return pi / tooth.teeth - (rack_cut_base_half_angle(tooth) - involute(working));
+}
+
+double base_half_angle(const ExternalTooth& tooth) {
+  return rack_cut_base_half_angle(tooth);
+}
+
+double base_half_angle(const RingTooth& tooth) {
+  return pi / tooth.teeth - rack_cut_base_half_angle(tooth);
 }
 
 double least_shift_without_undercut(const ExternalTooth& tooth) {
@@ -141,9 +152,12 @@ TrochoidPoint trochoid_point(const ExternalTooth& tooth, double normal_angle) {
   TrochoidPoint point;
   point.radius = std::hypot(x, y);
   point.half_angle = pi / tooth.teeth - from_space;
-  point.radius_slope =
-      (x * (fillet.centre_depth / (cosine * cosine) + fillet.radius * cosine) + y * fillet.radius * sine) /
-      point.radius;
+  const double roll_slope = fillet.centre_depth / (cosine * cosine);  // [m/rad]
+  const double x_slope = roll_slope + fillet.radius * cosine;         // [m/rad]
+  const double y_slope = fillet.radius * sine;                        // [m/rad]
+  point.radius_slope = (x * x_slope + y * y_slope) / point.radius;
+  point.half_angle_slope =
+      roll_slope / tooth.pitch_radius - (y * x_slope - x * y_slope) / (point.radius * point.radius);
   return point;
 }
 

@@ -67,6 +67,11 @@ double half_thickness_angle(const ExternalTooth& tooth, double radius);
 /// @return [rad]
 double half_thickness_angle(const RingTooth& tooth, double radius);
 
+/// Half the angle between the feet of both flanks on the base circle, the flanks prolonged to it if need be.
+/// @return [rad]
+double base_half_angle(const ExternalTooth& tooth);
+double base_half_angle(const RingTooth& tooth);
+
 /// The least profile shift at which the rack leaves the involute's foot whole. Eq. (10) of gearset/README.md.
 /// @return [module]
 double least_shift_without_undercut(const ExternalTooth& tooth);
@@ -78,9 +83,10 @@ double half_thickness(const ExternalTooth& tooth, double radius);
 
 /// Polar position of the trochoid in the frame of the tooth.
 struct TrochoidPoint {
-  double radius = 0.0;        // [m]
-  double half_angle = 0.0;    // [rad]    from the tooth's axis of symmetry
-  double radius_slope = 0.0;  // [m/rad]  d radius / d normal_angle
+  double radius = 0.0;            // [m]
+  double half_angle = 0.0;        // [rad]    from the tooth's axis of symmetry
+  double radius_slope = 0.0;      // [m/rad]  d radius / d normal_angle
+  double half_angle_slope = 0.0;  // [-]      d half_angle / d normal_angle
 };
 
 /// A point of the trochoidal root by the angle of its normal on the rack. Eqs. (8) and (9) of

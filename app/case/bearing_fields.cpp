@@ -18,15 +18,16 @@ void add_rollers(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.rollers",
                     .kind = Kind::integer,
                     .meaning = "number of rollers",
-                    .required_by = every_model,
+                    .required_by = with_rollers,
                     .range = {3, 500}});
-  fields.push_back(length("bearing.roller_diameter", "diameter of a roller", every_model));
-  fields.push_back(length("bearing.roller_length", "effective contact length of a roller", every_model));
-  fields.push_back(length("bearing.pitch_diameter", "diameter of the circle of roller centres", every_model));
+  fields.push_back(length("bearing.roller_diameter", "diameter of a roller", with_rollers));
+  fields.push_back(length("bearing.roller_length", "effective contact length of a roller", with_rollers));
+  fields.push_back(
+      length("bearing.pitch_diameter", "diameter of the circle of roller centres", with_rollers));
   fields.push_back({.path = "bearing.radial_clearance",
                     .kind = Kind::quantity,
                     .meaning = "internal clearance in diametral measure (ISO 5753); negative is interference",
-                    .required_by = every_model,
+                    .required_by = with_rollers,
                     .dimension = dimension::small_length,
                     .range = {-100.0, 2000.0}});
 }
@@ -67,7 +68,7 @@ void add_bearing_fields(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.type",
                     .kind = Kind::choice,
                     .meaning = "kind of bearing",
-                    .required_by = every_model,
+                    .required_by = with_rollers,
                     .choices = {"cylindrical-roller"}});
   fields.push_back({.path = "bearing.per_planet",
                     .kind = Kind::integer,

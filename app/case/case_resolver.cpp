@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/case/field_table.hpp"
+#include "app/case/key_hints.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/sweep_axes.hpp"
 
@@ -23,6 +24,7 @@ class Resolver {
 
   CaseData resolve() {
     find_model();
+    find_shape();
     read_block(root_, "");
     report_missing();
     fill_defaults();
@@ -45,6 +47,34 @@ class Resolver {
     if (model_ != no_model) allowed_ = model_;
   }
 
+  // A drivetrain with sets or shafts has several sets; the fields of one set beside them are a mistake.
+  void find_shape() {
+    if ((allowed_ & planetary_drivetrain) == 0) return;
+    const Member* sets = find_member(root_, "sets");
+    const Member* shafts = find_member(root_, "shafts");
+    data_.shape.several = sets != nullptr || shafts != nullptr;
+    if (!data_.shape.several) {
+      find_parts();
+      return;
+    }
+    for (const char* key : {"gearset", "bearing"})
+      if (const Member* own = find_member(root_, key); own != nullptr)
+        object(own->place.option ? own->place : (sets != nullptr ? sets : shafts)->place, key,
+               "the fields of one set beside 'sets' and 'shafts'",
+               "either gearset and bearing, or sets and shafts, are required");
+  }
+
+  // One set without a bearing, and perhaps without teeth.
+  void find_parts() {
+    const Member* gearset = find_member(root_, "gearset");
+    const auto states = [&](const char* key) {
+      return gearset != nullptr && gearset->value.shape == Entry::Shape::block &&
+             find_member(gearset->value, key) != nullptr;
+    };
+    data_.shape.bearing = find_member(root_, "bearing") != nullptr;
+    data_.shape.teeth = data_.shape.bearing || !states("dynamics") || states("teeth");
+  }
+
   void read_block(const Entry& block, const std::string& prefix) {
     std::map<std::string, int> first_line;
     for (const Member& member : block.members) {
@@ -57,22 +87,47 @@ class Resolver {
                "each key once is required");
       else if (prefix.empty() && (member.key == "sweep" || member.key == "assumed"))
         require_block(member, path, "field paths");
+      else if (data_.shape.several && prefix.empty() && (member.key == "sets" || member.key == "shafts"))
+        read_named(member);
       else
         read_member(member, path, prefix);
     }
   }
 
+  // The blocks `sets` and `shafts`, whose keys are names of the user's.
+  void read_named(const Member& block) {
+    const bool sets = block.key == "sets";
+    block_places_[block.key] = block.place;
+    if (!require_block(block, block.key, sets ? "names of sets" : "names of shafts")) return;
+    std::vector<std::string>& names = sets ? data_.shape.sets : data_.shape.shafts;
+    for (const Member& member : block.value.members) {
+      const std::string path = block.key + "." + member.key;
+      if (!is_name(member.key)) {
+        object(member.place, path, "the name " + quote(member.key), name_rule);
+      } else if (std::find(names.begin(), names.end(), member.key) != names.end()) {
+        object(member.place, path, "duplicate key", "each key once is required");
+      } else {
+        names.push_back(member.key);
+        read_member(member, path, block.key + ".");
+      }
+    }
+    if (names.size() > (sets ? most_sets : 3 * most_sets))
+      object(block.place, block.key, fmt::format("{} {}", names.size(), block.key),
+             fmt::format("at most {} are required", sets ? most_sets : 3 * most_sets));
+  }
+
   void read_member(const Member& member, const std::string& path, const std::string& prefix) {
     const Field* field = find_field(path);
     const bool dotted = member.key.find('.') != std::string::npos;
+    const std::vector<std::string> keys = keys_under(path + ".", data_.shape);
     if (field != nullptr && !dotted) {
-      read_value(member, *field);
-    } else if (!dotted && !children(path + ".").empty()) {
+      read_value(member, path, *field);
+    } else if (!dotted && !keys.empty()) {
       block_places_[path] = member.place;
-      if (require_block(member, path, fmt::format("{}", fmt::join(children(path + "."), ", "))))
+      if (require_block(member, path, fmt::format("{}", fmt::join(keys, ", "))))
         read_block(member.value, path + ".");
-    } else {
-      object(member.place, path, "unknown key", key_hint(member.key, prefix));
+    } else if (!is_faulty(path)) {
+      object(member.place, path, "unknown key", key_hint(member.key, prefix, data_.shape));
     }
   }
 
@@ -83,19 +138,38 @@ class Resolver {
     return false;
   }
 
-  void read_value(const Member& member, const Field& field) {
+  void read_value(const Member& member, const std::string& path, const Field& field) {
     if ((field.models & allowed_) == 0) {
-      object(member.place, field.path, fmt::format("a field that {} does not use", model_name(model_)),
+      object(member.place, path, fmt::format("a field that {} does not use", model_name(model_)),
              "a case without it is required");
+      return;
+    }
+    if (!belongs(data_.shape, path)) {
+      if (!is_faulty(path))
+        object(member.place, path, unused_because(), use_instead());
       return;
     }
     if (refuse_planned_model(member, field)) return;
     FieldReading reading = read_field(field, member.value);
     if (!reading.good) {
-      object(member.value.place, field.path, reading.complaint.found, reading.complaint.required);
+      object(member.value.place, path, reading.complaint.found, reading.complaint.required);
       return;
     }
-    data_.values[field.path] = {std::move(reading.value), member.value.place, false};
+    StoredValue& stored = data_.values[path];
+    stored = {std::move(reading.value), member.value.place, false};
+    for (const Entry& item : member.value.items) stored.item_places.push_back(item.place);
+  }
+
+  std::string unused_because() const {
+    if (data_.shape.several) return "a field that a case of several sets does not use";
+    return data_.shape.teeth ? "a field that a set without a bearing does not use"
+                             : "a field that a set without teeth does not use";
+  }
+
+  std::string use_instead() const {
+    if (data_.shape.several) return "the shafts, which say where motor and ground are, are required instead";
+    return data_.shape.teeth ? "a case without it, or with a bearing, is required"
+                             : "a case without it, or with gearset.teeth, is required";
   }
 
   bool refuse_planned_model(const Member& member, const Field& field) {
@@ -106,30 +180,6 @@ class Resolver {
     object(member.value.place, "model", quote(member.value.text) + " is not in this version",
            requirement(field) + " is required");
     return true;
-  }
-
-  // Names that may follow a prefix ("gearset.teeth."), in table order.
-  std::vector<std::string> children(const std::string& prefix) const {
-    std::vector<std::string> names;
-    for (const Field& field : all_fields()) {
-      if (!field.path.starts_with(prefix)) continue;
-      const std::string rest = field.path.substr(prefix.size());
-      std::string name = rest.substr(0, rest.find('.'));
-      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
-    }
-    if (prefix.empty()) names.insert(names.end(), {"sweep", "assumed"});
-    return names;
-  }
-
-  std::string key_hint(const std::string& key, const std::string& prefix) const {
-    // The right name in the wrong block is likelier than a slip of the keyboard.
-    for (const Field& field : all_fields())
-      if (field.path == key || field.path.ends_with("." + key))
-        return fmt::format("a known key is required; '{}' nested by its blocks is one", field.path);
-    const std::vector<std::string> siblings = children(prefix);
-    const std::string near = nearest_word(key, siblings);
-    if (!near.empty()) return fmt::format("a known key is required; did you mean '{}{}'?", prefix, near);
-    return fmt::format("one of {} is required", fmt::join(siblings, ", "));
   }
 
   bool is_faulty(std::string path) const {
@@ -149,21 +199,47 @@ class Resolver {
     return {};
   }
 
+  // Of several sets, one may go without bearings: it carries power and has no life.
+  bool is_needed(const Input& input) const {
+    if (model_ == no_model) return input.path.find('.') == std::string::npos;
+    const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
+    return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input);
+  }
+
+  bool is_of_missing_bearing(const Input& input) const {
+    const std::size_t prefix = set_prefix_length(input.path);
+    return prefix > 0 && input.field->path.starts_with("bearing.") &&
+           !block_places_.contains(input.path.substr(0, prefix) + "bearing");
+  }
+
   void report_missing() {
-    for (const Field& field : all_fields()) {
-      const bool needed =
-          model_ == no_model ? field.path.find('.') == std::string::npos : (field.required_by & model_) != 0;
-      if (needed && !data_.values.contains(field.path) && !is_faulty(field.path))
-        object(nearest_block(field.path), field.path, "missing", requirement(field) + " is required");
-    }
+    for (const Input& input : inputs_of(every_model, data_.shape))
+      if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path))
+        object(nearest_block(input.path), input.path, "missing", requirement(*input.field) + " is required");
+    if (!data_.shape.several) return;
+    for (const char* key : {"sets", "shafts"})
+      if (is_nothing(key) && !is_faulty(key))
+        object(nearest_block(std::string(key) + "."), key, "missing",
+               "sets: {NAME: {gearset: ..., bearing: ...}} and shafts: {NAME: [motor, SET.sun], ...} are "
+               "required");
+  }
+
+  bool is_nothing(const std::string& key) const {
+    return (key == "sets" ? data_.shape.sets : data_.shape.shafts).empty();
+  }
+
+  bool has_bearing(const std::string& path) const {
+    const std::size_t prefix = set_prefix_length(path);
+    return prefix == 0 ? data_.shape.bearing : block_places_.contains(path.substr(0, prefix) + "bearing");
   }
 
   void fill_defaults() {
-    for (const Field* field : fields_of(model_)) {
-      if (field->default_text.empty() || data_.values.contains(field->path) || is_faulty(field->path))
+    for (const auto& [path, field] : inputs_of(model_, data_.shape)) {
+      if (field->default_text.empty() || data_.values.contains(path) || is_faulty(path) ||
+          is_of_missing_bearing({path, field}) || (field->default_without_bearing && has_bearing(path)))
         continue;
-      data_.values[field->path] = {read_field_text(*field, field->default_text).value, {}, true};
-      data_.assumed[field->path] = "default: " + field->default_reason;
+      data_.values[path] = {read_field_text(*field, field->default_text).value, {}, true};
+      data_.assumed[path] = "default: " + field->default_reason;
     }
   }
 
@@ -215,8 +291,8 @@ class Resolver {
   void read_sweep() {
     const Member* sweep = find_member(root_, "sweep");
     if (sweep != nullptr && sweep->value.shape == Entry::Shape::block)
-      data_.axes =
-          std::make_shared<const std::vector<SweepAxis>>(read_axes(sweep->value, allowed_, mistakes_));
+      data_.axes = std::make_shared<const std::vector<SweepAxis>>(
+          read_axes(sweep->value, allowed_, data_.shape, mistakes_));
   }
 
   const Entry& root_;

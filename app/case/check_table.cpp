@@ -30,10 +30,10 @@ std::string reason(const ResolvedCase& resolved, const std::string& path) {
   return resolved.origin(path) == "--set" ? "set by an option" : "";
 }
 
-Row input_row(const ResolvedCase& resolved, const Field& field) {
-  Row row{field.path, resolved.given(field.path), "", standing(resolved, field.path),
-          reason(resolved, field.path)};
-  if (field.kind == Kind::quantity) {
+Row input_row(const ResolvedCase& resolved, const Input& input) {
+  const auto& [path, field] = input;
+  Row row{path, resolved.given(path), "", standing(resolved, path), reason(resolved, path)};
+  if (field->kind == Kind::quantity) {
     row.unit = split_quantity(row.value).value->unit;
     row.value.resize(row.value.rfind(row.unit));
     row.value.erase(row.value.find_last_not_of(' ') + 1);
@@ -43,8 +43,8 @@ Row input_row(const ResolvedCase& resolved, const Field& field) {
 
 std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
   std::vector<Row> rows{{"quantity", "value", "unit", "standing", "reason or meaning"}};
-  for (const Field* field : fields_of(resolved.model()))
-    if (resolved.has(field->path)) rows.push_back(input_row(resolved, *field));
+  for (const Input& input : resolved.inputs())
+    if (resolved.has(input.path)) rows.push_back(input_row(resolved, input));
   for (const SweepAxis& axis : resolved.axes())
     rows.push_back(
         {"sweep." + axis.path, fmt::format("{} values", axis.values.size()), "", "given", axis.written});
@@ -61,47 +61,51 @@ std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
   return text + "\n";
 }
 
-nlohmann::json value_json(const ResolvedCase& resolved, const Field& field) {
-  switch (field.kind) {
+nlohmann::json value_json(const ResolvedCase& resolved, const Input& input) {
+  const auto& [path, field] = input;
+  switch (field->kind) {
     case Kind::quantity:
-      return resolved.quantity(field.path);
+      return resolved.quantity(path);
     case Kind::number:
-      return resolved.number(field.path);
+      return resolved.number(path);
     case Kind::integer:
-      return resolved.integer(field.path);
+      return resolved.integer(path);
     case Kind::flag:
-      return resolved.flag(field.path);
+      return resolved.flag(path);
     case Kind::list:
-      return resolved.list(field.path);
+      if (field->element == Kind::text) return resolved.texts(path);
+      return resolved.list(path);
     case Kind::choice:
     case Kind::text:
       break;
   }
-  return resolved.given(field.path);
+  return resolved.given(path);
 }
 
-nlohmann::json input_json(const ResolvedCase& resolved, const Field& field) {
-  return {{"path", field.path},
-          {"value", value_json(resolved, field)},
-          {"unit", field.dimension.si.empty() ? "1" : std::string(field.dimension.si)},
-          {"given", resolved.given(field.path)},
-          {"standing", standing(resolved, field.path)},
-          {"reason", reason(resolved, field.path)},
-          {"origin", resolved.origin(field.path)}};
+nlohmann::json input_json(const ResolvedCase& resolved, const Input& input) {
+  const auto& [path, field] = input;
+  return {{"path", path},
+          {"value", value_json(resolved, input)},
+          {"unit", field->dimension.si.empty() ? "1" : std::string(field->dimension.si)},
+          {"given", resolved.given(path)},
+          {"standing", standing(resolved, path)},
+          {"reason", reason(resolved, path)},
+          {"origin", resolved.origin(path)}};
 }
 
 }  // namespace
 
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
-  constexpr std::size_t widest =
-      36;  // a name or source longer than this must not push the other columns away
+  // What is longer than this, such as a name or source, must not push the other columns away. Paths within a
+  // set are long and come in numbers.
+  constexpr std::array<std::size_t, 4> widest{52, 36, 36, 36};
   const std::vector<Row> rows = all_rows(resolved, derived);
   std::array<std::size_t, 4> widths{};
   for (const Row& row : rows) {
     const std::array<std::size_t, 4> lengths{row.path.size(), row.value.size(), row.unit.size(),
                                              row.standing.size()};
     for (std::size_t i = 0; i < widths.size(); ++i)
-      widths[i] = std::max(widths[i], std::min(lengths[i], widest));
+      widths[i] = std::max(widths[i], std::min(lengths[i], widest[i]));
   }
   std::string text;
   for (const Row& row : rows) text += line(row, widths);
@@ -110,8 +114,8 @@ std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>
 
 nlohmann::json check_json(const ResolvedCase& resolved, const std::vector<Derived>& derived) {
   nlohmann::json inputs = nlohmann::json::array();
-  for (const Field* field : fields_of(resolved.model()))
-    if (resolved.has(field->path)) inputs.push_back(input_json(resolved, *field));
+  for (const Input& input : resolved.inputs())
+    if (resolved.has(input.path)) inputs.push_back(input_json(resolved, input));
   nlohmann::json quantities = nlohmann::json::array();
   for (const Derived& quantity : derived)
     quantities.push_back({{"path", quantity.path},

@@ -6,7 +6,10 @@
 #include <numbers>
 #include <optional>
 
+#include "app/case/arrangement_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/refinement_consistency.hpp"
+#include "app/case/pair_case.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
@@ -63,6 +66,28 @@ void check_members(Checker& check) {
                "a member that turns is required");
 }
 
+// The checks of the gears give "what was found; what is required" and a key.
+void object_all(Checker& check, const gearset::Warnings& problems, const std::string& otherwise) {
+  for (const gearset::Warning& problem : problems) {
+    const auto split = problem.text.find("; ");
+    const bool whole = split == std::string::npos;
+    check.object(problem.place, problem.text.substr(0, split),
+                 whole ? otherwise : problem.text.substr(split + 2));
+  }
+}
+
+// One of several sets may go without.
+bool has_bearing(const ResolvedCase& resolved) {
+  for (const Field& field : all_fields())
+    if (field.path.starts_with("bearing.") && resolved.has(field.path)) return true;
+  return false;
+}
+
+double bore_without_bearing(const Checker& check, const ResolvedCase& resolved) {
+  return resolved.number("gearset.planet_bore_ratio") * check.length("gearset.module") *
+         (check.count("gearset.teeth.planet") - 2.5);
+}
+
 gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved) {
   return {.sun_teeth = check.count("gearset.teeth.sun"),
           .planet_teeth = check.count("gearset.teeth.planet"),
@@ -76,22 +101,54 @@ gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved)
           .sun_shift = resolved.number("gearset.profile_shift.sun"),
           .ring_shift = resolved.number("gearset.profile_shift.ring"),
           .face_width = check.length("gearset.face_width"),
-          .planet_bore = check.length("bearing.outside_diameter")};
+          .planet_bore = has_bearing(resolved) ? check.length("bearing.outside_diameter")
+                                               : bore_without_bearing(check, resolved)};
 }
 
-// The gear set's own checks give "what was found; what is required" and a key.
 void check_gears(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
                   "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
                   "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
-                  "gearset.face_width", "bearing.outside_diameter"}))
+                  "gearset.face_width"}) ||
+      (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
-  for (const gearset::Warning& problem : gearset::assembly_problems(set_of(check, resolved))) {
-    const auto split = problem.text.find("; ");
-    const bool whole = split == std::string::npos;
-    check.object(problem.place, problem.text.substr(0, split),
-                 whole ? "a set that can be assembled is required" : problem.text.substr(split + 2));
+  object_all(check, gearset::assembly_problems(set_of(check, resolved)),
+             "a set that can be assembled is required");
+}
+
+bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) {
+  const std::size_t count = resolved.list(path).size();
+  if (count == 2) return true;
+  check.object(path, fmt::format("a list of {}", count),
+               "two values, of the driving and the driven gear, are required");
+  return false;
+}
+
+void check_pair(Checker& check, const ResolvedCase& resolved) {
+  if (!check.has({"pair.teeth", "pair.profile_shift", "pair.module", "pair.face_width", "pair.bore",
+                  "pair.pressure_angle", "pair.addendum", "pair.clearance", "pair.root_fillet_radius"}))
+    return;
+  const bool teeth = two_values(check, resolved, "pair.teeth");
+  const bool shifts = two_values(check, resolved, "pair.profile_shift");
+  if (teeth && shifts)
+    object_all(check, gearset::pair_problems(pair_of(resolved)), "a pair that meshes is required");
+}
+
+// Errors are listed pin by pin, and over a mesh period at more than one place.
+void check_error_lists(Checker& check, const ResolvedCase& resolved) {
+  for (const char* path : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
+    if (!check.has({path, "gearset.planets"})) continue;
+    const std::size_t count = resolved.list(path).size();
+    const auto planets = static_cast<std::size_t>(check.count("gearset.planets"));
+    if (count != planets)
+      check.object(path, fmt::format("a list of {}", count),
+                   fmt::format("one value for each of the {} planets is required", planets));
   }
+  for (const char* path :
+       {"gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"})
+    if (check.has({path}) && resolved.list(path).size() < 3)
+      check.object(path, fmt::format("a list of {}", resolved.list(path).size()),
+                   "at least three values, at equal steps of a mesh period, are required");
 }
 
 void check_roller_circle(Checker& check) {
@@ -189,16 +246,12 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
                  "diameters, width and density, or no cage, are required");
 }
 
-}  // namespace
-
-bool takes_part_in_consistency(std::string_view path) {
-  return path.starts_with("gearset.") || path.starts_with("bearing.") || path == "input.member";
-}
-
-void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   Checker check(resolved, mistakes);
   check_members(check);
   check_gears(check, resolved);
+  check_pair(check, resolved);
+  check_error_lists(check, resolved);
   check_roller_circle(check);
   if (const std::optional<Races> races = races_of(check)) {
     check_rings(check, *races);
@@ -206,7 +259,35 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
   }
   check_guide_land(check);
   check_widths(check);
+  check_refinements(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
+}
+
+// Each set as a case of its own, what is said of it under its name; then what joins them.
+void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  for (const std::string& set : resolved.shape().sets) {
+    std::vector<Mistake> of_set;
+    check_one_set(resolved.of_set(set), of_set);
+    for (Mistake& mistake : of_set) {
+      mistake.path = set_prefix(set) + mistake.path;
+      mistakes.push_back(std::move(mistake));
+    }
+  }
+  check_arrangement(resolved, mistakes);
+}
+
+}  // namespace
+
+bool takes_part_in_consistency(std::string_view path) {
+  return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("sets.") ||
+         path.starts_with("shafts.") || path.starts_with("pair.") || path == "input.member";
+}
+
+void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  if (resolved.shape().several)
+    check_several_sets(resolved, mistakes);
+  else
+    check_one_set(resolved, mistakes);
 }
 
 }  // namespace orbearing::app

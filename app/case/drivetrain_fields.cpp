@@ -97,6 +97,18 @@ void add_rack(std::vector<Field>& fields) {
                          {0.0, 0.6}, "0.38", rack));
 }
 
+void add_bodies(std::vector<Field>& fields) {
+  fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter",
+                         {0.02, 0.98}, "0.5", "a sun on a shaft; mesh stiffness and mass of the sun feel it"));
+  fields.push_back(ratio("gearset.ring_outside_ratio",
+                         "outside diameter of the ring, where it is held, as a multiple of its root diameter",
+                         {1.005, 20.0}, "1.15",
+                         "a rim of some five modules; mesh stiffness and mass of the ring feel it"));
+  fields.push_back(ratio("gearset.planet_bore_ratio",
+                         "bore of a planet that has no given bearing, as a share of module x (teeth - 2.5)",
+                         {0.02, 0.98}, "0.7", "room for roller bearings under a rim of a few modules"));
+}
+
 }  // namespace
 
 void add_drivetrain_fields(std::vector<Field>& fields) {
@@ -114,6 +126,7 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   fields.push_back(count("gearset.teeth.ring", "teeth of the ring", 15, 4000));
   fields.push_back(length("gearset.module", "normal module", 100.0));
   add_rack(fields);
+  add_bodies(fields);
 }
 
 }  // namespace orbearing::app::table

@@ -144,6 +144,15 @@ void add_surroundings(std::vector<Field>& fields) {
 }
 
 void add_run(std::vector<Field>& fields) {
+  fields.push_back({.path = "simulation.integrator",
+                    .kind = Kind::choice,
+                    .meaning =
+                        "how the roller dynamics is integrated: linearly implicit steps on the vectorised "
+                        "equations, or the readable equations by explicit steps of order 5",
+                    .models = drivetrain,
+                    .choices = {"linearly-implicit", "dopri5"},
+                    .default_text = "linearly-implicit",
+                    .default_reason = "the same means in a fraction of the time"});
   fields.push_back(integer({"simulation.observed_revolutions",
                             "cage revolutions that are averaged once steady",
                             {1, 100000},

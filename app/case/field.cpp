@@ -123,7 +123,10 @@ FieldReading read_list(const Field& field, const Entry& entry) {
     FieldReading reading = read_field(element, item);
     if (!reading.good) return reading;
     texts.push_back(reading.value.given);
-    value.list.push_back(reading.value.number);
+    if (element.kind == Kind::text)
+      value.texts.push_back(reading.value.given);
+    else
+      value.list.push_back(reading.value.number);
   }
   value.given = fmt::format("[{}]", fmt::join(texts, ", "));
   return good(std::move(value));

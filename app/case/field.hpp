@@ -14,8 +14,12 @@ namespace orbearing::app {
 enum class Kind { quantity, integer, number, flag, choice, text, list };
 
 /// Models of this version, as bits, so that a field can name several.
-enum Model : unsigned { no_model = 0, planetary_drivetrain = 1, roller_bearing = 2 };
-inline constexpr unsigned every_model = planetary_drivetrain | roller_bearing;
+enum Model : unsigned { no_model = 0, planetary_drivetrain = 1, roller_bearing = 2, gear_pair = 4 };
+inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
+inline constexpr unsigned every_model = with_rollers | gear_pair;
+
+/// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
+inline constexpr unsigned toothless_set = 1u << 16;
 
 /// Interval of allowed values, in the customary unit of the field.
 struct Range {
@@ -29,7 +33,7 @@ struct Field {
   std::string path{};  // "bearing.radial_clearance"
   Kind kind = Kind::text;
   std::string meaning{};               // one sentence, shown by the schema
-  unsigned models = every_model;       // models that know the field
+  unsigned models = with_rollers;      // models that know the field
   unsigned required_by = no_model;     // models that cannot do without it
   Dimension dimension{};               // quantity, and list of quantities
   Range range{};                       // quantity, number, integer and the elements of a list
@@ -37,13 +41,15 @@ struct Field {
   std::string default_text{};          // as it would be written in a case; empty: none
   std::string default_reason{};        // why this value may stand in for one that is not given
   Kind element = Kind::number;         // list: kind of its elements
+  bool default_without_bearing = false;  // the default stands in only where a set has no bearing
 };
 
 /// A checked value of a field.
 struct FieldValue {
-  std::string given;         // as written, in the form that the resolved case repeats
-  double number = 0.0;       // [SI] quantity; plain for number and integer; 1 or 0 for flag
-  std::vector<double> list;  // [SI] list
+  std::string given;                 // as written, in the form that the resolved case repeats
+  double number = 0.0;               // [SI] quantity; plain for number and integer; 1 or 0 for flag
+  std::vector<double> list;          // [SI] list
+  std::vector<std::string> texts{};  // list of texts
 
   bool operator==(const FieldValue&) const = default;
 };

@@ -4,6 +4,8 @@
 #include <map>
 #include <numeric>
 
+#include "app/case/case_shape.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -33,9 +35,12 @@ std::vector<Field> build_table() {
   std::vector<Field> fields;
   table::add_case_fields(fields);
   table::add_drivetrain_fields(fields);
+  table::add_gear_dynamics_fields(fields);
   table::add_bearing_fields(fields);
   table::add_condition_fields(fields);
   table::add_dynamics_fields(fields);
+  table::add_refinement_fields(fields);
+  table::add_pair_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -63,6 +68,11 @@ const std::vector<Field>& all_fields() {
 }
 
 const Field* find_field(std::string_view path) {
+  if (path.starts_with("shafts.")) return is_name(path.substr(7)) ? &shaft_field() : nullptr;
+  if (const std::size_t prefix = set_prefix_length(path); prefix > 0) {
+    const Field* field = find_field(path.substr(prefix));
+    return field != nullptr && in_each_set(*field) ? field : nullptr;
+  }
   const std::vector<Field>& fields = all_fields();
   const auto found =
       std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.path == path; });
@@ -82,6 +92,8 @@ std::string_view model_name(Model model) {
       return "planetary-drivetrain";
     case roller_bearing:
       return "roller-bearing";
+    case gear_pair:
+      return "gear-pair";
     case no_model:
       break;
   }
@@ -89,7 +101,7 @@ std::string_view model_name(Model model) {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{planetary_drivetrain, roller_bearing};
+  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, gear_pair};
   return all;
 }
 
@@ -100,8 +112,7 @@ Model model_of(std::string_view name) {
 }
 
 const std::vector<std::string>& planned_models() {
-  static const std::vector<std::string> names{"gear-pair", "ball-bearing", "duplex-pair", "raceway-defect",
-                                              "spin-film"};
+  static const std::vector<std::string> names{"ball-bearing", "duplex-pair", "raceway-defect", "spin-film"};
   return names;
 }
 
@@ -123,15 +134,20 @@ namespace table {
 void add_case_fields(std::vector<Field>& fields) {
   std::vector<std::string> names;
   for (const Model model : models()) names.emplace_back(model_name(model));
-  fields.push_back(
-      {.path = "name", .kind = Kind::text, .meaning = "name of the case", .required_by = every_model});
+  fields.push_back({.path = "name",
+                    .kind = Kind::text,
+                    .meaning = "name of the case",
+                    .models = every_model,
+                    .required_by = every_model});
   fields.push_back({.path = "source",
                     .kind = Kind::text,
                     .meaning = "where the data come from",
+                    .models = every_model,
                     .required_by = every_model});
   fields.push_back({.path = "model",
                     .kind = Kind::choice,
                     .meaning = "what is computed",
+                    .models = every_model,
                     .required_by = every_model,
                     .choices = names});
 }

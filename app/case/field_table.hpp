@@ -12,7 +12,7 @@ namespace orbearing::app {
 /// All fields, in the order in which cases are written.
 const std::vector<Field>& all_fields();
 
-/// The field of that path, or null.
+/// The field of that path, or null. Of "sets.NAME.gearset.module" it is "gearset.module", which knows no set.
 const Field* find_field(std::string_view path);
 
 /// Fields that a model knows, in table order.
@@ -36,6 +36,9 @@ void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
 void add_condition_fields(std::vector<Field>& fields);
 void add_dynamics_fields(std::vector<Field>& fields);
+void add_refinement_fields(std::vector<Field>& fields);
+void add_gear_dynamics_fields(std::vector<Field>& fields);
+void add_pair_fields(std::vector<Field>& fields);
 }  // namespace table
 
 }  // namespace orbearing::app

@@ -17,7 +17,7 @@ void replace(CaseData& data, unsigned model, const Setting& setting, Place place
              std::vector<Mistake>& mistakes) {
   const auto& [path, text] = setting;
   const Field* field = find_field(path);
-  if (field == nullptr || (field->models & model) == 0 || path == "model") {
+  if (field == nullptr || (field->models & model) == 0 || path == "model" || !belongs(data.shape, path)) {
     mistakes.push_back(
         {place, path, {"a path that cannot be set here", "the path of a value of this case is required"}});
     return;
@@ -67,6 +67,10 @@ const std::vector<double>& ResolvedCase::list(std::string_view path) const {
   return stored(path, Kind::list).value.list;
 }
 
+const std::vector<std::string>& ResolvedCase::texts(std::string_view path) const {
+  return stored(path, Kind::list).value.texts;
+}
+
 bool ResolvedCase::has(std::string_view path) const {
   return data_.values.find(path) != data_.values.end();
 }
@@ -75,6 +79,11 @@ const std::string& ResolvedCase::given(std::string_view path) const {
 }
 Place ResolvedCase::place(std::string_view path) const {
   return stored(path).place;
+}
+
+Place ResolvedCase::item_place(std::string_view path, std::size_t item) const {
+  const StoredValue& value = stored(path);
+  return item < value.item_places.size() ? value.item_places[item] : value.place;
 }
 
 std::string ResolvedCase::origin(std::string_view path) const {
@@ -108,6 +117,21 @@ ResolvedCase ResolvedCase::with(const std::string& path, const std::string& text
   return with(std::vector<Setting>{{path, text}});
 }
 
+ResolvedCase ResolvedCase::of_set(std::string_view set) const {
+  const std::string prefix = set_prefix(set);
+  CaseData data{.file = data_.file, .shape = {}};
+  const auto take = [&](const auto& from, auto& into) {
+    for (const auto& [path, value] : from)
+      if (path.starts_with(prefix))
+        into.emplace(path.substr(prefix.size()), value);
+      else if (!path.starts_with("sets.") && !path.starts_with("shafts."))
+        into.emplace(path, value);
+  };
+  take(data_.values, data.values);
+  take(data_.assumed, data.assumed);
+  return ResolvedCase(std::move(data));
+}
+
 ResolvedCase ResolvedCase::without_sweep() const {
   CaseData data = data_;
   data.axes = CaseData{}.axes;
@@ -118,7 +142,7 @@ bool ResolvedCase::operator==(const ResolvedCase& other) const {
   if (data_.values.size() != other.data_.values.size()) return false;
   for (const auto& [path, stored] : data_.values)
     if (!other.has(path) || !(other.stored(path).value == stored.value)) return false;
-  return data_.assumed == other.data_.assumed && axes() == other.axes();
+  return data_.shape == other.data_.shape && data_.assumed == other.data_.assumed && axes() == other.axes();
 }
 
 std::size_t sweep_size(const ResolvedCase& resolved) {

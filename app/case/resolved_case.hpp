@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/case/case_shape.hpp"
 #include "app/case/field.hpp"
 
 namespace orbearing::app {
@@ -35,11 +36,13 @@ struct StoredValue {
   FieldValue value;
   Place place;
   bool from_default = false;
+  std::vector<Place> item_places{};  // list: of its elements, where they stand apart
 };
 
 /// What a resolved case consists of.
 struct CaseData {
   std::string file;
+  CaseShape shape;
   std::map<std::string, StoredValue, std::less<>> values;
   std::map<std::string, std::string, std::less<>> assumed;  // reasons by path
   /// Shared, since every operating point is a copy of the case and an axis may hold a hundred thousand
@@ -59,6 +62,7 @@ class ResolvedCase {
   const std::string& choice(std::string_view path) const;
   const std::string& text(std::string_view path) const;
   const std::vector<double>& list(std::string_view path) const;  // [SI]
+  const std::vector<std::string>& texts(std::string_view path) const;
   bool has(std::string_view path) const;
 
   /// The value as written: "150 kW".
@@ -66,8 +70,13 @@ class ResolvedCase {
   /// "FILE:LINE:COLUMN", "--set" or "default".
   std::string origin(std::string_view path) const;
   Place place(std::string_view path) const;
+  /// Of an element of a list.
+  Place item_place(std::string_view path, std::size_t item) const;
 
   Model model() const;
+  const CaseShape& shape() const { return data_.shape; }
+  /// All that may stand in this case, in the order in which it is written.
+  std::vector<Input> inputs() const { return inputs_of(model(), data_.shape); }
   const std::string& file() const { return data_.file; }
   const std::vector<SweepAxis>& axes() const { return *data_.axes; }
   /// Reasons by path; defaults in use are among them.
@@ -78,6 +87,9 @@ class ResolvedCase {
   ResolvedCase with(const std::string& path, const std::string& text) const;
   /// The same, with what is wrong told to `mistakes` instead; what could not be set keeps its value.
   ResolvedCase with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const;
+
+  /// One of several sets as a case of its own, without sweep: its fields at the top, with what all share.
+  ResolvedCase of_set(std::string_view set) const;
 
   /// Copy without its sweep: the one operating point that the values state.
   ResolvedCase without_sweep() const;

@@ -1,6 +1,7 @@
 #include "app/case/resolved_writer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -16,6 +17,12 @@ namespace {
 // JSON's strings are YAML's double-quoted ones.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
+}
+
+std::string write_texts(const std::vector<std::string>& texts) {
+  std::vector<std::string> written;
+  for (const std::string& text : texts) written.push_back(write_scalar(text));
+  return fmt::format("[{}]", fmt::join(written, ", "));
 }
 
 std::string write_value(const Field& field, const std::string& given) {
@@ -54,10 +61,12 @@ std::string write_scalar(const std::string& text) {
 std::string write_resolved(const ResolvedCase& resolved) {
   std::string text;
   std::string previous;
-  for (const Field* field : fields_of(resolved.model())) {
-    if (!resolved.has(field->path)) continue;
-    text += open_blocks(field->path, previous) + write_value(*field, resolved.given(field->path)) + "\n";
-    previous = field->path;
+  for (const auto& [path, field] : resolved.inputs()) {
+    if (!resolved.has(path)) continue;
+    const bool texts = field->kind == Kind::list && field->element == Kind::text;
+    text += open_blocks(path, previous) +
+            (texts ? write_texts(resolved.texts(path)) : write_value(*field, resolved.given(path))) + "\n";
+    previous = path;
   }
   if (!resolved.axes().empty()) text += "sweep:\n";
   for (const SweepAxis& axis : resolved.axes()) text += fmt::format("  {}: {}\n", axis.path, axis.written);

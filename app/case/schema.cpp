@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/case/case_shape.hpp"
 #include "app/case/field_table.hpp"
 
 namespace orbearing::app {
@@ -98,25 +99,79 @@ Json axis_schema(const Field& field) {
   return {{"description", field.meaning}, {"oneOf", {range, list}}};
 }
 
-Json sweep_schema(Model model) {
+// Names of sets and shafts, as `is_name` has them.
+constexpr const char* name_pattern = "[A-Za-z][A-Za-z0-9_]{0,39}";
+
+// The path of a field within a set of any name, as a pattern.
+std::string pattern_in_sets(const Field& field) {
+  std::string pattern = fmt::format("^sets\\.{}\\.", name_pattern);
+  for (const char c : field.path) pattern += c == '.' ? "\\." : std::string(1, c);
+  return pattern + "$";
+}
+
+// The block `key`: an object with a key for each field's path, in a set as well.
+Json by_path(Model model, const char* key, const char* description, bool (*takes)(const Field&),
+             Json (*schema)(const Field&)) {
   Json properties = Json::object();
-  for (const Field* field : fields_of(model))
-    if (field->kind == Kind::quantity || field->kind == Kind::number || field->kind == Kind::integer)
-      properties[field->path] = axis_schema(*field);
-  return {{"description", "values that are varied; several axes make every combination"},
-          {"type", "object"},
-          {"additionalProperties", false},
-          {"properties", properties}};
+  Json patterns = Json::object();
+  for (const Field* field : fields_of(model)) {
+    if (!takes(*field)) continue;
+    properties[field->path] = schema(*field);
+    if ((model & planetary_drivetrain) != 0 && in_each_set(*field))
+      patterns[pattern_in_sets(*field)] = {{"$ref", fmt::format("#/$defs/{}/properties/{}/properties/{}",
+                                                                model_name(model), key, field->path)}};
+  }
+  if ((model & planetary_drivetrain) != 0 && takes(shaft_field()))
+    patterns[fmt::format("^shafts\\.{}$", name_pattern)] = schema(shaft_field());
+  Json block = {{"description", description},
+                {"type", "object"},
+                {"additionalProperties", false},
+                {"properties", properties}};
+  if (!patterns.empty()) block["patternProperties"] = patterns;
+  return block;
+}
+
+bool is_numeric(const Field& field) {
+  return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer;
+}
+
+Json sweep_schema(Model model) {
+  return by_path(model, "sweep", "values that are varied; several axes make every combination", is_numeric,
+                 axis_schema);
 }
 
 Json assumed_schema(Model model) {
-  Json properties = Json::object();
-  for (const Field* field : fields_of(model))
-    properties[field->path] = {{"type", "string"}, {"minLength", 1}};
-  return {{"description", "reasons for values that the source does not give"},
+  return by_path(
+      model, "assumed", "reasons for values that the source does not give", [](const Field&) { return true; },
+      [](const Field&) {
+        return Json{{"type", "string"}, {"minLength", 1}};
+      });
+}
+
+Json named_blocks(const char* description, Json block) {
+  return {{"description", description},
           {"type", "object"},
           {"additionalProperties", false},
-          {"properties", properties}};
+          {"minProperties", 1},
+          {"patternProperties", {{fmt::format("^{}$", name_pattern), std::move(block)}}}};
+}
+
+// Either the fields of one set at the top, or several sets and their shafts.
+void add_several_sets(Json& schema) {
+  Json set = {{"type", "object"},
+              {"additionalProperties", false},
+              {"required", Json::array()},
+              {"properties", Json::object()}};
+  for (const Field& field : all_fields())
+    if (in_each_set(field)) add_field(set, field, planetary_drivetrain);
+  Json& with_bearing = set["required"];  // a set may go without bearings
+  with_bearing.erase(std::find(with_bearing.begin(), with_bearing.end(), "bearing"));
+  schema["properties"]["sets"] = named_blocks("planetary sets by name", std::move(set));
+  schema["properties"]["shafts"] = named_blocks("what turns as one, by name", field_schema(shaft_field()));
+  Json& required = schema["required"];
+  for (const char* key : {"gearset", "bearing"})
+    required.erase(std::find(required.begin(), required.end(), key));
+  schema["oneOf"] = {{{"required", {"gearset", "bearing"}}}, {{"required", {"sets", "shafts"}}}};
 }
 
 Json model_schema(Model model) {
@@ -128,6 +183,7 @@ Json model_schema(Model model) {
   schema["properties"]["model"] = {{"const", model_name(model)}};
   schema["properties"]["sweep"] = sweep_schema(model);
   schema["properties"]["assumed"] = assumed_schema(model);
+  if (model == planetary_drivetrain) add_several_sets(schema);
   return schema;
 }
 

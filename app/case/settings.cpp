@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/case/case_shape.hpp"
 #include "app/case/field_table.hpp"
 
 namespace orbearing::app {
@@ -25,11 +26,13 @@ void split_into(std::vector<std::string>& keys, std::string_view path) {
 std::vector<std::string> split_sweep(std::string_view rest) {
   std::vector<std::string> keys{"sweep"};
   const Field* longest = nullptr;
+  const std::size_t prefix = set_prefix_length(rest);
+  const std::string_view inner = rest.substr(prefix);
   for (const Field& field : all_fields())
-    if ((rest == field.path || rest.starts_with(field.path + ".")) &&
+    if ((inner == field.path || inner.starts_with(field.path + ".")) &&
         (longest == nullptr || field.path.size() > longest->path.size()))
       longest = &field;
-  const std::size_t length = longest == nullptr ? rest.size() : longest->path.size();
+  const std::size_t length = longest == nullptr ? rest.size() : prefix + longest->path.size();
   keys.emplace_back(rest.substr(0, length));
   if (length < rest.size()) split_into(keys, rest.substr(length + 1));
   return keys;

@@ -1,8 +1,10 @@
 # Sources of app/case, for the target of the app.
 set(ORBEARING_CASE_SOURCES
+  case/arrangement_case.cpp
   case/bearing_fields.cpp
   case/case_file.cpp
   case/case_resolver.cpp
+  case/case_shape.cpp
   case/check_table.cpp
   case/condition_fields.cpp
   case/consistency.cpp
@@ -10,8 +12,14 @@ set(ORBEARING_CASE_SOURCES
   case/dynamics_fields.cpp
   case/field.cpp
   case/field_table.cpp
+  case/key_hints.cpp
+  case/gear_dynamics_fields.cpp
   case/mistake.cpp
+  case/pair_case.cpp
+  case/pair_fields.cpp
   case/printable.cpp
+  case/refinement_consistency.cpp
+  case/refinement_fields.cpp
   case/resolved_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp

@@ -36,10 +36,14 @@ struct Steps {
 class AxisReader {
  public:
   AxisReader(const Field& field, const Member& member, std::vector<Mistake>& mistakes)
-      : field_(field), path_("sweep." + member.key), entry_(member.value), mistakes_(mistakes) {}
+      : field_(field),
+        key_(member.key),
+        path_("sweep." + member.key),
+        entry_(member.value),
+        mistakes_(mistakes) {}
 
   SweepAxis read() {
-    SweepAxis axis{field_.path, {}, {}, entry_.place};
+    SweepAxis axis{key_, {}, {}, entry_.place};
     if (entry_.shape == Entry::Shape::list) {
       read_values(axis);
     } else if (entry_.shape == Entry::Shape::block) {
@@ -151,6 +155,7 @@ class AxisReader {
   }
 
   const Field& field_;
+  std::string key_;
   std::string path_;
   const Entry& entry_;
   std::vector<Mistake>& mistakes_;
@@ -160,34 +165,36 @@ bool is_numeric(const Field& field) {
   return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer;
 }
 
-std::string path_hint(const std::string& key, unsigned model) {
+std::string path_hint(const std::string& key, unsigned model, const CaseShape& shape) {
   std::vector<std::string> known;
-  for (const Field& field : all_fields()) {
-    if ((field.models & model) == 0 || !is_numeric(field)) continue;
-    if (field.path.starts_with(key + "."))
-      return fmt::format("the whole path, as in '{}', is required", field.path);
-    known.push_back(field.path);
+  for (const auto& [path, field] : inputs_of(model, shape)) {
+    if (!is_numeric(*field)) continue;
+    if (path.starts_with(key + ".")) return fmt::format("the whole path, as in '{}', is required", path);
+    known.push_back(path);
   }
   const std::string near = nearest_word(key, known);
   return near.empty() ? "the path of a numeric field, as in 'input.speed', is required"
                       : fmt::format("the path of a numeric field is required; did you mean '{}'?", near);
 }
 
-const Field* swept_field(const Member& member, unsigned model, std::vector<Mistake>& mistakes) {
+const Field* swept_field(const Member& member, unsigned model, const CaseShape& shape,
+                         std::vector<Mistake>& mistakes) {
   const Field* field = find_field(member.key);
   const std::string path = "sweep." + member.key;
-  if (field == nullptr || (field->models & model) == 0) {
-    mistakes.push_back({member.place, path, {"unknown path", path_hint(member.key, model)}});
+  if (field == nullptr || (field->models & model) == 0 || !belongs(shape, member.key)) {
+    mistakes.push_back({member.place, path, {"unknown path", path_hint(member.key, model, shape)}});
     return nullptr;
   }
   if (is_numeric(*field)) return field;
-  mistakes.push_back({member.place, path, {"a field that is no number", path_hint(member.key, model)}});
+  mistakes.push_back(
+      {member.place, path, {"a field that is no number", path_hint(member.key, model, shape)}});
   return nullptr;
 }
 
 }  // namespace
 
-std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, std::vector<Mistake>& mistakes) {
+std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, const CaseShape& shape,
+                                 std::vector<Mistake>& mistakes) {
   std::vector<SweepAxis> axes;
   std::set<std::string> seen;
   double points = 1.0;
@@ -197,7 +204,7 @@ std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, std::vector
           {member.place, "sweep." + member.key, {"duplicate key", "each key once is required"}});
       continue;
     }
-    const Field* field = swept_field(member, model, mistakes);
+    const Field* field = swept_field(member, model, shape, mistakes);
     if (field == nullptr) continue;
     axes.push_back(AxisReader(*field, member, mistakes).read());
     points *= static_cast<double>(axes.back().values.size());

@@ -10,7 +10,9 @@ namespace orbearing::app {
 /// Most operating points of one sweep.
 inline constexpr double most_points = 100000;
 
-/// Reads the axes in the order written; `model` holds the bits of the models whose fields may be swept.
-std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, std::vector<Mistake>& mistakes);
+/// Reads the axes in the order written; `model` holds the bits of the models whose fields may be swept,
+/// `shape` which sets there are.
+std::vector<SweepAxis> read_axes(const Entry& sweep, unsigned model, const CaseShape& shape,
+                                 std::vector<Mistake>& mistakes);
 
 }  // namespace orbearing::app

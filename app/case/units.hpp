@@ -46,6 +46,7 @@ inline constexpr Dimension length{"length", "m", "mm", "3 mm"};
 inline constexpr Dimension small_length{"length", "m", "um", "37 um"};
 inline constexpr Dimension angle{"angle", "rad", "deg", "20 deg"};
 inline constexpr Dimension angular_speed{"angular speed", "rad/s", "rpm", "6000 rpm"};
+inline constexpr Dimension angular_acceleration{"angular acceleration", "rad/s2", "rpm/s", "5000 rpm/s"};
 inline constexpr Dimension power{"power", "W", "kW", "150 kW"};
 inline constexpr Dimension force{"force", "N", "N", "4450 N"};
 inline constexpr Dimension torque{"torque", "N.m", "N.m", "240 N.m"};

@@ -1,11 +1,15 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/case/case_file.hpp"
 #include "app/case/check_table.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/drivetrain_case.hpp"
+#include "app/study/gear_case.hpp"
+#include "app/study/mesh_study.hpp"
+#include "app/study/power_table.hpp"
 
 namespace orbearing::app {
 
@@ -14,13 +18,21 @@ namespace {
 struct Checked {
   std::vector<Derived> derived;
   std::vector<std::string> warnings;
+  std::optional<PowerTable> power;  // of a drivetrain
 };
 
 Checked check(const ResolvedCase& resolved) {
+  if (resolved.model() == gear_pair) {
+    const MeshStudy meshes = mesh_study(resolved.without_sweep());
+    return {pair_quantities(resolved, meshes), meshes.warnings};
+  }
   if (resolved.model() != planetary_drivetrain) return {};
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
-  return {derived_quantities(drivetrain, geometry), gear_warnings(geometry)};
+  Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
+  if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);
+  if (!resolved.shape().several)
+    for (const Derived& row : gear_dynamics_quantities(resolved))
+      if (!resolved.has(row.path)) checked.derived.push_back(row);
+  return checked;
 }
 
 }  // namespace
@@ -31,11 +43,13 @@ int check_command(const Options& options) {
   if (options.json) {
     nlohmann::json object = check_json(resolved, checked.derived);
     object["warnings"] = checked.warnings;
+    if (checked.power) object.update(power_json(*checked.power));
     fmt::print("{}\n", object.dump(2));
     return 0;
   }
   if (options.quiet) return 0;
   fmt::print("{}", check_table(resolved, checked.derived));
+  if (checked.power) fmt::print("\n{}", power_text(*checked.power));
   for (const std::string& warning : checked.warnings) fmt::print("warning: {}\n", warning);
   return 0;
 }

@@ -1,6 +1,7 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
+#include "app/study/refinements.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
@@ -24,6 +25,7 @@ void require_sequential(const Options& options) {
 
 int sweep_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
+  require_computable(resolved, options.fidelity, true);
   SweepRequest request = sweep_request(resolved, options.fidelity);
   if (options.shard) request.header.shard = parse_shard(*options.shard);
   if (options.direction) {

@@ -3,6 +3,7 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/ledger.hpp"
+#include "app/study/stage_ledger.hpp"
 
 namespace orbearing::app {
 
@@ -22,6 +23,11 @@ int validate_command(const Options& options) {
     append(rows_json(ledger), rows);
     append(worth_json(ledger), worth);
     if (!options.json && !options.quiet) fmt::print("{}", ledger_text(ledger));
+  }
+  if (options.cases.empty()) {
+    const Ledger stage = stage_ledger();
+    append(rows_json(stage), rows);
+    if (!options.json && !options.quiet) fmt::print("{}", ledger_text(stage));
   }
   if (options.json)
     fmt::print("{}\n", nlohmann::ordered_json{{"rows", rows}, {"assumptions", worth}}.dump(2));

@@ -31,6 +31,7 @@ ManifestHeader header_from(const Json& object) {
                            axis.at("meaning").get<std::string>()});
   if (object.contains("continue"))
     header.continued = parse_direction(object.at("continue").get<std::string>());
+  if (object.contains("sets")) header.sets = object.at("sets").get<std::vector<std::string>>();
   return header;
 }
 
@@ -38,8 +39,9 @@ void add_entry(Manifest& manifest, const Json& object) {
   const auto point = object.at("point").get<std::size_t>();
   if (!manifest.header->holds(point)) throw BadInput("a point that is not of this sweep");
   if (object.at("file") != point_file_name(point)) throw BadInput("a file of another name");
-  manifest.entries[point] = {point_file_name(point),
-                             row_from_json(table_head(manifest.header->axes), object.at("row"))};
+  manifest.entries[point] = {
+      point_file_name(point),
+      row_from_json(table_head(manifest.header->axes, manifest.header->sets), object.at("row"))};
 }
 
 void add_line(Manifest& manifest, std::string_view line) {
@@ -104,6 +106,7 @@ std::string header_line(const ManifestHeader& header) {
   for (const SweptAxis& axis : header.axes)
     object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
   if (header.continued) object["continue"] = to_string(*header.continued);
+  if (!header.sets.empty()) object["sets"] = header.sets;
   return object.dump() + '\n';
 }
 

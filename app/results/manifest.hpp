@@ -39,6 +39,7 @@ struct ManifestHeader {
   std::size_t points = 0;                // of the whole sweep, all shards together
   std::optional<Shard> shard;            // none: the whole sweep
   std::vector<SweptAxis> axes;           // other than input.speed
+  std::vector<std::string> sets{};       // with bearings, of a drivetrain of several sets
   std::optional<Direction> continued{};  // none: each point starts from its own quasi-static state
 
   bool holds(std::size_t point) const { return point < points && (!shard || shard->holds(point)); }

@@ -80,6 +80,19 @@ void add_scalars(PointContent& content, const std::vector<Column>& columns,
   }
 }
 
+// Of each of several sets; a failed point has none.
+void add_sets(PointContent& content, const std::vector<std::string>& sets, const study::PointResult& result) {
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (const SetColumn& column : set_columns()) {
+      const bool known = result.status == "ok" && i < result.sets.size();
+      content.arrays.push_back({"sets_" + sets[i] + "_" + column.variable,
+                                {},
+                                column.units,
+                                column.meaning + ", set " + sets[i],
+                                {known ? column.value(result.sets[i]) : not_given}});
+    }
+}
+
 void add_distribution(PointContent& content, const study::LoadDistribution& loads) {
   content.dimensions.push_back({"place", loads.angle.size()});
   content.arrays.push_back({"angle",
@@ -106,6 +119,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
                               header.axes[i].units,
                               header.axes[i].meaning,
                               {axis_values[i]}});
+  add_sets(content, header.sets, result);
   if (result.status == "ok" && !result.distribution.angle.empty())
     add_distribution(content, result.distribution);
   if (result.dynamic) add_series(result.dynamic->series, content);
@@ -120,6 +134,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
                         {"fidelity", header.fidelity},
                         {"status", result.status}};
   if (header.continued) content.attributes.emplace_back("continue", to_string(*header.continued));
+  if (!header.sets.empty()) content.attributes.emplace_back("limiting_set", result.limiting_set);
   return content;
 }
 

@@ -110,7 +110,7 @@ void write_where_unlike(const fs::path& file, const std::string& content) {
 
 ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const std::string& resolved_case,
                            OpenMode mode)
-    : folder_(std::move(folder)), head_(table_head(header.axes)) {
+    : folder_(std::move(folder)), head_(table_head(header.axes, header.sets)) {
   require_usable(folder_, header, mode);
   make_folder(folder_);
   manifest_ = AppendOnlyFile(folder_ / manifest_name);

@@ -109,13 +109,36 @@ const std::vector<Column>& trailing_columns() {
   return columns;
 }
 
-TableHead table_head(const std::vector<SweptAxis>& axes) {
+const std::vector<SetColumn>& set_columns() {
+  using study::SetResult;
+  static const std::vector<SetColumn> columns = {
+      {"carrier_speed_rpm", "carrier_speed", "rad s-1", "speed of the planet carrier", rpm_per_rad_s,
+       [](const SetResult& r) { return r.carrier_speed; }},
+      {"planet_load_N", "planet_load", "N", "total load on the bore of one bearing", 1.0,
+       [](const SetResult& r) { return r.planet_load; }},
+      {"inner_load_max_N", "inner_load_max", "N", "largest load of one roller on the inner race", 1.0,
+       [](const SetResult& r) { return r.inner.load_max; }},
+      {"outer_load_max_N", "outer_load_max", "N", "largest load of one roller on the outer race", 1.0,
+       [](const SetResult& r) { return r.outer.load_max; }},
+      {"life_h", "life", "h", "fatigue life of one bearing", 1.0,
+       [](const SetResult& r) { return r.life_hours; }}};
+  return columns;
+}
+
+TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets) {
   TableHead head;
   for (const Column& column : leading_columns()) head.names.push_back(column.name);
   head.status_place = head.names.size();
   head.names.emplace_back(status_column);
   for (const Column& column : trailing_columns()) head.names.push_back(column.name);
+  head.first_axis = head.names.size();
+  head.axes = axes.size();
   for (const SweptAxis& axis : axes) head.names.push_back(axis.column);
+  if (sets.empty()) return head;
+  head.set_place = head.names.size();
+  head.names.emplace_back(limiting_set_column);
+  for (const std::string& set : sets)
+    for (const SetColumn& column : set_columns()) head.names.push_back("sets." + set + "." + column.name);
   return head;
 }
 
@@ -132,7 +155,25 @@ double in_table_unit(double value, double per_unit) {
   return std::isfinite(rounded) ? rounded : not_given;
 }
 
-ResultRow result_row(const PointResult& result, const std::vector<double>& axis_values) {
+namespace {
+
+// A failed point has results of no set.
+void add_sets(const PointResult& result, std::size_t sets, ResultRow& row) {
+  if (sets == 0) return;
+  row.values.push_back(not_given);
+  if (row.ok()) row.limiting_set = result.limiting_set;
+  for (std::size_t set = 0; set < sets; ++set)
+    for (const SetColumn& column : set_columns()) {
+      const bool known = row.ok() && set < result.sets.size();
+      row.values.push_back(known ? in_table_unit(column.value(result.sets[set]), column.per_unit)
+                                 : not_given);
+    }
+}
+
+}  // namespace
+
+ResultRow result_row(const PointResult& result, const std::vector<double>& axis_values,
+                     const std::vector<std::string>& sets) {
   ResultRow row;
   row.status = printable(result.status);
   const auto add = [&](const Column& column) {
@@ -143,6 +184,7 @@ ResultRow result_row(const PointResult& result, const std::vector<double>& axis_
   row.values.push_back(not_given);
   for (const Column& column : trailing_columns()) add(column);
   for (const double value : axis_values) row.values.push_back(in_table_unit(value, 1.0));
+  add_sets(result, sets.size(), row);
   return row;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,12 +23,27 @@ struct Column {
   std::function<double(const study::PointResult&)> value;  // SI; not finite where there is none
 };
 
-/// Name of the one column that holds text.
+/// Names of the columns that hold text; the second only where there are several sets.
 inline constexpr std::string_view status_column = "status";
+inline constexpr std::string_view limiting_set_column = "limiting_set";
 
 /// Columns before `status`, and those that follow it; swept axes come after both.
 const std::vector<Column>& leading_columns();
 const std::vector<Column>& trailing_columns();
+
+/// A quantity of one of several sets; the column's name begins with "sets.NAME.", the variable's with
+/// "sets_NAME_".
+struct SetColumn {
+  std::string name;
+  std::string variable;
+  std::string units;
+  std::string meaning;
+  double per_unit = 1.0;
+  double (*value)(const study::SetResult&);
+};
+
+/// Columns of each of several sets, behind all others and the name of the limiting set.
+const std::vector<SetColumn>& set_columns();
 
 /// A swept case key other than input.speed: its values stand in the rows in the unit of the case file.
 struct SweptAxis {
@@ -40,19 +56,25 @@ struct SweptAxis {
 struct TableHead {
   std::vector<std::string> names;  // all columns, status included
   std::size_t status_place = 0;
+  std::size_t first_axis = 0;            // swept axes stand from here
+  std::size_t axes = 0;                  // as many
+  std::optional<std::size_t> set_place;  // of the limiting set's name; none with one set
   bool operator==(const TableHead&) const = default;
 };
 
-TableHead table_head(const std::vector<SweptAxis>& axes);
+/// `sets` are the names of several sets with bearings; none for a case of one set.
+TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets = {});
 
 struct ResultRow {
-  std::vector<double> values;  // one per name; NaN where there is none (and at the status' place)
+  std::vector<double> values;  // one per name; NaN where there is none (and at the places of text)
   std::string status;          // "ok" or the reason of the failure
+  std::string limiting_set{};  // of several sets; empty where the point failed
   bool ok() const { return status == "ok"; }
 };
 
 /// The row of a computed point. A point whose status is not "ok" keeps its input speed and axes only.
-ResultRow result_row(const study::PointResult& result, const std::vector<double>& axis_values);
+ResultRow result_row(const study::PointResult& result, const std::vector<double>& axis_values,
+                     const std::vector<std::string>& sets = {});
 
 /// Value in the column called `name`; NaN where the table has none.
 double value_of(const TableHead& head, const ResultRow& row, const std::string& name);

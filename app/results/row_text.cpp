@@ -30,6 +30,8 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
     if (i > 0) line += ',';
     if (i == head.status_place)
       line += quoted(row.status);
+    else if (i == head.set_place)
+      line += quoted(row.limiting_set);
     else if (std::isfinite(row.values[i]))
       line += fmt::format("{}", row.values[i]);
   }
@@ -42,6 +44,8 @@ nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
     nlohmann::ordered_json& field = object[head.names[i]];
     if (i == head.status_place)
       field = row.status;
+    else if (i == head.set_place)
+      field = row.limiting_set;
     else if (std::isfinite(row.values[i]))
       field = row.values[i];
   }
@@ -53,8 +57,10 @@ ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& obj
   ResultRow row;
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     const nlohmann::ordered_json& field = object.at(head.names[i]);
+    const bool text = i == head.status_place || i == head.set_place;
     if (i == head.status_place) row.status = field.get<std::string>();
-    row.values.push_back(i == head.status_place || field.is_null() ? not_given : field.get<double>());
+    if (i == head.set_place) row.limiting_set = field.get<std::string>();
+    row.values.push_back(text || field.is_null() ? not_given : field.get<double>());
   }
   return row;
 }

@@ -38,7 +38,7 @@ study::PointResult evaluate_with_speed(const SweepRequest& request, std::size_t 
 
 FinishedPoint finished_point(const SweepRequest& request, study::ComputedPoint computed) {
   const std::vector<double>& axes = request.points[computed.index].axis_values;
-  FinishedPoint point{computed.index, {}, result_row(computed.result, axes)};
+  FinishedPoint point{computed.index, {}, result_row(computed.result, axes, request.header.sets)};
   computed.result.status = point.row.status;
   point.content = netcdf_bytes(point_content(request.header, computed.index, axes, computed.result));
   return point;

@@ -31,9 +31,8 @@ std::pair<std::string, std::string> heading(const std::string& name) {
 
 std::vector<std::string> shown_columns(const TableHead& head) {
   std::vector<std::string> names = main_columns();
-  const auto axes =
-      head.names.begin() + static_cast<std::ptrdiff_t>(head.status_place + 1 + trailing_columns().size());
-  names.insert(names.begin() + 1, axes, head.names.end());
+  const auto axes = head.names.begin() + static_cast<std::ptrdiff_t>(head.first_axis);
+  names.insert(names.begin() + 1, axes, axes + static_cast<std::ptrdiff_t>(head.axes));
   return names;
 }
 
@@ -55,12 +54,13 @@ std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& row
     words += fmt::format("{:>{}}  ", heading(name).first, width(name));
     units += fmt::format("{:>{}}  ", heading(name).second, width(name));
   }
-  std::string text = words + "status\n" + units + '\n';
+  const std::string last = head.set_place ? "limiting set: status\n" : "status\n";
+  std::string text = words + last + units + '\n';
   const std::size_t step = (rows.size() + most_rows - 1) / most_rows;
   for (std::size_t i = 0; i < rows.size(); i += step) {
     for (const std::string& name : names)
       text += fmt::format("{:>{}}  ", number(value_of(head, rows[i], name)), width(name));
-    text += rows[i].status + '\n';
+    text += (rows[i].limiting_set.empty() ? "" : rows[i].limiting_set + ": ") + rows[i].status + '\n';
   }
   if (step > 1)
     text += fmt::format("(one row in {} of {}; all of them stand in sweep.csv)\n", step, rows.size());

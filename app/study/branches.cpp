@@ -18,7 +18,7 @@ std::string name_of(const Manifest& manifest) {
 }
 
 Json rows_of(const Manifest& manifest) {
-  const TableHead head = table_head(manifest.header->axes);
+  const TableHead head = table_head(manifest.header->axes, manifest.header->sets);
   Json rows = Json::array();
   for (const auto& [index, entry] : manifest.entries) rows.push_back(row_json(head, entry.row));
   return rows;

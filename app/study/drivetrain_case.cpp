@@ -1,8 +1,12 @@
 #include "app/study/drivetrain_case.hpp"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
+#include "app/study/refinements.hpp"
+#include "app/case/arrangement_case.hpp"
 #include "gearset/checks.hpp"
+#include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
 
@@ -15,6 +19,12 @@ constexpr double kDegree = 180.0 / pi;  // per rad
 gearset::Member member_of(const std::string& name) {
   if (name == "ring") return gearset::Member::ring;
   return name == "carrier" ? gearset::Member::carrier : gearset::Member::sun;
+}
+
+double planet_bore_of(const ResolvedCase& in) {
+  if (in.has("bearing.rollers")) return in.quantity("bearing.outside_diameter");
+  return in.number("gearset.planet_bore_ratio") * in.quantity("gearset.module") *
+         (in.integer("gearset.teeth.planet") - 2.5);
 }
 
 gearset::PlanetarySet set_of(const ResolvedCase& in) {
@@ -30,9 +40,10 @@ gearset::PlanetarySet set_of(const ResolvedCase& in) {
           .sun_shift = in.number("gearset.profile_shift.sun"),
           .ring_shift = in.number("gearset.profile_shift.ring"),
           .face_width = in.quantity("gearset.face_width"),
-          .planet_bore = in.quantity("bearing.outside_diameter"),
+          .planet_bore = planet_bore_of(in),
           .density = in.quantity("material.density"),
-          .fixed_member = member_of(in.choice("gearset.fixed"))};
+          .fixed_member =
+              in.has("gearset.fixed") ? member_of(in.choice("gearset.fixed")) : gearset::Member::ring};
 }
 
 bearing::Cage cage_of(const ResolvedCase& in) {
@@ -87,14 +98,21 @@ integration::SteadyStateOptions steady_state_of(const ResolvedCase& in) {
   out.load_drift = in.number("simulation.load_drift");
   out.cage_drift = in.number("simulation.cage_drift");
   out.allowed_length_error = in.quantity("simulation.length_error");
+  out.integration.method = in.choice("simulation.integrator") == "dopri5"
+                               ? integration::Method::dopri5
+                               : integration::Method::linearly_implicit;
   return out;
+}
+
+gearset::Drive drive_of(const ResolvedCase& in) {
+  return {.member = in.has("input.member") ? member_of(in.choice("input.member")) : gearset::Member::sun,
+          .power = in.quantity("input.power"),
+          .speed = in.quantity("input.speed")};
 }
 
 study::PlanetaryDrivetrain quasi_static_drivetrain(const ResolvedCase& in) {
   return {.set = set_of(in),
-          .drive = {.member = member_of(in.choice("input.member")),
-                    .power = in.quantity("input.power"),
-                    .speed = in.quantity("input.speed")},
+          .drive = drive_of(in),
           .bearing = bearing_of(in),
           .bearings_per_planet = in.integer("bearing.per_planet"),
           .inertia = {.own_orbit = in.flag("inertia.own_orbit"),
@@ -129,12 +147,16 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
       {"gearset.planet_mass", geometry.planet_mass, "kg", "gear body and outer rings of its bearings"});
 }
 
-void add_motion(const study::BearingDuty& duty, std::vector<Derived>& rows) {
-  rows.push_back({"operation.carrier_speed", kRpm * duty.gears.carrier_speed, "rpm", "Willis"});
-  rows.push_back({"operation.planet_speed", kRpm * duty.gears.planet_speed_relative, "rpm",
+void add_motion(const gearset::MeanLoads& gears, std::vector<Derived>& rows) {
+  rows.push_back({"operation.carrier_speed", kRpm * gears.carrier_speed, "rpm", "Willis"});
+  rows.push_back({"operation.planet_speed", kRpm * gears.planet_speed_relative, "rpm",
                   "relative to the carrier; negative: against carrier rotation"});
-  rows.push_back({"operation.input_torque_sun", duty.gears.sun_torque, "N.m", "on the sun"});
-  rows.push_back({"operation.mesh_normal_force", duty.gears.normal_force, "N", "one mesh of one planet"});
+  rows.push_back({"operation.input_torque_sun", gears.sun_torque, "N.m", "on the sun"});
+  rows.push_back({"operation.mesh_normal_force", gears.normal_force, "N", "one mesh of one planet"});
+}
+
+void add_duty(const study::BearingDuty& duty, std::vector<Derived>& rows) {
+  add_motion(duty.gears, rows);
   rows.push_back({"operation.bore_load_x", duty.point.bore_load.x(), "N",
                   "gears and planet on one bearing, outward; cage and rollers not included"});
   rows.push_back(
@@ -171,26 +193,82 @@ bearing::CylindricalRollerBearing bearing_of(const ResolvedCase& in) {
 }
 
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
+  if (!in.has("bearing.rollers")) return {.set = set_of(in), .drive = drive_of(in)};
   study::PlanetaryDrivetrain out = quasi_static_drivetrain(in);
   out.dynamics = dynamics_of(in);
   out.dynamics.cage = cage_dynamics_of(in);
   out.steady_state = steady_state_of(in);
+  add_refinements(in, out);
   return out;
 }
 
-std::vector<Derived> derived_quantities(const study::PlanetaryDrivetrain& drivetrain,
-                                        const study::DrivetrainGeometry& geometry) {
+std::vector<std::string> bearing_set_names(const ResolvedCase& resolved) {
+  std::vector<std::string> names;
+  for (const std::string& set : resolved.shape().sets)
+    if (resolved.has(set_prefix(set) + "bearing.rollers")) names.push_back(set);
+  return names;
+}
+
+std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
+  if (!resolved.shape().several) {
+    study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    return {{"", std::move(drivetrain), geometry}};
+  }
+  const gearset::PowerFlow flow = gearset::power_flow(arrangement_of(resolved));
+  const std::vector<std::string>& all = resolved.shape().sets;
+  std::vector<study::NamedSet> sets;
+  for (const std::string& name : bearing_set_names(resolved)) {
+    study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
+    const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
+    drivetrain.in_arrangement = flow.sets[place];
+    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    sets.push_back({name, std::move(drivetrain), geometry});
+  }
+  return sets;
+}
+
+namespace {
+
+std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   std::vector<Derived> rows;
+  if (!resolved.shape().teeth) return rows;
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+  study::DrivetrainGeometry geometry;
+  geometry.gears = gearset::working_geometry(drivetrain.set);
+  geometry.planet_mass = gearset::planet_body(drivetrain.set, geometry.gears).mass;
   add_gears(drivetrain, geometry, rows);
-  add_bearing(geometry, rows);
-  add_motion(study::bearing_duty(drivetrain, geometry), rows);
+  add_motion(gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive), rows);
   return rows;
 }
 
-std::vector<std::string> gear_warnings(const study::DrivetrainGeometry& geometry) {
+}  // namespace
+
+std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
+  if (!resolved.shape().several && !resolved.shape().bearing) return quantities_without_bearing(resolved);
+  std::vector<Derived> rows;
+  for (const study::NamedSet& set : bearing_sets(resolved)) {
+    std::vector<Derived> of_set;
+    add_gears(set.drivetrain, set.geometry, of_set);
+    add_bearing(set.geometry, of_set);
+    add_duty(study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    for (Derived& row : of_set) {
+      if (!set.name.empty()) row.path = set_prefix(set.name) + row.path;
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> texts;
-  for (const gearset::Warning& warning : gearset::tooth_warnings(geometry.gears))
-    texts.push_back(warning.place + ": " + warning.text);
+  const auto add = [&](const std::string& prefix, const ResolvedCase& set) {
+    for (const gearset::Warning& warning : gearset::tooth_warnings(gearset::working_geometry(set_of(set))))
+      texts.push_back(prefix + warning.place + ": " + warning.text);
+  };
+  if (!resolved.shape().teeth) return texts;
+  if (!resolved.shape().several) add("", resolved);
+  for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
   return texts;
 }
 

@@ -21,6 +21,7 @@ PublishedValue published_value(const YAML::Node& node) {
                      .meaning = node["meaning"].as<std::string>(),
                      .tolerance = node["tolerance"].as<double>(),
                      .trend = node["trend"].as<bool>(false)};
+  if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
   if (!node["value"].IsNull()) row.value = node["value"].as<double>();
   return row;
 }

@@ -15,6 +15,8 @@ struct PublishedValue {
   std::optional<double> value;  // none: the source has it, the project cannot compare it yet
   double tolerance = 0.0;       // [-]  relative
   bool trend = false;           // only a direction is claimed
+  std::vector<std::string>
+      settings{};  // path=value  of the case, where the number belongs to a variant of it
 };
 
 /// Another reading of one assumption, as settings of the case.

@@ -1,10 +1,13 @@
 #include "app/study/ledger.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <map>
 
 #include "app/errors.hpp"
+#include "app/study/mesh_study.hpp"
 
 namespace orbearing::app {
 
@@ -19,17 +22,14 @@ std::string verdict_of(const LedgerRow& row, bool trend) {
   return trend ? "trend" : "reproduced";
 }
 
-LedgerRow compare(const PublishedValue& published, const LifeCurve& curve, const std::string& reading) {
+LedgerRow compare(const PublishedValue& published, double ours, const std::string& reading) {
   LedgerRow row{.source = published.source,
                 .quantity = published.quantity,
                 .reading = reading,
                 .published = published.value,
                 .tolerance = published.tolerance};
-  const double ours = property(curve, published.quantity);
   if (std::isfinite(ours)) row.ours = ours;
-  if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
-  row.verdict = verdict_of(row, published.trend);
-  return row;
+  return judged(std::move(row), published.trend);
 }
 
 std::string cell(const std::optional<double>& value) {
@@ -49,28 +49,55 @@ nlohmann::ordered_json number(const std::optional<double>& value) {
 }
 
 std::string worth_text(const Ledger& ledger) {
+  if (ledger.worth.empty()) return "";
   std::string text = "\nWhat each assumption is worth\n";
-  text += fmt::format("{:<28} {:>14} {:>12} {:>11}  {}\n", "assumption", "peak [rpm]", "life [h]",
+  text += fmt::format("{:<44} {:>14} {:>12} {:>11}  {}\n", "assumption", "peak [rpm]", "life [h]",
                       "worth [h]", "other reading");
   for (const Worth& worth : ledger.worth)
-    text += fmt::format("{:<28} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", worth.alternative.assumption,
+    text += fmt::format("{:<44} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", worth.alternative.assumption,
                         worth.peak_speed_rpm, worth.peak_life_h, worth.worth_h, worth.alternative.reading);
   return text;
 }
 
+std::string reading_of(const std::vector<std::string>& settings) {
+  return fmt::format("{}", fmt::join(settings, ", "));
+}
+
+Ledger pair_ledger(const ResolvedCase& resolved, const ExpectedFile& expected) {
+  Ledger ledger{.case_name = resolved.text("name")};
+  std::map<std::string, MeshStudy> studies;  // by reading; most numbers belong to one of few
+  for (const PublishedValue& published : expected.published) {
+    const std::string reading = reading_of(published.settings);
+    auto study = studies.find(reading);
+    if (study == studies.end())
+      study = studies.emplace(reading, mesh_study(with_settings(resolved, published.settings))).first;
+    ledger.rows.push_back(compare(published, mesh_property(study->second, published.quantity), reading));
+  }
+  return ledger;
+}
+
 }  // namespace
 
+LedgerRow judged(LedgerRow row, bool trend) {
+  if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
+  row.verdict = verdict_of(row, trend);
+  return row;
+}
+
 Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected) {
+  if (resolved.model() == gear_pair) return pair_ledger(resolved, expected);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; the ledger requires planetary-drivetrain");
+                   "; the ledger requires planetary-drivetrain or gear-pair");
   const LifeCurve base = life_curve(resolved);
   Ledger ledger{.case_name = resolved.text("name"), .worth = worth_of(resolved, base, expected.alternatives)};
   for (const PublishedValue& published : expected.published)
-    ledger.rows.push_back(compare(published, base, ""));
+    ledger.rows.push_back(compare(published, property(base, published.quantity), ""));
   for (const Worth& worth : ledger.worth)
     for (const PublishedValue& published : expected.published)
-      if (published.value) ledger.rows.push_back(compare(published, worth.curve, worth.alternative.reading));
+      if (published.value)
+        ledger.rows.push_back(
+            compare(published, property(worth.curve, published.quantity), worth.alternative.reading));
   return ledger;
 }
 
@@ -110,7 +137,7 @@ std::string ledger_text(const Ledger& ledger) {
     text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}\n", row.source,
                         cell(row.published), cell(row.ours), deviation_cell(row.deviation), row.tolerance,
                         row.verdict, key_with_reading(row));
-  return text + worth_text(ledger);
+  return ledger.worth.empty() ? text : text + worth_text(ledger);
 }
 
 }  // namespace orbearing::app

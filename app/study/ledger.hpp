@@ -29,6 +29,9 @@ struct Ledger {
   std::vector<Worth> worth;
 };
 
+/// A row with `published`, `ours` and `tolerance` filled in, with its deviation and verdict.
+LedgerRow judged(LedgerRow row, bool trend);
+
 /// Throws BadInput where the case is of a model that the ledger cannot compute.
 Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected);
 

@@ -72,17 +72,18 @@ double interpolate(const std::vector<double>& x, const std::vector<double>& y, d
 // quasi-static.
 std::function<double(double)> continuous_life(const ResolvedCase& at_best,
                                               const std::vector<AxisPoint>& near) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(at_best);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const std::vector<study::NamedSet> sets = bearing_sets(at_best);
+  const auto quasi_static = [sets](double speed) {
+    return study::evaluate(study::at_speed(sets, speed)).life_hours;
+  };
   std::vector<double> log_speed;
   std::vector<double> log_ratio;
   for (const AxisPoint& point : near) {
     log_speed.push_back(std::log(point.speed));
-    log_ratio.push_back(std::log(point.life_h / study::life_at(drivetrain, geometry, point.speed)));
+    log_ratio.push_back(std::log(point.life_h / quasi_static(point.speed)));
   }
   return [=](double speed) {
-    return study::life_at(drivetrain, geometry, speed) *
-           std::exp(interpolate(log_speed, log_ratio, std::log(speed)));
+    return quasi_static(speed) * std::exp(interpolate(log_speed, log_ratio, std::log(speed)));
   };
 }
 

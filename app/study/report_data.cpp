@@ -195,26 +195,34 @@ Json published_points(const std::vector<LedgerRow>& rows) {
 SweepOutcome outcome_of(const Manifest& manifest) {
   SweepOutcome outcome;
   outcome.header = *manifest.header;
-  outcome.head = table_head(outcome.header.axes);
+  outcome.head = table_head(outcome.header.axes, outcome.header.sets);
   for (const auto& [index, entry] : manifest.entries) outcome.rows.push_back(entry.row);
   return outcome;
+}
+
+// Pictures show one bearing: of several sets, of the one that limits life at the peak.
+study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
+  std::vector<study::NamedSet> sets = bearing_sets(resolved);
+  const double speed = property(grid, "peak_speed_rpm") / kRpm;
+  const std::string name = study::evaluate(study::at_speed(sets, speed)).limiting_set;
+  return *std::find_if(sets.begin(), sets.end(),
+                       [&](const study::NamedSet& set) { return set.name == name; });
 }
 
 }  // namespace
 
 nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest) {
   const SpeedSlice slice = speed_slice(resolved);
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(slice.at);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const LifeCurve grid = life_curve(slice.at);
+  const auto [set, drivetrain, geometry] = shown_set(slice.at, grid);
   const SweepOutcome outcome = outcome_of(manifest);
   const FoundPeak found = find_peak(resolved, outcome);
-  const LifeCurve grid = life_curve(slice.at);
   const std::vector<double> fine = fine_speeds(grid);
   // The published numbers belong to the shipped case of this name, changed by the user or not.
   const Ledger ledger = ledger_of(resolved, read_expected(shipped_expected(resolved.text("name"))));
   Json data = sweep_json(outcome, found.peak, assumptions_with_worth(resolved, ledger.worth),
                          sweep_warnings(resolved, outcome, found), versions_json());
-  data["case"] = {{"name", resolved.text("name")},
+  data["case"] = {{"name", set.empty() ? resolved.text("name") : resolved.text("name") + ", set " + set},
                   {"source", resolved.text("source")},
                   {"model", resolved.choice("model")}};
   data["fidelity"] = outcome.header.fidelity;

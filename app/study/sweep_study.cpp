@@ -13,6 +13,7 @@
 #include "app/results/terminal_table.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/power_table.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "app/version.hpp"
 
@@ -50,8 +51,7 @@ SweepPoint point_of(const ResolvedCase& resolved, std::size_t index) {
 }
 
 study::PointResult compute_point(const ResolvedCase& resolved, std::size_t index, study::Fidelity fidelity) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.with(sweep_point(resolved, index)));
-  return study::evaluate(drivetrain, study::derive(drivetrain), fidelity);
+  return study::evaluate(bearing_sets(resolved.with(sweep_point(resolved, index))), fidelity);
 }
 
 }  // namespace
@@ -81,7 +81,15 @@ double axis_value(const ResolvedCase& resolved, const std::string& path) {
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; required: planetary-drivetrain, the one model that this version computes");
+                   "; required: planetary-drivetrain, the one model that this version computes" +
+                   (resolved.model() == gear_pair ? "; orbearing mesh shows a pair's stiffness" : ""));
+  if (!resolved.shape().bearing)
+    throw BadInput(resolved.file() +
+                   ": bearing: missing; required: a planet bearing, for its life; orbearing run gives the "
+                   "vibration of gears alone");
+  if (resolved.shape().several && bearing_set_names(resolved).empty())
+    throw BadInput(resolved.file() +
+                   ": sets: found no set with a bearing; required: at least one, for its life");
   SweepRequest request;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) request.points.push_back(point_of(resolved, i));
   request.header = {.case_name = resolved.text("name"),
@@ -92,6 +100,7 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
                     .points = request.points.size()};
   for (const SweepAxis& axis : resolved.axes())
     if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
+  request.header.sets = bearing_set_names(resolved);
   request.resolved_case = write_resolved(resolved);
   const study::Fidelity level =
       fidelity == "dynamic" ? study::Fidelity::dynamic : study::Fidelity::quasi_static;
@@ -111,6 +120,10 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
   if (!swept)
     mistakes.push_back("--continue: found a sweep without " + kSpeedPath +
                        "; required: at least two speeds, so that points have neighbours");
+  if (resolved.shape().several)
+    mistakes.push_back(
+        "--continue: found a drivetrain of several sets; required: one set, since a point keeps the "
+        "final state of one bearing");
   if (!mistakes.empty()) throw BadInput(mistakes);
   request.header.continued = direction;
   request.evaluate_from = [resolved](std::size_t index, const Eigen::VectorXd& start) {
@@ -150,9 +163,10 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, boo
   const FoundPeak found = find_peak(resolved, outcome);
   const std::vector<std::string> warnings = sweep_warnings(resolved, outcome, found);
   if (json) {
-    fmt::print(
-        "{}\n",
-        sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json()).dump(2));
+    nlohmann::ordered_json object =
+        sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json());
+    if (resolved.axes().empty()) object.update(power_json(power_table(resolved)));
+    fmt::print("{}\n", object.dump(2));
   } else if (!quiet) {
     fmt::print("{}\n{}", sweep_table(outcome.head, outcome.rows),
                life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()));

@@ -29,7 +29,7 @@ std::string rows_where(const SweepOutcome& outcome, const std::function<bool(con
 
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
                                         const FoundPeak& found) {
-  std::vector<std::string> warnings = gear_warnings(study::derive(drivetrain_of(resolved)));
+  std::vector<std::string> warnings = gear_warnings(resolved);
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);

@@ -35,12 +35,6 @@ Setting split_setting(const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-ResolvedCase with_alternative(const ResolvedCase& resolved, const Alternative& alternative) {
-  std::vector<Setting> settings;
-  for (const std::string& text : alternative.settings) settings.push_back(split_setting(text));
-  return resolved.with(settings);
-}
-
 double speed_of_largest(const LifeCurve& curve, const std::vector<double>& values) {
   return curve
       .speed_rpm[static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin())];
@@ -61,14 +55,18 @@ double rises_then_falls(const LifeCurve& curve) {
 
 }  // namespace
 
+ResolvedCase with_settings(const ResolvedCase& resolved, const std::vector<std::string>& settings) {
+  std::vector<Setting> split;
+  for (const std::string& text : settings) split.push_back(split_setting(text));
+  return resolved.with(split);
+}
+
 LifeCurve life_curve(const ResolvedCase& resolved) {
-  study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
-  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const std::vector<study::NamedSet> sets = bearing_sets(resolved);
   LifeCurve curve;
   for (const double speed : swept_speeds(resolved)) {
-    drivetrain.drive.speed = speed;
     try {
-      const study::PointResult point = study::evaluate(drivetrain, geometry);
+      const study::PointResult point = study::evaluate(study::at_speed(sets, speed));
       curve.speed_rpm.push_back(in_table_unit(speed, 1.0 / kRadiansPerSecond));
       curve.life_h.push_back(point.life_hours);
       curve.roller_load_rms.push_back(point.outer.load_rms);
@@ -96,7 +94,8 @@ std::vector<Worth> worth_of(const ResolvedCase& resolved, const LifeCurve& base,
                             const std::vector<Alternative>& alternatives) {
   std::vector<Worth> all;
   for (const Alternative& alternative : alternatives) {
-    Worth worth{.alternative = alternative, .curve = life_curve(with_alternative(resolved, alternative))};
+    Worth worth{.alternative = alternative,
+                .curve = life_curve(with_settings(resolved, alternative.settings))};
     worth.peak_speed_rpm = property(worth.curve, "peak_speed_rpm");
     worth.peak_life_h = property(worth.curve, "peak_life_h");
     worth.worth_h = worth.peak_life_h - property(base, "peak_life_h");

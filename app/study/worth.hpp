@@ -9,6 +9,9 @@
 
 namespace orbearing::app {
 
+/// The case with settings such as "pair.teeth=[30, 20]". Throws BadInput.
+ResolvedCase with_settings(const ResolvedCase& resolved, const std::vector<std::string>& settings);
+
 /// Life and loads over the speeds of a case's sweep by the quasi-static model. Arrays are over speeds.
 struct LifeCurve {
   std::vector<double> speed_rpm;

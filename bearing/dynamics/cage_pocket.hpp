@@ -25,6 +25,10 @@ struct PocketModel {
   double friction = 0.0;        // [-]
   double sliding_scale = 0.0;   // [m/s]
   double roller_radius = 0.0;   // [m]
+  bool with_film = false;
+  double viscosity = 0.0;  // [Pa s]
+  double length = 0.0;     // [m]     of the film: the roller's
+  double roughness = 0.0;  // [m]     least gap of the film
 };
 
 /// Forces between a roller and its pocket.
@@ -34,25 +38,28 @@ struct PocketForces {
   double load = 0.0;  // [N]  signed: positive where the roller pushes the cage in the sense of rotation
   double damping_power = 0.0;   // [W]  dissipated
   double friction_power = 0.0;  // [W]  dissipated
+  double film_power = 0.0;      // [W]  dissipated
 };
 
-/// Forces in the pocket whose centre line points along `outward` [-] (e).
-inline PocketForces pocket_forces(const PocketModel& model, const BodyMotion& roller, const BodyMotion& cage,
-                                  const Vector2& outward) {
+/// Forces of roller and bars that touch, in the pocket whose centre line points along `outward` [-] (e), of a
+/// roller larger in radius by `larger` [m] than stated.
+inline PocketForces touch_forces(const PocketModel& model, const BodyMotion& roller, const BodyMotion& cage,
+                                 const Vector2& outward, double larger = 0.0) {
   PocketForces forces;
   const Vector2 ahead = across(outward);
   const Vector2 from_cage = roller.position - cage.position;
   const double offset = from_cage.dot(ahead);
-  const double depth = std::abs(offset) - model.half_clearance;
+  const double depth = std::abs(offset) - (model.half_clearance - larger);
   if (depth <= 0.0) return forces;
   const double bar = std::copysign(1.0, offset);
   const Vector2 relative_velocity = roller.velocity - cage.velocity;
   const double depth_speed = bar * (relative_velocity.dot(ahead) - cage.speed * from_cage.dot(outward));
   const DampedLoad normal = damped_load(model.stiffness * depth, model.damping, depth_speed);
 
-  const Vector2 to_bar = bar * model.roller_radius * ahead;
-  const double sliding = -relative_velocity.dot(outward) - cage.speed * (offset + bar * model.roller_radius) +
-                         roller.speed * bar * model.roller_radius;
+  const double radius = model.roller_radius + larger;
+  const Vector2 to_bar = bar * radius * ahead;
+  const double sliding =
+      -relative_velocity.dot(outward) - cage.speed * (offset + bar * radius) + roller.speed * bar * radius;
   const double friction = regularised_friction(model.friction, normal.load, sliding, model.sliding_scale);
   const Vector2 force = -bar * normal.load * ahead + friction * outward;
   forces.on_roller = force_at(to_bar, force);
@@ -63,10 +70,15 @@ inline PocketForces pocket_forces(const PocketModel& model, const BodyMotion& ro
   return forces;
 }
 
+/// Touch and, where the model has it, film at both bars.
+PocketForces pocket_forces(const PocketModel& model, const BodyMotion& roller, const BodyMotion& cage,
+                           const Vector2& outward, double larger = 0.0);
+
 /// Energy stored in the bar [J].
 inline double pocket_energy(const PocketModel& model, const Vector2& roller, const Vector2& cage,
-                            const Vector2& outward) {
-  const double depth = std::max(0.0, std::abs((roller - cage).dot(across(outward))) - model.half_clearance);
+                            const Vector2& outward, double larger = 0.0) {
+  const double depth =
+      std::max(0.0, std::abs((roller - cage).dot(across(outward))) - (model.half_clearance - larger));
   return 0.5 * model.stiffness * depth * depth;
 }
 

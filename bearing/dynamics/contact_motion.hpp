@@ -29,6 +29,7 @@ struct ContactMotion {
   double rolling = 0.0;         // [m/s]  half the sum of both surface speeds relative to the contact
   double race_arm = 0.0;        // [m]    from the centre of the race to the contact point, along n
   double roller_arm = 0.0;      // [m]    from the centre of the roller to the contact point, along n
+  double line_speed = 0.0;      // [rad/s]  at which the line of centres turns
 };
 
 /// Motion of `roller` of radius `roller_radius` [m] on `race`. Exact rigid-body kinematics: the line of
@@ -45,9 +46,9 @@ inline ContactMotion contact_motion(const BodyMotion& roller, double roller_radi
   motion.approach_speed = on.side * relative_velocity.dot(motion.normal);
   motion.roller_arm = on.side * roller_radius;
   motion.race_arm = motion.distance + motion.roller_arm;
-  const double line_speed = relative_velocity.dot(motion.tangent) / motion.distance;
-  const double race_surface = (race.speed - line_speed) * motion.race_arm;
-  const double roller_surface = (roller.speed - line_speed) * motion.roller_arm;
+  motion.line_speed = relative_velocity.dot(motion.tangent) / motion.distance;
+  const double race_surface = (race.speed - motion.line_speed) * motion.race_arm;
+  const double roller_surface = (roller.speed - motion.line_speed) * motion.roller_arm;
   motion.sliding = race_surface - roller_surface;
   motion.rolling = 0.5 * (race_surface + roller_surface);
   return motion;

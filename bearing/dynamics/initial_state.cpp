@@ -20,20 +20,29 @@ Vector2 pin_displacement(const BearingModel& model, const QuasiStaticState& bala
   return force / model.support.stiffness;
 }
 
+// Radius of a race at `angle`, as at t = 0, film and form included.
+double race_radius(const RaceModel& race, double angle) {
+  return race.side.radius + form_at(race.form, angle, 0.0).height;
+}
+
 // Centre of a roller on the ray `outward` from the pin: on the inner race where it carries, else on the
 // outer.
 Vector2 roller_centre(const BearingModel& model, const RollerContacts& contacts,
                       const QuasiStaticState& balance, Eigen::Index j, const Vector2& pin,
                       const Vector2& bore) {
-  const RollerBearingGeometry& geometry = model.geometry;
-  const Vector2 outward = direction(balance.angle[j]);
+  const double roller = model.geometry.roller_radius + model.larger_by[static_cast<std::size_t>(j)];
+  const double angle = balance.angle[j];
+  const Vector2 outward = direction(angle);
   if (balance.inner_load[j] > 0.0)
-    return pin +
-           (geometry.inner_radius + geometry.roller_radius - contacts.inner.approach(balance.inner_load[j])) *
-               outward;
-  return bore +
-         (geometry.outer_radius - geometry.roller_radius + contacts.outer.approach(balance.outer_load[j])) *
-             outward;
+    return pin + (race_radius(model.inner, angle) + roller - contacts.inner.approach(balance.inner_load[j])) *
+                     outward;
+  return bore + (race_radius(model.outer, angle) - roller + contacts.outer.approach(balance.outer_load[j])) *
+                    outward;
+}
+
+// The film that is part of the contacts; as printed it is part of the races' radii.
+std::optional<Lubricant> added_film(const QuasiStaticOptions& options) {
+  return options.film_approach == FilmApproach::added ? options.film : std::nullopt;
 }
 
 void set_roller(const Vector2& centre, double angle, double cage_speed, double spin, Eigen::Index j,
@@ -49,14 +58,16 @@ void set_roller(const Vector2& centre, double angle, double cage_speed, double s
 
 InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller) {
-  const OperatingPoint& point = model.point;
+  OperatingPoint point = model.point;
+  if (model.driving.growth != 0.0) point.carrier.acceleration = 0.0;  // the load on the bore lacks its share
   QuasiStaticOptions options;
   options.inertia = parameters.inertia;
   if (parameters.race.film_in_approach) options.film = parameters.lubricant;
+  options.film_approach = parameters.race.film_approach;
   const QuasiStaticState balance = quasi_static_state(bearing, point, options, first_roller);
   const RollerContacts contacts =
-      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, options.film);
-  const double cage_speed = kinematic_cage_speed(model.geometry, point.inner_speed, point.outer_speed);
+      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, added_film(options));
+  const double cage_speed = model.kinematic_cage_speed;
   const double spin = kinematic_roller_spin(model.geometry, point.inner_speed, point.outer_speed);
 
   InitialState start{Eigen::VectorXd::Zero(model.layout.size()), balance.report};

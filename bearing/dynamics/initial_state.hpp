@@ -13,9 +13,11 @@ struct InitialState {
   SolverReport report;
 };
 
+/// For steady speeds, or for the speeds of a run-up at t = 0 (its Euler terms are left to the motion).
 /// Rollers stand where the quasi-static bearing has them, with the approach their loads need; rollers and
-/// cage turn at pure rolling; the cage is centred in its land; the pin is displaced as its support demands.
-/// Where the quasi-static solver fails, `report` says so and the rings are centred.
+/// cage turn at pure rolling, or the cage at the reference speed that was asked for; the cage is centred in
+/// its land; the pin is displaced as its support demands. Where the quasi-static solver fails, `report` says
+/// so and the rings are centred.
 InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller);
 

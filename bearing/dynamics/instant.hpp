@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bearing/dynamics/driving.hpp"
 #include "bearing/dynamics/model.hpp"
 
 namespace orbearing::bearing::dynamics {
@@ -16,10 +17,15 @@ struct RingBodies {
   Vector2 cage_direction;  // [-]  of the cage angle
 };
 
-inline RingBodies ring_bodies(const BearingModel& model, const ConstStateViews& state) {
+/// Bodies at `time` [s], which matters in a run-up and where waves turn with a race.
+inline RingBodies ring_bodies(const BearingModel& model, const ConstStateViews& state, double time = 0.0) {
+  const double ratio = speed_ratio(model.driving, time);
+  const double turned = equivalent_time(model.driving, time);
   return {.cage = {state.cage_position, state.cage_velocity, state.cage_speed},
-          .bore = {state.bore_position, state.bore_velocity, model.point.outer_speed},
-          .pin = {state.pin_position, state.pin_velocity, model.point.inner_speed},
+          .bore = {state.bore_position, state.bore_velocity, model.point.outer_speed * ratio,
+                   model.point.outer_speed * turned},
+          .pin = {state.pin_position, state.pin_velocity, model.point.inner_speed * ratio,
+                  model.point.inner_speed * turned},
           .cage_direction = {std::cos(state.cage_angle), std::sin(state.cage_angle)}};
 }
 
@@ -64,9 +70,21 @@ inline Vector2 pocket_direction(const BearingModel& model, const RingBodies& rin
 
 inline RollerForces roller_forces(const BearingModel& model, const RingBodies& rings,
                                   const RollerBody& roller, Eigen::Index j) {
-  return {.inner = race_forces(model.inner, roller.motion, rings.pin),
-          .outer = race_forces(model.outer, roller.motion, rings.bore),
-          .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j)),
+  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  return {.inner = race_forces(model.inner, roller.motion, rings.pin, larger),
+          .outer = race_forces(model.outer, roller.motion, rings.bore, larger),
+          .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j),
+                                  larger),
+          .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
+          .spin_drag = model.spin_drag.force(roller.motion.speed)};
+}
+
+/// The same for a model that is plain, at less cost.
+inline RollerForces plain_roller_forces(const BearingModel& model, const RingBodies& rings,
+                                        const RollerBody& roller, Eigen::Index j) {
+  return {.inner = plain_race_forces(model.inner, roller.motion, rings.pin),
+          .outer = plain_race_forces(model.outer, roller.motion, rings.bore),
+          .pocket = touch_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j)),
           .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
           .spin_drag = model.spin_drag.force(roller.motion.speed)};
 }

@@ -2,8 +2,9 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
+
+#include "bearing/dynamics/driving.hpp"
+#include "bearing/dynamics/race_model.hpp"
 
 namespace orbearing::bearing::dynamics {
 
@@ -11,11 +12,36 @@ namespace {
 
 using boost::math::double_constants::two_pi;
 
-void require(bool holds, const char* name, double found, const char* required) {
-  if (holds) return;
-  std::ostringstream text;
-  text << name << ": found " << found << "; required: " << required;
-  throw std::invalid_argument(text.str());
+void check_oil(const DynamicsParameters& parameters) {
+  const RaceContactParameters& race = parameters.race;
+  const bool pocket_film = parameters.cage.pocket_film == PocketFilm::hydrodynamic;
+  const bool mixed = race.lubrication == Lubrication::mixed;
+  const bool needs_oil =
+      race.film_in_approach || race.traction == TractionLaw::limiting_shear || mixed || pocket_film;
+  require(!needs_oil || parameters.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]",
+          parameters.lubricant.viscosity,
+          "more than 0 for a film, for limiting shear or for mixed lubrication");
+  require(!mixed || race.roughness > 0.0, "roughness of roller and race [m]", race.roughness,
+          "more than 0 for mixed lubrication");
+  require(!mixed || race.boundary_friction >= 0.0, "boundary friction [-]", race.boundary_friction,
+          "0 or more");
+  require(!pocket_film || parameters.cage.pocket_roughness > 0.0, "roughness of the pocket [m]",
+          parameters.cage.pocket_roughness, "more than 0 for a film in the pocket");
+}
+
+void check_form(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry) {
+  for (const auto* form : {&bearing.inner_form, &bearing.outer_form})
+    for (const RaceHarmonic& wave : *form) {
+      require(wave.order >= 1, "order of a wave of a race", wave.order, "1 or more");
+      require(std::abs(wave.amplitude) < geometry.roller_radius, "amplitude of a wave of a race [m]",
+              wave.amplitude, "less than the radius of a roller");
+    }
+  require(bearing.roller_diameter_deviation.size() <= static_cast<std::size_t>(bearing.rollers),
+          "number of roller diameter deviations",
+          static_cast<double>(bearing.roller_diameter_deviation.size()), "at most one for each roller");
+  for (const double deviation : bearing.roller_diameter_deviation)
+    require(std::abs(deviation) < geometry.roller_radius, "deviation of a roller's diameter [m]", deviation,
+            "less than the radius of a roller");
 }
 
 void check(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
@@ -38,37 +64,25 @@ void check(const CylindricalRollerBearing& bearing, const RollerBearingGeometry&
           "more than 0");
   require(parameters.race.entrainment_scale > 0.0, "entrainment scale [m/s]",
           parameters.race.entrainment_scale, "more than 0");
-  const bool needs_oil =
-      parameters.race.film_in_approach || parameters.race.traction == TractionLaw::limiting_shear;
-  require(!needs_oil || parameters.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]",
-          parameters.lubricant.viscosity, "more than 0 for a film or for limiting shear");
+  check_oil(parameters);
+  check_form(bearing, geometry);
+  require(std::isfinite(parameters.driving.growth), "growth of the speeds [1/s]", parameters.driving.growth,
+          "a finite number");
 }
 
-RaceModel race_model(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
-                     Race race, const DynamicsParameters& parameters) {
-  const RaceContactParameters& given = parameters.race;
-  const LineContact elastic = roller_race_contact(bearing.contact_law, bearing.roller_length);
-  const FilmContact film = film_contact(bearing, geometry, race, parameters.lubricant);
-  const RaceSide side =
-      race == Race::inner ? RaceSide{-1.0, geometry.inner_radius} : RaceSide{1.0, geometry.outer_radius};
-  return {.side = side,
-          .roller_radius = geometry.roller_radius,
-          .damping = given.damping,
-          .entrainment_scale = given.entrainment_scale,
-          .with_rolling_resistance = given.rolling_resistance,
-          .load = given.film_in_approach ? RaceLoadLaw(elastic, film) : RaceLoadLaw(elastic),
-          .traction = TractionCurve(given, film),
-          .rolling = RollingResistance(film)};
-}
-
-PocketModel pocket_model(const RollerBearingGeometry& geometry, const DynamicsParameters& parameters) {
+PocketModel pocket_model(const RollerBearingGeometry& geometry, double length,
+                         const DynamicsParameters& parameters) {
   const CageParameters& cage = parameters.cage;
   return {.half_clearance = 0.5 * cage.pocket_clearance,
           .stiffness = cage.pocket_stiffness,
           .damping = cage.pocket_damping,
           .friction = cage.pocket_friction,
           .sliding_scale = parameters.race.sliding_scale,
-          .roller_radius = geometry.roller_radius};
+          .roller_radius = geometry.roller_radius,
+          .with_film = cage.pocket_film == PocketFilm::hydrodynamic,
+          .viscosity = parameters.lubricant.viscosity,
+          .length = length,
+          .roughness = cage.pocket_roughness};
 }
 
 GuidanceModel guidance_model(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters) {
@@ -120,6 +134,50 @@ PinSupport pin_support(const SupportParameters& given, double moving_mass) {
   return {given.stiffness, 2.0 * given.damping_ratio * std::sqrt(given.stiffness * moving_mass)};
 }
 
+// Radius of each roller less the stated one.
+std::vector<double> larger_rollers(const CylindricalRollerBearing& bearing) {
+  std::vector<double> larger;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(bearing.rollers); ++j)
+    larger.push_back(0.5 * diameter_deviation(bearing, j));
+  return larger;
+}
+
+bool is_plain(const CylindricalRollerBearing& bearing, const BearingModel& model) {
+  return bearing.inner_form.empty() && bearing.outer_form.empty() && !model.inner.mixed.on &&
+         bearing.roller_diameter_deviation.empty() && !model.pocket.with_film;
+}
+
+// Eq. (8) of [Gai2025] has the minus sign of a turning inner race with the speed of the outer.
+double reference_cage_speed(const RollerBearingGeometry& geometry, const OperatingPoint& point,
+                            ReferenceSpeed which) {
+  if (which == ReferenceSpeed::as_printed) return kinematic_cage_speed(geometry, point.outer_speed, 0.0);
+  return kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
+}
+
+// The carrier's acceleration follows from the growth of its speed; the planet's Euler load is added to what
+// the load on the bore holds.
+void set_driving(const InertiaSwitches& inertia, BearingModel& model) {
+  CarrierMotion& carrier = model.point.carrier;
+  require(carrier.acceleration == 0.0, "acceleration of the carrier [rad/s^2]", carrier.acceleration,
+          "0 in a run-up, where it follows from the growth of the speeds");
+  const Vector2 none = Vector2::Zero();
+  model.bore_loads.centrifugal = model.bore_mass * inertial_acceleration(model.frame, none, none);
+  model.bore_loads.meshes = model.point.bore_load - model.bore_loads.centrifugal;
+  carrier.acceleration = model.driving.growth * carrier.speed;
+  model.frame = carrier_frame(carrier, inertia);
+  model.bore_loads.euler =
+      model.bore_mass * inertial_acceleration(model.frame, none, none) - model.bore_loads.centrifugal;
+}
+
+// Load on the bore in a run-up; the ripple falls with the meshes' load and quickens with their speed.
+Vector2 growing_load(const BearingModel& model, double time) {
+  const double ratio = speed_ratio(model.driving, time);
+  const MeshRipple& ripple = model.ripple;
+  const double angle = ripple.angular_frequency * equivalent_time(model.driving, time) + ripple.phase;
+  const Vector2 meshes = model.bore_loads.meshes + Vector2(0.0, ripple.amplitude * std::sin(angle));
+  return meshes / ratio + model.bore_loads.centrifugal * ratio * ratio + model.bore_loads.euler;
+}
+
 }  // namespace
 
 BearingModel bearing_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
@@ -127,32 +185,40 @@ BearingModel bearing_model(const CylindricalRollerBearing& bearing, const Operat
   const RollerBearingGeometry geometry = geometry_of(bearing);
   check(bearing, geometry, parameters);
   const double bore_mass = parameters.bore_mass > 0.0 ? parameters.bore_mass : geometry.outer_ring_mass;
-  BearingModel model{.layout = {bearing.rollers},
-                     .geometry = geometry,
-                     .point = point,
-                     .frame = carrier_frame(point.carrier, parameters.inertia),
-                     .roller = {geometry.roller_mass, geometry.roller_inertia},
-                     .cage = {geometry.cage_mass, geometry.cage_inertia},
-                     .bore_mass = bore_mass,
-                     .pin_mass = geometry.inner_ring_mass,
-                     .inner = race_model(bearing, geometry, Race::inner, parameters),
-                     .outer = race_model(bearing, geometry, Race::outer, parameters),
-                     .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
-                     .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
-                     .pocket = pocket_model(geometry, parameters),
-                     .pocket_direction = pocket_directions(bearing.rollers),
-                     .guidance = guidance_model(bearing, parameters),
-                     .guiding_race = bearing.cage.guidance,
-                     .support = pin_support(parameters.support, bore_mass + geometry.inner_ring_mass),
-                     .orbit_drag = {},
-                     .spin_drag = {},
-                     .cage_drag = {},
-                     .ripple = parameters.ripple};
+  BearingModel model{
+      .layout = {bearing.rollers},
+      .geometry = geometry,
+      .point = point,
+      .frame = carrier_frame(point.carrier, parameters.inertia),
+      .roller = {geometry.roller_mass, geometry.roller_inertia},
+      .cage = {geometry.cage_mass, geometry.cage_inertia},
+      .bore_mass = bore_mass,
+      .pin_mass = geometry.inner_ring_mass,
+      .inner = race_model(bearing, point, Race::inner, parameters),
+      .outer = race_model(bearing, point, Race::outer, parameters),
+      .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
+      .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
+      .pocket = pocket_model(geometry, bearing.roller_length, parameters),
+      .larger_by = larger_rollers(bearing),
+      .pocket_direction = pocket_directions(bearing.rollers),
+      .guidance = guidance_model(bearing, parameters),
+      .guiding_race = bearing.cage.guidance,
+      .support = pin_support(parameters.support, bore_mass + geometry.inner_ring_mass),
+      .orbit_drag = {},
+      .spin_drag = {},
+      .cage_drag = {},
+      .ripple = parameters.ripple,
+      .driving = parameters.driving,
+      .bore_loads = {},
+      .kinematic_cage_speed = reference_cage_speed(geometry, point, parameters.cage.reference_speed)};
   set_drag(bearing, parameters.drag, model);
+  model.plain = is_plain(bearing, model);
+  if (model.driving.growth != 0.0) set_driving(parameters.inertia, model);
   return model;
 }
 
 Vector2 bore_load(const BearingModel& model, double time) {
+  if (model.driving.growth != 0.0) return growing_load(model, time);
   const MeshRipple& ripple = model.ripple;
   const double along_y = ripple.amplitude * std::sin(ripple.angular_frequency * time + ripple.phase);
   return {model.point.bore_load.x(), model.point.bore_load.y() + along_y};

@@ -28,7 +28,14 @@ struct BodyInertia {
   double inertia = 0.0;  // [kg m^2]  about its axis
 };
 
-/// All constants of a run.
+/// How the load on the bore changes in a run-up; all at t = 0.
+struct BoreLoads {
+  Vector2 meshes = Vector2::Zero();       // [N]  falls as the speed rises
+  Vector2 centrifugal = Vector2::Zero();  // [N]  of the planet, rises with the square of the speed
+  Vector2 euler = Vector2::Zero();        // [N]  of the planet, stays
+};
+
+/// All constants of a run. Speeds and frame are those at t = 0; see driving.hpp.
 struct BearingModel {
   StateLayout layout;
   RollerBearingGeometry geometry;
@@ -43,6 +50,7 @@ struct BearingModel {
   FilmContact inner_film;
   FilmContact outer_film;
   PocketModel pocket;
+  std::vector<double> larger_by;          // [m]  (rollers)  radius of each roller less the stated one
   std::vector<Vector2> pocket_direction;  // [-]  of each pocket at cage angle zero
   GuidanceModel guidance;
   Race guiding_race = Race::outer;
@@ -51,17 +59,24 @@ struct BearingModel {
   QuadraticDrag spin_drag;   // churning by a roller
   QuadraticDrag cage_drag;   // churning by the cage
   MeshRipple ripple;
+  Driving driving;
+  BoreLoads bore_loads;               // of a run-up
+  bool plain = true;                  // round races, equal rollers, full lubrication, pockets without film
+  double kinematic_cage_speed = 0.0;  // [rad/s]  at which the cage starts, and to which its slip refers
 };
 
 /// Model of `bearing` at `point`. The load on the bore holds the planet's inertial load where the bore is
 /// centred and at rest, as in the quasi-static model; what displacement and velocity add to it is in the
-/// equations. Speed and acceleration of the carrier stay as they are during a run. Throws
-/// std::invalid_argument, with what was found and what is required, where a mass, a clearance or a stiffness
-/// leaves the equations without meaning.
+/// equations. Speed and acceleration of the carrier stay as they are during a run, but in a run-up
+/// (`parameters.driving`): then the acceleration follows from it and must not be given, and the planet's
+/// Euler load is added. Throws std::invalid_argument, with what was found and what is required, where a mass,
+/// a clearance or a stiffness leaves the equations without meaning.
 BearingModel bearing_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
                            const DynamicsParameters& parameters);
 
-/// External load on the bore [N] at `time` [s], ripple included.
+/// External load on the bore [N] at `time` [s], ripple included; in a run-up
+///   meshes / s + centrifugal s^2 + euler,   s = 1 + growth t,
+/// the ripple falling and quickening with the meshes.
 Vector2 bore_load(const BearingModel& model, double time);
 /// Its slope by time [N/s].
 Vector2 bore_load_slope(const BearingModel& model, double time);

@@ -13,6 +13,19 @@ enum class TractionLaw {
                         // [BairWiner1979]
 };
 
+/// Who carries the load of a race contact.
+enum class Lubrication {
+  full,   // the film, or the surfaces, alone: one law of friction
+  mixed,  // film and asperities share load and friction by the film ratio [OlverSpikes1998]
+};
+
+/// What the damping of a race contact acts on.
+enum class DampingLaw {
+  approach_speed,  // [HuntCrossley1975]
+  as_printed,      // Eq. (9) of [Gai2025]: c delta^n without a speed, which is no damping but stiffness; c is
+                   // read as damping * 1 m/s of the contact's constant
+};
+
 /// Race contacts: damping, friction, and whether the film adds to the elastic approach.
 struct RaceContactParameters {
   double damping = 0.1;  // [s/m]  load grows by this share per m/s of approach speed. Assumption: 10 %
@@ -25,14 +38,32 @@ struct RaceContactParameters {
       0.01;  // [m/s]  added to s_c, so that a film that has gone leaves finite slope. Assumption
   double largest_barus_exponent = 8.0;  // [-]    alpha p is held here: beyond it oil does not follow Barus
   double entrainment_scale = 0.01;      // [m/s]  rounds |u| at zero. Assumption: far below any running speed
-  bool film_in_approach = false;        // the film adds to the elastic approach
+  bool film_in_approach = false;        // the film takes part in the approach
   bool rolling_resistance = true;       // shear of the oil at the inlet
+  FilmApproach film_approach = FilmApproach::added;
+  DampingLaw damping_law = DampingLaw::approach_speed;
+  Lubrication lubrication = Lubrication::full;
+  double roughness = 0.2e-6;        // [m]  composite rms of roller and race. Assumption: honed races, ground
+                                    //      rollers
+  double boundary_friction = 0.12;  // [-]  of asperities in contact. Assumption: mineral oil with additives
 };
 
 /// Force of the oil between cage and land.
 enum class GuidanceFilm {
   short_bearing,  // with squeeze and whirl, [Ocvirk1952]
   as_printed,     // Eqs. (24) and (25) of [Gai2025], which lack both
+};
+
+/// Oil between roller and pocket bar before they touch.
+enum class PocketFilm {
+  none,          // the bar is felt when it is touched
+  hydrodynamic,  // rigid-isoviscous line contact with entrainment and squeeze
+};
+
+/// Cage speed at which a run starts and from which its slip is counted.
+enum class ReferenceSpeed {
+  rolling,     // pure rolling on both races
+  as_printed,  // Eq. (8) of [Gai2025]: that of a turning inner race, with the speed of the outer
 };
 
 /// Cage pockets and the land that guides the cage.
@@ -43,9 +74,13 @@ struct CageParameters {
   double pocket_stiffness = 3e7;  // [N/m]  Assumption: glass-filled polyamide bar
   double pocket_damping = 1.0;    // [s/m]  as damping of the races. Assumption: polymer
   double pocket_friction = 0.05;  // [-]    Assumption: oiled
-  double guide_diameter = 0.0;    // [m]    of the land; 0: no guidance
-  double land_width = 0.0;  // [m]    of one land; 0: what cage width and roller length leave at each side
-  int lands = 2;            // [-]
+  PocketFilm pocket_film = PocketFilm::none;
+  double pocket_roughness = 0.4e-6;  // [m]    where asperities hold the film. Assumption: the moulded bar,
+                                     //        which outweighs the roller
+  ReferenceSpeed reference_speed = ReferenceSpeed::rolling;
+  double guide_diameter = 0.0;  // [m]    of the land; 0: no guidance
+  double land_width = 0.0;      // [m]    of one land; 0: what cage width and roller length leave at each side
+  int lands = 2;                // [-]
   GuidanceFilm guidance_film = GuidanceFilm::short_bearing;
   double largest_eccentricity =
       0.98;                           // [-]    of the land's clearance where roughness takes over. Assumption
@@ -78,6 +113,12 @@ struct MeshRipple {
   double phase = 0.0;              // [rad]
 };
 
+/// Run-up or run-down: all speeds are (1 + growth t) times those at t = 0. The meshes pass constant power, so
+/// their load falls as the speed rises; inertial loads rise with its square.
+struct Driving {
+  double growth = 0.0;  // [1/s]  0: steady speeds
+};
+
 /// All that the roller dynamics adds to CylindricalRollerBearing.
 struct DynamicsParameters {
   RaceContactParameters race;
@@ -85,6 +126,7 @@ struct DynamicsParameters {
   OilDragParameters drag;
   SupportParameters support;
   MeshRipple ripple;
+  Driving driving;
   InertiaSwitches inertia;
   Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};  // Assumption: thin oil at 90 deg C
   double bore_mass = 0.0;  // [kg]  planet mass per bearing; 0: that of the outer ring

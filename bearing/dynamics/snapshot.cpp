@@ -47,7 +47,7 @@ void add_losses(const BearingModel& model, const RollerBody& roller, const Rolle
   loss.inner_traction += forces.inner.traction_power;
   loss.outer_traction += forces.outer.traction_power;
   loss.rolling += forces.inner.rolling_power + forces.outer.rolling_power;
-  loss.pockets += forces.pocket.damping_power + forces.pocket.friction_power;
+  loss.pockets += forces.pocket.damping_power + forces.pocket.friction_power + forces.pocket.film_power;
   loss.drag += model.orbit_drag.power(roller.radius * roller.orbital_speed) +
                model.spin_drag.power(roller.motion.speed);
 }
@@ -60,22 +60,27 @@ double centrifugal(const CarrierFrame& frame, double mass, double orbit_radius, 
   return -0.5 * mass * frame.centrifugal * (position + Vector2(orbit_radius, 0.0)).squaredNorm();
 }
 
-void add_roller_energy(const BearingModel& model, const RingBodies& rings, const RollerBody& roller,
-                       Eigen::Index j, StoredEnergy& energy) {
+void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, const RingBodies& rings,
+                       const RollerBody& roller, Eigen::Index j, StoredEnergy& energy) {
+  const double larger = model.larger_by[static_cast<std::size_t>(j)];
   const BodyMotion& motion = roller.motion;
   energy.kinetic += kinetic(model.roller, motion);
-  energy.centrifugal +=
-      centrifugal(model.frame, model.roller.mass, model.frame.orbit_radius, motion.position);
-  energy.races += race_energy(model.inner, motion, rings.pin) + race_energy(model.outer, motion, rings.bore);
-  energy.pockets +=
-      pocket_energy(model.pocket, motion.position, rings.cage.position, pocket_direction(model, rings, j));
+  energy.centrifugal += centrifugal(frame, model.roller.mass, frame.orbit_radius, motion.position);
+  energy.races += race_energy(model.inner, motion, rings.pin, larger) +
+                  race_energy(model.outer, motion, rings.bore, larger);
+  energy.pockets += pocket_energy(model.pocket, motion.position, rings.cage.position,
+                                  pocket_direction(model, rings, j), larger);
 }
 
-// Wrenches on the rings alone, without what is reported per roller.
-RingWrenches ring_wrenches(const BearingModel& model, const ConstStateViews& state, const RingBodies& rings) {
+// Wrenches on the rings alone, without what is reported per roller, and the power that standing forms give.
+RingWrenches ring_wrenches(const BearingModel& model, const ConstStateViews& state, const RingBodies& rings,
+                           double& standing_form) {
   RingWrenches sum;
-  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
-    sum.add(roller_forces(model, rings, roller_body(state, j), j));
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    const RollerForces forces = roller_forces(model, rings, roller_body(state, j), j);
+    standing_form -= forces.inner.form_power + forces.outer.form_power;
+    sum.add(forces);
+  }
   sum.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
   return sum;
 }
@@ -100,27 +105,28 @@ double euler_power(const BearingModel& model, const ConstStateViews& state, cons
   return power;
 }
 
-double entrainment(const RaceModel& race, const BodyMotion& roller, const BodyMotion& ring) {
-  return entrainment_speed(contact_motion(roller, race.roller_radius, ring, race.side).rolling,
-                           race.entrainment_scale);
+double entrainment(const RaceModel& race, const BodyMotion& roller, double larger, const BodyMotion& ring) {
+  return entrainment_speed(race_motion(race, roller, larger, ring).contact.rolling, race.entrainment_scale);
 }
 
-double changing_film_power(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,
+double changing_film_power(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                            const Eigen::Ref<const Eigen::VectorXd>& dx) {
   const Eigen::VectorXd before = x - kDifferenceTime * dx;
   const Eigen::VectorXd after = x + kDifferenceTime * dx;
   const ConstStateViews views[] = {state_views(model.layout, before.data()),
                                    state_views(model.layout, x.data()),
                                    state_views(model.layout, after.data())};
-  const RingBodies rings[] = {ring_bodies(model, views[0]), ring_bodies(model, views[1]),
-                              ring_bodies(model, views[2])};
+  const RingBodies rings[] = {ring_bodies(model, views[0], time - kDifferenceTime),
+                              ring_bodies(model, views[1], time),
+                              ring_bodies(model, views[2], time + kDifferenceTime)};
   double power = 0.0;
   const auto add = [&](const RaceModel& race, const BodyMotion RingBodies::*ring, Eigen::Index j) {
+    const double larger = model.larger_by[static_cast<std::size_t>(j)];
     const BodyMotion now = roller_body(views[1], j).motion;
-    const double speed = entrainment(race, now, rings[1].*ring);
-    const double change = entrainment(race, roller_body(views[2], j).motion, rings[2].*ring) -
-                          entrainment(race, roller_body(views[0], j).motion, rings[0].*ring);
-    const double approach = contact_motion(now, race.roller_radius, rings[1].*ring, race.side).approach;
+    const double speed = entrainment(race, now, larger, rings[1].*ring);
+    const double change = entrainment(race, roller_body(views[2], j).motion, larger, rings[2].*ring) -
+                          entrainment(race, roller_body(views[0], j).motion, larger, rings[0].*ring);
+    const double approach = race_motion(race, now, larger, rings[1].*ring).contact.approach;
     power += race.load.energy_slope(approach, speed) * change / (2.0 * kDifferenceTime);
   };
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
@@ -132,15 +138,16 @@ double changing_film_power(const BearingModel& model, const Eigen::Ref<const Eig
 
 }  // namespace
 
-Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x) {
+Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time) {
   Snapshot result;
-  take_snapshot(model, x, result);
+  take_snapshot(model, x, result, time);
   return result;
 }
 
-void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into) {
+void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
+                   double time) {
   const ConstStateViews state = state_views(model.layout, x.data());
-  const RingBodies rings = ring_bodies(model, state);
+  const RingBodies rings = ring_bodies(model, state, time);
   RingWrenches on_rings;
   resize(into, model.layout.rollers);
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
@@ -166,19 +173,20 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
   into.bore_friction_moment = on_rings.bore.moment;
 }
 
-StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x) {
+StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,
+                           double time) {
   const ConstStateViews state = state_views(model.layout, x.data());
-  const RingBodies rings = ring_bodies(model, state);
+  const CarrierFrame frame = frame_at(model, time);
+  const RingBodies rings = ring_bodies(model, state, time);
   StoredEnergy energy;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
-    add_roller_energy(model, rings, roller_body(state, j), j, energy);
+    add_roller_energy(model, frame, rings, roller_body(state, j), j, energy);
   energy.kinetic += kinetic(model.cage, rings.cage) +
                     0.5 * model.bore_mass * rings.bore.velocity.squaredNorm() +
                     0.5 * model.pin_mass * rings.pin.velocity.squaredNorm();
-  energy.centrifugal +=
-      centrifugal(model.frame, model.cage.mass, model.frame.orbit_radius, rings.cage.position) +
-      centrifugal(model.frame, model.pin_mass, model.frame.orbit_radius, rings.pin.position) +
-      centrifugal(model.frame, model.bore_mass, 0.0, rings.bore.position);
+  energy.centrifugal += centrifugal(frame, model.cage.mass, frame.orbit_radius, rings.cage.position) +
+                        centrifugal(frame, model.pin_mass, frame.orbit_radius, rings.pin.position) +
+                        centrifugal(frame, model.bore_mass, 0.0, rings.bore.position);
   energy.guidance = guidance_energy(model.guidance, rings.cage.position, land_body(model, rings).position);
   energy.support = model.support.energy(rings.pin.position);
   return energy;
@@ -187,12 +195,16 @@ StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eig
 PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                        const Eigen::Ref<const Eigen::VectorXd>& dx) {
   const ConstStateViews state = state_views(model.layout, x.data());
-  const RingBodies rings = ring_bodies(model, state);
-  const RingWrenches on_rings = ring_wrenches(model, state, rings);
+  const RingBodies rings = ring_bodies(model, state, time);
+  double standing_form = 0.0;
+  const RingWrenches on_rings = ring_wrenches(model, state, rings, standing_form);
+  const double growth = model.driving.growth / speed_ratio(model.driving, time);
   return {.bore_load = bore_load(model, time).dot(rings.bore.velocity),
           .rotations = -on_rings.bore.moment * rings.bore.speed - on_rings.pin.moment * rings.pin.speed,
           .euler = euler_power(model, state, rings),
-          .changing_film = changing_film_power(model, x, dx)};
+          .changing_film = changing_film_power(model, time, x, dx),
+          .standing_form = standing_form,
+          .changing_frame = 2.0 * growth * stored_energy(model, x, time).centrifugal};
 }
 
 }  // namespace orbearing::bearing::dynamics

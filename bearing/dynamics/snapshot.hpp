@@ -34,7 +34,7 @@ struct PowerLoss {
   double outer_traction = 0.0;
   double rolling = 0.0;
   double drag = 0.0;      // rollers and cage in the oil-air mixture
-  double pockets = 0.0;   // damping and friction
+  double pockets = 0.0;   // damping, friction, film
   double guidance = 0.0;  // film, touch-down
   double support = 0.0;
 
@@ -45,12 +45,16 @@ struct PowerLoss {
 
 /// Power that enters from outside [W].
 struct PowerInput {
-  double bore_load = 0.0;      // external load times velocity of the bore
-  double rotations = 0.0;      // what keeps bore and pin at their speeds
-  double euler = 0.0;          // inertial loads of a carrier that speeds up
-  double changing_film = 0.0;  // work of the films as their speed changes
+  double bore_load = 0.0;       // external load times velocity of the bore
+  double rotations = 0.0;       // what keeps bore and pin at their speeds
+  double euler = 0.0;           // inertial loads of a carrier that speeds up
+  double changing_film = 0.0;   // work of the films as their speed changes
+  double standing_form = 0.0;   // of what holds a form while its race turns through it
+  double changing_frame = 0.0;  // of the centrifugal field as the carrier's speed changes
 
-  double total() const { return bore_load + rotations + euler + changing_film; }
+  double total() const {
+    return bore_load + rotations + euler + changing_film + standing_form + changing_frame;
+  }
 };
 
 /// The bearing at one instant.
@@ -68,14 +72,16 @@ struct Snapshot {
   PowerLoss loss;
 };
 
-/// Snapshot of the state `x` at `time` [s].
-Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x);
+/// Snapshot of the state `x` at `time` [s], which matters in a run-up and where waves turn with a race.
+Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time = 0.0);
 
 /// As above, into a snapshot that is used again: no allocation after the first.
-void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into);
+void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
+                   double time = 0.0);
 
-/// Energy of the state `x`.
-StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x);
+/// Energy of the state `x` at `time` [s].
+StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,
+                           double time = 0.0);
 
 /// Power that enters at `time` [s] in the state `x` whose rate is `dx`.
 PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,

@@ -35,8 +35,9 @@ PowerLoss divided(const PowerLoss& sum, double by) {
 }
 
 Eigen::Index place_of(double angle, Eigen::Index places) {
-  const double place = angle / two_pi * static_cast<double>(places) + 0.5;
-  return static_cast<Eigen::Index>(std::floor(place)) % places;
+  const double turns = angle / two_pi + 0.5 / static_cast<double>(places);
+  const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(places));
+  return std::min(place, places - 1);
 }
 
 }  // namespace
@@ -51,29 +52,40 @@ void StatisticsCollector::begin(double time, const Snapshot& at_start) {
              .fourth_power = Eigen::ArrayXd::Zero(places_),
              .least_film = std::numeric_limits<double>::infinity()};
   passages_ = Eigen::ArrayXd::Zero(places_);
+  weight_ = 0.0;
   sums_ = {};
   begin_time_ = time;
   begin_cage_angle_ = end_cage_angle_ = at_start.cage_angle;
 }
 
-void StatisticsCollector::add(const RaceSnapshot& race, const Eigen::ArrayXd& angle, RaceSums& sums) {
-  sums.roller_square += race.load.square();
-  sums.sliding += race.sliding.abs().mean();
-  Eigen::Index most_loaded = 0;
-  sums.largest = std::max(sums.largest, race.load.maxCoeff(&most_loaded));
-  sums.least_film = std::min(sums.least_film, race.least_film[most_loaded]);
+void StatisticsCollector::add_loads(double weight, const double* angle, const double* inner,
+                                    const double* outer) {
   for (Eigen::Index j = 0; j < rollers_; ++j) {
     const Eigen::Index place = place_of(angle[j], places_);
-    const double square = race.load[j] * race.load[j];
-    sums.load[place] += race.load[j];
-    sums.fourth_power[place] += square * square;
+    passages_[place] += weight;
+    const auto add_race = [&](double load, RaceSums& sums) {
+      const double square = load * load;
+      sums.roller_square[j] += weight * square;
+      sums.load[place] += weight * load;
+      sums.fourth_power[place] += weight * square * square;
+      sums.largest = std::max(sums.largest, load);
+    };
+    add_race(inner[j], inner_);
+    add_race(outer[j], outer_);
   }
+  weight_ += weight;
 }
 
-void StatisticsCollector::add(double time, const Snapshot& sample) {
-  add(sample.inner, sample.angle, inner_);
-  add(sample.outer, sample.angle, outer_);
-  for (Eigen::Index j = 0; j < rollers_; ++j) passages_[place_of(sample.angle[j], places_)] += 1.0;
+void StatisticsCollector::add_state(const RaceSnapshot& race, RaceSums& sums) {
+  Eigen::Index most_loaded = 0;
+  race.load.maxCoeff(&most_loaded);
+  sums.sliding += race.sliding.abs().mean();
+  sums.least_film = std::min(sums.least_film, race.least_film[most_loaded]);
+}
+
+void StatisticsCollector::add_state(double time, const Snapshot& sample) {
+  add_state(sample.inner, inner_);
+  add_state(sample.outer, outer_);
   ++sums_.samples;
   sums_.duration = time - begin_time_;
   end_cage_angle_ = sample.cage_angle;
@@ -85,11 +97,17 @@ void StatisticsCollector::add(double time, const Snapshot& sample) {
   dynamics::add(sample.loss, sums_.loss);
 }
 
+void StatisticsCollector::add(double time, const Snapshot& sample) {
+  add_loads(1.0, sample.angle.data(), sample.inner.load.data(), sample.outer.load.data());
+  add_state(time, sample);
+}
+
 RaceStatistics StatisticsCollector::means(const RaceSums& sums) const {
   const double samples = static_cast<double>(sums_.samples);
-  const Eigen::ArrayXd passages = passages_.max(1.0);
-  return {.roller_rms = (sums.roller_square / samples).sqrt(),
-          .load_rms = std::sqrt(sums.roller_square.mean() / samples),
+  // A place without a passage has no load: zero over anything.
+  const Eigen::ArrayXd passages = (passages_ > 0.0).select(passages_, 1.0);
+  return {.roller_rms = (sums.roller_square / weight_).sqrt(),
+          .load_rms = std::sqrt(sums.roller_square.mean() / weight_),
           .load_max = sums.largest,
           .mean_load = sums.load / passages,
           .mean_fourth_power = sums.fourth_power / passages,

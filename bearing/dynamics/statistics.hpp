@@ -43,6 +43,10 @@ class StatisticsCollector {
   /// `at_start` is the snapshot at the beginning of the window.
   void begin(double time, const Snapshot& at_start);
   void add(double time, const Snapshot& sample);
+  /// As add(), in two parts: loads at `angle` [rad] (rollers) that count for `weight` (any unit), and all the
+  /// rest.
+  void add_loads(double weight, const double* angle, const double* inner, const double* outer);
+  void add_state(double time, const Snapshot& sample);
   /// Means over all samples since begin(); at least one sample.
   WindowStatistics means() const;
 
@@ -55,14 +59,15 @@ class StatisticsCollector {
     double sliding = 0.0;          // [m/s]
     double least_film = 0.0;       // [m]
   };
-  void add(const RaceSnapshot& race, const Eigen::ArrayXd& angle, RaceSums& sums);
+  void add_state(const RaceSnapshot& race, RaceSums& sums);
   RaceStatistics means(const RaceSums& sums) const;
 
   Eigen::Index rollers_;
   Eigen::Index places_;
   RaceSums inner_;
   RaceSums outer_;
-  Eigen::ArrayXd passages_;  // samples by place
+  Eigen::ArrayXd passages_;  // weight by place
+  double weight_ = 0.0;      // of all loads
   WindowStatistics sums_;
   double begin_time_ = 0.0;        // [s]
   double begin_cage_angle_ = 0.0;  // [rad]

@@ -5,7 +5,15 @@
 namespace orbearing::bearing::fast {
 
 /// Lanes to which the arrays over rollers are padded, whatever the instruction set.
-inline constexpr int kPadding = 8;
+inline constexpr int kPadding = 16;
+
+/// One wave of a race's form: height amplitude cos(order angle + phase).
+struct WaveConstants {
+  int order = 0;
+  double amplitude = 0.0;  // [m]
+  double phase = 0.0;      // [rad]  now
+  bool turning = false;    // with the race
+};
 
 /// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp.
 struct RaceConstants {
@@ -30,6 +38,16 @@ struct RaceConstants {
   double viscosity = 0.0;              // [Pa s]
   double central_film_factor = 0.0;    // [m N^0.13]  at 1 m/s
   double central_film_cap_load = 0.0;  // [N]         at 1 m/s
+
+  bool mixed = false;              // asperities share load and friction with the film
+  double roughness = 0.0;          // [m]
+  double boundary_friction = 0.0;  // [-]
+  double boundary_scale = 0.0;     // [m/s]
+  double least_film_factor = 0.0;  // [m N^0.13]  at 1 m/s
+  double least_film_cap = 0.0;     // [m]  at 1 m/s
+
+  int waves = 0;                        // of the race's form; none: round
+  const WaveConstants* wave = nullptr;  // (waves)
 
   double rolling_factor = 0.0;  // [N]  of the rolling resistance at unit speed and load; 0: none
 };

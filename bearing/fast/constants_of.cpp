@@ -34,6 +34,12 @@ RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
   c.viscosity = contact.lubricant.viscosity;
   c.central_film_factor = race.traction.film_at_unit_speed().factor();
   c.central_film_cap_load = race.traction.film_at_unit_speed().cap_load();
+  c.mixed = race.mixed.on;
+  c.roughness = race.mixed.roughness;
+  c.boundary_friction = race.mixed.friction;
+  c.boundary_scale = race.mixed.sliding_scale;
+  c.least_film_factor = race.mixed.film.factor;
+  c.least_film_cap = race.mixed.film.cap;
   if (race.with_rolling_resistance) c.rolling_factor = race.rolling.factor();
   return c;
 }

@@ -89,11 +89,7 @@ class LaneEngine final : public Engine {
   void build_block(int p, double g, Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]);
   void add_rings(double g, RingBlock& rings) const;
 
-  Mask present(int p) const {
-    Mask mask;
-    for (int i = 0; i < kLanes; ++i) mask[i] = p * kLanes + i < c_.rollers ? -1LL : 0LL;
-    return mask;
-  }
+  Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
   const double* entry(const double* x, int group, int p) const {
     return x + group * layout_.lanes() + p * kLanes;
   }
@@ -148,9 +144,9 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   };
   if constexpr (WithSlopes) linear.inner = linear.outer = ContactSlopes{};
   const ContactForce inner = race_contact<WithSlopes>(
-      c_.inner, radius, here, motion_to({pin[0], pin[1], pin[2], pin[3]}), linear.inner);
+      c_.inner, radius, here, cosine, sine, motion_to({pin[0], pin[1], pin[2], pin[3]}), linear.inner);
   const ContactForce outer = race_contact<WithSlopes>(
-      c_.outer, radius, here, motion_to({bore[0], bore[1], bore[2], bore[3]}), linear.outer);
+      c_.outer, radius, here, cosine, sine, motion_to({bore[0], bore[1], bore[2], bore[3]}), linear.outer);
   const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
              own_sine = load(given_.pocket_sine + p * kLanes);
   const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;

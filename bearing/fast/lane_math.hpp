@@ -7,16 +7,13 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 namespace detail {
 inline constexpr double kRounder = 0x1.8p52;  // adding it rounds a small number to a whole one
-inline Mask bits(long long value) {
-  return Mask{} + value;
-}
 /// Signed whole numbers below 2^51 after a shift to the right, as floating-point numbers.
 inline Pack whole_numbers(const Mask& x, int shift) {
-  return (Pack)((x >> shift) + bits(0x4338000000000000LL)) - kRounder;
+  return from_bits((x >> shift) + bits(0x4338000000000000LL)) - kRounder;
 }
 /// Nearest whole numbers of |x| < 2^51.
 inline Mask nearest(const Pack& x) {
-  return (Mask)(x + kRounder) - bits(0x4338000000000000LL);
+  return bits_of(x + kRounder) - bits(0x4338000000000000LL);
 }
 }  // namespace detail
 
@@ -24,10 +21,10 @@ inline Mask nearest(const Pack& x) {
 /// sqrt(2).
 inline Pack logarithm(const Pack& x) {
   constexpr long long kHalfRoot = 0x3fe6a09e667f3bcdLL;  // of sqrt(1/2)
-  const Mask shifted = (Mask)x - detail::bits(kHalfRoot);
+  const Mask shifted = bits_of(x) - bits(kHalfRoot);
   const Mask exponent = shifted >> 52;
-  const Pack mantissa = (Pack)((Mask)x - (exponent << 52));
-  const Pack whole = (Pack)(exponent + detail::bits(0x4338000000000000LL)) - detail::kRounder;
+  const Pack mantissa = from_bits(bits_of(x) - (exponent << 52));
+  const Pack whole = from_bits(exponent + bits(0x4338000000000000LL)) - detail::kRounder;
   const Pack s = (mantissa - 1.0) / (mantissa + 1.0);
   const Pack q = s * s;
   const Pack even =
@@ -49,7 +46,7 @@ inline Pack exponential(const Pack& x) {
   const Pack high = (1.0 / 40320 + r * (1.0 / 362880)) + r2 * (1.0 / 3628800 + r * (1.0 / 39916800));
   const Pack top = 1.0 / 479001600 + r * (1.0 / 6227020800.0);
   const Pack y = low + r4 * (middle + r4 * (high + r4 * top));
-  return (Pack)((Mask)y + ((Mask)shifted << 52));
+  return from_bits(bits_of(y) + (bits_of(shifted) << 52));
 }
 
 struct SineCosine {
@@ -76,11 +73,12 @@ inline SineCosine sine_cosine(const Pack& x) {
                                                                             q * (1.0 / 20922789888000.0))))));
   const Pack s = r + r * q * sine_tail;
   const Pack c = 1.0 - 0.5 * q + q * q * cosine_tail;
-  const Mask quadrant = (Mask)shifted;
-  const Mask odd = -(quadrant & detail::bits(1));
-  const Mask sine_negative = (quadrant & detail::bits(2)) << 62;
-  const Mask cosine_negative = ((quadrant + detail::bits(1)) & detail::bits(2)) << 62;
-  return {(Pack)((Mask)select(odd, c, s) ^ sine_negative), (Pack)((Mask)select(odd, s, c) ^ cosine_negative)};
+  const Mask quadrant = bits_of(shifted);
+  const Mask odd = -(quadrant & bits(1));
+  const Mask sine_negative = (quadrant & bits(2)) << 62;
+  const Mask cosine_negative = ((quadrant + bits(1)) & bits(2)) << 62;
+  return {from_bits(bits_of(select(odd, c, s)) ^ sine_negative),
+          from_bits(bits_of(select(odd, s, c)) ^ cosine_negative)};
 }
 
 }  // namespace orbearing::bearing::fast::ORBEARING_LANES

@@ -32,7 +32,7 @@ PocketForce pocket_contact(const Constants& c, const Pack& radius, const Mask& p
   const Pack a_r = -e_t, a_t = e_r;  // ahead
   const Pack offset = motion.d_r * a_r + motion.d_t * a_t;
   const Pack along = motion.d_r * e_r + motion.d_t * e_t;
-  const Pack depth = absolute(offset) - c.half_clearance;
+  const Pack depth = absolute(offset) - (c.half_clearance - (radius - c.roller_radius));
   const Mask touching = present & (depth > 0.0);
   PocketForce result;
   result.touched = any(touching);

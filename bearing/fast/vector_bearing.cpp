@@ -20,7 +20,31 @@ std::unique_ptr<Engine> make_engine(InstructionSet set, const Constants& constan
   return std::unique_ptr<Engine>(baseline_engine(constants, rollers));
 }
 
+std::vector<WaveConstants> waves_of(const std::vector<RaceHarmonic>& form) {
+  std::vector<WaveConstants> waves;
+  for (const RaceHarmonic& wave : form)
+    waves.push_back({.order = static_cast<int>(wave.order),
+                     .amplitude = wave.amplitude,
+                     .phase = wave.phase,
+                     .turning = wave.turning});
+  return waves;
+}
+
+void put_waves(const std::vector<WaveConstants>& waves, RaceConstants& race) {
+  race.waves = static_cast<int>(waves.size());
+  race.wave = waves.data();
+}
+
+void turn_waves(const std::vector<RaceHarmonic>& form, double race_angle, std::vector<WaveConstants>& waves) {
+  for (std::size_t i = 0; i < waves.size(); ++i)
+    if (waves[i].turning) waves[i].phase = form[i].phase - form[i].order * race_angle;
+}
+
 }  // namespace
+
+bool supports(const dynamics::BearingModel& model) {
+  return !model.pocket.with_film && model.driving.growth == 0.0;
+}
 
 VectorBearing::VectorBearing(const dynamics::BearingModel& model, InstructionSet set)
     : model_(model), layout_{static_cast<int>(model.layout.rollers)}, set_(set) {
@@ -32,21 +56,36 @@ VectorBearing::VectorBearing(const dynamics::BearingModel& model, InstructionSet
     pocket_cosine_[j] = model.pocket_direction[j].x();
     pocket_sine_[j] = model.pocket_direction[j].y();
   }
-  engine_ = make_engine(set, constants_of(model),
-                        {pocket_cosine_.data(), pocket_sine_.data(), roller_radius_.data()});
+  for (std::size_t j = 0; j < model.larger_by.size(); ++j) roller_radius_[j] += model.larger_by[j];
+  inner_waves_ = waves_of(model.inner.form);
+  outer_waves_ = waves_of(model.outer.form);
+  for (const auto* waves : {&inner_waves_, &outer_waves_})
+    for (const WaveConstants& wave : *waves) turning_waves_ = turning_waves_ || wave.turning;
+  Constants constants = constants_of(model);
+  put_waves(inner_waves_, constants.inner);
+  put_waves(outer_waves_, constants.outer);
+  engine_ = make_engine(set, constants, {pocket_cosine_.data(), pocket_sine_.data(), roller_radius_.data()});
+}
+
+void VectorBearing::set_time(double time) {
+  if (!turning_waves_) return;
+  turn_waves(model_.inner.form, model_.point.inner_speed * time, inner_waves_);
+  turn_waves(model_.outer.form, model_.point.outer_speed * time, outer_waves_);
 }
 
 void VectorBearing::derivative(double time, const double* x, double* dx) {
   const dynamics::Vector2 load = dynamics::bore_load(model_, time);
+  set_time(time);
   engine_->derivative(x, load.x(), load.y(), dx);
 }
 
 void VectorBearing::linearise(double time, const double* x, double* dx) {
   const dynamics::Vector2 load = dynamics::bore_load(model_, time);
+  set_time(time);
   engine_->linearise(x, load.x(), load.y(), dx);
 }
 
-void VectorBearing::time_slope(double time, double* rate) const {
+void VectorBearing::time_slope(double time, double* rate) {
   std::fill(rate, rate + layout_.size(), 0.0);
   const dynamics::Vector2 slope = dynamics::bore_load_slope(model_, time);
   rate[layout_.bore() + 2] = slope.x() / model_.bore_mass;

@@ -15,6 +15,9 @@
 
 namespace orbearing::bearing::fast {
 
+/// Whether the vectorised bearing knows all that `model` holds: not oil in the pockets, nor run-ups.
+bool supports(const dynamics::BearingModel& model);
+
 /// The vectorised bearing: engine, layout and conversion from and to the flat state of bearing/dynamics.
 class VectorBearing {
  public:
@@ -28,8 +31,9 @@ class VectorBearing {
   void derivative(double time, const double* x, double* dx);
   /// As derivative(), and keeps the Jacobian for factor() and solve().
   void linearise(double time, const double* x, double* dx);
-  /// Slope of the right-hand side by time alone at `time` [s], into `rate` (padded).
-  void time_slope(double time, double* rate) const;
+  /// Slope of the right-hand side by time alone through the load on the bore at `time` [s], into `rate`
+  /// (padded). That of waves that turn with a race is left out: their phase changes little in a step.
+  void time_slope(double time, double* rate);
   bool factor(double g) { return engine_->factor(g); }
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
   ContactLoads loads() const { return engine_->loads(); }
@@ -38,12 +42,17 @@ class VectorBearing {
   void flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const;
 
  private:
+  void set_time(double time);
+
   dynamics::BearingModel model_;
   PaddedLayout layout_;
   InstructionSet set_;
   std::vector<double> pocket_cosine_;
   std::vector<double> pocket_sine_;
   std::vector<double> roller_radius_;
+  std::vector<WaveConstants> inner_waves_;
+  std::vector<WaveConstants> outer_waves_;
+  bool turning_waves_ = false;
   std::unique_ptr<Engine> engine_;
 };
 

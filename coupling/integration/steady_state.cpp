@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "bearing/dynamics/equations.hpp"
 #include "bearing/dynamics/initial_state.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
 
 namespace orbearing::integration {
 
@@ -29,6 +31,8 @@ double roller_frequency(const BearingModel& model) {
   const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
 }
+
+}  // namespace
 
 void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {
   for (Eigen::ArrayXXd* matrix :
@@ -59,6 +63,40 @@ void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& ser
   series.power_loss[i] = now.loss.total();
 }
 
+IntegrationOptions integration_options(const BearingModel& model, const SteadyStateOptions& options) {
+  IntegrationOptions settings = options.integration;
+  settings.allowed_error = bearing_allowed_errors(model.layout, options.allowed_length_error,
+                                                  model.geometry.pitch_radius, roller_frequency(model));
+  if (settings.method == Method::linearly_implicit && !bearing::fast::supports(model))
+    settings.method = Method::dopri5;
+  return settings;
+}
+
+namespace {
+
+// Keeps the samples of the last window as series.
+class Recorder {
+ public:
+  Recorder(const OutputTimes& output, long per_window, long wanted, Eigen::Index rollers,
+           BearingSeries* series)
+      : series_(series),
+        stride_(std::max(1L, per_window / std::max(1L, wanted))),
+        sample_(per_window - output.samples) {
+    if (series_) resize(*series_, rollers, (per_window - 1) / stride_ + 1);
+  }
+
+  bool wants_next() const { return series_ && sample_ >= 0 && sample_ % stride_ == 0; }
+  void add(double time, const Snapshot& now) {
+    if (wants_next()) record(time, now, sample_ / stride_, *series_);
+    ++sample_;
+  }
+
+ private:
+  BearingSeries* series_;
+  long stride_;
+  long sample_;  // of the last window; negative before it
+};
+
 // The run in progress: state, time and the length of the next window.
 class SteadyRun {
  public:
@@ -69,32 +107,19 @@ class SteadyRun {
         result_(result),
         collector_(model().layout.rollers, options.places),
         window_(two_pi / std::abs(result.kinematic_cage_speed)) {
-    settings_ = options.integration;
-    settings_.allowed_error =
-        bearing_allowed_errors(model().layout, options.allowed_length_error, model().geometry.pitch_radius,
-                               roller_frequency(model()));
+    settings_ = integration_options(model(), options);
+    if (settings_.method == Method::linearly_implicit) vectorised_.emplace(model());
   }
 
   /// Runs `windows` windows as one and returns their means; empty statistics where the integration failed.
   WindowStatistics advance(int windows, BearingSeries* series) {
-    const long samples = options_.samples_per_window * windows;
-    const OutputTimes output{time_, window_ / static_cast<double>(options_.samples_per_window), samples};
-    const long first_kept = samples - options_.samples_per_window;
-    const long stride = std::max(1L, options_.samples_per_window / std::max(1L, options_.series_samples));
-    if (series) resize(*series, model().layout.rollers, (options_.samples_per_window - 1) / stride + 1);
-    take_snapshot(model(), result_.final_state, snapshot_);
+    const long per_window = samples_per_window();
+    const OutputTimes output{time_, window_ / static_cast<double>(per_window), per_window * windows};
+    take_snapshot(model(), result_.final_state, snapshot_, time_);
     collector_.begin(time_, snapshot_);
-    long sample = 0;
-    const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
-      take_snapshot(model(), x, snapshot_);
-      collector_.add(time, snapshot_);
-      const long kept = sample++ - first_kept;
-      if (series && kept >= 0 && kept % stride == 0) record(time, snapshot_, kept / stride, *series);
-    };
-    const IntegrationReport report = integrate(derivative(), result_.final_state, output, settings_, observe);
-    add_to_report(report);
-    time_ = output.time(samples);
-    if (!report.completed) return {};
+    add_to_report(vectorised_ ? advance_vectorised(output, series) : advance_readable(output, series));
+    time_ = output.time(output.samples);
+    if (!result_.report.completed) return {};
     const WindowStatistics means = collector_.means();
     set_window(means);
     return means;
@@ -102,6 +127,38 @@ class SteadyRun {
 
  private:
   const BearingModel& model() const { return equations_.model(); }
+
+  // Loads are taken at every step of the vectorised bearing, so that fewer states do for all other means.
+  static constexpr long kStatesPerSample = 5;  // of the series, for one state of the means
+  long samples_per_window() const {
+    return vectorised_ ? options_.series_samples : options_.samples_per_window;
+  }
+
+  IntegrationReport advance_readable(const OutputTimes& output, BearingSeries* series) {
+    Recorder recorder(output, samples_per_window(), options_.series_samples, model().layout.rollers, series);
+    const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+      take_snapshot(model(), x, snapshot_, time);
+      collector_.add(time, snapshot_);
+      recorder.add(time, snapshot_);
+    };
+    return integrate(derivative(), result_.final_state, output, settings_, observe);
+  }
+
+  IntegrationReport advance_vectorised(const OutputTimes& output, BearingSeries* series) {
+    Recorder recorder(output, samples_per_window(), options_.series_samples, model().layout.rollers, series);
+    long sample = 0;
+    const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+      const bool counts = ++sample % kStatesPerSample == 0 || sample == output.samples;
+      if (counts || recorder.wants_next()) take_snapshot(model(), x, snapshot_, time);
+      if (counts) collector_.add_state(time, snapshot_);
+      recorder.add(time, snapshot_);
+    };
+    const auto on_step = [&](const StepSample& step) {
+      collector_.add_loads(step.weight, step.state + vectorised_->layout().lanes(), step.inner_load,
+                           step.outer_load);
+    };
+    return integrate_bearing(*vectorised_, result_.final_state, output, settings_, observe, on_step);
+  }
 
   RightHandSide derivative() const {
     return [this](double time, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx) {
@@ -113,7 +170,7 @@ class SteadyRun {
   void set_window(const WindowStatistics& means) {
     const double kinematic = two_pi / std::abs(result_.kinematic_cage_speed);
     window_ = std::min(two_pi / std::max(std::abs(means.cage_speed), 1e-300), kLongestWindow * kinematic);
-    settings_.step = std::min(settings_.step, window_ / static_cast<double>(options_.samples_per_window));
+    settings_.step = std::min(settings_.step, window_ / static_cast<double>(samples_per_window()));
   }
 
   void add_to_report(const IntegrationReport& part) {
@@ -131,6 +188,7 @@ class SteadyRun {
   }
 
   const PlanetBearingEquations& equations_;
+  std::optional<bearing::fast::VectorBearing> vectorised_;
   const SteadyStateOptions& options_;
   SteadyStateResult& result_;
   IntegrationOptions settings_;
@@ -167,9 +225,11 @@ SteadyStateResult run_from(Eigen::VectorXd start, const PlanetBearingEquations& 
                            const SteadyStateOptions& options) {
   const BearingModel& model = equations.model();
   const bearing::OperatingPoint& point = model.point;
+  if (model.driving.growth != 0.0)
+    throw std::invalid_argument(
+        "growth of the speeds: found a run-up, which has no steady state; required: 0");
   SteadyStateResult result;
-  result.kinematic_cage_speed =
-      bearing::kinematic_cage_speed(model.geometry, point.inner_speed, point.outer_speed);
+  result.kinematic_cage_speed = model.kinematic_cage_speed;
   result.kinematic_spin =
       bearing::kinematic_roller_spin(model.geometry, point.inner_speed, point.outer_speed);
   if (result.kinematic_cage_speed == 0.0)

@@ -60,8 +60,17 @@ struct SteadyStateResult {
   double cage_slip() const { return 1.0 - statistics.cage_speed / kinematic_cage_speed; }
 };
 
+/// Empty series of `samples` samples, and what stands in sample `i` at `time` [s].
+void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples);
+void record(double time, const bearing::dynamics::Snapshot& now, Eigen::Index i, BearingSeries& series);
+
+/// Options of the integrator with the errors allowed for the state of `model`.
+IntegrationOptions integration_options(const bearing::dynamics::BearingModel& model,
+                                       const SteadyStateOptions& options);
+
 /// Runs `bearing` at `point` from its quasi-static state. Throws std::invalid_argument for input that
-/// bearing_model() refuses and where nothing turns; what goes wrong later is in the result.
+/// bearing_model() refuses, for a run-up (run_up.hpp) and where nothing turns; what goes wrong later is in
+/// the result.
 SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& bearing,
                                       const bearing::OperatingPoint& point,
                                       const bearing::dynamics::DynamicsParameters& parameters,

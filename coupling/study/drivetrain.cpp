@@ -16,7 +16,10 @@ DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
 
 BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   BearingDuty duty;
-  duty.gears = gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive);
+  duty.gears =
+      drivetrain.in_arrangement
+          ? gearset::mean_loads(drivetrain.set, geometry.gears, *drivetrain.in_arrangement, drivetrain.drive)
+          : gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive);
   duty.point.carrier = {.speed = duty.gears.carrier_speed, .orbit_radius = geometry.gears.centre_distance};
   duty.point.outer_speed = duty.gears.planet_speed_relative;
   const bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);

@@ -2,6 +2,8 @@
 // all.
 #pragma once
 
+#include <optional>
+
 #include "bearing/dynamics/parameters.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/parameters.hpp"
@@ -14,18 +16,30 @@
 
 namespace orbearing::study {
 
-/// Parameters of a drivetrain of one planetary set. A sweep changes one or the other and derives anew.
+/// Growth of the input speed at constant power, for the dynamic bearing.
+struct RunUp {
+  double acceleration = 0.0;  // [rad/s^2]  of the driven member; 0: steady speeds
+  double duration = 0.0;      // [s]
+};
+
+/// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
+/// other and derives anew.
 struct PlanetaryDrivetrain {
   gearset::PlanetarySet set;
   gearset::Drive drive;
+  /// Among several sets: how this one's members turn and are loaded for what `drive` puts into the whole, of
+  /// which only power and speed count then. None: the set is alone and driven at drive.member.
+  std::optional<gearset::MemberRatios> in_arrangement;
   bearing::CylindricalRollerBearing bearing;
   int bearings_per_planet = 1;
   bearing::InertiaSwitches inertia;
   bearing::Lubricant lubricant;
   bool film_in_approach = false;
+  bearing::FilmApproach film_approach = bearing::FilmApproach::added;
   double lambda = 0.83;                            // [-]  product lambda nu of ISO/TR 1281-1
   bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
   integration::SteadyStateOptions steady_state;
+  RunUp run_up;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 

@@ -10,6 +10,7 @@
 #include "bearing/line_contact.hpp"
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
+#include "coupling/integration/run_up.hpp"
 
 namespace orbearing::study {
 
@@ -49,6 +50,7 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
                                       .cage_positions = drivetrain.cage_positions};
   if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
+  options.film_approach = drivetrain.film_approach;
   const bearing::QuasiStaticResult loads =
       bearing::quasi_static_bearing(drivetrain.bearing, duty.point, options);
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
@@ -75,6 +77,8 @@ bearing::dynamics::DynamicsParameters dynamics_of(const PlanetaryDrivetrain& dri
   parameters.inertia = drivetrain.inertia;
   parameters.lubricant = drivetrain.lubricant;
   parameters.race.film_in_approach = drivetrain.film_in_approach;
+  parameters.race.film_approach = drivetrain.film_approach;
+  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
   return parameters;
 }
@@ -100,8 +104,19 @@ LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& mean
   return {as_vector(angle), as_vector(means.inner.mean_load), as_vector(means.outer.mean_load)};
 }
 
-integration::SteadyStateResult run_from(const Eigen::VectorXd& start, const PlanetaryDrivetrain& drivetrain,
-                                        const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+integration::SteadyStateResult motion_of(const PlanetaryDrivetrain& drivetrain,
+                                         const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+  const bearing::dynamics::DynamicsParameters parameters = dynamics_of(drivetrain, geometry, duty);
+  if (parameters.driving.growth == 0.0)
+    return integration::run_to_steady_state(drivetrain.bearing, duty.point, parameters,
+                                            drivetrain.steady_state);
+  return integration::run_up(drivetrain.bearing, duty.point, parameters, drivetrain.steady_state,
+                             drivetrain.run_up.duration);
+}
+
+integration::SteadyStateResult motion_from(const Eigen::VectorXd& start,
+                                           const PlanetaryDrivetrain& drivetrain,
+                                           const DrivetrainGeometry& geometry, const BearingDuty& duty) {
   const Eigen::Index required = bearing::dynamics::StateLayout{drivetrain.bearing.rollers}.size();
   if (start.size() != required)
     throw std::invalid_argument("state to start from: found " + std::to_string(start.size()) +
@@ -110,6 +125,14 @@ integration::SteadyStateResult run_from(const Eigen::VectorXd& start, const Plan
   return integration::run_to_steady_state_from(start, drivetrain.bearing, duty.point,
                                                dynamics_of(drivetrain, geometry, duty),
                                                drivetrain.steady_state);
+}
+
+// The life in hours of a run-up is that at its mean speed.
+BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
+  const RunUp& run_up = drivetrain.run_up;
+  if (run_up.acceleration != 0.0)
+    duty.point.outer_speed *= 1.0 + 0.5 * run_up.acceleration * run_up.duration / drivetrain.drive.speed;
+  return duty;
 }
 
 PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
@@ -121,7 +144,7 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDu
   result.cage_slip = run.cage_slip();
   result.distribution = distribution_of(run.statistics);
   result.dynamic = record_of(run);
-  put_life(drivetrain, duty,
+  put_life(drivetrain, mean_duty(drivetrain, duty),
            bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, run.statistics),
            result);
   return result;
@@ -165,15 +188,14 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   if (fidelity == Fidelity::quasi_static)
     return completed(drivetrain, geometry, duty, quasi_static_point(drivetrain, geometry, duty));
-  const integration::SteadyStateResult run = integration::run_to_steady_state(
-      drivetrain.bearing, duty.point, dynamics_of(drivetrain, geometry, duty), drivetrain.steady_state);
+  const integration::SteadyStateResult run = motion_of(drivetrain, geometry, duty);
   return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
 }
 
 PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const Eigen::VectorXd& start) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  const integration::SteadyStateResult run = run_from(start, drivetrain, geometry, duty);
+  const integration::SteadyStateResult run = motion_from(start, drivetrain, geometry, duty);
   return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
 }
 

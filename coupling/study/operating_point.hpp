@@ -38,7 +38,18 @@ struct DynamicRecord {
   Eigen::VectorXd final_state;         // where it ended; a neighbouring point may go on from here
 };
 
-/// What one operating point gives. Loads and lives are those of one bearing.
+/// One of several sets at an operating point. Loads and life are those of one bearing.
+struct SetResult {
+  std::string set;
+  double carrier_speed = 0.0;  // [rad/s]
+  double planet_load = 0.0;    // [N]  total on the bore, with cage and rollers
+  RaceResult inner;
+  RaceResult outer;
+  double life_hours = 0.0;  // [h]
+};
+
+/// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one
+/// whose bearings live shortest.
 struct PointResult {
   double input_speed = 0.0;       // [rad/s]
   double carrier_speed = 0.0;     // [rad/s]
@@ -49,11 +60,13 @@ struct PointResult {
   RaceResult inner;
   RaceResult outer;
   double life_hours = 0.0;         // [h]  one bearing
-  double system_life_hours = 0.0;  // [h]  all planet bearings of the set
+  double system_life_hours = 0.0;  // [h]  all planet bearings of all sets
   double contact_pressure = 0.0;   // [Pa] largest of both races, after Hertz
   double cage_slip = 0.0;          // [-]  1 - cage speed / kinematic cage speed
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
+  std::string limiting_set;              // of several sets, the one these numbers belong to
+  std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed
 };
 

@@ -29,19 +29,24 @@ struct Audit {
                   Eigen::Ref<Eigen::VectorXd> dx) const {
     const Eigen::Index n = x.size() - 2;
     equations.derivative(time, x.head(n), dx.head(n));
-    take_snapshot(equations.model(), x.head(n), now);
+    take_snapshot(equations.model(), x.head(n), now, time);
     dx[n] = power_input(equations.model(), time, x.head(n), dx.head(n)).total();
     dx[n + 1] = now.loss.total();
   }
 };
 
-class EnergyAudit : public testing::TestWithParam<bool> {};
+struct AuditedVariant {
+  const char* name;
+  void (*change)(CylindricalRollerBearing&, DynamicsParameters&);
+};
+
+class EnergyAudit : public testing::TestWithParam<AuditedVariant> {};
 
 TEST_P(EnergyAudit, ClosesOverAMillisecond) {
   constexpr double kClosure = 1e-6;  // of the energy turned over: a fourth-order method at steps of 0.2 us
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  CylindricalRollerBearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.race.film_in_approach = GetParam();
+  GetParam().change(bearing, parameters);
   const PlanetBearingEquations equations(bearing_model(bearing, test::reducer_point(6000.0), parameters));
   const Eigen::Index n = equations.model().layout.size();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n + 2);
@@ -50,13 +55,37 @@ TEST_P(EnergyAudit, ClosesOverAMillisecond) {
   const IntegrationOptions reference{.method = Method::rk4, .allowed_error = {}, .step = 2e-7};
   const auto report = integration::integrate(Audit{equations, {}}, x, {0.0, 1e-3, 1}, reference, {});
   ASSERT_TRUE(report.completed) << report.message;
-  const double after = stored_energy(equations.model(), x.head(n)).total();
+  const double after = stored_energy(equations.model(), x.head(n), 1e-3).total();
   const double turned_over = std::abs(x[n]) + x[n + 1] + std::abs(after - before);
   EXPECT_GT(x[n + 1], 0.0);
   EXPECT_NEAR(after - before, x[n] - x[n + 1], kClosure * turned_over);
 }
 
-INSTANTIATE_TEST_SUITE_P(DryAndFilm, EnergyAudit, testing::Bool());
+using Bearing = CylindricalRollerBearing;
+using Parameters = DynamicsParameters;
+
+INSTANTIATE_TEST_SUITE_P(
+    Variants, EnergyAudit,
+    testing::Values(
+        AuditedVariant{"dry", [](Bearing&, Parameters&) {}},
+        AuditedVariant{"film", [](Bearing&, Parameters& p) { p.race.film_in_approach = true; }},
+        AuditedVariant{"forms",
+                       [](Bearing& b, Parameters&) {
+                         b.inner_form = {{2, 5e-6, 0.2, false}};
+                         b.outer_form = {{2, 5e-6, 0.5, false}, {9, 4e-7, 0.0, true}};
+                         b.roller_diameter_deviation = {3e-6, -2e-6};
+                       }},
+        AuditedVariant{"mixed", [](Bearing&, Parameters& p) { p.race.lubrication = Lubrication::mixed; }},
+        AuditedVariant{"pocket_film",
+                       [](Bearing&, Parameters& p) { p.cage.pocket_film = PocketFilm::hydrodynamic; }},
+        // A fifth more speed within the millisecond.
+        AuditedVariant{"run_up", [](Bearing&, Parameters& p) { p.driving.growth = 200.0; }},
+        AuditedVariant{"run_up_of_waves",
+                       [](Bearing& b, Parameters& p) {
+                         p.driving.growth = -200.0;
+                         b.outer_form = {{7, 5e-7, 0.3, true}};
+                       }}),
+    [](const testing::TestParamInfo<AuditedVariant>& variant) { return variant.param.name; });
 
 BearingModel model_at_6000_rpm(const CylindricalRollerBearing& bearing,
                                const DynamicsParameters& parameters) {

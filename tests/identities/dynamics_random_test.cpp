@@ -26,8 +26,9 @@ Draw sensible(Draw draw, double share) {
   return draw;
 }
 
-integration::SteadyStateOptions short_run() {
+integration::SteadyStateOptions short_run(integration::Method method) {
   integration::SteadyStateOptions options;
+  options.integration.method = method;
   options.least_windows = 1;
   options.most_windows = 1;
   options.observed_windows = 1;
@@ -42,7 +43,9 @@ bool sound(const dynamics::WindowStatistics& means) {
          std::isfinite(means.cage_speed) && std::isfinite(means.loss.total());
 }
 
-TEST(RandomDynamics, EndsWithSoundNumbersOrAReason) {
+class RandomDynamics : public testing::TestWithParam<integration::Method> {};
+
+TEST_P(RandomDynamics, EndsWithSoundNumbersOrAReason) {
   const char* text = std::getenv("RANDOM_BEARINGS");
   const int draws = text == nullptr ? 10 : std::atoi(text);
   ASSERT_GT(draws, 0) << "RANDOM_BEARINGS must be a positive number";
@@ -55,7 +58,7 @@ TEST(RandomDynamics, EndsWithSoundNumbersOrAReason) {
     dynamics::DynamicsParameters parameters;
     parameters.race.film_in_approach = draw.options.film.has_value();
     const integration::SteadyStateResult run =
-        integration::run_to_steady_state(draw.bearing, draw.point, parameters, short_run());
+        integration::run_to_steady_state(draw.bearing, draw.point, parameters, short_run(GetParam()));
     ++endings[run.completed ? "completed" : run.message.substr(0, 40)];
     if (run.completed) {
       EXPECT_TRUE(sound(run.statistics)) << draw;
@@ -66,6 +69,12 @@ TEST(RandomDynamics, EndsWithSoundNumbersOrAReason) {
   for (const auto& [ending, count] : endings) RecordProperty(ending, count);
   for (const auto& [ending, count] : endings) std::printf("%6d  %s\n", count, ending.c_str());
 }
+
+INSTANTIATE_TEST_SUITE_P(Integrators, RandomDynamics,
+                         testing::Values(integration::Method::dopri5, integration::Method::linearly_implicit),
+                         [](const testing::TestParamInfo<integration::Method>& method) {
+                           return method.param == integration::Method::dopri5 ? "readable" : "vectorised";
+                         });
 
 }  // namespace
 }  // namespace orbearing::bearing

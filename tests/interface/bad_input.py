@@ -14,6 +14,7 @@ import unittest
 
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2]))
 SHIPPED = SOURCE / "cases" / "reducer_150kW" / "case.yaml"
+THREE = SOURCE / "cases" / "three_sets_150kW" / "case.yaml"
 SECONDS = 20  # a mistake is found at once; this stops a hang
 
 # What is wrong: what to replace in the shipped case, by what, the line of the message and a part of it.
@@ -80,6 +81,54 @@ SETTINGS = {
 }
 
 
+# Faulty arrangements of the three sets: what to replace, by what, the line of the message and a part of it.
+HOUSING = "[ground, reduction.ring, coupling.ring, transmission.ring]"
+ARRANGEMENTS = {
+    "two grounds on one set": (
+        "  first: [reduction.carrier, coupling.sun]\n  second:",
+        "  bracket: [ground, reduction.carrier]\n  first: [coupling.sun, load]\n  second:", 11,
+        r"shafts\.bracket: speeds that contradict each other: .*reduction\.carrier \(on 'bracket'\)"),
+    "floating member": (
+        HOUSING, "[ground, reduction.ring, coupling.ring]", 79,
+        r"sets\.transmission: transmission\.ring on no shaft, so that it floats; each member"),
+    "member alone on a shaft": (
+        HOUSING, "[ground, reduction.ring, coupling.ring]\n  loose: [transmission.ring]", 15,
+        r"shafts\.loose: transmission\.ring alone, so that it floats; another member"),
+    "contradictory shafts": (
+        "[motor, reduction.sun]\n  first: [reduction.carrier, coupling.sun]",
+        "[motor, reduction.sun, reduction.carrier]\n  first: [coupling.sun, load]", 14,
+        r"shafts\.housing: speeds that contradict each other: .*reduction\.sun \(on 'input'\), reduction\.ring"),
+    "motor missing": ("[motor, reduction.sun]", "[load, reduction.sun]", 10, r"shafts: no motor on any shaft; one shaft"),
+    "two motors": ("[transmission.carrier, load]", "[transmission.carrier, load, motor]", 10,
+                   r"shafts\.input: motors on 'input' and 'output'"),
+    "load missing": ("[transmission.carrier, load]", "[transmission.carrier, ground]", 10, r"shafts: no load on any shaft"),
+    "open torques": ("[coupling.carrier, transmission.sun]", "[coupling.carrier, transmission.sun, load]", 12,
+                     r"shafts\.second: torques left open: how the loads on 'second' and 'output' share"),
+    "open speeds": (", transmission.ring]", "]\n  other: [transmission.ring, load]", 13,
+                    r"shafts\.output: speeds left open: of transmission\.carrier"),
+    "member on two shafts": ("[transmission.carrier, load]", "[transmission.carrier, load, reduction.ring]", 14,
+                             r"shafts\.housing: reduction\.ring on 'output' and 'housing'; each member once"),
+    "unknown member": ("[motor, reduction.sun]", "[motor, reduktion.sun]", 10,
+                       r"shafts\.input: 'reduktion\.sun' is nothing to join; .*as in 'reduction\.sun'"),
+    "no shafts": ("shafts:\n", "shaft:\n", 9, r"shaft: unknown key; .*did you mean 'shafts'"),
+    "one set beside several": ("sets:\n", "gearset: {planets: 4}\nsets:\n", 16, r"gearset: the fields of one set beside"),
+    "bad name": ("  coupling:\n", "  coupling-set:\n", None, r"sets\.coupling-set: the name 'coupling-set'; a name"),
+    "missing in a set": ("      rollers: 12\n", "", None, r"sets\.coupling\.bearing\.rollers: missing"),
+    "fixed in a set": ("      face_width: 40 mm\n", "      face_width: 40 mm\n      fixed: ring\n", None,
+                       r"sets\.transmission\.gearset\.fixed: unknown key; .*'ground'"),
+}
+
+# Settings of the three sets, the key of the message and a part of it.
+SETTINGS_OF_SETS = {
+    "teeth that cannot be assembled": ("sets.reduction.gearset.planets=5", "sets.reduction.gearset.planets", "5 equally"),
+    "unknown set": ("sets.reducer.gearset.planets=4", "sets.reducer.gearset.module", "missing"),
+    "field of one set": ("gearset.planets=4", "gearset", "beside 'sets' and 'shafts'"),
+    "driven member": ("input.member=sun", "input.member", "several sets does not use"),
+    "sweep within a set": ("sweep.sets.coupling.gearset.planets=[4, 5]", "sweep.sets.coupling.gearset.planets", "5 equally"),
+    "wrong unit in a set": ("sets.coupling.gearset.module=4 kg", "sets.coupling.gearset.module", "does not measure"),
+}
+
+
 def run(*arguments):
     command = [os.environ["ORBEARING"], *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
@@ -99,10 +148,16 @@ class BadInput(unittest.TestCase):
         self.assertIn("reducer_150kW", result.stdout)
 
     def test_changed_files(self):
-        text = SHIPPED.read_text(encoding="utf-8")
+        self.expect_refused(SHIPPED, CHANGED_FILES)
+
+    def test_faulty_arrangements_name_their_members(self):
+        self.expect_refused(THREE, ARRANGEMENTS)
+
+    def expect_refused(self, shipped, changes):
+        text = shipped.read_text(encoding="utf-8")
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "case.yaml"
-            for kind, (old, new, line, pattern) in CHANGED_FILES.items():
+            for kind, (old, new, line, pattern) in changes.items():
                 with self.subTest(kind):
                     self.assertIn(old, text)
                     path.write_text(text.replace(old, new, 1), encoding="utf-8")
@@ -110,9 +165,15 @@ class BadInput(unittest.TestCase):
                     self.expect_message(run("check", path), "^" + where + pattern)
 
     def test_settings(self):
-        for kind, (setting, key, part) in SETTINGS.items():
+        self.expect_settings_refused(SHIPPED, SETTINGS)
+
+    def test_settings_of_several_sets(self):
+        self.expect_settings_refused(THREE, SETTINGS_OF_SETS)
+
+    def expect_settings_refused(self, shipped, settings):
+        for kind, (setting, key, part) in settings.items():
             with self.subTest(kind):
-                result = run("check", SHIPPED, "--set", setting)
+                result = run("check", shipped, "--set", setting)
                 # A contradiction is reported at the key that does not fit, which may stand in the file.
                 self.expect_message(result, rf"^(--set|.*:[0-9]+:[0-9]+): {re.escape(key)}: .*{re.escape(part)}")
 

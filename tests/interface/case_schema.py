@@ -50,7 +50,22 @@ class CaseSchema(unittest.TestCase):
             "sweep of a choice": lambda case: case["sweep"].update({"gearset.fixed": ["sun"]}),
             "unknown assumption": lambda case: case["assumed"].update({"gearset.modul": "why"}),
         }
-        good = load("reducer_150kW")
+        self.expect_refused(load("reducer_150kW"), changes)
+
+    def test_refuses_faulty_sets(self):
+        changes = {
+            "no shafts": lambda case: case.pop("shafts"),
+            "one set beside several": lambda case: case.update(gearset={}, bearing={}),
+            "unknown key in a set": lambda case: case["sets"]["coupling"]["gearset"].update(modul="3 mm"),
+            "missing key in a set": lambda case: case["sets"]["coupling"]["bearing"].pop("rollers"),
+            "fixed member in a set": lambda case: case["sets"]["coupling"]["gearset"].update(fixed="ring"),
+            "bad name": lambda case: case["sets"].update({"a-b": case["sets"]["coupling"]}),
+            "shaft that is no list": lambda case: case["shafts"].update(input="motor"),
+            "unknown assumption": lambda case: case["assumed"].update({"sets.coupling.gearset.modul": "why"}),
+        }
+        self.expect_refused(load("three_sets_150kW"), changes)
+
+    def expect_refused(self, good, changes):
         for kind, change in changes.items():
             with self.subTest(kind):
                 case = copy.deepcopy(good)

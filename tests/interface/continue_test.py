@@ -119,6 +119,9 @@ class Continued(unittest.TestCase):
             self.expect_refused(sweep(folder, "--continue", "up", "--fidelity", "quasi-static"))  # given twice
             plain = [PROGRAM, "sweep", str(CASE), "-o", str(folder), "--continue", "up"]
             self.expect_refused(run(plain), "--fidelity dynamic")
+            sets = CASE.parents[1] / "three_sets_150kW" / "case.yaml"
+            several = [PROGRAM, "sweep", str(sets), "-o", str(folder), "--fidelity", "dynamic", "--continue", "up"]
+            self.expect_refused(run(several), "several sets", "one set")
             self.assertEqual(sweep(folder, "--continue", "sideways").returncode, 2)
             self.assertFalse(folder.exists())
 

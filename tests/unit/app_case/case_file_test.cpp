@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/case/field_table.hpp"
+#include "app/case/settings.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app {
@@ -140,8 +141,7 @@ TEST(CaseFile, ReportsAnEmptyBlockOnce) {
 TEST(FieldTable, DefaultsAreValuesOfTheirFields) {
   for (const Field& field : all_fields()) {
     if (field.default_text.empty()) continue;
-    const Entry entry = make_scalar(field.default_text);
-    EXPECT_TRUE(read_field(field, entry).good) << field.path;
+    EXPECT_TRUE(read_field_text(field, field.default_text).good) << field.path;
     EXPECT_FALSE(field.default_reason.empty()) << field.path;
     EXPECT_EQ(field.required_by, no_model) << field.path;
   }

@@ -136,6 +136,41 @@ TEST(ResultRow, InfiniteLifeIsNoNumber) {
   EXPECT_TRUE(row_json(head, result_row(result, {}))["life_h"].is_null());
 }
 
+study::PointResult of_two_sets() {
+  study::PointResult result = at_6000_rpm();
+  result.limiting_set = "second";
+  result.sets = {{.set = "first", .planet_load = 100.0, .life_hours = 5000.0},
+                 {.set = "second", .planet_load = 200.0, .life_hours = 300.0}};
+  return result;
+}
+
+TEST(ResultRow, OfSeveralSetsEndsWithTheLimitingOneAndEach) {
+  const std::vector<std::string> sets{"first", "second"};
+  const TableHead head = table_head({{"axis", "1", ""}}, sets);
+  const ResultRow row = result_row(of_two_sets(), {17.0}, sets);
+  ASSERT_EQ(row.values.size(), head.names.size());
+  EXPECT_EQ(head.names.at(head.first_axis), "axis");
+  EXPECT_EQ(head.names.at(head.first_axis + 1), "limiting_set");
+  EXPECT_EQ(value_of(head, row, "axis"), 17.0);
+  EXPECT_EQ(value_of(head, row, "sets.first.planet_load_N"), 100.0);
+  EXPECT_EQ(value_of(head, row, "sets.second.life_h"), 300.0);
+  EXPECT_EQ(row_json(head, row)["limiting_set"], "second");
+  EXPECT_NE(csv_line(head, row).find(",17,second,0,100,"), std::string::npos) << csv_line(head, row);
+  const ResultRow again = row_from_json(head, row_json(head, row));
+  EXPECT_EQ(csv_line(head, again), csv_line(head, row));
+}
+
+TEST(ResultRow, OfAFailedPointOfSeveralSetsHasNoneOfThem) {
+  const std::vector<std::string> sets{"first", "second"};
+  study::PointResult result = of_two_sets();
+  result.status = "second: no balance";
+  const ResultRow row = result_row(result, {}, sets);
+  const TableHead head = table_head({}, sets);
+  ASSERT_EQ(row.values.size(), head.names.size());
+  EXPECT_EQ(row_json(head, row)["limiting_set"], "");
+  EXPECT_TRUE(std::isnan(value_of(head, row, "sets.first.life_h")));
+}
+
 TEST(RowText, CsvQuotesTextAndLeavesMissingValuesEmpty) {
   study::PointResult result = at_6000_rpm();
   result.status = "no \"balance\", found";

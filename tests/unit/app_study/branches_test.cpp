@@ -25,7 +25,7 @@ ResolvedCase reducer(const std::vector<std::string>& settings) {
 Branch branch(const std::string& folder, std::optional<Direction> direction) {
   Manifest manifest;
   manifest.header = {"reducer", "0123456789abcdef", "0.1.0", "x86-64", "dynamic",
-                     1,         std::nullopt,       {},      direction};
+                     1,         std::nullopt,       {},      {},       direction};
   manifest.entries[0].row = {std::vector<double>(table_head({}).names.size(), 2.5), "ok"};
   return {folder, manifest};
 }

@@ -73,5 +73,48 @@ TEST(InitialState, CarriesTheQuasiStaticLoads) {
   }
 }
 
+// Likewise with races that are not round, unequal rollers and the film as printed.
+TEST(InitialState, CarriesTheQuasiStaticLoadsOfAnUnevenBearing) {
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  bearing.inner_form = {{2, 3e-6, 0.4, false}};
+  bearing.outer_form = {{3, -2e-6, 0.0, false}, {8, 5e-7, 0.9, true}};
+  bearing.roller_diameter_deviation = {2e-6, 0.0, -3e-6};
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.race.film_in_approach = true;
+  parameters.race.film_approach = FilmApproach::as_printed;
+  const OperatingPoint point = test::reducer_point(6000.0);
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  EXPECT_FALSE(model.plain);
+  const Snapshot start = snapshot(model, initial_state(bearing, model, parameters, 0.2).x);
+  QuasiStaticOptions options;
+  options.film = parameters.lubricant;
+  options.film_approach = FilmApproach::as_printed;
+  const QuasiStaticState balance = quasi_static_state(bearing, point, options, 0.2);
+  const double geometric =
+      1e-2 * balance.inner_load.maxCoeff();  // as above, times the waves' order of some 8
+  for (int j = 0; j < bearing.rollers; ++j)
+    EXPECT_NEAR(start.inner.load[j], balance.inner_load[j], geometric) << "roller " << j;
+}
+
+TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const OperatingPoint point = test::reducer_point(6000.0);
+  DynamicsParameters parameters = test::reducer_parameters();
+  const BearingModel usual = bearing_model(bearing, point, parameters);
+  EXPECT_TRUE(usual.plain);
+  parameters.race.damping_law = DampingLaw::as_printed;
+  parameters.race.film_in_approach = true;
+  parameters.race.film_approach = FilmApproach::as_printed;
+  parameters.cage.reference_speed = ReferenceSpeed::as_printed;
+  const BearingModel printed = bearing_model(bearing, point, parameters);
+  EXPECT_DOUBLE_EQ(printed.inner.load.load(2e-6, 5.0), 1.1 * usual.inner.load.load(2e-6, 5.0));
+  EXPECT_EQ(printed.inner.damping, 0.0);
+  EXPECT_LT(printed.inner.side.radius, usual.inner.side.radius);
+  EXPECT_GT(printed.outer.side.radius, usual.outer.side.radius);
+  const double gamma = 5.24 / 35.64;
+  EXPECT_DOUBLE_EQ(printed.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 - gamma));
+  EXPECT_DOUBLE_EQ(usual.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 + gamma));
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::dynamics

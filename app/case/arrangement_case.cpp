@@ -1,0 +1,145 @@
+#include "app/case/arrangement_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "app/case/field_table.hpp"
+#include "app/case/printable.hpp"
+#include "gearset/drivetrain/arrangement_checks.hpp"
+#include "gearset/drivetrain/power_flow.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using gearset::Arrangement;
+using gearset::Member;
+using gearset::SetMember;
+
+constexpr std::array members{Member::sun, Member::ring, Member::carrier};
+
+std::optional<Member> member_of(std::string_view word) {
+  for (const Member member : members)
+    if (word == gearset::member_word(member)) return member;
+  return std::nullopt;
+}
+
+std::optional<SetMember> set_member_of(const CaseShape& shape, const std::string& text) {
+  const std::size_t dot = text.find('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const auto set = std::find(shape.sets.begin(), shape.sets.end(), text.substr(0, dot));
+  const std::optional<Member> member = member_of(text.substr(dot + 1));
+  if (set == shape.sets.end() || !member) return std::nullopt;
+  return SetMember{static_cast<std::size_t>(set - shape.sets.begin()), *member};
+}
+
+// Puts one word of a shaft's list onto the shaft; false for a word that means nothing.
+bool put(const CaseShape& shape, const std::string& text, gearset::Shaft& shaft) {
+  if (text == "motor") return shaft.motor = true;
+  if (text == "load") return shaft.load = true;
+  if (text == "ground") return shaft.ground = true;
+  const std::optional<SetMember> member = set_member_of(shape, text);
+  if (member) shaft.members.push_back(*member);
+  return member.has_value();
+}
+
+std::string joint_hint(const CaseShape& shape, const std::string& text) {
+  std::vector<std::string> known{"motor", "load", "ground"};
+  for (const std::string& set : shape.sets)
+    for (const Member member : members) known.push_back(set + "." + gearset::member_word(member));
+  const std::string near = nearest_word(text, known);
+  return fmt::format("motor, load, ground or a member of a set, as in '{}', is required",
+                     near.empty() && known.size() > 3 ? known[3] : near);
+}
+
+bool has_teeth(const ResolvedCase& resolved, const std::string& set) {
+  for (const char* gear : {"sun", "planet", "ring"})
+    if (!resolved.has(set_prefix(set) + "gearset.teeth." + gear)) return false;
+  return true;
+}
+
+gearset::ArrangedSet arranged_set(const ResolvedCase& resolved, const std::string& set) {
+  const auto teeth = [&](const char* gear) {
+    return resolved.integer(set_prefix(set) + "gearset.teeth." + gear);
+  };
+  return {set, teeth("sun"), teeth("planet"), teeth("ring")};
+}
+
+gearset::Shaft shaft_of(const ResolvedCase& resolved, const std::string& name) {
+  gearset::Shaft shaft{.name = name};
+  for (const std::string& text : resolved.texts(shaft_path(name))) put(resolved.shape(), text, shaft);
+  return shaft;
+}
+
+Arrangement several(const ResolvedCase& resolved) {
+  Arrangement arrangement;
+  for (const std::string& set : resolved.shape().sets)
+    arrangement.sets.push_back(arranged_set(resolved, set));
+  for (const std::string& shaft : resolved.shape().shafts)
+    arrangement.shafts.push_back(shaft_of(resolved, shaft));
+  return arrangement;
+}
+
+Arrangement one(const ResolvedCase& resolved) {
+  const gearset::PlanetarySet set{.sun_teeth = resolved.integer("gearset.teeth.sun"),
+                                  .planet_teeth = resolved.integer("gearset.teeth.planet"),
+                                  .ring_teeth = resolved.integer("gearset.teeth.ring"),
+                                  .fixed_member = *member_of(resolved.choice("gearset.fixed"))};
+  return gearset::arrangement_of(set, *member_of(resolved.choice("input.member")), "gearset");
+}
+
+// Whether every word of every shaft means something, once; objects to those that do not.
+bool check_words(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::size_t before = mistakes.size();
+  for (const std::string& name : resolved.shape().shafts) {
+    const std::string path = shaft_path(name);
+    if (!resolved.has(path)) return false;
+    gearset::Shaft shaft;
+    for (std::size_t i = 0; i < resolved.texts(path).size(); ++i) {
+      const std::string& text = resolved.texts(path)[i];
+      if (!put(resolved.shape(), text, shaft))
+        mistakes.push_back({resolved.item_place(path, i),
+                            path,
+                            {quote(text) + " is nothing to join", joint_hint(resolved.shape(), text)}});
+    }
+  }
+  return mistakes.size() == before;
+}
+
+// Where the problem is best mended: its first shaft, else a member that is on none, else the shafts.
+Mistake mistake_of(const ResolvedCase& resolved, const Arrangement& arrangement,
+                   const gearset::ArrangementProblem& problem) {
+  if (!problem.shafts.empty()) {
+    const std::string path = shaft_path(arrangement.shafts[problem.shafts.front()].name);
+    return {resolved.place(path), path, {problem.found, problem.required}};
+  }
+  std::string path = "shafts";
+  Place place = resolved.place(shaft_path(resolved.shape().shafts.front()));
+  if (!problem.members.empty()) {
+    const std::string prefix = set_prefix(arrangement.sets[problem.members.front().set].name);
+    path = prefix.substr(0, prefix.size() - 1);
+    place = resolved.place(prefix + "gearset.teeth.sun");
+  }
+  return {place, path, {problem.found, problem.required}};
+}
+
+}  // namespace
+
+Arrangement arrangement_of(const ResolvedCase& resolved) {
+  return resolved.shape().several ? several(resolved) : one(resolved);
+}
+
+void check_arrangement(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const CaseShape& shape = resolved.shape();
+  if (!check_words(resolved, mistakes) || shape.sets.empty() || shape.shafts.empty()) return;
+  for (const std::string& set : shape.sets)
+    if (!has_teeth(resolved, set)) return;
+  const Arrangement arrangement = several(resolved);
+  for (const gearset::ArrangementProblem& problem : gearset::arrangement_problems(arrangement))
+    mistakes.push_back(mistake_of(resolved, arrangement, problem));
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,20 @@
+// The shafts of a case of several sets: from their texts to an arrangement, and what is wrong with it.
+#pragma once
+
+#include <vector>
+
+#include "app/case/mistake.hpp"
+#include "app/case/resolved_case.hpp"
+#include "gearset/drivetrain/arrangement.hpp"
+
+namespace orbearing::app {
+
+/// The arrangement that the case states; of a case of one set, that set with the motor on input.member and
+/// the ground on gearset.fixed. What its shafts name must exist.
+gearset::Arrangement arrangement_of(const ResolvedCase& resolved);
+
+/// Appends a mistake for each shaft that names no member, and for each reason why speeds or torques do not
+/// follow; the latter only where teeth and shafts are whole. For cases of several sets.
+void check_arrangement(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
+}  // namespace orbearing::app

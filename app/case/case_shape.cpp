@@ -1,0 +1,117 @@
+#include "app/case/case_shape.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr std::string_view sets_block = "sets.";
+constexpr std::string_view shafts_block = "shafts.";
+constexpr std::size_t longest_name = 40;
+
+bool has_name(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// What shafts take the place of.
+bool is_of_one_set(const Field& field) {
+  return field.path == "gearset.fixed" || field.path == "input.member";
+}
+
+void add_sets(unsigned models, const CaseShape& shape, std::vector<Input>& inputs) {
+  for (const std::string& set : shape.sets)
+    for (const Field& field : all_fields())
+      if ((field.models & models) != 0 && in_each_set(field))
+        inputs.push_back({set_prefix(set) + field.path, &field});
+  for (const std::string& shaft : shape.shafts) inputs.push_back({shaft_path(shaft), &shaft_field()});
+}
+
+}  // namespace
+
+bool is_name(std::string_view name) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return !name.empty() && name.size() <= longest_name && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) {
+           return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_';
+         });
+}
+
+std::string set_prefix(std::string_view set) {
+  return std::string(sets_block) + std::string(set) + ".";
+}
+
+std::string shaft_path(std::string_view shaft) {
+  return std::string(shafts_block) + std::string(shaft);
+}
+
+std::size_t set_prefix_length(std::string_view path) {
+  if (!path.starts_with(sets_block)) return 0;
+  const std::size_t dot = path.find('.', sets_block.size());
+  const bool named =
+      dot != std::string_view::npos && is_name(path.substr(sets_block.size(), dot - sets_block.size()));
+  return named ? dot + 1 : 0;
+}
+
+bool in_each_set(const Field& field) {
+  const bool of_a_set = field.path.starts_with("gearset.") || field.path.starts_with("bearing.");
+  return of_a_set && (field.models & planetary_drivetrain) != 0 && !is_of_one_set(field);
+}
+
+const Field& shaft_field() {
+  static const Field field{
+      .path = "shafts",
+      .kind = Kind::list,
+      .meaning = "what turns as one: members as in 'reduction.sun', and motor, load or ground",
+      .models = planetary_drivetrain,
+      .element = Kind::text};
+  return field;
+}
+
+bool is_of_bearing(const Field& field) {
+  if (field.path.starts_with("inertia.")) return field.path == "inertia.own_orbit";
+  for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
+                            "support.", "simulation.", "numerics.", "gearset.mesh_ripple."})
+    if (field.path.starts_with(block)) return true;
+  return false;
+}
+
+bool is_of_teeth(const Field& field) {
+  if (field.path.find('.') == std::string::npos || field.path == "gearset.planets" ||
+      field.path == "gearset.pressure_angle")
+    return false;
+  // What follows from the drive or from the run in time is of no use without tooth numbers.
+  for (const char* used : {"run_up", "backlash", "separation", "error", "periods", "plate_ratio"})
+    if (field.path.find(used) != std::string::npos) return true;
+  return !field.path.starts_with("gearset.dynamics.");
+}
+
+bool belongs(const CaseShape& shape, std::string_view path) {
+  if (path.starts_with(shafts_block)) return has_name(shape.shafts, path.substr(shafts_block.size()));
+  const std::size_t prefix = set_prefix_length(path);
+  const Field* field = find_field(path);
+  if (field == nullptr) return false;
+  if (prefix > 0) return has_name(shape.sets, path.substr(sets_block.size(), prefix - 1 - sets_block.size()));
+  if (shape.several) return !in_each_set(*field) && !is_of_one_set(*field);
+  return (shape.bearing || !is_of_bearing(*field)) && (shape.teeth || !is_of_teeth(*field));
+}
+
+std::vector<Input> inputs_of(unsigned models, const CaseShape& shape) {
+  std::vector<Input> inputs;
+  bool sets_are_in = !shape.several;
+  for (const Field& field : all_fields()) {
+    if ((field.models & models) == 0) continue;
+    // The sets stand where the one set's fields would.
+    if (!sets_are_in && in_each_set(field)) {
+      add_sets(models, shape, inputs);
+      sets_are_in = true;
+    }
+    if (belongs(shape, field.path)) inputs.push_back({field.path, &field});
+  }
+  return inputs;
+}
+
+}  // namespace orbearing::app

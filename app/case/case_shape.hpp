@@ -1,0 +1,67 @@
+// The shape of a drivetrain's case: one set, whose fields stand at the top, or several under `sets`, each
+// with the same fields, and the `shafts` that join them.
+//
+//     one set                 several sets
+//     gearset: {...}          sets:   {reduction: {gearset: {...}, bearing: {...}}, ...}
+//     bearing: {...}          shafts: {input: [motor, reduction.sun], ...}
+//
+// One set may go without a bearing: its planets stand on springs, and it has no life. Without a bearing it may
+// also go without teeth: gearset.dynamics then states its masses and stiffnesses.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/case/field.hpp"
+
+namespace orbearing::app {
+
+/// Names of sets and shafts in the order written.
+struct CaseShape {
+  std::vector<std::string> sets;
+  std::vector<std::string> shafts;
+  bool several = false;  // whether the case has sets and shafts, well or badly given
+  bool bearing = true;   // one set: whether it has a bearing
+  bool teeth = true;     // one set: whether it has teeth
+
+  bool operator==(const CaseShape&) const = default;
+};
+
+/// A place in a case that a field describes: "sets.reduction.gearset.module" for the field "gearset.module".
+struct Input {
+  std::string path;
+  const Field* field = nullptr;
+};
+
+inline constexpr std::size_t most_sets = 16;
+
+/// Names of sets and shafts: letters, digits and _, beginning with a letter.
+bool is_name(std::string_view name);
+inline constexpr const char* name_rule =
+    "a name of at most 40 letters, digits and _, beginning with a letter, is required";
+
+/// "sets.NAME." and "shafts.NAME".
+std::string set_prefix(std::string_view set);
+std::string shaft_path(std::string_view shaft);
+
+/// Length of "sets.NAME." at the beginning of a path; 0 for a path without it.
+std::size_t set_prefix_length(std::string_view path);
+
+/// Whether each of several sets has this field for itself.
+bool in_each_set(const Field& field);
+
+/// The field of `shafts.NAME`.
+const Field& shaft_field();
+
+/// Whether a field is of no use without a bearing; without teeth.
+bool is_of_bearing(const Field& field);
+bool is_of_teeth(const Field& field);
+
+/// Whether a case of that shape has a place for the path.
+bool belongs(const CaseShape& shape, std::string_view path);
+
+/// All inputs of a case of that shape that one of `models` knows, in the order in which cases are written.
+std::vector<Input> inputs_of(unsigned models, const CaseShape& shape);
+
+}  // namespace orbearing::app

@@ -1,0 +1,176 @@
+// Fields of the dynamics of a planetary set: bodies, supports, damping, errors, and the run in time.
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app::table {
+
+namespace {
+
+constexpr unsigned drivetrain = planetary_drivetrain;
+const std::string kBlock = "gearset.dynamics.";
+
+struct Row {
+  std::string path;
+  std::string meaning;
+  Range range{};
+  std::string text{};  // default; empty: derived, or none
+  std::string reason{};
+};
+
+Field quantity(const Dimension& dimension, Row row) {
+  return {.path = kBlock + row.path,
+          .kind = Kind::quantity,
+          .meaning = std::move(row.meaning),
+          .models = drivetrain,
+          .dimension = dimension,
+          .range = row.range,
+          .default_text = std::move(row.text),
+          .default_reason = std::move(row.reason)};
+}
+
+Field number(Row row) {
+  Field field = quantity({}, std::move(row));
+  field.kind = Kind::number;
+  return field;
+}
+
+constexpr Range positive(double most) {
+  return {.least = 0.0, .most = most, .least_allowed = false};
+}
+
+Field needed_without_teeth(Field field) {
+  field.required_by = toothless_set;
+  return field;
+}
+
+void add_body(std::vector<Field>& fields, const std::string& member, const std::string& radius) {
+  fields.push_back(needed_without_teeth(quantity(
+      dimension::mass,
+      {member + ".mass", "mass of the " + member + "; derived from the teeth if absent", positive(1e6)})));
+  fields.push_back(needed_without_teeth(
+      quantity(dimension::mass, {member + ".inertia_over_radius_squared",
+                                 "moment of inertia of the " + member + " over the square of its " + radius +
+                                     "; derived from the teeth if absent",
+                                 positive(1e6)})));
+}
+
+void add_central(std::vector<Field>& fields, const std::string& member, const std::string& radius,
+                 const std::string& support, const std::string& reason) {
+  add_body(fields, member, radius);
+  fields.push_back(
+      quantity(dimension::stiffness, {member + ".support_stiffness",
+                                      "stiffness that holds the " + member + " in its place, 0: floating",
+                                      {0.0, 1e13},
+                                      support,
+                                      reason}));
+  fields.push_back(quantity(dimension::stiffness,
+                            {member + ".torsional_stiffness",
+                             "stiffness against rotation of the " + member + ", on " + radius + " x angle",
+                             {0.0, 1e13},
+                             "0 N/m",
+                             "free to turn; a fixed member is then held rigidly"}));
+}
+
+void add_bodies(std::vector<Field>& fields) {
+  add_central(fields, "sun", "base radius", "1e8 N/m", "a sun on a slender shaft");
+  add_central(fields, "ring", "base radius", "1e9 N/m", "a ring bolted to its housing");
+  add_central(fields, "carrier", "centre distance", "5e8 N/m", "two bearings of the carrier");
+  add_body(fields, "planet", "base radius");
+  Field bearing =
+      quantity(dimension::stiffness,
+               {"planet.bearing_stiffness",
+                "radial stiffness of all bearings of a planet and their pins; of the given bearing "
+                "at its mean load if absent",
+                positive(1e13), "3e8 N/m", "two roller bearings of a planet of some 70 mm, loaded"});
+  bearing.default_without_bearing = true;
+  fields.push_back(std::move(bearing));
+  fields.push_back(number({"carrier.plate_ratio",
+                           "thickness of both side plates of the carrier as a share of the face width",
+                           {.least = 0.0, .most = 10.0, .least_allowed = false},
+                           "0.5",
+                           "the carrier's design is not given; discs that reach to the planets' rims"}));
+}
+
+void add_meshes(std::vector<Field>& fields) {
+  for (const std::string mesh : {"sun", "ring"})
+    fields.push_back(needed_without_teeth(
+        quantity(dimension::stiffness,
+                 {"mesh_stiffness." + mesh,
+                  "constant stiffness of the " + mesh + " mesh; from the teeth if absent", positive(1e13)})));
+  fields.push_back(number({"damping_ratio.mesh",
+                           "damping of both gears turning on their mesh",
+                           {0.0, 2.0},
+                           "0.07",
+                           "usual of oiled steel gears"}));
+  fields.push_back(number({"damping_ratio.bearing",
+                           "damping of a planet on its bearings",
+                           {0.0, 2.0},
+                           "0.05",
+                           "oiled roller bearings in a steel structure"}));
+  fields.push_back(number({"damping_ratio.support",
+                           "damping of a member on its support",
+                           {0.0, 2.0},
+                           "0.05",
+                           "bolted steel structure"}));
+  fields.push_back(quantity(dimension::length, {"backlash",
+                                                "play between the flanks along the line of action",
+                                                {0.0, 100.0},
+                                                "0.1 mm",
+                                                "usual of modules of a few millimetres"}));
+  fields.push_back({.path = kBlock + "separation",
+                    .kind = Kind::flag,
+                    .meaning = "teeth push only and can part; false: they also pull",
+                    .models = drivetrain,
+                    .default_text = "true",
+                    .default_reason = "nothing left out"});
+}
+
+Field lengths(std::string path, std::string meaning) {
+  return {.path = kBlock + std::move(path),
+          .kind = Kind::list,
+          .meaning = std::move(meaning),
+          .models = drivetrain,
+          .dimension = dimension::small_length,
+          .range = {-1e5, 1e5},
+          .element = Kind::quantity};
+}
+
+void add_errors(std::vector<Field>& fields) {
+  for (const std::string mesh : {"sun", "ring"})
+    fields.push_back(lengths("transmission_error." + mesh,
+                             "missing material on the flanks of the " + mesh +
+                                 " mesh at equal steps of a mesh period that begins as a pair touches"));
+  fields.push_back(lengths("pin_error.radial", "how far each pin stands outward of its place"));
+  fields.push_back(
+      lengths("pin_error.tangential", "how far each pin stands ahead of its place in the sense of rotation"));
+}
+
+void add_run(std::vector<Field>& fields) {
+  fields.push_back(number(
+      {"run_up.from", "speed at the start as a share of input.speed", positive(10.0), "1", "no run-up"}));
+  fields.push_back(quantity(
+      dimension::time, {"run_up.duration", "time to reach input.speed", {0.0, 1e4}, "0 s", "no run-up"}));
+  Field observed = number({"observed_periods",
+                           "mesh periods that are averaged once steady",
+                           {1, 1000000},
+                           "200",
+                           "many turns of the slowest vibration"});
+  Field settling = number({"settling_periods",
+                           "mesh periods allowed to become steady",
+                           {100, 10000000},
+                           "4000",
+                           "several times what damping takes"});
+  observed.kind = settling.kind = Kind::integer;
+  fields.push_back(std::move(observed));
+  fields.push_back(std::move(settling));
+}
+
+}  // namespace
+
+void add_gear_dynamics_fields(std::vector<Field>& fields) {
+  add_bodies(fields);
+  add_meshes(fields);
+  add_errors(fields);
+  add_run(fields);
+}
+
+}  // namespace orbearing::app::table

@@ -1,0 +1,48 @@
+#include "app/case/refinement_consistency.hpp"
+
+#include <fmt/format.h>
+
+namespace orbearing::app {
+
+namespace {
+
+void object(const ResolvedCase& resolved, const std::string& path, std::string found, std::string required,
+            std::vector<Mistake>& mistakes) {
+  mistakes.push_back({resolved.place(path), path, {std::move(found), std::move(required)}});
+}
+
+// A wave needs its order and its amplitude; phases may be left out altogether.
+void check_form(const ResolvedCase& resolved, const std::string& block, std::vector<Mistake>& mistakes) {
+  const std::string order = block + ".order", amplitude = block + ".amplitude", phase = block + ".phase";
+  const bool has_order = resolved.has(order), has_amplitude = resolved.has(amplitude);
+  if (!has_order && !has_amplitude && !resolved.has(phase)) return;
+  if (!has_order || !has_amplitude) {
+    const std::string present = has_order ? order : has_amplitude ? amplitude : phase;
+    object(resolved, present, "waves without " + std::string(has_order ? "amplitude" : "order"),
+           "orders and amplitudes in lists of equal length are required", mistakes);
+    return;
+  }
+  const std::size_t waves = resolved.list(order).size();
+  for (const std::string& other : {amplitude, phase})
+    if (resolved.has(other) && resolved.list(other).size() != waves)
+      object(resolved, other, fmt::format("{} values for {} waves", resolved.list(other).size(), waves),
+             "as many values as orders are required", mistakes);
+}
+
+}  // namespace
+
+void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  for (const char* race : {"inner_race", "outer_race"})
+    for (const char* form : {"standing_form", "turning_form"})
+      check_form(resolved, fmt::format("bearing.{}.{}", race, form), mistakes);
+  const std::string deviations = "bearing.roller_diameter_deviation";
+  if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;
+  const std::size_t given = resolved.list(deviations).size();
+  if (given > static_cast<std::size_t>(resolved.integer("bearing.rollers")))
+    object(resolved, deviations, fmt::format("{} values", given),
+           fmt::format("at most one for each of the {} rollers is required",
+                       resolved.integer("bearing.rollers")),
+           mistakes);
+}
+
+}  // namespace orbearing::app

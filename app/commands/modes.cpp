@@ -1,0 +1,51 @@
+#include <fmt/core.h>
+
+#include "app/case/case_file.hpp"
+#include "app/case/units.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/errors.hpp"
+#include "app/study/gear_case.hpp"
+#include "app/study/gear_output.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+double speed_option(const std::string& text) {
+  const Reading<double> speed = read_quantity(text, dimension::angular_speed);
+  if (speed.value && *speed.value >= 0.0) return *speed.value;
+  throw BadInput("--speed: found '" + text + "'" + (speed.value ? "" : ": " + speed.fault) +
+                 "; required: an angular speed like '6000 rpm', not negative");
+}
+
+// The set at rest, or turning at a speed of its driven member (of its carrier where it has no teeth).
+gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options& options) {
+  if (!options.speed) return gear_model_of(resolved);
+  const double speed = speed_option(*options.speed);
+  if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
+    return gear_model_at(resolved, speed);
+  return gear_model_of(resolved.with("input.speed", *options.speed));
+}
+
+}  // namespace
+
+int modes_command(const Options& options) {
+  const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
+  const gearset::dynamics::SetModel model = model_at(resolved, options);
+  const double speed = options.speed ? speed_option(*options.speed) : 0.0;
+  const std::vector<gearset::dynamics::Mode> modes =
+      speed > 0.0 ? modes_at_speed(model) : modes_at_rest(model);
+  if (options.json) {
+    nlohmann::ordered_json object{{"case", resolved.text("name")}, {"modes", modes_json(modes)}};
+    if (speed > 0.0) object["campbell"] = campbell_json(model, speed);
+    object["warnings"] = gear_dynamics_warnings(resolved);
+    fmt::print("{}\n", object.dump(2));
+    return 0;
+  }
+  if (options.quiet) return 0;
+  fmt::print("{}", modes_text(modes));
+  for (const std::string& warning : gear_dynamics_warnings(resolved)) fmt::print("warning: {}\n", warning);
+  return 0;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,163 @@
+#include "app/study/gear_case.hpp"
+
+#include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/mesh_study.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+const std::string kBlock = "gearset.dynamics.";
+
+std::optional<double> given(const ResolvedCase& in, const std::string& path) {
+  if (!in.has(kBlock + path)) return std::nullopt;
+  return in.quantity(kBlock + path);
+}
+
+double value_or_zero(const ResolvedCase& in, const std::string& path) {
+  return given(in, path).value_or(0.0);
+}
+
+std::vector<double> list_of(const ResolvedCase& in, const std::string& path) {
+  return in.has(kBlock + path) ? in.list(kBlock + path) : std::vector<double>{};
+}
+
+study::GearMemberChoice member_choice(const ResolvedCase& in, const std::string& member) {
+  return {.mass = given(in, member + ".mass"),
+          .inertia = given(in, member + ".inertia_over_radius_squared"),
+          .support_stiffness = value_or_zero(in, member + ".support_stiffness"),
+          .torsional_stiffness = value_or_zero(in, member + ".torsional_stiffness")};
+}
+
+// What every set states, with teeth or without.
+study::GearDynamicsChoice bodies_choice(const ResolvedCase& in) {
+  return {.sun = member_choice(in, "sun"),
+          .ring = member_choice(in, "ring"),
+          .carrier = member_choice(in, "carrier"),
+          .planet = member_choice(in, "planet"),
+          .bearing_stiffness = given(in, "planet.bearing_stiffness"),
+          .sun_mesh_stiffness = given(in, "mesh_stiffness.sun"),
+          .ring_mesh_stiffness = given(in, "mesh_stiffness.ring"),
+          .mesh_damping_ratio = in.number(kBlock + "damping_ratio.mesh"),
+          .bearing_damping_ratio = in.number(kBlock + "damping_ratio.bearing"),
+          .support_damping_ratio = in.number(kBlock + "damping_ratio.support")};
+}
+
+study::GearDynamicsChoice geometric_choice(const ResolvedCase& in) {
+  study::GearDynamicsChoice choice = bodies_choice(in);
+  choice.backlash = in.quantity(kBlock + "backlash");
+  choice.separation = in.flag(kBlock + "separation");
+  choice.carrier_plate_ratio = in.number(kBlock + "carrier.plate_ratio");
+  choice.bodies = {.sun_bore = in.number("gearset.sun_bore_ratio"),
+                   .ring_outside = in.number("gearset.ring_outside_ratio")};
+  choice.sun_error = list_of(in, "transmission_error.sun");
+  choice.ring_error = list_of(in, "transmission_error.ring");
+  choice.pin_error_radial = list_of(in, "pin_error.radial");
+  choice.pin_error_tangential = list_of(in, "pin_error.tangential");
+  choice.run_up = {.from = in.number(kBlock + "run_up.from"),
+                   .duration = in.quantity(kBlock + "run_up.duration")};
+  choice.frame = {.coriolis = in.flag("inertia.coriolis"),
+                  .centrifugal = in.flag("inertia.carrier_centrifugal"),
+                  .euler = in.flag("inertia.euler")};
+  return choice;
+}
+
+// Loads come from teeth, so a set without them only swings.
+gearset::dynamics::SetModel lumped_model(const ResolvedCase& in, double carrier_speed) {
+  gearset::dynamics::Operation operation;
+  operation.speeds.carrier = carrier_speed;
+  return set_model(study::lumped_set(bodies_choice(in), in.integer("gearset.planets"),
+                                     in.quantity("gearset.pressure_angle")),
+                   operation);
+}
+
+double planet_rings(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry) {
+  return drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
+}
+
+gearset::dynamics::SetModel geometric_model(const ResolvedCase& in) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const study::GearDynamicsChoice choice = geometric_choice(in);
+  double rings = 0.0, stiffness = 0.0;
+  if (in.shape().bearing) {
+    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    rings = planet_rings(drivetrain, geometry);
+    if (!choice.bearing_stiffness) stiffness = study::planet_bearing_stiffness(drivetrain, geometry);
+  }
+  gearset::dynamics::Operation operation = gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
+  operation.run_up = choice.run_up;
+  return set_model(study::geometric_set(choice, drivetrain.set, gearset::working_geometry(drivetrain.set),
+                                        planetary_meshes_of(in), rings, stiffness),
+                   operation);
+}
+
+void require_one_set(const ResolvedCase& in) {
+  if (in.model() != planetary_drivetrain)
+    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
+                   "; required: planetary-drivetrain, whose gears have dynamics");
+  if (in.shape().several)
+    throw BadInput(in.file() +
+                   ": sets: found several sets; required: one set, as gearset at the top of a case");
+}
+
+Derived row(const std::string& path, double value, const char* unit, const char* meaning) {
+  return {kBlock + path, value, unit, meaning};
+}
+
+}  // namespace
+
+gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed) {
+  require_one_set(resolved);
+  try {
+    return resolved.shape().teeth ? geometric_model(resolved) : lumped_model(resolved, carrier_speed);
+  } catch (const std::domain_error& error) {
+    throw BadInput(resolved.file() + ": gearset: " + error.what());
+  }
+}
+
+gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved) {
+  return gear_model_at(resolved, 0.0);
+}
+
+study::GearRunOptions gear_run_options(const ResolvedCase& resolved) {
+  study::GearRunOptions options;
+  options.observed_periods = resolved.integer(kBlock + "observed_periods");
+  options.most_windows =
+      static_cast<int>(resolved.integer(kBlock + "settling_periods") / options.window_periods);
+  options.series_periods = std::min(options.series_periods, options.observed_periods);
+  return options;
+}
+
+std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
+  const gearset::dynamics::SetModel model = gear_model_of(resolved);
+  const gearset::dynamics::SetParameters& set = model.parameters;
+  std::vector<Derived> rows;
+  const auto add_body = [&](const std::string& member, double mass, double inertia) {
+    rows.push_back(row(member + ".mass", mass, "kg", "as the dynamics have it"));
+    rows.push_back(
+        row(member + ".inertia_over_radius_squared", inertia, "kg", "moment of inertia / radius^2"));
+  };
+  add_body("sun", set.sun.mass, set.sun.inertia);
+  add_body("ring", set.ring.mass, set.ring.inertia);
+  add_body("carrier", set.carrier.mass, set.carrier.inertia);
+  add_body("planet", set.planet.mass, set.planet.inertia);
+  rows.push_back(row("planet.bearing_stiffness", set.planet.bearing_stiffness, "N/m",
+                     "all bearings of a planet with their pins"));
+  rows.push_back(row("mesh_stiffness.sun", set.sun_mesh.stiffness.mean(), "N/m", "mean over a mesh period"));
+  rows.push_back(
+      row("mesh_stiffness.ring", set.ring_mesh.stiffness.mean(), "N/m", "mean over a mesh period"));
+  if (model.operation.mesh_frequency > 0.0)
+    rows.push_back(row("mesh_frequency", model.operation.mesh_frequency, "Hz", "at input.speed"));
+  return rows;
+}
+
+std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> texts = gear_warnings(resolved);
+  if (!resolved.shape().teeth) return texts;
+  for (const gearset::Warning& warning : gearset::foundation_warnings(planetary_meshes_of(resolved)))
+    texts.push_back(warning.place + ": " + warning.text);
+  return texts;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,28 @@
+// Modes and vibration of a planetary set as JSON, for terminals, and as content of a result file.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/results/point_file.hpp"
+#include "coupling/study/gear_dynamics.hpp"
+#include "gearset/dynamics/modes.hpp"
+
+namespace orbearing::app {
+
+/// [{frequency_Hz, kind, multiplicity, growth_per_s, central_share}]
+nlohmann::ordered_json modes_json(const std::vector<gearset::dynamics::Mode>& modes);
+std::string modes_text(const std::vector<gearset::dynamics::Mode>& modes);
+
+/// Natural frequencies over speed from rest to the nominal speed, and mesh harmonics, for a Campbell diagram.
+nlohmann::ordered_json campbell_json(const gearset::dynamics::SetModel& model, double nominal_speed);
+
+/// planet_acceleration, mesh_force, bearing_force, load_sharing and what the run took.
+nlohmann::ordered_json gear_run_json(const study::GearRunResult& result);
+std::string gear_run_text(const study::GearRunResult& result);
+
+/// Statistics of each planet and time series of the last periods, dimensions planet, harmonic and time.
+PointContent gear_run_content(const study::GearRunResult& result);
+
+}  // namespace orbearing::app

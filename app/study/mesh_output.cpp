@@ -1,0 +1,132 @@
+#include "app/study/mesh_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int samples = 200;  // of the curve, a period
+
+Json parts_json(const gearset::GearCompliance& gear) {
+  return {{"bending_N_per_m", 1.0 / gear.tooth.bending},
+          {"shear_N_per_m", 1.0 / gear.tooth.shear},
+          {"axial_N_per_m", 1.0 / gear.tooth.axial},
+          {"foundation_N_per_m", 1.0 / gear.foundation}};
+}
+
+Json pitch_point_json(const NamedMesh& mesh) {
+  const gearset::PairCompliance& pair = mesh.stiffness.at_pitch_point;
+  Json point = parts_json(pair.first);
+  point["hertz_N_per_m"] = 1.0 / pair.hertz;
+  point["pair_N_per_m"] = 1.0 / pair.sum();
+  point["gears"] = Json::array({parts_json(pair.first), parts_json(pair.second)});
+  point["gears"][0]["gear"] = mesh.first;
+  point["gears"][1]["gear"] = mesh.second;
+  return point;
+}
+
+Json standard_json(const NamedMesh& mesh) {
+  constexpr double unit = 1e9;  // [Pa] of 1 N/(mm um)
+  return {{"c_th_N_per_mm_um", mesh.standard.theoretical_single / unit},
+          {"c_prime_N_per_mm_um", mesh.standard.single / unit},
+          {"c_gamma_N_per_mm_um", mesh.standard.mesh / unit},
+          {"mean_N_per_m", mesh.standard.mesh * mesh.face_width},
+          {"in_range", mesh.standard.in_range}};
+}
+
+Json curve_json(const gearset::PeriodicCurve& curve) {
+  Json points = Json::array();
+  for (int i = 0; i < samples; ++i) {
+    const double fraction = double(i) / samples;
+    points.push_back({fraction, curve.value(fraction)});
+  }
+  return points;
+}
+
+Json mesh_json(const NamedMesh& mesh) {
+  const gearset::PeriodicCurve& curve = mesh.stiffness.curve;
+  return {{"name", mesh.name},
+          {"contact_ratio", mesh.stiffness.contact_ratio},
+          {"mean_N_per_m", curve.mean()},
+          {"min_N_per_m", curve.least()},
+          {"max_N_per_m", curve.largest()},
+          {"phase", mesh.phase},
+          {"at_pitch_point", pitch_point_json(mesh)},
+          {"iso6336", standard_json(mesh)},
+          {"jumps", curve.jumps()},
+          {"curve", curve_json(curve)}};
+}
+
+std::string row(const NamedMesh& mesh) {
+  const gearset::PeriodicCurve& curve = mesh.stiffness.curve;
+  return fmt::format("{:<16} {:>8.4f} {:>10.4g} {:>10.4g} {:>10.4g} {:>8.4f} {:>12.4g}\n", mesh.name,
+                     mesh.stiffness.contact_ratio, 1e-6 * curve.mean(), 1e-6 * curve.least(),
+                     1e-6 * curve.largest(), mesh.phase, 1e-6 * mesh.standard.mesh * mesh.face_width);
+}
+
+std::string parts_row(const std::string& name, const gearset::GearCompliance& gear) {
+  return fmt::format("  {:<14} {:>10.5g} {:>10.5g} {:>10.5g} {:>10.5g}\n", name, 1e-6 / gear.tooth.bending,
+                     1e-6 / gear.tooth.shear, 1e-6 / gear.tooth.axial, 1e-6 / gear.foundation);
+}
+
+std::string parts_text(const NamedMesh& mesh) {
+  const gearset::PairCompliance& pair = mesh.stiffness.at_pitch_point;
+  return fmt::format("\n{}: one pair of teeth at the pitch point, {:.5g} N/um; contact alone {:.5g} N/um\n",
+                     mesh.first + " and " + mesh.second, 1e-6 / pair.sum(), 1e-6 / pair.hertz) +
+         fmt::format("  {:<14} {:>10} {:>10} {:>10} {:>10}  [N/um]\n", "", "bending", "shear", "axial",
+                     "foundation") +
+         parts_row(mesh.first, pair.first) + parts_row(mesh.second, pair.second);
+}
+
+}  // namespace
+
+Json meshes_json(const MeshStudy& study) {
+  Json list = Json::array();
+  for (const NamedMesh& mesh : study.meshes) list.push_back(mesh_json(mesh));
+  return list;
+}
+
+std::string mesh_text(const MeshStudy& study, Glyphs glyphs) {
+  std::string text = fmt::format("{:<16} {:>8} {:>10} {:>10} {:>10} {:>8} {:>12}\n", "mesh", "contact",
+                                 "mean", "least", "largest", "phase", "ISO 6336 B");
+  text += fmt::format("{:<16} {:>8} {:>10} {:>10} {:>10} {:>8} {:>12}\n", "", "ratio", "[N/um]", "[N/um]",
+                      "[N/um]", "[1]", "mean [N/um]");
+  for (const NamedMesh& mesh : study.meshes) text += row(mesh);
+  std::string last;
+  for (const NamedMesh& mesh : study.meshes) {  // meshes of a kind differ in their phase only
+    if (mesh.first == last) continue;
+    last = mesh.first;
+    text += parts_text(mesh) + mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
+  }
+  return text;
+}
+
+std::string mesh_chart(const gearset::MeshStiffness& mesh, const std::string& title, Glyphs glyphs) {
+  constexpr int columns = 60, lines = 8, label_width = 9;
+  const bool plain = glyphs == Glyphs::ascii;
+  Canvas canvas(columns, lines, glyphs);
+  const double largest = mesh.curve.largest();
+  for (int x = 0; x < canvas.width(); ++x) {
+    const double value = mesh.curve.value((x + 0.5) / canvas.width());
+    canvas.dot(x, static_cast<int>(std::lround(value / largest * (canvas.height() - 1))));
+  }
+  std::string text = fmt::format("{:>{}}   {}\n", "[N/um]", label_width, title);
+  const std::vector<std::string> drawn = canvas.lines();
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const std::string label =
+        i == 0 ? fmt::format("{:.4g}", 1e-6 * largest) : (i + 1 == drawn.size() ? "0" : "");
+    text += fmt::format("{:>{}} {}{}\n", label, label_width, plain ? "|" : "│", drawn[i]);
+  }
+  text += fmt::format("{:>{}} {}", "", label_width, plain ? "+" : "└");
+  for (int i = 0; i < columns; ++i) text += plain ? "-" : "─";
+  return text + fmt::format("\n{:>{}}  {:<{}}{}  [mesh period since a pair came into contact]\n", "",
+                            label_width, "0", columns - 1, "1");
+}
+
+}  // namespace orbearing::app

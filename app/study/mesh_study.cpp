@@ -1,0 +1,188 @@
+#include "app/study/mesh_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "app/case/pair_case.hpp"
+#include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "gearset/checks.hpp"
+#include "gearset/planet_body.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr double kDegree = 57.29577951308232;           // per rad
+constexpr double kNewtonPerMillimetreMicrometre = 1e9;  // [Pa]
+
+void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& texts) {
+  for (const gearset::Warning& warning : warnings) texts.push_back(warning.place + ": " + warning.text);
+}
+
+gearset::Elasticity elasticity_of(const ResolvedCase& in) {
+  return {.youngs_modulus = in.quantity("material.youngs_modulus"),
+          .poisson_ratio = in.number("material.poisson_ratio")};
+}
+
+void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
+  if (mesh.standard.in_range) return;
+  texts.push_back(
+      mesh.first + " and " + mesh.second +
+      ": profile shifts outside the range of ISO 6336-1, method B (pinion's not below the wheel's, "
+      "sum from -0.5 to 2); its values are shown all the same");
+}
+
+MeshStudy pair_study(const ResolvedCase& in) {
+  const gearset::GearPair pair = pair_of(in);
+  const gearset::PairGeometry geometry = gearset::pair_geometry(pair);
+  const gearset::Elasticity material = elasticity_of(in);
+  const auto gear = [&](std::size_t i) {
+    return gearset::make_mesh_gear(geometry.gears.at(i), 0.5 * pair.bore, pair.face_width, material);
+  };
+  const gearset::MeshingGears gears =
+      gearset::meshing_gears(gear(0), gear(1), geometry.centre_distance, true);
+  MeshStudy study;
+  study.meshes.push_back(
+      {.name = "pair",
+       .first = "first gear",
+       .second = "second gear",
+       .stiffness = gearset::mesh_stiffness(gears),
+       .standard = gearset::iso6336_stiffness({pair.teeth[0], pair.teeth[1], pair.shift[0], pair.shift[1],
+                                               pair.rack, geometry.contact_ratio, material}),
+       .face_width = pair.face_width});
+  const double place = gearset::pitch_point(gears);
+  add_texts(gearset::pair_warnings(geometry), study.warnings);
+  add_texts(gearset::foundation_warnings(gears.first, gears.line_length - place, "first gear", "pair.bore"),
+            study.warnings);
+  add_texts(gearset::foundation_warnings(gears.second, place, "second gear", "pair.bore"), study.warnings);
+  warn_standard(study.meshes.front(), study.warnings);
+  return study;
+}
+
+// The pinion, the smaller gear, comes first in the standard's formula.
+gearset::Iso6336Stiffness sun_standard(const gearset::PlanetarySet& set, double planet_shift, double ratio,
+                                       const gearset::Elasticity& material) {
+  gearset::Iso6336Pair pair{set.planet_teeth, set.sun_teeth, planet_shift, set.sun_shift,
+                            set.rack,         ratio,         material};
+  if (set.sun_teeth < set.planet_teeth) {
+    std::swap(pair.first_teeth, pair.second_teeth);
+    std::swap(pair.first_shift, pair.second_shift);
+  }
+  return gearset::iso6336_stiffness(pair);
+}
+
+gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
+                                   const gearset::WorkingGeometry& geometry) {
+  const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
+  return gearset::planetary_meshes(
+      drivetrain.set, geometry, gearset::equal_planet_angles(drivetrain.set.planets),
+      {.sun_bore = in.number("gearset.sun_bore_ratio"),
+       .ring_outside = in.number("gearset.ring_outside_ratio")},
+      elasticity_of(in), gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed));
+}
+
+MeshStudy set_study(const ResolvedCase& in) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const gearset::PlanetarySet& set = drivetrain.set;
+  const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
+  const gearset::PlanetaryMeshes meshes = meshes_of(in, drivetrain, geometry);
+  const gearset::Elasticity material = elasticity_of(in);
+  const double shift = geometry.planet_shift;
+  NamedMesh sun{.first = "sun", .second = "planet", .stiffness = meshes.sun, .face_width = set.face_width};
+  NamedMesh ring{.first = "ring", .second = "planet", .stiffness = meshes.ring, .face_width = set.face_width};
+  sun.standard = sun_standard(set, shift, sun.stiffness.contact_ratio, material);
+  ring.standard = gearset::iso6336_stiffness(
+      {set.planet_teeth, 0, shift, 0.0, set.rack, ring.stiffness.contact_ratio, material});
+  MeshStudy study;
+  const auto add = [&study](NamedMesh mesh, const std::vector<double>& lags) {
+    for (std::size_t n = 0; n < lags.size(); ++n) {
+      mesh.name = fmt::format("{}-planet {}", mesh.first, n + 1);
+      mesh.phase = lags[n];
+      study.meshes.push_back(mesh);
+    }
+  };
+  add(sun, meshes.sun_lag);
+  add(ring, meshes.ring_lag);
+  add_texts(gearset::tooth_warnings(geometry), study.warnings);
+  add_texts(gearset::foundation_warnings(meshes), study.warnings);
+  warn_standard(sun, study.warnings);
+  warn_standard(ring, study.warnings);
+  return study;
+}
+
+// Least or largest stiffness while `pairs` pairs touch; NaN where that many never do.
+double extreme(const gearset::MeshStiffness& mesh, int pairs, bool largest) {
+  constexpr int samples = 2000;
+  double found = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < samples; ++i) {
+    const double fraction = (i + 0.5) / samples;
+    if (std::ceil(mesh.contact_ratio - fraction) != pairs) continue;
+    const double value = mesh.curve.value(fraction);
+    if (!(largest ? found >= value : found <= value)) found = value;
+  }
+  return found;
+}
+
+double mass(const gearset::ExternalTooth& gear, const gearset::GearPair& pair, double density) {
+  return density * pair.face_width * gearset::section_moments(gear, 0.5 * pair.bore).area;
+}
+
+}  // namespace
+
+MeshStudy mesh_study(const ResolvedCase& resolved) {
+  if (resolved.model() == gear_pair) return pair_study(resolved);
+  if (resolved.model() == planetary_drivetrain && !resolved.shape().teeth)
+    throw BadInput(resolved.file() + ": gearset.teeth: missing; required: teeth, which the meshes follow from");
+  if (resolved.model() == planetary_drivetrain) return set_study(resolved);
+  throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
+                 "; required: gear-pair or planetary-drivetrain, which have meshes");
+}
+
+gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+  return meshes_of(resolved, drivetrain, gearset::working_geometry(drivetrain.set));
+}
+
+std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study) {
+  const gearset::GearPair pair = pair_of(resolved);
+  const gearset::PairGeometry geometry = gearset::pair_geometry(pair);
+  const double density = resolved.quantity("material.density");
+  return {{"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
+          {"pair.working_pressure_angle", kDegree * geometry.working_pressure_angle, "deg", "working"},
+          {"pair.contact_ratio", geometry.contact_ratio, "1", "where the involutes end"},
+          {"pair.mass.first", mass(geometry.gears[0], pair, density), "kg", "the driving gear"},
+          {"pair.mass.second", mass(geometry.gears[1], pair, density), "kg", "the driven gear"},
+          {"pair.mesh_stiffness", study.meshes.front().stiffness.curve.mean(), "N/m",
+           "mean over the mesh period, from tooth geometry"}};
+}
+
+double mesh_property(const MeshStudy& study, const std::string& quantity) {
+  const NamedMesh& mesh = study.meshes.front();
+  const gearset::MeshStiffness& stiffness = mesh.stiffness;
+  const gearset::PairCompliance& pair = stiffness.at_pitch_point;
+  const gearset::Iso6336Stiffness& standard = mesh.standard;
+  const std::map<std::string, double> known{
+      {"contact_ratio", stiffness.contact_ratio},
+      {"mean_N_per_m", stiffness.curve.mean()},
+      {"single_min_N_per_m", extreme(stiffness, 1, false)},
+      {"single_max_N_per_m", extreme(stiffness, 1, true)},
+      {"double_min_N_per_m", extreme(stiffness, 2, false)},
+      {"double_max_N_per_m", extreme(stiffness, 2, true)},
+      {"hertz_N_per_m", 1.0 / pair.hertz},
+      {"bending_N_per_m", 1.0 / pair.first.tooth.bending},
+      {"shear_N_per_m", 1.0 / pair.first.tooth.shear},
+      {"axial_N_per_m", 1.0 / pair.first.tooth.axial},
+      {"foundation_N_per_m", 1.0 / pair.first.foundation},
+      {"c_th_N_per_mm_um", standard.theoretical_single / kNewtonPerMillimetreMicrometre},
+      {"c_prime_N_per_mm_um", standard.single / kNewtonPerMillimetreMicrometre},
+      {"c_gamma_N_per_mm_um", standard.mesh / kNewtonPerMillimetreMicrometre}};
+  const auto found = known.find(quantity);
+  return found == known.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+}  // namespace orbearing::app

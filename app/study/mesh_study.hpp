@@ -1,0 +1,44 @@
+// Meshes of a case: stiffness over the period, contact ratio, phases, and the standard's opinion beside.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/check_table.hpp"
+#include "app/case/resolved_case.hpp"
+#include "gearset/mesh/iso6336.hpp"
+#include "gearset/mesh/mesh_stiffness.hpp"
+#include "gearset/mesh/planetary_meshes.hpp"
+
+namespace orbearing::app {
+
+/// One mesh of a case.
+struct NamedMesh {
+  std::string name;    // "sun-planet 1"
+  std::string first;   // "sun"
+  std::string second;  // "planet"
+  double phase = 0.0;  // [mesh period]  by which it lags behind the first mesh of the case
+  gearset::MeshStiffness stiffness;
+  gearset::Iso6336Stiffness standard;
+  double face_width = 0.0;  // [m]
+};
+
+struct MeshStudy {
+  std::vector<NamedMesh> meshes;
+  std::vector<std::string> warnings;
+};
+
+/// Of a case of the model gear-pair or planetary-drivetrain. Throws BadInput for another model.
+MeshStudy mesh_study(const ResolvedCase& resolved);
+
+/// Meshes of the set of a case of the model planetary-drivetrain, as its members turn at its drive.
+gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved);
+
+/// What follows from the inputs of a gear-pair, for `orbearing check`.
+std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study);
+
+/// A number of the first mesh by its name in the ledger, such as "mean_N_per_m" or "c_prime_N_per_mm_um"; NaN
+/// for a name that is not known.
+double mesh_property(const MeshStudy& study, const std::string& quantity);
+
+}  // namespace orbearing::app

@@ -1,0 +1,23 @@
+#include "bearing/dynamics/race_forces.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, double larger,
+                          const BodyMotion& race) {
+  FormedContact motion{contact_motion(roller, model.roller_radius + larger, race, model.side), {}};
+  if (!model.form.empty()) motion.form = add_form(model.form, model.side.side, race, motion.contact);
+  return motion;
+}
+
+RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
+                       double larger) {
+  const FormedContact motion = race_motion(model, roller, larger, race);
+  return contact_forces(model, motion.contact, &motion.form, model.mixed.on, race.speed);
+}
+
+double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race, double larger) {
+  const ContactMotion motion = race_motion(model, roller, larger, race).contact;
+  return model.load.energy(motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
+}
+
+}  // namespace orbearing::bearing::dynamics

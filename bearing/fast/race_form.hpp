@@ -1,0 +1,51 @@
+// Form of a race at the contacts: bearing/race_form.hpp for packs of contacts, with one derivative more.
+#pragma once
+
+#include "bearing/fast/constants.hpp"
+#include "bearing/fast/lane_math.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_LANES {
+
+/// Height and slopes by the angle of the normal; `turning` is the share of what turns with the race.
+struct FormSlopes {
+  Pack height{};  // [m]
+  Pack slope{};   // [m/rad]
+  Pack bend{};    // [m/rad^2]  second derivative
+  Pack turning_slope{};
+  Pack turning_bend{};
+};
+
+/// `cosine`, `sine` of the normal's angle in the carrier frame.
+inline FormSlopes form_slopes(const RaceConstants& race, const Pack& cosine, const Pack& sine) {
+  FormSlopes sum;
+  for (int i = 0; i < race.waves; ++i) {
+    const WaveConstants& wave = race.wave[i];
+    // (cosine + i sine)^order, by squaring.
+    Pack c = spread(1.0), s{}, base_c = cosine, base_s = sine;
+    for (int n = wave.order; n > 0; n /= 2) {
+      if (n % 2 == 1) {
+        const Pack next = c * base_c - s * base_s;
+        s = c * base_s + s * base_c;
+        c = next;
+      }
+      const Pack square = base_c * base_c - base_s * base_s;
+      base_s = 2.0 * base_c * base_s;
+      base_c = square;
+    }
+    const double turn_c = wave.amplitude * __builtin_cos(wave.phase);
+    const double turn_s = wave.amplitude * __builtin_sin(wave.phase);
+    const double order = wave.order;
+    const Pack height = turn_c * c - turn_s * s;
+    const Pack slope = -order * (turn_c * s + turn_s * c);
+    sum.height += height;
+    sum.slope += slope;
+    sum.bend -= order * order * height;
+    if (wave.turning) {
+      sum.turning_slope += slope;
+      sum.turning_bend -= order * order * height;
+    }
+  }
+  return sum;
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_LANES

@@ -1,0 +1,47 @@
+// Races that are not round: how far a race stands out at one place, and how steeply.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bearing/parameters.hpp"
+
+namespace orbearing::bearing {
+
+/// Form of a race at one place.
+struct FormAt {
+  double height = 0.0;         // [m]      by which the radius is larger
+  double slope = 0.0;          // [m/rad]  d(height)/d(angle)
+  double turning_slope = 0.0;  // [m/rad]  the share of what turns with the race: -d(height)/d(race angle)
+};
+
+/// Form at `angle` [rad] in the carrier frame of a race that has turned by `race_angle` [rad]: the sum of
+/// amplitude cos(order * a + phase), where a is `angle`, less `race_angle` for what turns with the race.
+inline FormAt form_at(const std::vector<RaceHarmonic>& form, double angle, double race_angle) {
+  FormAt sum;
+  for (const RaceHarmonic& wave : form) {
+    const double place = wave.order * (wave.turning ? angle - race_angle : angle) + wave.phase;
+    const double slope = -wave.order * wave.amplitude * std::sin(place);
+    sum.height += wave.amplitude * std::cos(place);
+    sum.slope += slope;
+    if (wave.turning) sum.turning_slope += slope;
+  }
+  return sum;
+}
+
+/// By how much roller `j` is larger in diameter than stated [m].
+inline double diameter_deviation(const CylindricalRollerBearing& bearing, std::size_t j) {
+  const std::vector<double>& given = bearing.roller_diameter_deviation;
+  return j < given.size() ? given[j] : 0.0;
+}
+
+/// Whether the bearing repeats itself when the cage turns by one roller pitch: equal rollers, standing forms.
+inline bool every_pitch_alike(const CylindricalRollerBearing& bearing) {
+  const auto turns = [](const RaceHarmonic& wave) { return wave.turning; };
+  return bearing.roller_diameter_deviation.empty() &&
+         std::none_of(bearing.inner_form.begin(), bearing.inner_form.end(), turns) &&
+         std::none_of(bearing.outer_form.begin(), bearing.outer_form.end(), turns);
+}
+
+}  // namespace orbearing::bearing

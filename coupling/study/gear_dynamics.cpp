@@ -1,0 +1,194 @@
+#include "coupling/study/gear_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "coupling/study/gear_signals.hpp"
+#include "gearset/dynamics/snapshot.hpp"
+#include "gearset/dynamics/static_state.hpp"
+
+namespace orbearing::study {
+
+namespace {
+
+using gearset::dynamics::PlanetarySetEquations;
+using gearset::dynamics::SetModel;
+using gearset::dynamics::SetSnapshot;
+
+constexpr double kMargin = 1e-9;  // [mesh period]  kept off a jump: far above round-off, far below a step
+
+void resize(GearSeries& series, Eigen::Index planets, Eigen::Index samples) {
+  series.time.setZero(samples);
+  for (Eigen::ArrayXXd* matrix :
+       {&series.sun_mesh_force, &series.ring_mesh_force, &series.radial_force, &series.tangential_force,
+        &series.radial_acceleration, &series.tangential_acceleration})
+    matrix->setZero(planets, samples);
+}
+
+void record(double time, const SetSnapshot& now, Eigen::Index i, GearSeries& series) {
+  series.time[i] = time;
+  series.sun_mesh_force.col(i) = now.sun_mesh_force;
+  series.ring_mesh_force.col(i) = now.ring_mesh_force;
+  series.radial_force.col(i) = now.bearing_force.row(0).transpose();
+  series.tangential_force.col(i) = now.bearing_force.row(1).transpose();
+  series.radial_acceleration.col(i) = now.acceleration.row(0).transpose();
+  series.tangential_acceleration.col(i) = now.acceleration.row(1).transpose();
+}
+
+// The run in progress: state, time, budget.
+class GearRun {
+ public:
+  GearRun(const SetModel& model, const GearRunOptions& options, GearRunResult& result)
+      : equations_(model),
+        options_(options),
+        result_(result),
+        jumps_(jumps_of(model)),
+        settings_(options.integration),
+        derivative_([this](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                           Eigen::Ref<Eigen::VectorXd> dx) { equations_.derivative(time, x, dx); }) {
+    settings_.allowed_error = gear_allowed_errors(model, options.allowed_share);
+    settings_.step = 0.02 / model.operation.mesh_frequency;
+  }
+
+  /// To the end of the run-up, where nothing is observed.
+  bool run_up() {
+    const double end = model().operation.run_up.duration;
+    return end <= 0.0 || integrate({0.0, end, 1}, {});
+  }
+
+  /// Observes `periods` mesh periods; false where the integration failed.
+  bool observe(long periods, GearSignals& signals, GearSeries* series) {
+    const long samples = periods * options_.samples_per_period;
+    const double interval =
+        1.0 / (model().operation.mesh_frequency * static_cast<double>(options_.samples_per_period));
+    const long kept = std::min(samples, options_.series_periods * options_.samples_per_period);
+    if (series) resize(*series, model().layout.planets, kept);
+    long sample = 0, apart = 0;
+    begin_rotation();
+    const bool good =
+        integrate({time_, interval, samples}, [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+          take_snapshot(equations_, time, x, workspace_, snapshot_);
+          signals.add(snapshot_);
+          apart += snapshot_.separated ? 1 : 0;
+          const long place = sample++ - (samples - kept);
+          if (series && place >= 0) record(time, snapshot_, place, *series);
+        });
+    result_.separated = static_cast<double>(apart) / static_cast<double>(samples);
+    end_rotation(static_cast<double>(samples) * interval);
+    return good;
+  }
+
+ private:
+  const SetModel& model() const { return equations_.model(); }
+
+  bool integrate(const integration::OutputTimes& output, const integration::Observer& observer) {
+    const integration::IntegrationReport part =
+        integrate_pieces(derivative_, result_.final_state, output, jumps_, settings_, observer);
+    integration::IntegrationReport& all = result_.report;
+    all.smallest_step = all.steps == 0 ? part.smallest_step : std::min(all.smallest_step, part.smallest_step);
+    all.steps += part.steps;
+    all.rejected += part.rejected;
+    all.rhs_calls += part.rhs_calls;
+    all.wall_seconds += part.wall_seconds;
+    all.reached = part.reached;
+    all.completed = part.completed;
+    all.message = part.message;
+    settings_.most_seconds = options_.integration.most_seconds - all.wall_seconds;
+    settings_.most_steps = options_.integration.most_steps - all.steps;
+    time_ = output.time(output.samples);
+    return part.completed;
+  }
+
+  Eigen::Array3d rotations() const {
+    const Eigen::VectorXd& x = result_.final_state;
+    return {x[2], x[5], x[8]};
+  }
+  void begin_rotation() { rotation_ = rotations(); }
+  void end_rotation(double duration) { result_.mean_rotation = (rotations() - rotation_) / duration; }
+
+  PlanetarySetEquations equations_;
+  const GearRunOptions& options_;
+  GearRunResult& result_;
+  integration::Jumps jumps_;
+  integration::IntegrationOptions settings_;
+  integration::RightHandSide derivative_;
+  SetSnapshot snapshot_;
+  Eigen::VectorXd workspace_;
+  Eigen::Array3d rotation_ = Eigen::Array3d::Zero();
+  double time_ = 0.0;  // [s]
+};
+
+bool close(double a, double b, double drift) {
+  return std::abs(a - b) <= drift * std::max(a, b);
+}
+
+// Windows until two in turn agree or there have been enough. False where the integration failed.
+bool settle(GearRun& run, const SetModel& model, const GearRunOptions& options, GearRunResult& result) {
+  double acceleration = 0.0, mesh_force = 0.0;
+  while (result.windows < options.most_windows && !result.steady) {
+    GearSignals window(model.layout.planets, options.samples_per_period);
+    if (!run.observe(options.window_periods, window, nullptr)) return false;
+    ++result.windows;
+    result.steady = result.windows >= std::max(2, options.least_windows) &&
+                    close(acceleration, window.rms_acceleration(), options.drift) &&
+                    close(mesh_force, window.rms_mesh_force(), options.drift);
+    acceleration = window.rms_acceleration();
+    mesh_force = window.rms_mesh_force();
+  }
+  return true;
+}
+
+}  // namespace
+
+integration::Jumps jumps_of(const SetModel& model) {
+  const std::vector<double> places = jump_places(model);
+  const gearset::dynamics::Operation& operation = model.operation;
+  if (places.empty() || operation.mesh_frequency <= 0.0) return {};
+  const auto time = [places, operation](long index) {
+    const long count = static_cast<long>(places.size());
+    const double periods =
+        static_cast<double>(index / count) + places[static_cast<std::size_t>(index % count)];
+    return gearset::dynamics::time_of_periods(operation, periods);
+  };
+  return {time, kMargin / operation.mesh_frequency};
+}
+
+Eigen::VectorXd gear_allowed_errors(const SetModel& model, double share) {
+  constexpr double least_deflection = 1e-7;  // [m]  of a set that carries nothing
+  const gearset::dynamics::SetParameters& set = model.parameters;
+  const double force = std::abs(model.operation.torques.sun) / (set.planets * set.sun.radius);
+  const double sun = set.sun_mesh.stiffness.mean(), ring = set.ring_mesh.stiffness.mean();
+  const double length = share * std::max(least_deflection, force / std::min(sun, ring));
+  const double frequency = std::sqrt((sun + ring) / set.planet.mass);
+  Eigen::VectorXd allowed(model.layout.size());
+  allowed.head(model.layout.freedoms()).setConstant(length);
+  allowed.tail(model.layout.freedoms()).setConstant(length * frequency);
+  return allowed;
+}
+
+GearRunResult run_gears(const SetModel& model, const GearRunOptions& options) {
+  return run_gears_from(static_state(model), model, options);
+}
+
+GearRunResult run_gears_from(const Eigen::VectorXd& start, const SetModel& model,
+                             const GearRunOptions& options) {
+  if (!(model.operation.mesh_frequency > 0.0))
+    throw std::invalid_argument("mesh frequency: found 0; required: a set that turns");
+  GearRunResult result;
+  result.mesh_frequency = model.operation.mesh_frequency;
+  result.final_state = start;
+  GearRun run(model, options, result);
+  GearSignals observed(model.layout.planets, options.samples_per_period);
+  if (run.run_up() && settle(run, model, options, result)) {
+    run.observe(options.observed_periods, observed, &result.series);
+    result.planets = observed.statistics(options.harmonics);
+  }
+  result.completed = result.report.completed;
+  result.message = result.report.message;
+  if (result.completed && !result.steady)
+    result.message = "the vibration still drifted after the last window";
+  return result;
+}
+
+}  // namespace orbearing::study

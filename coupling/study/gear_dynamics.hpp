@@ -1,0 +1,87 @@
+// A planetary set run in time until its motion repeats, then observed over whole mesh periods.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/integration/integrate_pieces.hpp"
+#include "gearset/dynamics/equations.hpp"
+
+namespace orbearing::study {
+
+/// What belongs to the method. A window is a whole number of mesh periods at nominal speed.
+struct GearRunOptions {
+  long window_periods = 50;       // [mesh period]
+  double drift = 1e-2;            // [-]  steady: rms accelerations of two windows in turn differ by no more
+  int least_windows = 2;          // before the criterion is asked
+  int most_windows = 40;          // before the run is observed all the same, and says so
+  long observed_periods = 100;    // [mesh period]  averaged once steady
+  long samples_per_period = 128;  // [-]
+  long series_periods = 4;        // [mesh period]  the last ones, kept as time series
+  int harmonics = 12;             // orders of the mesh frequency that are told
+  double allowed_share = 1e-4;    // [-]  error of one step over the mean deflection of a mesh
+  integration::IntegrationOptions integration;  // allowed_error and step are filled in
+};
+
+/// The last periods as time series. Matrices are (planets, samples).
+struct GearSeries {
+  Eigen::ArrayXd time;                      // [s]
+  Eigen::ArrayXXd sun_mesh_force;           // [N]  along the line of action; negative on the back flank
+  Eigen::ArrayXXd ring_mesh_force;          // [N]
+  Eigen::ArrayXXd radial_force;             // [N]  of its bearing on each planet, outward
+  Eigen::ArrayXXd tangential_force;         // [N]  in the sense of carrier rotation
+  Eigen::ArrayXXd radial_acceleration;      // [m/s^2]  of each planet in the carrier's frame
+  Eigen::ArrayXXd tangential_acceleration;  // [m/s^2]
+};
+
+/// One quantity of one planet over the observed periods.
+struct SignalStatistics {
+  double mean = 0.0;
+  double rms = 0.0;      // about zero
+  double maximum = 0.0;  // largest absolute value
+  double least = 0.0;
+  double largest = 0.0;
+  std::vector<double> amplitudes;  // at 1, 2, ... times the mesh frequency
+};
+
+/// All quantities of one planet.
+struct PlanetStatistics {
+  SignalStatistics sun_mesh_force;           // [N]
+  SignalStatistics ring_mesh_force;          // [N]
+  SignalStatistics radial_force;             // [N]
+  SignalStatistics tangential_force;         // [N]
+  SignalStatistics radial_acceleration;      // [m/s^2]
+  SignalStatistics tangential_acceleration;  // [m/s^2]
+  double load_share = 0.0;  // [-]  mean tangential bearing force over the planets' average: 1 where all share
+  double most_load_share = 0.0;  // [-]  largest tangential force at an instant over the planets' mean one
+};
+
+/// What a run gives.
+struct GearRunResult {
+  bool completed = false;  // false: `message` says why; the rest holds what there was
+  bool steady = false;     // false with completed: the motion still changed from window to window
+  std::string message;
+  std::vector<PlanetStatistics> planets;
+  Eigen::Array3d mean_rotation = Eigen::Array3d::Zero();  // [m/s]  mean u' of sun, ring, carrier
+  double separated = 0.0;                                 // [-]  share of time at which some mesh has parted
+  double mesh_frequency = 0.0;                            // [Hz]
+  GearSeries series;
+  Eigen::VectorXd final_state;
+  int windows = 0;                        // until steady
+  integration::IntegrationReport report;  // summed; smallest step of all
+};
+
+/// Jumps of the right-hand side of `model`, for integrate_pieces.
+integration::Jumps jumps_of(const gearset::dynamics::SetModel& model);
+
+/// Errors allowed in one step: of positions a share of the largest mean mesh deflection, of velocities that
+/// times the frequency of a planet between its meshes.
+Eigen::VectorXd gear_allowed_errors(const gearset::dynamics::SetModel& model, double share);
+
+/// Runs from the static state under mean loads (a run-up from its start), or from `start`. What goes wrong
+/// in the integration is in the result.
+GearRunResult run_gears(const gearset::dynamics::SetModel& model, const GearRunOptions& options);
+GearRunResult run_gears_from(const Eigen::VectorXd& start, const gearset::dynamics::SetModel& model,
+                             const GearRunOptions& options);
+
+}  // namespace orbearing::study

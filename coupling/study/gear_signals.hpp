@@ -1,0 +1,49 @@
+// Means, extremes and mesh harmonics of the signals of all planets, gathered sample by sample.
+#pragma once
+
+#include <vector>
+
+#include "coupling/study/gear_dynamics.hpp"
+#include "gearset/dynamics/snapshot.hpp"
+
+namespace orbearing::study {
+
+/// Sums of one signal, sampled uniformly over whole mesh periods.
+class SignalSums {
+ public:
+  explicit SignalSums(long samples_per_period);
+
+  void add(double value);
+  /// @param harmonics number of orders
+  SignalStatistics statistics(int harmonics) const;
+  double mean_square() const { return square_ / static_cast<double>(samples_); }
+
+ private:
+  long samples_ = 0;
+  double sum_ = 0.0;
+  double square_ = 0.0;
+  double least_;
+  double largest_;
+  Eigen::ArrayXd period_;  // sums by place in the mesh period: what does not repeat averages out
+};
+
+/// The signals of PlanetStatistics, of all planets.
+class GearSignals {
+ public:
+  GearSignals(Eigen::Index planets, long samples_per_period);
+
+  void add(const gearset::dynamics::SetSnapshot& now);
+  std::vector<PlanetStatistics> statistics(int harmonics) const;
+  /// [m/s^2]  of all planets together
+  double rms_acceleration() const;
+  /// [N]  of all meshes together
+  double rms_mesh_force() const;
+
+ private:
+  struct Planet {
+    SignalSums sun_mesh, ring_mesh, radial, tangential, radial_acceleration, tangential_acceleration;
+  };
+  std::vector<Planet> planets_;
+};
+
+}  // namespace orbearing::study

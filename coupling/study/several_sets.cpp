@@ -1,0 +1,55 @@
+#include "coupling/study/several_sets.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "bearing/lundberg_palmgren.hpp"
+
+namespace orbearing::study {
+
+namespace {
+
+SetResult summary(const std::string& name, const PointResult& point) {
+  return {.set = name,
+          .carrier_speed = point.carrier_speed,
+          .planet_load = point.planet_load,
+          .inner = point.inner,
+          .outer = point.outer,
+          .life_hours = point.life_hours};
+}
+
+PointResult evaluate_named(const NamedSet& set, Fidelity fidelity) {
+  try {
+    return evaluate(set.drivetrain, set.geometry, fidelity);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(set.name + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+PointResult evaluate(const std::vector<NamedSet>& sets, Fidelity fidelity) {
+  if (sets.empty()) throw std::invalid_argument("no set has bearings");
+  if (sets.size() == 1 && sets.front().name.empty())
+    return evaluate(sets.front().drivetrain, sets.front().geometry, fidelity);
+  std::vector<PointResult> points;
+  for (const NamedSet& set : sets) points.push_back(evaluate_named(set, fidelity));
+  const auto shortest = std::min_element(
+      points.begin(), points.end(),
+      [](const PointResult& a, const PointResult& b) { return a.life_hours < b.life_hours; });
+  PointResult result = *shortest;
+  result.limiting_set = sets[static_cast<std::size_t>(shortest - points.begin())].name;
+  double together = points.front().system_life_hours;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    together = bearing::combined_life(together, points[i].system_life_hours);
+  result.system_life_hours = together;
+  for (std::size_t i = 0; i < points.size(); ++i) result.sets.push_back(summary(sets[i].name, points[i]));
+  return result;
+}
+
+std::vector<NamedSet> at_speed(std::vector<NamedSet> sets, double speed) {
+  for (NamedSet& set : sets) set.drivetrain.drive.speed = speed;
+  return sets;
+}
+
+}  // namespace orbearing::study

@@ -1,0 +1,118 @@
+#include "gearset/drivetrain/power_flow.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "gearset/drivetrain/arrangement_checks.hpp"
+#include "gearset/drivetrain/arrangement_problem_text.hpp"
+#include "gearset/drivetrain/conditions.hpp"
+
+namespace orbearing::gearset {
+
+namespace {
+
+// A member that carries the whole input, as every member of a chain without branches does, is above it by
+// round-off at most.
+constexpr double circulation_margin = 1e-9;
+
+void require_sound(const Arrangement& arrangement) {
+  const std::vector<ArrangementProblem> problems = arrangement_problems(arrangement);
+  if (!problems.empty())
+    throw std::invalid_argument("found " + problems.front().found + "; " + problems.front().required);
+}
+
+// A sound arrangement has as many conditions as unknowns; one step of refinement makes the last digits those
+// of the equations.
+Eigen::VectorXd solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right) {
+  const Eigen::FullPivLU<Eigen::MatrixXd> decomposition(matrix);
+  Eigen::VectorXd unknowns = decomposition.solve(right);
+  unknowns += decomposition.solve(right - matrix * unknowns);
+  return unknowns;
+}
+
+double& part(Member member, double& sun, double& ring, double& carrier) {
+  return member == Member::sun ? sun : member == Member::ring ? ring : carrier;
+}
+
+// Eq. (16) for each set's planets.
+void add_planet_speeds(const Arrangement& arrangement, PowerFlow& flow) {
+  for (std::size_t set = 0; set < arrangement.sets.size(); ++set) {
+    Speeds& speed = flow.sets[set].speed;
+    const ArrangedSet& teeth = arrangement.sets[set];
+    speed.planet_relative = -(speed.sun - speed.carrier) * teeth.sun_teeth / teeth.planet_teeth;
+  }
+}
+
+void put_member(const MemberFlow& member, PowerFlow& flow) {
+  MemberRatios& ratios = flow.sets[member.member.set];
+  part(member.member.member, ratios.speed.sun, ratios.speed.ring, ratios.speed.carrier) = member.speed;
+  part(member.member.member, ratios.torque.sun, ratios.torque.ring, ratios.torque.carrier) = member.torque;
+  flow.members[3 * member.member.set + static_cast<std::size_t>(member.member.member)] = member;
+}
+
+// What acts on a shaft from outside is what its members take. Eqs. (28) and (30).
+void put_shaft(const Arrangement& arrangement, const Eigen::VectorXd& speeds,
+               const Eigen::VectorXd& set_torque, std::size_t index, PowerFlow& flow) {
+  ShaftFlow& shaft = flow.shafts[index];
+  shaft.speed = speeds(static_cast<Eigen::Index>(index));
+  for (const SetMember& joined : arrangement.shafts[index].members) {
+    const double torque = set_torque(static_cast<Eigen::Index>(joined.set)) *
+                          willis_weight(arrangement.sets[joined.set], joined.member);
+    put_member({joined, index, shaft.speed, torque, torque * shaft.speed}, flow);
+    shaft.torque += torque;
+  }
+  shaft.power = shaft.torque * shaft.speed;
+}
+
+}  // namespace
+
+PowerFlow power_flow(const Arrangement& arrangement) {
+  require_sound(arrangement);
+  const SpeedSystem speed_equations = speed_system(arrangement);
+  const TorqueSystem torque_equations = torque_system(arrangement);
+  const Eigen::VectorXd speeds = solution(speed_equations.matrix, speed_equations.right);
+  const Eigen::VectorXd torques = solution(torque_equations.matrix, torque_equations.right);
+  PowerFlow flow;
+  flow.sets.resize(arrangement.sets.size());
+  flow.members.resize(3 * arrangement.sets.size());
+  flow.shafts.resize(arrangement.shafts.size());
+  for (std::size_t shaft = 0; shaft < arrangement.shafts.size(); ++shaft)
+    put_shaft(arrangement, speeds, torques, shaft, flow);
+  add_planet_speeds(arrangement, flow);
+  return flow;
+}
+
+PowerCirculation power_circulation(const PowerFlow& flow) {
+  PowerCirculation circulation;
+  for (const MemberFlow& member : flow.members) {
+    const double share = std::abs(member.power);
+    circulation.largest_share = std::max(circulation.largest_share, share);
+    if (share > 1.0 + circulation_margin) circulation.members.push_back(member.member);
+  }
+  return circulation;
+}
+
+Arrangement arrangement_of(const PlanetarySet& set, Member driven, const std::string& name) {
+  if (driven == set.fixed_member)
+    throw std::invalid_argument(
+        "the driven member is the fixed one; drive another member or fix another one");
+  Arrangement arrangement{{{name, set.sun_teeth, set.planet_teeth, set.ring_teeth}}, {}};
+  for (const SetMember& member : members_of_set(0)) {
+    const bool ground = member.member == set.fixed_member;
+    const bool motor = member.member == driven;
+    const bool load = !ground && !motor;
+    arrangement.shafts.push_back({ground  ? "ground"
+                                  : motor ? "motor"
+                                          : "load",
+                                  {member},
+                                  motor,
+                                  load,
+                                  ground});
+  }
+  return arrangement;
+}
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,79 @@
+#include "gearset/dynamics/bodies.hpp"
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "gearset/message.hpp"
+#include "gearset/planet_body.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+namespace {
+
+using std::numbers::pi;
+
+[[noreturn]] void refuse(const std::string& outline, double found, const std::string& required) {
+  throw std::domain_error(outline + ": found " + millimetres(found) + "; required: " + required);
+}
+
+Body body_of(const PlanetarySet& set, const SectionMoments& section, double radius) {
+  const double mass_per_area = set.density * set.face_width;
+  return {mass_per_area * section.area, mass_per_area * section.polar_second_moment / (radius * radius),
+          radius};
+}
+
+SectionMoments annulus(double inner, double outer) {
+  return {pi * (outer * outer - inner * inner), pi / 2.0 * (std::pow(outer, 4) - std::pow(inner, 4))};
+}
+
+Body external_gear(const PlanetarySet& set, const ExternalTooth& tooth, double bore,
+                   const std::string& name) {
+  if (!(bore >= 0.0 && bore < 2.0 * tooth.root_radius))
+    refuse(name, bore, "less than the root diameter, " + millimetres(2.0 * tooth.root_radius));
+  return body_of(set, section_moments(tooth, 0.5 * bore), tooth.base_radius);
+}
+
+Body ring_gear(const PlanetarySet& set, const RingTooth& tooth, double outside) {
+  if (!(outside > 2.0 * tooth.root_radius))
+    refuse("outside diameter of the ring", outside,
+           "more than the root diameter, " + millimetres(2.0 * tooth.root_radius));
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  const auto teeth = [&](int power) {
+    const auto strip = [&](double radius) {
+      return 2.0 * half_thickness_angle(tooth, radius) * std::pow(radius, power);
+    };
+    return tooth.teeth * Quadrature::integrate(strip, tooth.tip_radius, tooth.root_radius, 8, 1e-9);
+  };
+  const SectionMoments rim = annulus(tooth.root_radius, 0.5 * outside);
+  return body_of(set, {rim.area + teeth(1), rim.polar_second_moment + teeth(3)}, tooth.base_radius);
+}
+
+Body carrier_body(const PlanetarySet& set, const WorkingGeometry& geometry, const BodyOutlines& outlines) {
+  if (!(outlines.carrier_plates > 0.0))
+    refuse("thickness of the carrier's plates", outlines.carrier_plates, "more than 0 mm");
+  const double reach =
+      geometry.centre_distance + 0.5 * (0.5 * outlines.planet_bore + geometry.planet.root_radius);
+  const SectionMoments disc = annulus(0.0, reach);
+  PlanetarySet plates = set;
+  plates.face_width = outlines.carrier_plates;
+  return body_of(plates, disc, geometry.centre_distance);
+}
+
+}  // namespace
+
+SetBodies set_bodies(const PlanetarySet& set, const WorkingGeometry& geometry, const BodyOutlines& outlines) {
+  SetBodies bodies{.sun = external_gear(set, geometry.sun, outlines.sun_bore, "bore of the sun"),
+                   .ring = ring_gear(set, geometry.ring, outlines.ring_outside),
+                   .carrier = carrier_body(set, geometry, outlines),
+                   .planet = external_gear(set, geometry.planet, outlines.planet_bore, "bore of the planet")};
+  // Rings of the bearings lie as a thin hoop within the bore.
+  const double hoop_radius = 0.5 * outlines.planet_bore;
+  bodies.planet.mass += outlines.extra_planet_mass;
+  bodies.planet.inertia += outlines.extra_planet_mass * std::pow(hoop_radius / bodies.planet.radius, 2);
+  return bodies;
+}
+
+}  // namespace orbearing::gearset::dynamics

@@ -1,0 +1,38 @@
+// Masses and inertias of the members of a set from its geometry.
+#pragma once
+
+#include "gearset/parameters.hpp"
+#include "gearset/working_geometry.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+/// Outlines that tooth numbers and module do not fix.
+struct BodyOutlines {
+  double sun_bore = 0.0;           // [m]  diameter
+  double ring_outside = 0.0;       // [m]  diameter
+  double planet_bore = 0.0;        // [m]  diameter
+  double carrier_plates = 0.0;     // [m]  thickness of both side plates together
+  double extra_planet_mass = 0.0;  // [kg]  rings of its bearings that turn with it, at the bore
+};
+
+/// Mass, and moment of inertia / radius^2 with the radius of the member's u.
+struct Body {
+  double mass = 0.0;     // [kg]
+  double inertia = 0.0;  // [kg]
+  double radius = 0.0;   // [m]  base radius; centre distance for the carrier
+};
+
+/// All bodies of a set; the planet's is that of one.
+struct SetBodies {
+  Body sun;
+  Body ring;
+  Body carrier;
+  Body planet;
+};
+
+/// Sun and planet solid from teeth to bore, ring from its teeth to its outside. The carrier is two discs that
+/// reach from the axis to the middle of the planets' rims. Shafts and flanges are not included.
+/// @throws std::domain_error where an outline leaves no body under the teeth
+SetBodies set_bodies(const PlanetarySet& set, const WorkingGeometry& geometry, const BodyOutlines& outlines);
+
+}  // namespace orbearing::gearset::dynamics

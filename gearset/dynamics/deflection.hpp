@@ -1,0 +1,35 @@
+// How far teeth and bearings are pressed together, as linear functions of two bodies' positions.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace orbearing::gearset::dynamics {
+
+/// Coefficients of (x, y, u) of a central member and of a planet in one deflection [-].
+struct DeflectionVector {
+  Eigen::Vector3d central = Eigen::Vector3d::Zero();
+  Eigen::Vector3d planet = Eigen::Vector3d::Zero();
+
+  double of(const Eigen::Ref<const Eigen::VectorXd>& q, Eigen::Index central_place,
+            Eigen::Index planet_place) const {
+    return central.dot(q.segment<3>(central_place)) + planet.dot(q.segment<3>(planet_place));
+  }
+};
+
+/// Which flanks touch: `driving` where a positive torque on the sun presses them together.
+enum class Flank { driving, back };
+
+/// Approach of sun and planet along the line of action. Eq. (1) of gearset/dynamics/README.md.
+/// @param planet_angle   [rad] of the planet from the x axis
+/// @param pressure_angle [rad]
+DeflectionVector sun_mesh_deflection(double planet_angle, double pressure_angle, Flank flank);
+
+/// Approach of ring and planet. Eq. (2).
+DeflectionVector ring_mesh_deflection(double planet_angle, double pressure_angle, Flank flank);
+
+/// Distance of the pin from the planet's axis, outward and in the sense of rotation: the deflection of the
+/// planet's bearing. Eqs. (3) and (4).
+DeflectionVector radial_bearing_deflection(double planet_angle);
+DeflectionVector tangential_bearing_deflection(double planet_angle);
+
+}  // namespace orbearing::gearset::dynamics

@@ -1,0 +1,52 @@
+// Equations of motion of a planetary set in the frame of its carrier, in the form x' = f(t, x).
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+
+#include "gearset/dynamics/model.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+/// What the gear set shows to bearings that are computed elsewhere: each planet's axis relative to its pin,
+/// outward and in the sense of rotation. Conjugate to the force of the bearing on the planet.
+struct BearingPorts {
+  Eigen::Matrix2Xd displacement;  // [m]    (2, planets)
+  Eigen::Matrix2Xd velocity;      // [m/s]  (2, planets)
+};
+
+/// Right-hand side. Pure and free of allocation; one object may serve several threads.
+class PlanetarySetEquations {
+ public:
+  explicit PlanetarySetEquations(SetModel model) : model_(std::move(model)) {}
+
+  /// Rate `dx` of the state `x` at `time` [s]; both have the order of SetLayout. Coupled bearings give no
+  /// force.
+  void derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                  Eigen::Ref<Eigen::VectorXd> dx) const;
+
+  /// The same with forces that coupled bearings put on their planets, and reversed on the pins.
+  /// @param port_force [N] (2, planets) outward and in the sense of rotation
+  void derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                  const Eigen::Ref<const Eigen::Matrix2Xd>& port_force, Eigen::Ref<Eigen::VectorXd> dx) const;
+
+  /// Motion at the ports; `ports` is resized where it has not the right size.
+  void motion_at_ports(const Eigen::Ref<const Eigen::VectorXd>& x, BearingPorts& ports) const;
+
+  const SetModel& model() const { return model_; }
+
+ private:
+  SetModel model_;
+};
+
+/// All generalised forces [N] but those of coupled bearings, held freedoms included.
+/// @param force (freedoms)
+void add_forces(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                Eigen::Ref<Eigen::VectorXd> force);
+
+/// Force [N] of the driving and the delivering side on the u of each central member: (sun, ring, carrier).
+/// Eq. (10).
+/// @param speed [m/s] of the u of the driven member, beyond the nominal rotation
+Eigen::Vector3d drive_forces(const SetModel& model, const SpeedState& speed_state, double speed);
+
+}  // namespace orbearing::gearset::dynamics

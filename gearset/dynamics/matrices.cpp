@@ -1,0 +1,104 @@
+#include "gearset/dynamics/matrices.hpp"
+
+#include "gearset/dynamics/frame_force.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+VectorXd whole(const SetModel& model, const DeflectionVector& along, Index central, Index planet) {
+  VectorXd vector = VectorXd::Zero(model.layout.freedoms());
+  vector.segment<3>(central) = along.central;
+  vector.segment<3>(planet) = along.planet;
+  return vector;
+}
+
+void add_spring(const VectorXd& along, double stiffness, MatrixXd& matrix) {
+  matrix += stiffness * along * along.transpose();
+}
+
+void add_bearings(const SetModel& model, double stiffness, MatrixXd& matrix) {
+  if (model.parameters.planet.coupled_bearing) return;
+  for (const PlanetBearing& bearing : model.bearings)
+    for (const DeflectionVector& along : {bearing.radial, bearing.tangential})
+      add_spring(whole(model, along, SetLayout::carrier(), bearing.place), stiffness, matrix);
+}
+
+void add_support(Index place, double planar, double torsional, MatrixXd& matrix) {
+  matrix.diagonal().segment<3>(place) += Eigen::Vector3d(planar, planar, torsional);
+}
+
+void add_support_stiffness(const SetModel& model, MatrixXd& matrix) {
+  const SetParameters& set = model.parameters;
+  const auto add = [&](Index place, const Support& support) {
+    add_support(place, support.stiffness, support.torsional_stiffness, matrix);
+  };
+  add(SetLayout::sun(), set.sun.support);
+  add(SetLayout::ring(), set.ring.support);
+  add(SetLayout::carrier(), set.carrier.support);
+}
+
+MatrixXd damping_matrix(const SetModel& model) {
+  const SetParameters& set = model.parameters;
+  MatrixXd damping = MatrixXd::Zero(model.layout.freedoms(), model.layout.freedoms());
+  for (const PlanetMesh& mesh : model.meshes)
+    add_spring(whole(model, mesh.loaded, mesh.central, mesh.place), model.mesh(mesh.kind).damping, damping);
+  add_bearings(model, set.planet.bearing_damping, damping);
+  const auto add = [&](Index place, const Support& support) {
+    add_support(place, support.damping, support.torsional_damping, damping);
+  };
+  add(SetLayout::sun(), set.sun.support);
+  add(SetLayout::ring(), set.ring.support);
+  add(SetLayout::carrier(), set.carrier.support);
+  return damping;
+}
+
+// Force = -matrix * (positions or velocities): +c on (x, y) of each body against -c on (y, x).
+void add_turn(Index place, double value, MatrixXd& matrix) {
+  matrix(place, place + 1) -= value;
+  matrix(place + 1, place) += value;
+}
+
+}  // namespace
+
+MatrixXd stiffness_with(const SetModel& model, const ContactState& contact) {
+  MatrixXd stiffness = MatrixXd::Zero(model.layout.freedoms(), model.layout.freedoms());
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) {
+    const PlanetMesh& mesh = model.meshes[i];
+    const double mean = model.mesh(mesh.kind).stiffness.mean();
+    if (contact.loaded[i]) add_spring(whole(model, mesh.loaded, mesh.central, mesh.place), mean, stiffness);
+    if (contact.back[i]) add_spring(whole(model, mesh.back, mesh.central, mesh.place), mean, stiffness);
+  }
+  add_bearings(model, model.parameters.planet.bearing_stiffness, stiffness);
+  add_support_stiffness(model, stiffness);
+  return stiffness;
+}
+
+SetMatrices set_matrices(const SetModel& model) {
+  const Index n = model.layout.freedoms();
+  const std::size_t meshes = model.meshes.size();
+  SetMatrices matrices{
+      .mass = model.mass,
+      .stiffness = stiffness_with(model, {std::vector<bool>(meshes, true), std::vector<bool>(meshes, false)}),
+      .centrifugal = MatrixXd::Zero(n, n),
+      .gyroscopic = MatrixXd::Zero(n, n),
+      .damping = damping_matrix(model),
+      .circulatory = MatrixXd::Zero(n, n)};
+  const CarrierTurn turn = carrier_turn(model, {});
+  for (Index place = 0; place < n; place += 3) {
+    matrices.centrifugal(place, place) -= model.mass[place] * turn.centrifugal;
+    if (place < SetLayout::planet(0))
+      matrices.centrifugal(place + 1, place + 1) -= model.mass[place] * turn.centrifugal;
+    add_turn(place, 2.0 * model.mass[place] * turn.coriolis, matrices.gyroscopic);
+  }
+  add_turn(SetLayout::sun(), model.parameters.sun.support.damping * turn.speed, matrices.circulatory);
+  add_turn(SetLayout::ring(), model.parameters.ring.support.damping * turn.speed, matrices.circulatory);
+  add_turn(SetLayout::carrier(), model.parameters.carrier.support.damping * turn.speed, matrices.circulatory);
+  return matrices;
+}
+
+}  // namespace orbearing::gearset::dynamics

@@ -1,0 +1,33 @@
+// Sorts shapes of one frequency by their symmetry under an exchange of planets.
+#pragma once
+
+#include <vector>
+
+#include "gearset/dynamics/modes.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+/// Part of a space of shapes that is of one kind.
+struct KindShapes {
+  ModeKind kind = ModeKind::rotational;
+  Eigen::MatrixXcd shapes;  // (freedoms, number)  orthonormal
+};
+
+/// Shares of a motion's kinetic energy, by kind; their sum is 1. A harmonic of a steady vibration is of one
+/// kind alone where the planets follow each other at equal phase steps.
+struct KindShares {
+  double rotational = 0.0;     // [-]
+  double translational = 0.0;  // [-]
+  double planet = 0.0;         // [-]
+};
+
+/// @param shape (freedoms) in the coordinates sqrt(mass) x position; not zero
+KindShares kind_shares(const SetLayout& layout, const Eigen::VectorXcd& shape);
+
+/// Splits the space that the columns of `shapes` span, which share one frequency, into parts of one kind.
+/// Where by unequal planets a shape belongs to no kind alone, the largest part names it. Eq. (13) of
+/// gearset/dynamics/README.md.
+/// @param shapes (freedoms, number) in the coordinates sqrt(mass) x position
+std::vector<KindShapes> by_kind(const SetLayout& layout, const Eigen::MatrixXcd& shapes);
+
+}  // namespace orbearing::gearset::dynamics

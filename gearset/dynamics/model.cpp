@@ -1,0 +1,189 @@
+#include "gearset/dynamics/model.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace orbearing::gearset::dynamics {
+
+namespace {
+
+using boost::math::double_constants::two_pi;
+
+constexpr double same_place = 1e-9;  // [mesh period]  jumps closer than this are one
+
+void require(bool sound, const char* what, double found, const char* required) {
+  if (sound) return;
+  std::ostringstream text;
+  text << what << ": found " << found << "; required: " << required;
+  throw std::invalid_argument(text.str());
+}
+
+void require_positive(double value, const char* what) {
+  require(std::isfinite(value) && value > 0.0, what, value, "a finite value greater than 0");
+}
+
+void require_not_negative(double value, const char* what) {
+  require(std::isfinite(value) && value >= 0.0, what, value, "a finite value of at least 0");
+}
+
+void require_sound(const CentralMember& member) {
+  require_positive(member.mass, "mass of a member of the gear set");
+  require_positive(member.inertia, "inertia of a member of the gear set");
+  require_positive(member.radius, "radius of a member of the gear set");
+  for (const double value : {member.support.stiffness, member.support.damping,
+                             member.support.torsional_stiffness, member.support.torsional_damping})
+    require_not_negative(value, "stiffness or damping of a support");
+}
+
+void require_sound(const Mesh& mesh) {
+  require_positive(mesh.stiffness.least(), "least mesh stiffness");
+  require_not_negative(mesh.damping, "mesh damping");
+  require_not_negative(mesh.backlash, "backlash");
+  require(std::abs(mesh.pressure_angle) < 1.5, "working pressure angle", mesh.pressure_angle,
+          "an angle well below a right one");
+}
+
+void require_sound(const SetParameters& set) {
+  require(set.planets >= 1, "number of planets", set.planets, "at least 1");
+  for (const CentralMember* member : {&set.sun, &set.ring, &set.carrier}) require_sound(*member);
+  require_positive(set.planet.mass, "mass of a planet");
+  require_positive(set.planet.inertia, "inertia of a planet");
+  require_positive(set.planet.radius, "radius of a planet");
+  require_not_negative(set.planet.bearing_stiffness, "stiffness of a planet's bearing");
+  require_not_negative(set.planet.bearing_damping, "damping of a planet's bearing");
+  require_sound(set.sun_mesh);
+  require_sound(set.ring_mesh);
+  const auto planets = static_cast<std::size_t>(set.planets);
+  for (const std::vector<double>* phases : {&set.sun_phase, &set.ring_phase})
+    require(phases->size() == planets, "number of mesh phases", static_cast<double>(phases->size()),
+            "one for each planet");
+  require(set.pin_error.cols() == 0 || set.pin_error.cols() == set.planets, "number of pin errors",
+          static_cast<double>(set.pin_error.cols()), "one for each planet, or none");
+}
+
+void require_sound(const Operation& operation) {
+  require_positive(operation.run_up.from, "speed factor at the start of a run-up");
+  require_not_negative(operation.run_up.duration, "duration of a run-up");
+  require_not_negative(operation.mesh_frequency, "mesh frequency");
+}
+
+void set_masses(SetModel& model) {
+  const SetParameters& set = model.parameters;
+  model.mass.resize(model.layout.freedoms());
+  model.mobility.resize(model.layout.freedoms());
+  const auto put_central = [&](Eigen::Index place, const CentralMember& member) {
+    const double planar = member.support.held_in_place ? 0.0 : 1.0 / member.mass;
+    const double turning = member.support.held_in_rotation ? 0.0 : 1.0 / member.inertia;
+    model.mass.segment<3>(place) << member.mass, member.mass, member.inertia;
+    model.mobility.segment<3>(place) << planar, planar, turning;
+  };
+  put_central(SetLayout::sun(), set.sun);
+  put_central(SetLayout::ring(), set.ring);
+  put_central(SetLayout::carrier(), set.carrier);
+  for (Eigen::Index n = 0; n < model.layout.planets; ++n) {
+    model.mass.segment<3>(SetLayout::planet(n)) << set.planet.mass, set.planet.mass, set.planet.inertia;
+    model.mobility.segment<3>(SetLayout::planet(n)) =
+        model.mass.segment<3>(SetLayout::planet(n)).cwiseInverse();
+  }
+}
+
+void add_mesh(SetModel& model, MeshKind kind, Eigen::Index n, double planet_angle) {
+  const bool sun = kind == MeshKind::sun;
+  const auto deflection = sun ? sun_mesh_deflection : ring_mesh_deflection;
+  // The flanks that a torque of this sense presses together.
+  const Flank loaded = model.operation.torques.sun >= 0.0 ? Flank::driving : Flank::back;
+  const Flank back = loaded == Flank::driving ? Flank::back : Flank::driving;
+  const double alpha = model.mesh(kind).pressure_angle;
+  model.meshes.push_back(
+      {kind, n, sun ? SetLayout::sun() : SetLayout::ring(), SetLayout::planet(n),
+       deflection(planet_angle, alpha, loaded), deflection(planet_angle, alpha, back),
+       (sun ? model.parameters.sun_phase : model.parameters.ring_phase)[static_cast<std::size_t>(n)]});
+}
+
+double planet_angle(const SetModel& model, Eigen::Index n) {
+  return two_pi * static_cast<double>(n) / static_cast<double>(model.layout.planets);
+}
+
+}  // namespace
+
+Operation operation_of(const PlanetarySet& set, const Drive& drive) {
+  Operation operation{.driven = drive.member,
+                      .power = drive.power,
+                      .speeds = member_speeds(set, drive),
+                      .torques = member_torques(set, drive)};
+  operation.mesh_frequency =
+      set.sun_teeth * std::abs(operation.speeds.sun - operation.speeds.carrier) / two_pi;
+  return operation;
+}
+
+SetModel set_model(SetParameters parameters, const Operation& operation) {
+  require_sound(parameters);
+  require_sound(operation);
+  SetModel model{.layout = {parameters.planets}, .parameters = std::move(parameters), .operation = operation};
+  set_masses(model);
+  for (const MeshKind kind : {MeshKind::sun, MeshKind::ring})
+    for (Eigen::Index n = 0; n < model.layout.planets; ++n) add_mesh(model, kind, n, planet_angle(model, n));
+  const Eigen::Matrix2Xd& errors = model.parameters.pin_error;
+  for (Eigen::Index n = 0; n < model.layout.planets; ++n) {
+    const double angle = planet_angle(model, n);
+    const Eigen::Vector2d error = errors.cols() == 0 ? Eigen::Vector2d::Zero().eval() : errors.col(n).eval();
+    model.bearings.push_back({SetLayout::planet(n), radial_bearing_deflection(angle),
+                              tangential_bearing_deflection(angle), error});
+  }
+  return model;
+}
+
+SpeedState speed_at(const Operation& operation, double time) {
+  const RunUp& run_up = operation.run_up;
+  if (run_up.duration <= 0.0 || time >= run_up.duration) return {1.0, 0.0};
+  const double rate = (1.0 - run_up.from) / run_up.duration;
+  return {run_up.from + rate * time, rate};
+}
+
+double mesh_periods(const Operation& operation, double time) {
+  const RunUp& run_up = operation.run_up;
+  if (run_up.duration <= 0.0) return operation.mesh_frequency * time;
+  const double rate = (1.0 - run_up.from) / run_up.duration;
+  const double slow = std::min(time, run_up.duration);
+  return operation.mesh_frequency *
+         (slow * (run_up.from + 0.5 * rate * slow) + std::max(0.0, time - run_up.duration));
+}
+
+double time_of_periods(const Operation& operation, double periods) {
+  const RunUp& run_up = operation.run_up;
+  const double nominal = periods / operation.mesh_frequency;  // [s]  at nominal speed all along
+  const double rising = 0.5 * run_up.duration * (run_up.from + 1.0);
+  if (nominal >= rising) return run_up.duration + (nominal - rising);
+  // from t + rate t^2 / 2 = nominal, in the form that stays sound for a small rate of either sign
+  const double rate = (1.0 - run_up.from) / run_up.duration;
+  return 2.0 * nominal / (run_up.from + std::sqrt(run_up.from * run_up.from + 2.0 * rate * nominal));
+}
+
+std::vector<double> jump_places(const SetModel& model) {
+  std::vector<double> places;
+  for (const PlanetMesh& mesh : model.meshes)
+    for (const PeriodicCurve* curve : {&model.mesh(mesh.kind).stiffness, &model.mesh(mesh.kind).error})
+      for (const double jump : curve->jumps()) {
+        const double place = jump - mesh.phase;
+        const double wrapped = place - std::floor(place);
+        places.push_back(wrapped > 1.0 - same_place ? 0.0 : wrapped);
+      }
+  std::sort(places.begin(), places.end());
+  const auto same = [](double a, double b) { return b - a < same_place; };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
+  return places;
+}
+
+SetModel averaged(const SetModel& model) {
+  SetModel mean = model;
+  for (Mesh* mesh : {&mean.parameters.sun_mesh, &mean.parameters.ring_mesh}) {
+    mesh->stiffness = PeriodicCurve::constant(mesh->stiffness.mean());
+    mesh->error = PeriodicCurve::constant(mesh->error.mean());
+  }
+  return mean;
+}
+
+}  // namespace orbearing::gearset::dynamics

@@ -1,0 +1,104 @@
+#include "gearset/gear_pair.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "gearset/checks.hpp"
+#include "gearset/involute.hpp"
+#include "gearset/message.hpp"
+#include "gearset/tooth_remarks.hpp"
+
+namespace orbearing::gearset {
+
+namespace {
+
+constexpr const char* place = "pair.profile_shift";
+constexpr double largest_working_angle = 45.0;  // [deg]  beyond it no involute pair of practice works
+constexpr double degree = 0.017453292519943295;
+
+double working_angle(const GearPair& pair) {
+  const double teeth = pair.teeth[0] + pair.teeth[1];
+  const double shifts = pair.shift[0] + pair.shift[1];
+  const double value =
+      involute(pair.rack.pressure_angle) + 2.0 * std::tan(pair.rack.pressure_angle) * shifts / teeth;
+  if (value < 0.0)
+    throw std::domain_error("found shifts that bring the base circles together; a larger sum is required");
+  const double angle = inverse_involute(value);
+  if (angle > largest_working_angle * degree)
+    throw std::domain_error("found shifts that make the working pressure angle " +
+                            decimal(angle / degree, 2) +
+                            " deg; at most 45 deg is required: a smaller sum of shifts");
+  return angle;
+}
+
+void check_pointed(const ExternalTooth& tooth, const std::string& gear, Warnings& problems) {
+  if (half_thickness_angle(tooth, tooth.tip_radius) > 0.0) return;
+  problems.push_back({place, "found flanks that cross before the tip circle of the " + gear +
+                                 "; a tooth with a tip is required; lower its shift or the addendum"});
+}
+
+void check_bore(const GearPair& pair, const ExternalTooth& tooth, const std::string& gear,
+                Warnings& problems) {
+  const double root_diameter = 2.0 * tooth.root_radius;
+  constexpr double round_off = 1e-9;  // of a bore that equals the root diameter on paper
+  if (pair.bore > 0.0 && pair.bore <= root_diameter * (1.0 + round_off)) return;
+  problems.push_back({"pair.bore", "found a bore of " + millimetres(pair.bore) +
+                                       "; more than zero and at most the root diameter of the " + gear +
+                                       ", " + millimetres(root_diameter) + ", is required"});
+}
+
+void check_geometry(const GearPair& pair, Warnings& problems) {
+  const PairGeometry geometry = pair_geometry(pair);
+  check_pointed(geometry.gears[0], "first gear", problems);
+  check_pointed(geometry.gears[1], "second gear", problems);
+  check_bore(pair, geometry.gears[0], "first gear", problems);
+  if (problems.empty()) check_bore(pair, geometry.gears[1], "second gear", problems);
+  if (geometry.path.length() <= 0.0)
+    problems.push_back({place, "found no path of contact; teeth that reach each other are required"});
+}
+
+void remark_tips(const PairGeometry& g, int gear, int other, const std::string& name,
+                 const std::string& other_name, Remarks& remarks) {
+  const auto& tooth = g.gears[static_cast<std::size_t>(gear)];
+  const auto& mate = g.gears[static_cast<std::size_t>(other)];
+  const double line = g.centre_distance * std::sin(g.working_pressure_angle);
+  remarks.undercut(tooth, name);
+  remarks.reach(line - tangent_length(mate.base_radius, mate.tip_radius), tooth, other_name, name);
+  remarks.clearance(g.centre_distance - mate.tip_radius - tooth.root_radius, tooth.module, other_name, name);
+}
+
+}  // namespace
+
+PairGeometry pair_geometry(const GearPair& pair) {
+  PairGeometry geometry;
+  for (std::size_t i = 0; i < 2; ++i)
+    geometry.gears[i] = make_external_tooth(pair.teeth[i], pair.shift[i], pair.module, pair.rack);
+  const auto& [first, second] = geometry.gears;
+  geometry.working_pressure_angle = working_angle(pair);
+  geometry.centre_distance =
+      (first.base_radius + second.base_radius) / std::cos(geometry.working_pressure_angle);
+  geometry.path = external_contact_path(first, second, geometry.centre_distance);
+  geometry.contact_ratio = contact_ratio(geometry.path, second);
+  return geometry;
+}
+
+Warnings pair_problems(const GearPair& pair) {
+  Warnings problems = rack_problems(pair.rack, "pair");
+  if (!problems.empty()) return problems;
+  try {
+    check_geometry(pair, problems);
+  } catch (const std::domain_error& error) {
+    problems.push_back({place, error.what()});
+  }
+  return problems;
+}
+
+Warnings pair_warnings(const PairGeometry& geometry) {
+  Remarks remarks{place, {}};
+  remark_tips(geometry, 0, 1, "first gear", "second gear", remarks);
+  remark_tips(geometry, 1, 0, "second gear", "first gear", remarks);
+  remarks.contact_ratio(geometry.contact_ratio, "pair");
+  return remarks.list;
+}
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,62 @@
+#include "gearset/mesh/foundation.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace orbearing::gearset {
+
+namespace {
+
+// X = A/theta^2 + B h^2 + C h/theta + D/theta + E h + F. Table 1 of [Sainsot2004].
+double polynomial(const std::array<double, 6>& row, double theta, double h) {
+  const auto& [A, B, C, D, E, F] = row;
+  return A / (theta * theta) + B * h * h + C * h / theta + D / theta + E * h + F;
+}
+
+constexpr std::array<double, 6> moment_row = {-5.574e-5, -1.9986e-3, -2.3015e-4, 4.7702e-3, 0.0271, 6.8045};
+constexpr std::array<double, 6> cross_row = {60.111e-5, 28.100e-3, -83.431e-4, -9.9256e-3, 0.1624, 0.9086};
+constexpr std::array<double, 6> shear_row = {-50.952e-5, 185.50e-3, 0.0538e-4, 53.300e-3, 0.2895, 0.9236};
+constexpr std::array<double, 6> compression_row = {-6.2042e-5, 9.0889e-3, -4.0964e-4,
+                                                   7.8297e-3,  -0.1472,   0.6904};
+
+}  // namespace
+
+FoundationBody foundation_body(const ExternalTooth& tooth, double bore_radius) {
+  return {tooth.root_radius, half_thickness_angle(tooth, tooth.root_radius), bore_radius};
+}
+
+FoundationBody foundation_body(const RingTooth& tooth, double outside_radius) {
+  return {tooth.root_radius, half_thickness_angle(tooth, tooth.root_radius), outside_radius};
+}
+
+FoundationCoefficients sainsot_coefficients(double half_angle, double ratio) {
+  return {.moment = polynomial(moment_row, half_angle, ratio),
+          .cross = polynomial(cross_row, half_angle, ratio),
+          .shear = polynomial(shear_row, half_angle, ratio),
+          .compression = polynomial(compression_row, half_angle, ratio)};
+}
+
+bool in_sainsot_range(const FoundationBody& body) {
+  const double ratio = body.root_radius / body.body_radius;
+  return ratio >= 1.4 && ratio <= 7.0 && body.half_angle >= 0.01 && body.half_angle <= 0.12;
+}
+
+bool sainsot_is_usable(const FoundationBody& body) {
+  return body.root_radius <= 20.0 * body.body_radius && body.half_angle >= 0.005;
+}
+
+double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
+                             const ToothLoad& load, double face_width, const Elasticity& material) {
+  const double thickness = 2.0 * body.root_radius * body.half_angle;         // [m] S_f
+  const double upwards = body.body_radius <= body.root_radius ? 1.0 : -1.0;  // the ring's tooth points inward
+  const double lever = upwards * (load.axis_radius - body.root_radius);      // [m] u_f
+  const double slenderness = lever / thickness;
+  const double across = std::pow(std::cos(load.force_angle), 2);
+  const double along = std::pow(std::sin(load.force_angle), 2);
+  const double transverse =
+      (coefficients.moment * slenderness + coefficients.cross) * slenderness + coefficients.shear;
+  return (across * transverse + along * coefficients.shear * coefficients.compression) /
+         (face_width * material.youngs_modulus);
+}
+
+}  // namespace orbearing::gearset

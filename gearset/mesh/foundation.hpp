@@ -1,0 +1,44 @@
+// How far a tooth gives way because the body of its gear gives way under it.
+#pragma once
+
+#include "gearset/mesh/elasticity.hpp"
+#include "gearset/mesh/tooth_load.hpp"
+
+namespace orbearing::gearset {
+
+/// The body under a tooth.
+struct FoundationBody {
+  double root_radius = 0.0;  // [m]    radius of the circle that the tooth stands on
+  double half_angle = 0.0;   // [rad]  half the angle that the tooth spans there
+  double body_radius = 0.0;  // [m]    where the body is held: the bore; of a ring, the outside
+};
+
+FoundationBody foundation_body(const ExternalTooth& tooth, double bore_radius);
+FoundationBody foundation_body(const RingTooth& tooth, double outside_radius);
+
+/// L, M, P, Q of Eq. (6) of gearset/mesh/README.md: by moment, by moment and shear, by shear, by compression.
+struct FoundationCoefficients {
+  double moment = 0.0;
+  double cross = 0.0;
+  double shear = 0.0;
+  double compression = 0.0;  // as a share of `shear`
+};
+
+/// The published polynomials [Sainsot2004], for external gears on a rigid shaft.
+/// @param half_angle [rad] theta_f
+/// @param ratio      root radius / bore radius
+FoundationCoefficients sainsot_coefficients(double half_angle, double ratio);
+
+/// Whether the polynomials are used where their authors fitted them: ratio 1.4 to 7, angle 0.01 to 0.12 rad.
+bool in_sainsot_range(const FoundationBody& body);
+
+/// Whether the polynomials still give a value of the right size: to a ratio of 20 and down to 0.005 rad; the
+/// powers of h and 1/theta run away beyond, to negative stiffness too.
+bool sainsot_is_usable(const FoundationBody& body);
+
+/// Deflection along the force per unit of force. Eq. (6) of gearset/mesh/README.md.
+/// @return [m/N]
+double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
+                             const ToothLoad& load, double face_width, const Elasticity& material);
+
+}  // namespace orbearing::gearset

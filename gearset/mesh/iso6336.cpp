@@ -1,0 +1,44 @@
+#include "gearset/mesh/iso6336.hpp"
+
+#include <cmath>
+
+namespace orbearing::gearset {
+
+namespace {
+
+constexpr double newton_per_millimetre_micrometre = 1e9;  // [Pa]
+constexpr double steel = 206e9;                           // [Pa]  modulus that the regression is for
+constexpr double degree = 0.017453292519943295;           // [rad]
+
+// q' of ISO 6336-1, method B [mm um / N].
+double flexibility(const Iso6336Pair& pair) {
+  const double z1 = 1.0 / pair.first_teeth;
+  const double z2 = pair.second_teeth > 0 ? 1.0 / pair.second_teeth : 0.0;
+  const double x1 = pair.first_shift;
+  const double x2 = pair.second_shift;
+  return 0.04723 + 0.15551 * z1 + 0.25791 * z2 - 0.00635 * x1 - 0.11654 * x1 * z1 - 0.00193 * x2 -
+         0.24188 * x2 * z2 + 0.00529 * x1 * x1 + 0.00182 * x2 * x2;
+}
+
+// C_B, for a basic rack of other dedendum or pressure angle than the standard one.
+double rack_factor(const BasicRack& rack) {
+  const double dedendum = rack.addendum + rack.clearance;  // [module]
+  const double angle = rack.pressure_angle / degree;       // [deg]
+  return (1.0 + 0.5 * (1.2 - dedendum)) * (1.0 - 0.02 * (20.0 - angle));
+}
+
+}  // namespace
+
+Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& pair) {
+  constexpr double measured = 0.8;  // C_M: measured gears are softer than the theory
+  const double modulus = pair.material.youngs_modulus / steel;
+  Iso6336Stiffness result;
+  result.theoretical_single = newton_per_millimetre_micrometre / flexibility(pair);
+  result.single = result.theoretical_single * measured * rack_factor(pair.rack) * modulus;
+  result.mesh = result.single * (0.75 * pair.contact_ratio + 0.25);
+  const double sum = pair.first_shift + pair.second_shift;
+  result.in_range = pair.first_shift >= pair.second_shift && sum >= -0.5 && sum <= 2.0;
+  return result;
+}
+
+}  // namespace orbearing::gearset

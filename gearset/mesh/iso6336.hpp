@@ -1,0 +1,31 @@
+// Mesh stiffness by the standard's regression: a second opinion beside the stiffness from tooth geometry.
+#pragma once
+
+#include "gearset/mesh/elasticity.hpp"
+#include "gearset/parameters.hpp"
+
+namespace orbearing::gearset {
+
+/// What method B of ISO 6336-1 asks of a spur pair. The first gear is the pinion.
+struct Iso6336Pair {
+  int first_teeth = 0;
+  int second_teeth = 0;  // 0: a ring, counted as infinitely many teeth
+  double first_shift = 0.0;
+  double second_shift = 0.0;  // [module]  of a ring: 0
+  BasicRack rack;
+  double contact_ratio = 0.0;  // [-]
+  Elasticity material;
+};
+
+/// Stiffness per face width, of solid gears under more than 100 N per millimetre of face width.
+struct Iso6336Stiffness {
+  double theoretical_single = 0.0;  // [Pa]  c'_th, of one pair of teeth
+  double single = 0.0;              // [Pa]  c'
+  double mesh = 0.0;                // [Pa]  c_gamma_alpha, the mean over the mesh period
+  bool in_range = true;             // first shift >= second, and their sum from -0.5 to 2
+};
+
+/// Method B. Eqs. (9) and (10) of gearset/mesh/README.md [ISO6336].
+Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& pair);
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,81 @@
+#include "gearset/mesh/planetary_meshes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "gearset/mesh/elastic_ring.hpp"
+#include "gearset/message.hpp"
+
+namespace orbearing::gearset {
+
+std::vector<double> equal_planet_angles(int planets) {
+  std::vector<double> angles;
+  for (int i = 0; i < planets; ++i) angles.push_back(2.0 * std::numbers::pi * i / planets);
+  return angles;
+}
+
+PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
+                                 const std::vector<double>& planet_angles, const BodyRatios& bodies,
+                                 const Elasticity& material, const MeshMotion& motion) {
+  const double width = set.face_width;
+  const double a = geometry.centre_distance;
+  const MeshGear planet = make_mesh_gear(geometry.planet, 0.5 * set.planet_bore, width, material);
+  const MeshGear sun =
+      make_mesh_gear(geometry.sun, bodies.sun_bore * geometry.sun.root_radius, width, material);
+  const MeshGear ring =
+      make_mesh_gear(geometry.ring, bodies.ring_outside * geometry.ring.root_radius, width, material);
+  PlanetaryMeshes meshes{.sun_gears = meshing_gears(sun, planet, a, motion.sun_drives),
+                         .ring_gears = meshing_gears(ring, planet, a, !motion.sun_drives)};
+  meshes.sun = mesh_stiffness(meshes.sun_gears);
+  meshes.ring = mesh_stiffness(meshes.ring_gears);
+  const double to_ring =
+      ring_to_sun_lag(meshes.sun_gears, meshes.ring_gears, geometry.sun_mesh.working_pressure_angle,
+                      geometry.ring_mesh.working_pressure_angle);
+  for (const double angle : planet_angles) {
+    meshes.sun_lag.push_back(sun_mesh_lag(set.sun_teeth, angle, motion));
+    meshes.ring_lag.push_back(whole_periods_off(to_ring + ring_mesh_lag(set.ring_teeth, angle, motion)));
+  }
+  return meshes;
+}
+
+namespace {
+
+// What an elastic ring gives in place of the polynomials, for the end of a message.
+std::string by_elastic_ring(const MeshGear& gear, const ToothLoad& load) {
+  constexpr double thinnest = 1.01;  // root over bore diameter
+  if (!sainsot_is_usable(gear.body)) return "; an elastic ring with a rigid bore takes its place";
+  if (gear.body.root_radius < thinnest * gear.body.body_radius)
+    return "; a body as thin as that, held at its bore, does not give way at all";
+  const auto compliance = [&](const FoundationCoefficients& coefficients) {
+    return foundation_compliance(coefficients, gear.body, load, gear.face_width, gear.material);
+  };
+  const double exact = compliance(elastic_ring_coefficients(gear.body, gear.material.poisson_ratio));
+  const double more = 100.0 * (compliance(gear.foundation) / exact - 1.0);  // [%]
+  return "; an elastic ring with a rigid bore is " + decimal(std::abs(more), 0) +
+         (more > 0.0 ? " % stiffer" : " % softer");
+}
+
+}  // namespace
+
+Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const std::string& name,
+                             const std::string& place) {
+  const auto* tooth = std::get_if<ExternalTooth>(&gear.tooth);
+  if (tooth == nullptr || in_sainsot_range(gear.body)) return {};
+  return {{place, "the foundation of the " + name + " (root over bore diameter " +
+                      decimal(gear.body.root_radius / gear.body.body_radius, 3) +
+                      ", half tooth angle at the root " + decimal(gear.body.half_angle, 3) +
+                      " rad) lies outside the range of Sainsot's formula, 1.4 to 7 and 0.01 to 0.12 rad" +
+                      by_elastic_ring(gear, tooth_load(*tooth, tangent_length))}};
+}
+
+Warnings foundation_warnings(const PlanetaryMeshes& meshes) {
+  const double place = pitch_point(meshes.sun_gears);
+  Warnings all = foundation_warnings(meshes.sun_gears.first, meshes.sun_gears.line_length - place, "sun",
+                                     "gearset.sun_bore_ratio");
+  for (Warning& warning :
+       foundation_warnings(meshes.sun_gears.second, place, "planet", "bearing.outside_diameter"))
+    all.push_back(std::move(warning));
+  return all;
+}
+
+}  // namespace orbearing::gearset

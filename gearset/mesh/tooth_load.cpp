@@ -1,0 +1,29 @@
+#include "gearset/mesh/tooth_load.hpp"
+
+#include <cmath>
+
+namespace orbearing::gearset {
+
+namespace {
+
+ToothLoad load(double base_radius, double tangent_length, double force_angle) {
+  return {.contact_radius = std::hypot(base_radius, tangent_length),
+          .force_angle = force_angle,
+          .axis_radius = base_radius / std::cos(force_angle)};
+}
+
+}  // namespace
+
+// On the base circle the force is square to the radius through the foot of the flank, which lies half the
+// tooth's base thickness from its axis; from there the force turns with the angle of roll.
+ToothLoad tooth_load(const ExternalTooth& tooth, double tangent_length) {
+  const double roll = tangent_length / tooth.base_radius;
+  return load(tooth.base_radius, tangent_length, roll - base_half_angle(tooth));
+}
+
+ToothLoad tooth_load(const RingTooth& tooth, double tangent_length) {
+  const double roll = tangent_length / tooth.base_radius;
+  return load(tooth.base_radius, tangent_length, roll + base_half_angle(tooth));
+}
+
+}  // namespace orbearing::gearset

@@ -1,0 +1,113 @@
+// Races that are not round and unequal rollers, where another description of the same bearing is known.
+#include <gtest/gtest.h>
+
+#include "bearing/dynamics/race_model.hpp"
+#include "bearing/printed_film.hpp"
+#include "bearing/race_form.hpp"
+#include "tests/unit/bearing/example_bearings.hpp"
+#include "tests/unit/dynamics/reducer_bearing.hpp"
+
+namespace orbearing::bearing {
+namespace {
+
+constexpr double kBalance = 1e-7;  // relative to the largest load: the solver's residual of 1e-9 and
+                                   // round-off of micrometres in approaches
+
+const OperatingPoint kPoint = test::reducer_point(6000.0);
+
+double scale_of(const QuasiStaticResult& result) {
+  return result.outer_load.maxCoeff();
+}
+
+// A form of one wave is a race moved aside: the loads are the same, the rest shows in the displacement.
+TEST(RaceForm, OneWaveIsAShiftedRace) {
+  const CylindricalRollerBearing round = test::reducer_bearing();
+  const QuasiStaticResult expected = quasi_static_bearing(round, kPoint, {});
+  for (const bool outer : {false, true}) {
+    CylindricalRollerBearing shifted = round;
+    (outer ? shifted.outer_form : shifted.inner_form) = {{1, 6e-6, -0.4, false}};
+    const QuasiStaticResult found = quasi_static_bearing(shifted, kPoint, {});
+    const double scale = scale_of(expected);
+    EXPECT_LT((found.outer_load - expected.outer_load).abs().maxCoeff(), kBalance * scale);
+    const Eigen::Vector2d shift = (outer ? -6e-6 : 6e-6) * Eigen::Vector2d(std::cos(0.4), std::sin(0.4));
+    EXPECT_LT((found.displacement - expected.displacement - shift).norm(), 1e-12);
+  }
+}
+
+TEST(RaceForm, RollersAllLargerTakeClearance) {
+  const CylindricalRollerBearing nominal = test::reducer_bearing();
+  CylindricalRollerBearing larger = nominal, tighter = nominal;
+  larger.roller_diameter_deviation.assign(15, 3e-6);
+  tighter.radial_clearance -= 2.0 * 3e-6;
+  const QuasiStaticState found = quasi_static_state(larger, kPoint, {}, 0.1);
+  const QuasiStaticState expected = quasi_static_state(tighter, kPoint, {}, 0.1);
+  EXPECT_LT((found.inner_load - expected.inner_load).abs().maxCoeff(), 1e-6 * expected.inner_load.maxCoeff())
+      << "but for inertial loads, of the relative order 3e-6";
+}
+
+// An oval bore, longer along its load, takes load from the middle of the load zone to its ends.
+TEST(RaceForm, OvalBoreSpreadsTheLoad) {
+  CylindricalRollerBearing oval = test::reducer_bearing();
+  oval.radial_clearance = 20e-6;  // so that its waist does not pinch the rollers at the sides
+  const QuasiStaticResult round = quasi_static_bearing(oval, kPoint, {});
+  const double direction = std::atan2(kPoint.bore_load.y(), kPoint.bore_load.x());
+  oval.outer_form = {{2, 5e-6, -2.0 * direction, false}};
+  EXPECT_LT(scale_of(quasi_static_bearing(oval, kPoint, {})), 0.95 * scale_of(round));
+  oval.outer_form[0].amplitude = -5e-6;
+  EXPECT_GT(scale_of(quasi_static_bearing(oval, kPoint, {})), 1.05 * scale_of(round));
+}
+
+TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  bearing.roller_diameter_deviation = {1e-6};
+  EXPECT_THROW(quasi_static_bearing(bearing, kPoint, {}), std::invalid_argument);
+  bearing.roller_diameter_deviation.clear();
+  bearing.inner_form = {{2, 1e-6, 0.0, true}};
+  EXPECT_THROW(quasi_static_bearing(bearing, kPoint, {}), std::invalid_argument);
+  bearing.inner_form[0].turning = false;
+  EXPECT_NO_THROW(quasi_static_bearing(bearing, kPoint, {}));
+}
+
+// One wave that turns with the race is a race whose centre circles: the same forces, to the second order in
+// the shift over the radius.
+TEST(RaceForm, OneTurningWaveIsACirclingRace) {
+  constexpr double kShift = 1e-6;  // [m]
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  const dynamics::RaceModel round = race_model(bearing, kPoint, Race::outer, test::reducer_parameters());
+  bearing.outer_form = {{1, kShift, 0.0, true}};
+  const dynamics::RaceModel waved = race_model(bearing, kPoint, Race::outer, test::reducer_parameters());
+  const double speed = -900.0, angle = 0.7, place = 0.2;
+  const dynamics::Vector2 to_mark(std::cos(angle), std::sin(angle));
+  const dynamics::BodyMotion race{{0.0, 0.0}, {0.0, 0.0}, speed, angle};
+  const dynamics::BodyMotion circling{kShift * to_mark, kShift * speed * dynamics::across(to_mark), speed,
+                                      0.0};
+  const dynamics::Vector2 outward(std::cos(place), std::sin(place));
+  const dynamics::BodyMotion roller{(17.82e-3 + 4e-6) * outward, {0.0, 0.0}, -4000.0};
+  const dynamics::RaceForces found = race_forces(waved, roller, race);
+  const dynamics::RaceForces expected = race_forces(round, roller, circling);
+  const double second_order = kShift * kShift / 17.82e-3 / 4e-6 * 10.0 / 9.0;
+  EXPECT_NEAR(found.load, expected.load, 2.0 * second_order * expected.load);
+  EXPECT_LT((found.on_roller.force - expected.on_roller.force).norm(), 1e-5 * expected.load);
+  const double first_order =
+      kShift / 17.82e-3;  // of the line's turning on the approach speed, which is squared
+  EXPECT_NEAR(found.damping_power, expected.damping_power, 4.0 * first_order * expected.damping_power);
+}
+
+TEST(PrintedFilm, IsAClearance) {
+  const Lubricant oil{0.01, 1.5e-8};
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const PrintedFilm film =
+      printed_film(bearing, oil, kPoint.inner_speed, kPoint.outer_speed, kPoint.bore_load.norm());
+  EXPECT_GT(film.inner, 1e-7);
+  CylindricalRollerBearing wider = bearing;
+  wider.radial_clearance += 2.0 * (film.inner + film.outer);
+  QuasiStaticOptions options;
+  const QuasiStaticResult expected = quasi_static_bearing(wider, kPoint, options);
+  options.film = oil;
+  options.film_approach = FilmApproach::as_printed;
+  const QuasiStaticResult found = quasi_static_bearing(bearing, kPoint, options);
+  EXPECT_LT((found.outer_load - expected.outer_load).abs().maxCoeff(), kBalance * scale_of(expected));
+}
+
+}  // namespace
+}  // namespace orbearing::bearing

@@ -1,0 +1,96 @@
+// Speeds that change in time: loads, angles and the motion that follows.
+#include <gtest/gtest.h>
+
+#include "bearing/dynamics/driving.hpp"
+#include "bearing/dynamics/instant.hpp"
+#include "coupling/integration/run_up.hpp"
+#include "tests/unit/dynamics/reducer_bearing.hpp"
+
+namespace orbearing::bearing::dynamics {
+namespace {
+
+constexpr double kRoundOff = 1e-12;
+
+BearingModel growing_model(double growth) {
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.driving.growth = growth;
+  return bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
+}
+
+// When the speed has doubled, the load is that of the doubled speed at the same power, and Euler's load.
+TEST(RunUp, LoadsAreThoseOfTheSpeedThatIsReached) {
+  const double growth = 20.0;
+  const BearingModel model = growing_model(growth);
+  for (double ratio : {0.5, 1.0, 1.7, 2.0}) {
+    const double time = (ratio - 1.0) / growth;
+    const OperatingPoint reached = test::reducer_point(6000.0 * ratio);
+    const double euler = -0.186 * growth * model.point.carrier.speed * model.frame.orbit_radius;
+    const Vector2 expected = reached.bore_load + Vector2(0.0, euler);
+    EXPECT_LT((bore_load(model, time) - expected).norm(), kRoundOff * expected.norm());
+    const CarrierFrame frame = frame_at(model, time);
+    EXPECT_NEAR(frame.coriolis_speed, reached.carrier.speed, kRoundOff * reached.carrier.speed);
+    EXPECT_NEAR(frame.centrifugal, std::pow(reached.carrier.speed, 2), kRoundOff * frame.centrifugal);
+    EXPECT_NEAR(frame.euler, growth * model.point.carrier.speed, kRoundOff * frame.euler);
+  }
+}
+
+TEST(RunUp, AnglesAreTheIntegralsOfTheSpeeds) {
+  const BearingModel model = growing_model(-40.0);
+  const Eigen::VectorXd x = Eigen::VectorXd::Zero(model.layout.size());
+  const ConstStateViews state = state_views(model.layout, x.data());
+  const double time = 0.01, step = 1e-5;
+  const double slope = (ring_bodies(model, state, time + step).bore.angle -
+                        ring_bodies(model, state, time - step).bore.angle) /
+                       (2.0 * step);
+  const double speed = ring_bodies(model, state, time).bore.speed;
+  EXPECT_NEAR(slope, speed, 1e-10 * std::abs(speed)) << "a parabola's central difference is exact";
+  EXPECT_NEAR(speed, 0.6 * model.point.outer_speed, kRoundOff * std::abs(speed));
+  EXPECT_EQ(ring_bodies(model, state, 0.0).bore.angle, 0.0);
+}
+
+TEST(RunUp, RefusesAnAccelerationBesidesItsOwn) {
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.driving.growth = 1.0;
+  OperatingPoint point = test::reducer_point(6000.0);
+  point.carrier.acceleration = 10.0;
+  EXPECT_THROW(bearing_model(test::reducer_bearing(), point, parameters), std::invalid_argument);
+}
+
+integration::SteadyStateOptions short_options() {
+  integration::SteadyStateOptions options;
+  options.least_windows = options.most_windows = 1;
+  options.samples_per_window = 400;
+  options.series_samples = 100;
+  options.integration = {};
+  return options;
+}
+
+// From 6000 to 7200 rpm in 10 ms: the cage follows the bore, and the carrier's acceleration presses the
+// bearing against the turn of the carrier by the planet's Euler load, a hundredth of the mesh load here.
+TEST(RunUp, CageFollowsTheSpeed) {
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.driving.growth = 20.0;
+  const auto run = integration::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters,
+                                       short_options(), 0.01);
+  ASSERT_TRUE(run.completed) << run.message;
+  EXPECT_NEAR(run.cage_slip(), 0.0, 0.02);
+  const double kinematic = run.kinematic_cage_speed / 1.1;
+  const Eigen::Index n = run.series.cage_speed.size();
+  EXPECT_NEAR(run.series.cage_speed.head(n / 10).mean() / kinematic, 1.01, 0.02);
+  EXPECT_NEAR(run.series.cage_speed.tail(n / 10).mean() / kinematic, 1.19, 0.02);
+  EXPECT_NEAR(run.series.time[n - 1], 0.01, 2e-4);
+}
+
+TEST(RunUp, RefusesToComeToRest) {
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.driving.growth = -20.0;
+  EXPECT_THROW(integration::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters,
+                                   short_options(), 0.05),
+               std::invalid_argument);
+  EXPECT_THROW(integration::run_to_steady_state(test::reducer_bearing(), test::reducer_point(6000.0),
+                                                parameters, short_options()),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,276 @@
+// The planetary set in time: energy, order of the method, symmetry, and the limits with closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "coupling/study/gear_dynamics.hpp"
+#include "gearset/dynamics/energy.hpp"
+#include "gearset/dynamics/static_state.hpp"
+#include "gearset/mean_loads.hpp"
+#include "tests/gear_sets.hpp"
+
+namespace orbearing::gearset::dynamics {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using integration::IntegrationOptions;
+
+// The state with the work that entered, the work lost, and all work turned over, whatever its sign.
+class WithWorks {
+ public:
+  explicit WithWorks(const SetModel& model) : equations_(model) {}
+
+  VectorXd start(const VectorXd& x) const {
+    VectorXd all = VectorXd::Zero(x.size() + 3);
+    all.head(x.size()) = x;
+    return all;
+  }
+
+  integration::RightHandSide derivative() const {
+    return [this](double time, const Eigen::Ref<const VectorXd>& all, Eigen::Ref<VectorXd> rate) {
+      const Index n = all.size() - 3;
+      equations_.derivative(time, all.head(n), rate.head(n));
+      const PowerFlow flow = power_flow(equations_.model(), time, all.head(n));
+      rate.tail(3) << flow.input(), flow.loss(),
+          std::abs(flow.drive) + std::abs(flow.stiffness) + std::abs(flow.error) + std::abs(flow.frame) +
+              flow.loss();
+    };
+  }
+
+ private:
+  PlanetarySetEquations equations_;
+};
+
+struct Balance {
+  double residual = 0.0;     // [J]
+  double turned_over = 0.0;  // [J]
+  double at_jumps = 0.0;     // [J]  sum of their sizes
+};
+
+Balance work_balance(const SetModel& model, double share, double periods) {
+  const WithWorks works(model);
+  VectorXd x = static_state(model);
+  const Index n = x.size();
+  const double end = time_of_periods(model.operation, periods);
+  const double before = energy(model, 1e-9 / model.operation.mesh_frequency, x).total();
+  IntegrationOptions options;
+  options.step = 1e-7;
+  options.allowed_error.resize(n + 3);
+  options.allowed_error << study::gear_allowed_errors(model, share), VectorXd::Constant(3, 1e-12);
+  VectorXd all = works.start(x);
+  double jumped = 0.0;
+  Balance balance;
+  const auto at_jump = [&](double left, double right, const Eigen::Ref<const VectorXd>& state) {
+    const double jump =
+        energy(model, right, state.head(n)).stored() - energy(model, left, state.head(n)).stored();
+    jumped += jump;
+    balance.at_jumps += std::abs(jump);
+  };
+  const integration::IntegrationReport report =
+      integrate_pieces(works.derivative(), all, {0.0, end, 1}, study::jumps_of(model), options, {}, at_jump);
+  EXPECT_TRUE(report.completed) << report.message;
+  const double after = energy(model, end + 1e-9 / model.operation.mesh_frequency, all.head(n)).total();
+  balance.residual = after - before - (all[n] - all[n + 1] + jumped);
+  balance.turned_over = all[n + 2] + balance.at_jumps;
+  return balance;
+}
+
+constexpr double kBalance = 1e-8;  // of the energy turned over
+
+TEST(GearDynamicsMotion, WorkBalancesOverAThousandMeshPeriods) {
+  const SetModel model = set_model(test::reducer_dynamics(), test::reducer_operation(628.0));
+  const Balance balance = work_balance(model, 1e-8, 1000.0 + 0.11);
+  EXPECT_LT(std::abs(balance.residual), kBalance * balance.turned_over);
+  // Without the work of the stiffness at its jumps the balance would be far off.
+  EXPECT_GT(balance.at_jumps, 1e4 * kBalance * balance.turned_over);
+  RecordProperty("relative_residual", std::to_string(balance.residual / balance.turned_over));
+  printf("work balance: residual %.3g J of %.3g J turned over (%.2g), jumps %.3g J\n", balance.residual,
+         balance.turned_over, balance.residual / balance.turned_over, balance.at_jumps);
+}
+
+TEST(GearDynamicsMotion, WorkBalancesInARunUpWithPartingTeethAndErrors) {
+  SetParameters set = test::reducer_dynamics();
+  set.sun_mesh.error = PeriodicCurve([](double f) { return 2e-5 * std::sin(2.0 * M_PI * f); }, {}, 64);
+  Operation operation = test::reducer_operation(628.0);
+  operation.run_up = {.from = 0.5, .duration = 0.01};
+  operation.power = 1e3;
+  operation.torques = member_torques(reducer(), {Member::sun, 1e3, 628.0});
+  const SetModel model = set_model(set, operation);
+  const Balance balance = work_balance(model, 1e-8, 50.13);
+  EXPECT_LT(std::abs(balance.residual), kBalance * balance.turned_over);
+  printf("run-up balance: residual %.3g J of %.3g J turned over (%.2g)\n", balance.residual,
+         balance.turned_over, balance.residual / balance.turned_over);
+}
+
+// Halving the allowed error by 32 lets dopri5's steps halve: the error falls with the tolerance.
+TEST(GearDynamicsMotion, ConvergesWithTheAllowedError) {
+  SetParameters set = test::reducer_dynamics();
+  set.separation = false;
+  const SetModel model = set_model(set, test::reducer_operation(628.0));
+  const auto run = [&](double share) {
+    const PlanetarySetEquations equations(model);
+    VectorXd x = static_state(model);
+    IntegrationOptions options;
+    options.step = 1e-6;
+    options.allowed_error = study::gear_allowed_errors(model, share);
+    const auto derivative = [&](double time, const Eigen::Ref<const VectorXd>& at, Eigen::Ref<VectorXd> dx) {
+      equations.derivative(time, at, dx);
+    };
+    const integration::IntegrationReport report = integrate_pieces(
+        derivative, x, {0.0, 20.2 / model.operation.mesh_frequency, 1}, study::jumps_of(model), options, {});
+    return std::pair(x, static_cast<double>(report.steps));
+  };
+  const auto [exact, most] = run(1e-11);
+  const auto [coarse, few] = run(1e-6);
+  const auto [fine, many] = run(1e-8);
+  const Index n = model.layout.freedoms();
+  const double order =
+      std::log((coarse - exact).head(n).norm() / (fine - exact).head(n).norm()) / std::log(many / few);
+  printf("order in the number of steps: %.2f (%.0f to %.0f steps)\n", order, few, many);
+  EXPECT_GT(order, 4.0);
+}
+
+// The static state carries the mean loads of Eqs. (18) to (20) of gearset/README.md.
+TEST(GearDynamicsLimits, StaticStateCarriesTheMeanLoads) {
+  const PlanetarySet set = reducer();
+  const Drive drive{Member::sun, 150e3, 628.0};
+  const MeanLoads loads = mean_loads(set, working_geometry(set), drive);
+  for (const bool separation : {true, false}) {
+    SetParameters parameters = test::reducer_dynamics();
+    parameters.separation = separation;
+    const SetModel model = set_model(parameters, operation_of(set, drive));
+    const VectorXd x = static_state(model);
+    const auto along = [&](const PlanetMesh& mesh) {
+      const double gap = separation ? 0.5 * model.mesh(mesh.kind).backlash : 0.0;
+      return model.mesh(mesh.kind).stiffness.mean() *
+             (mesh.loaded.of(x.head(21), mesh.central, mesh.place) - gap);
+    };
+    const double round_off = 1e-6;  // relative: the springs' 1e8 N/m times round-off of the backlash
+    for (const PlanetMesh& mesh : model.meshes)
+      EXPECT_NEAR(along(mesh), loads.normal_force, round_off * loads.normal_force);
+    const double centrifugal =
+        parameters.planet.mass * parameters.carrier.radius * std::pow(loads.carrier_speed, 2);
+    for (const PlanetBearing& bearing : model.bearings) {
+      const double radial = bearing.radial.of(x.head(21), SetLayout::carrier(), bearing.place);
+      const double tangential = bearing.tangential.of(x.head(21), SetLayout::carrier(), bearing.place);
+      // The planet's own outward shift adds a share of some 1e-5 to its centrifugal force.
+      EXPECT_NEAR(-radial * parameters.planet.bearing_stiffness, loads.radial_force + centrifugal,
+                  1e-4 * loads.normal_force);
+      EXPECT_NEAR(-tangential * parameters.planet.bearing_stiffness, loads.tangential_force,
+                  round_off * loads.normal_force);
+    }
+  }
+}
+
+// A driving carrier loads the other flanks, with the same forces.
+TEST(GearDynamicsLimits, TheOtherSenseLoadsTheOtherFlanks) {
+  const PlanetarySet set = reducer();
+  const Drive drive{Member::carrier, 150e3, 200.0};
+  const MeanLoads loads = mean_loads(set, working_geometry(set), drive);
+  const SetModel model = set_model(test::reducer_dynamics(), operation_of(set, drive));
+  const VectorXd x = static_state(model);
+  for (const PlanetMesh& mesh : model.meshes) {
+    const double approach = mesh.loaded.of(x.head(21), mesh.central, mesh.place) - 50e-6;
+    EXPECT_NEAR(model.mesh(mesh.kind).stiffness.mean() * approach, loads.normal_force,
+                1e-6 * loads.normal_force);
+  }
+}
+
+// One sun mesh between a sun and a planet that can only turn: a mass of I_s I_p / (I_s + I_p) on a spring.
+TEST(GearDynamicsLimits, ASingleMeshSwingsAsOneFreedom) {
+  SetParameters set = test::lin_parker(1);
+  set.separation = false;
+  set.sun.support.held_in_place = set.carrier.support.held_in_place = true;
+  set.carrier.support.held_in_rotation = true;
+  set.planet.bearing_stiffness = 1e15;
+  set.ring_mesh.stiffness = PeriodicCurve::constant(1e-3);
+  const SetModel model = set_model(set, {});
+  const double mass = set.sun.inertia * set.planet.inertia / (set.sun.inertia + set.planet.inertia);
+  const double frequency = std::sqrt(5e8 / mass);  // [rad/s]
+  VectorXd x = VectorXd::Zero(model.layout.size());
+  const double deflection = 1e-5;  // [m]
+  x[SetLayout::sun() + 2] = deflection * mass / set.sun.inertia;
+  x[SetLayout::planet(0) + 2] = deflection * mass / set.planet.inertia;
+  const PlanetarySetEquations equations(model);
+  IntegrationOptions options;
+  options.allowed_error = VectorXd::Constant(model.layout.size(), 1e-13);
+  options.allowed_error.tail(model.layout.freedoms()) *= 1e5;
+  options.step = 1e-9;
+  const auto derivative = [&](double time, const Eigen::Ref<const VectorXd>& at, Eigen::Ref<VectorXd> dx) {
+    equations.derivative(time, at, dx);
+  };
+  double worst = 0.0;
+  const auto observe = [&](double time, const Eigen::Ref<const VectorXd>& at) {
+    const double now = model.meshes[0].loaded.of(at.head(12), SetLayout::sun(), SetLayout::planet(0));
+    worst = std::max(worst, std::abs(now - deflection * std::cos(frequency * time)));
+  };
+  integrate_pieces(derivative, x, {0.0, 5e-6, 60}, {}, options, observe);
+  // The bearing yields by 5e8 / 1e15 of the deflection; the rest is the integration.
+  EXPECT_LT(worst, 1e-5 * deflection);
+}
+
+class GearRun : public testing::Test {
+ protected:
+  static study::GearRunOptions options() {
+    study::GearRunOptions out;
+    out.observed_periods = 20;
+    out.window_periods = 20;
+    return out;
+  }
+};
+
+// Planet n does what planet 0 does a phase step earlier: all planets of a run have the same statistics.
+TEST_F(GearRun, PlanetsOfEqualPhaseStepsAreAlike) {
+  const study::GearRunResult result =
+      run_gears(set_model(test::reducer_dynamics(), test::reducer_operation(628.0)), options());
+  ASSERT_TRUE(result.completed) << result.message;
+  EXPECT_TRUE(result.steady);
+  const study::PlanetStatistics& first = result.planets.front();
+  for (const study::PlanetStatistics& planet : result.planets) {
+    // What a drift between two windows may leave, and the allowed error of the steps.
+    EXPECT_NEAR(planet.radial_acceleration.rms, first.radial_acceleration.rms,
+                2e-2 * first.radial_acceleration.rms);
+    EXPECT_NEAR(planet.load_share, 1.0, 1e-3);
+    EXPECT_NEAR(planet.sun_mesh_force.mean, first.sun_mesh_force.mean, 1e-3 * first.sun_mesh_force.mean);
+  }
+}
+
+// Constant stiffness excites nothing: the mean loads for all time.
+TEST_F(GearRun, RestsWithoutExcitation) {
+  SetParameters set = test::reducer_dynamics();
+  const SetModel model = averaged(set_model(set, test::reducer_operation(628.0)));
+  study::GearRunOptions fine = options();
+  fine.allowed_share = 1e-8;  // steps ring at their limit of stability by some ten times the allowed error
+  const study::GearRunResult result = run_gears(model, fine);
+  ASSERT_TRUE(result.completed);
+  const double force = result.planets[0].sun_mesh_force.mean;
+  EXPECT_LT(result.planets[0].radial_acceleration.maximum * set.planet.mass, 1e-5 * force);
+  EXPECT_LT(result.planets[0].sun_mesh_force.largest - result.planets[0].sun_mesh_force.least, 1e-5 * force);
+}
+
+// A pin set back by e takes load off its planet; the mean over all planets stays.
+TEST_F(GearRun, PinErrorsShiftTheLoads) {
+  SetParameters set = test::reducer_dynamics();
+  set.pin_error = Eigen::Matrix2Xd::Zero(2, 4);
+  set.pin_error(1, 0) = -2e-6;  // behind its place: the driven pin meets its planet earlier
+  const study::GearRunResult result = run_gears(set_model(set, test::reducer_operation(628.0)), options());
+  ASSERT_TRUE(result.completed);
+  EXPECT_GT(std::abs(result.planets[0].load_share - 1.0), 0.02);
+  EXPECT_NEAR(result.planets[0].load_share + result.planets[1].load_share + result.planets[2].load_share +
+                  result.planets[3].load_share,
+              4.0, 1e-12);
+  EXPECT_GT(result.planets[0].load_share, 1.0);
+}
+
+// At constant power and constant load the speed finds its own level, and the set does not run away.
+TEST_F(GearRun, DoesNotDriftAway) {
+  const study::GearRunResult result =
+      run_gears(set_model(test::reducer_dynamics(), test::reducer_operation(628.0)), options());
+  ASSERT_TRUE(result.completed);
+  const double sun_speed = 628.0 * test::reducer_dynamics().sun.radius;
+  EXPECT_LT(std::abs(result.mean_rotation[0]), 1e-3 * sun_speed);
+}
+
+}  // namespace
+}  // namespace orbearing::gearset::dynamics

@@ -1,0 +1,148 @@
+#include "app/study/mesh_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/case/case_file.hpp"
+#include "app/errors.hpp"
+#include "app/study/ledger.hpp"
+#include "app/study/mesh_output.hpp"
+#include "tests/unit/app_case/small_case.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+ResolvedCase pair_case(const std::vector<std::string>& settings = {}) {
+  return read_case(ORBEARING_SOURCE_DIR "/cases/mesh_62_62/case.yaml", settings);
+}
+
+std::vector<std::string> pair_mistakes(const std::string& setting) {
+  try {
+    pair_case({setting});
+  } catch (const BadInput& error) {
+    return error.messages;
+  }
+  return {};
+}
+
+TEST(GearPairCase, TellsWhatDoesNotFit) {
+  EXPECT_THAT(pair_mistakes("pair.teeth=[20]"), Contains(HasSubstr("pair.teeth: a list of 1; two values")));
+  EXPECT_THAT(pair_mistakes("pair.profile_shift=[0, 0, 0]"),
+              Contains(HasSubstr("pair.profile_shift: a list of 3")));
+  EXPECT_THAT(pair_mistakes("pair.bore=130 mm"),
+              Contains(HasSubstr("pair.bore: found a bore of 130.000 mm")));
+  EXPECT_THAT(pair_mistakes("pair.teeth=[4, 20]"), Contains(HasSubstr("at least 5")));
+  EXPECT_THAT(pair_mistakes("pair.root_fillet_radius=0.6"), Contains(HasSubstr("fits on the rack's tip")));
+  EXPECT_THAT(pair_mistakes("gearset.planets=4"), Contains(HasSubstr("gear-pair does not use")));
+}
+
+TEST(GearPairCase, MayLeaveOutRackAndShifts) {
+  const ResolvedCase short_case = parse_case(R"(name: small
+source: made up
+model: gear-pair
+pair:
+  teeth: [62, 62]
+  module: 2 mm
+  face_width: 20 mm
+  bore: 35 mm
+)",
+                                             "case.yaml", {});
+  EXPECT_EQ(mesh_property(mesh_study(short_case), "mean_N_per_m"),
+            mesh_property(mesh_study(pair_case()), "mean_N_per_m"));
+}
+
+TEST(MeshStudy, FollowsTheSettings) {
+  const double mean = mesh_property(mesh_study(pair_case()), "mean_N_per_m");
+  EXPECT_NEAR(mesh_property(mesh_study(pair_case({"pair.face_width=40 mm"})), "mean_N_per_m"), 2.0 * mean,
+              1e-9 * mean);
+  EXPECT_NEAR(mesh_property(mesh_study(pair_case({"material.youngs_modulus=103 GPa"})), "mean_N_per_m"),
+              0.5 * mean, 1e-9 * mean);
+}
+
+TEST(MeshStudy, OfAModelWithoutMeshesIsRefused) {
+  EXPECT_THROW(mesh_study(parse_case(bearing_case, "case.yaml", {})), BadInput);
+}
+
+TEST(MeshStudy, OfASetHasAMeshForEachPlanetAndWheel) {
+  const MeshStudy study = mesh_study(shipped());
+  ASSERT_EQ(study.meshes.size(), 8U);
+  EXPECT_EQ(study.meshes[0].name, "sun-planet 1");
+  EXPECT_EQ(study.meshes[7].name, "ring-planet 4");
+  EXPECT_EQ(study.meshes[0].phase, 0.0);
+  EXPECT_NEAR(study.meshes[1].phase, 0.25, 1e-12);
+  EXPECT_THAT(study.warnings, Contains(HasSubstr("Sainsot")));
+}
+
+// With the sun held and the ring driving, the sun turns backwards seen from the carrier: phases run the other
+// way.
+TEST(MeshStudy, TurnsPhasesWithTheSun) {
+  const MeshStudy study = mesh_study(shipped({"gearset.fixed=sun", "input.member=ring"}));
+  EXPECT_NEAR(study.meshes[1].phase, 0.75, 1e-12);
+}
+
+TEST(MeshStudy, FeelsTheBodiesOfSunAndRing) {
+  const double sun = mesh_study(shipped()).meshes[0].stiffness.curve.mean();
+  const double ring = mesh_study(shipped()).meshes[4].stiffness.curve.mean();
+  EXPECT_GT(mesh_study(shipped({"gearset.sun_bore_ratio=0.7"})).meshes[0].stiffness.curve.mean(), sun);
+  EXPECT_GT(mesh_study(shipped({"gearset.ring_outside_ratio=1.05"})).meshes[4].stiffness.curve.mean(), ring);
+}
+
+TEST(MeshesJson, HoldsTheKeysOfTheContract) {
+  const nlohmann::ordered_json meshes = meshes_json(mesh_study(pair_case()));
+  ASSERT_EQ(meshes.size(), 1U);
+  const nlohmann::ordered_json& mesh = meshes[0];
+  for (const char* key : {"contact_ratio", "mean_N_per_m", "min_N_per_m", "max_N_per_m", "phase"})
+    EXPECT_TRUE(mesh.at(key).is_number()) << key;
+  for (const char* key :
+       {"bending_N_per_m", "shear_N_per_m", "axial_N_per_m", "foundation_N_per_m", "hertz_N_per_m"})
+    EXPECT_GT(mesh.at("at_pitch_point").at(key).get<double>(), 0.0) << key;
+  double sum = 0.0;
+  for (const auto& point : mesh.at("curve")) {
+    EXPECT_GE(point.at(1).get<double>(), mesh.at("min_N_per_m").get<double>());
+    EXPECT_LE(point.at(1).get<double>(), mesh.at("max_N_per_m").get<double>());
+    sum += point.at(1).get<double>();
+  }
+  const double of_the_jumps = 0.5 / 200.0;  // half a step of the curve, times a jump less than the mean
+  const double mean = mesh.at("mean_N_per_m").get<double>();
+  EXPECT_NEAR(sum / static_cast<double>(mesh.at("curve").size()), mean, of_the_jumps * mean);
+}
+
+TEST(MeshText, DrawsEachKindOfMeshOnce) {
+  const std::string text = mesh_text(mesh_study(shipped()), Glyphs::ascii);
+  EXPECT_THAT(text, HasSubstr("ring-planet 4"));
+  EXPECT_NE(text.find("ring and planet: one pair"), std::string::npos);
+  EXPECT_EQ(text.find("sun and planet: one pair"), text.rfind("sun and planet: one pair"));
+}
+
+TEST(PairLedger, TakesASettingIntoItsRow) {
+  const ExpectedFile expected{
+      .published = {
+          {.source = "made up",
+           .quantity = "c_th_N_per_mm_um",
+           .meaning = "",
+           .value = 15.312,
+           .tolerance = 1e-4,
+           .settings = {"pair.teeth=[30, 20]"}},
+          {.source = "made up", .quantity = "contact_ratio", .meaning = "", .value = 2.0, .tolerance = 1e-3},
+          {.source = "made up", .quantity = "colour", .meaning = "", .value = 1.0}}};
+  const Ledger ledger = ledger_of(pair_case(), expected);
+  ASSERT_EQ(ledger.rows.size(), 3U);
+  EXPECT_EQ(ledger.rows[0].verdict, "reproduced");
+  EXPECT_EQ(ledger.rows[0].reading, "pair.teeth=[30, 20]");
+  EXPECT_EQ(ledger.rows[1].verdict, "missed");
+  EXPECT_EQ(ledger.rows[2].verdict, "input missing");
+}
+
+TEST(PairLedger, OfTheShippedCaseReproducesAll) {
+  const std::string file = ORBEARING_SOURCE_DIR "/cases/mesh_62_62/case.yaml";
+  const Ledger ledger = ledger_of(pair_case(), read_expected(expected_beside(file)));
+  EXPECT_EQ(ledger.rows.size(), 17U);
+  for (const LedgerRow& row : ledger.rows)
+    EXPECT_EQ(row.verdict, "reproduced") << row.quantity << row.reading;
+}
+
+}  // namespace
+}  // namespace orbearing::app

@@ -1,0 +1,39 @@
+#include "gearset/mesh/iso6336.hpp"
+
+#include <gtest/gtest.h>
+
+namespace orbearing::gearset {
+namespace {
+
+constexpr Iso6336Pair standard{.first_teeth = 30, .second_teeth = 45, .contact_ratio = 1.6};
+
+TEST(Iso6336Stiffness, TakesARingForInfinitelyManyTeeth) {
+  Iso6336Pair ring = standard;
+  ring.second_teeth = 0;
+  EXPECT_NEAR(1e9 / iso6336_stiffness(ring).theoretical_single, 0.04723 + 0.15551 / 30.0, 1e-12);
+}
+
+TEST(Iso6336Stiffness, FollowsTheModulus) {
+  Iso6336Pair soft = standard;
+  soft.material.youngs_modulus = 103e9;
+  EXPECT_NEAR(iso6336_stiffness(soft).mesh, 0.5 * iso6336_stiffness(standard).mesh, 1.0);
+  EXPECT_EQ(iso6336_stiffness(soft).theoretical_single, iso6336_stiffness(standard).theoretical_single);
+}
+
+TEST(Iso6336Stiffness, IsThatOfOnePairAtContactRatioOne) {
+  Iso6336Pair one = standard;
+  one.contact_ratio = 1.0;
+  EXPECT_NEAR(iso6336_stiffness(one).mesh, iso6336_stiffness(one).single, 1.0);
+}
+
+TEST(Iso6336Stiffness, KnowsItsRange) {
+  Iso6336Pair pair = standard;
+  EXPECT_TRUE(iso6336_stiffness(pair).in_range);
+  pair.first_shift = -0.1;
+  EXPECT_FALSE(iso6336_stiffness(pair).in_range);
+  pair.second_shift = -0.5;
+  EXPECT_FALSE(iso6336_stiffness(pair).in_range);
+}
+
+}  // namespace
+}  // namespace orbearing::gearset
