@@ -28,7 +28,7 @@ if(TARGET orbearing)
   install(TARGETS orbearing RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
-          FILES_MATCHING PATTERN "*.py" PATTERN "*.css")
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.css" PATTERN "*.js")
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/REFERENCES.md"
         DESTINATION "${CMAKE_INSTALL_DOCDIR}")

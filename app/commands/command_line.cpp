@@ -53,6 +53,11 @@ void add_sweep(CLI::App& command, Options& options) {
       ->check(CLI::Range(1, 4096));
   command.add_option("--shard", options.shard, "compute part i of n, to be joined by merge")
       ->type_name("i/n");
+  command
+      .add_option(
+          "--continue", options.direction,
+          "up or down: one point after the other, each from the final state of its neighbour in speed")
+      ->check(CLI::IsMember({"up", "down"}));
 }
 
 // Subcommands in the order in which they are shown.
@@ -98,6 +103,10 @@ void add_commands(CommandTable table) {
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);
   add_settings(report, options);
   report.add_option("DIR", options.folders, "folder of a sweep")->required()->expected(1);
+  report
+      .add_option("--with", options.other,
+                  "folder of the same sweep continued the other way: both branches are drawn")
+      ->type_name("DIR2");
 }
 
 bool known(const CLI::App& program, const std::string& word) {

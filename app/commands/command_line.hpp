@@ -15,10 +15,12 @@ struct Options {
   std::vector<std::string> settings;  // path=value
   std::string output;
   std::string fidelity = "quasi-static";
-  std::optional<std::string> speed;  // modes: none means at rest
-  std::optional<std::string> shard;  // "i/n"
-  int jobs = 0;                      // 0: one for each core
-  bool gears = false;                // run: without the dynamics of bearings
+  std::optional<std::string> speed;      // modes: none means at rest
+  std::optional<std::string> shard;      // "i/n"
+  std::optional<std::string> direction;  // sweep --continue: "up" or "down"
+  std::string other;                     // report --with: folder of the branch to draw beside
+  int jobs = 0;                          // 0: one for each core
+  bool gears = false;                    // run: without the dynamics of bearings
   bool resume = false;
   bool json = false;
   bool quiet = false;

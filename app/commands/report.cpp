@@ -9,6 +9,7 @@
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_folder.hpp"
+#include "app/study/branches.hpp"
 #include "app/study/report_data.hpp"
 #include "app/version.hpp"
 
@@ -61,7 +62,14 @@ int report_command(const Options& options) {
   const Manifest manifest = read_results(folder);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
   const fs::path page = folder / "report.html";
-  write_data(folder / "report.json", report_data(resolved, manifest));
+  std::vector<Branch> branches{{folder, manifest}};
+  if (!options.other.empty()) {
+    branches.push_back({options.other, read_results(options.other)});
+    require_two_branches(branches.front(), branches.back());
+  }
+  nlohmann::ordered_json data = report_data(resolved, manifest);
+  data["branches"] = branches_json(resolved, branches);
+  write_data(folder / "report.json", data);
   if (draw(folder) != 0)
     throw ComputationFailed(page.string() +
                             ": was not drawn; required: /usr/bin/python3 with numpy, matplotlib, "

@@ -1,15 +1,37 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
+#include "app/errors.hpp"
 #include "app/study/refinements.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
+
+namespace {
+
+// Each point waits for its neighbour: neither threads nor shards can share such a sweep.
+void require_sequential(const Options& options) {
+  std::vector<std::string> mistakes;
+  if (options.shard)
+    mistakes.push_back(
+        "--continue: found with --shard; required: one of both, since a chain of points cannot be "
+        "shared out");
+  if (options.jobs > 1)
+    mistakes.push_back("--continue: found with --jobs " + std::to_string(options.jobs) +
+                       "; required: --jobs 1 or none, since each point waits for its neighbour");
+  if (!mistakes.empty()) throw BadInput(mistakes);
+}
+
+}  // namespace
 
 int sweep_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
   require_computable(resolved, options.fidelity, true);
   SweepRequest request = sweep_request(resolved, options.fidelity);
   if (options.shard) request.header.shard = parse_shard(*options.shard);
+  if (options.direction) {
+    require_sequential(options);
+    continue_from_neighbours(resolved, parse_direction(*options.direction), request);
+  }
   request.folder = options.output;
   request.jobs = options.jobs;
   request.resume = options.resume;

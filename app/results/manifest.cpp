@@ -29,6 +29,8 @@ ManifestHeader header_from(const Json& object) {
   for (const Json& axis : object.at("axes"))
     header.axes.push_back({axis.at("column").get<std::string>(), axis.at("units").get<std::string>(),
                            axis.at("meaning").get<std::string>()});
+  if (object.contains("continue"))
+    header.continued = parse_direction(object.at("continue").get<std::string>());
   if (object.contains("sets")) header.sets = object.at("sets").get<std::vector<std::string>>();
   return header;
 }
@@ -66,6 +68,16 @@ std::string to_string(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.count);
 }
 
+std::string to_string(Direction direction) {
+  return direction == Direction::up ? "up" : "down";
+}
+
+Direction parse_direction(const std::string& text) {
+  if (text == "up") return Direction::up;
+  if (text == "down") return Direction::down;
+  throw BadInput(fmt::format("--continue: '{}'; up or down is required", text));
+}
+
 Shard parse_shard(const std::string& text) {
   Shard shard;
   const std::size_t stroke = text.find('/');
@@ -93,6 +105,7 @@ std::string header_line(const ManifestHeader& header) {
   if (header.shard) object["shard"] = to_string(*header.shard);
   for (const SweptAxis& axis : header.axes)
     object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
+  if (header.continued) object["continue"] = to_string(*header.continued);
   if (!header.sets.empty()) object["sets"] = header.sets;
   return object.dump() + '\n';
 }
@@ -132,6 +145,10 @@ std::vector<std::string> differences(const ManifestHeader& found, const Manifest
   compare("program version", found.program_version, required.program_version);
   compare("instruction set", found.instruction_set, required.instruction_set);
   compare("fidelity", found.fidelity, required.fidelity);
+  const auto way = [](const ManifestHeader& header) {
+    return header.continued ? to_string(*header.continued) : "none";
+  };
+  compare("direction of --continue", way(found), way(required));
   compare("number of points", std::to_string(found.points), std::to_string(required.points));
   return lines;
 }

@@ -23,6 +23,12 @@ struct Shard {
 Shard parse_shard(const std::string& text);
 std::string to_string(const Shard& shard);
 
+/// Order in which a continued sweep takes its speeds, each point from the final state of the one before.
+enum class Direction { up, down };
+
+Direction parse_direction(const std::string& text);  // "up" or "down"; throws BadInput that names the option
+std::string to_string(Direction direction);
+
 /// What results must share to be continued or merged.
 struct ManifestHeader {
   std::string case_name;
@@ -30,10 +36,11 @@ struct ManifestHeader {
   std::string program_version;
   std::string instruction_set;  // results are equal to the last bit within one only
   std::string fidelity;
-  std::size_t points = 0;         // of the whole sweep, all shards together
-  std::optional<Shard> shard;     // none: the whole sweep
-  std::vector<SweptAxis> axes;    // other than input.speed
-  std::vector<std::string> sets;  // with bearings, of a drivetrain of several sets
+  std::size_t points = 0;                // of the whole sweep, all shards together
+  std::optional<Shard> shard;            // none: the whole sweep
+  std::vector<SweptAxis> axes;           // other than input.speed
+  std::vector<std::string> sets{};       // with bearings, of a drivetrain of several sets
+  std::optional<Direction> continued{};  // none: each point starts from its own quasi-static state
 
   bool holds(std::size_t point) const { return point < points && (!shard || shard->holds(point)); }
   std::size_t own_points() const;

@@ -123,6 +123,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   if (result.status == "ok" && !result.distribution.angle.empty())
     add_distribution(content, result.distribution);
   if (result.dynamic) add_series(result.dynamic->series, content);
+  if (result.dynamic) add_final_state(result.dynamic->final_state, content);
   content.attributes = {{"Conventions", "CF-1.10"},
                         {"title", fmt::format("{}, operating point {}", header.case_name, point)},
                         {"source", "Orbearing " + header.program_version},
@@ -132,6 +133,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
                         {"instruction_set", header.instruction_set},
                         {"fidelity", header.fidelity},
                         {"status", result.status}};
+  if (header.continued) content.attributes.emplace_back("continue", to_string(*header.continued));
   if (!header.sets.empty()) content.attributes.emplace_back("limiting_set", result.limiting_set);
   return content;
 }
@@ -149,6 +151,23 @@ std::string netcdf_bytes(const PointContent& content) {
   for (std::size_t i = 0; i < variables.size(); ++i)
     check(nc_put_var_double(file.number(), variables[i], content.arrays[i].values.data()));
   return file.bytes();
+}
+
+std::vector<double> read_final_state(const std::filesystem::path& file) {
+  int number = 0;
+  if (nc_open(file.c_str(), NC_NOWRITE, &number) != NC_NOERR) return {};
+  int variable = 0;
+  int dimension = 0;
+  std::size_t size = 0;
+  std::vector<double> state;
+  if (nc_inq_varid(number, final_state_name, &variable) == NC_NOERR &&
+      nc_inq_vardimid(number, variable, &dimension) == NC_NOERR &&
+      nc_inq_dimlen(number, dimension, &size) == NC_NOERR) {
+    state.resize(size);
+    if (nc_get_var_double(number, variable, state.data()) != NC_NOERR) state.clear();
+  }
+  nc_close(number);
+  return state;
 }
 
 std::string fault_of_point_file(const std::filesystem::path& file) {

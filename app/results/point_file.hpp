@@ -41,6 +41,10 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
 /// The bytes of the file. One thread at a time: the netCDF library knows no more. Throws ComputationFailed.
 std::string netcdf_bytes(const PointContent& content);
 
+/// State in which the motion of a point's file ended; empty where the file holds none or cannot be read. One
+/// thread at a time.
+std::vector<double> read_final_state(const std::filesystem::path& file);
+
 /// What is wrong with a point's file: "is missing", "is empty", "is no netCDF file"; empty for a sound one.
 std::string fault_of_point_file(const std::filesystem::path& file);
 

@@ -1,5 +1,7 @@
 #include "app/results/series_content.hpp"
 
+#include "bearing/dynamics/layout.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -57,8 +59,27 @@ void add_series(const integration::BearingSeries& series, PointContent& content)
                             "m",
                             "cage centre, x outward and y in the sense of rotation",
                             row_by_row(series.cage_position)});
+  along_time("cage_angle", "rad", "rotation of the cage in the carrier frame, grows without bound",
+             series.cage_angle);
   along_time("cage_speed", "rad s-1", "speed of the cage relative to the carrier", series.cage_speed);
   along_time("power_loss_over_time", "W", "power lost in all", series.power_loss);
+}
+
+void add_final_state(const Eigen::VectorXd& state, PointContent& content) {
+  if (state.size() == 0) return;
+  constexpr Eigen::Index of_roller = 5;
+  constexpr Eigen::Index of_rings = 14;
+  std::string names;
+  for (const std::string& name :
+       bearing::dynamics::variable_names({.rollers = (state.size() - of_rings) / of_roller}))
+    names += (names.empty() ? "" : ", ") + name;
+  content.dimensions.push_back({"state", static_cast<std::size_t>(state.size())});
+  content.arrays.push_back(
+      {final_state_name,
+       {"state"},
+       "1",
+       "state at the end of the run, from which a neighbouring point may go on, in SI: " + names,
+       {state.begin(), state.end()}});
 }
 
 }  // namespace orbearing::app

@@ -8,4 +8,10 @@ namespace orbearing::app {
 /// Appends one cage revolution of the dynamic bearing to `content`.
 void add_series(const integration::BearingSeries& series, PointContent& content);
 
+/// Variable that holds the state in which the motion ended.
+inline constexpr const char* final_state_name = "final_state";
+
+/// Appends that state, each variable named with its unit in the array's meaning. Nothing for an empty one.
+void add_final_state(const Eigen::VectorXd& state, PointContent& content);
+
 }  // namespace orbearing::app

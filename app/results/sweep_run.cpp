@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/errors.hpp"
+#include "app/results/chains.hpp"
 #include "app/results/interruption.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
@@ -23,10 +24,11 @@ std::vector<std::size_t> missing_points(const SweepRequest& request, const Resul
 }
 
 /// A failed point keeps the speed it was asked for and nothing else.
-study::PointResult evaluate_with_speed(const SweepRequest& request, std::size_t point) {
+study::PointResult evaluate_with_speed(const SweepRequest& request, std::size_t point,
+                                       const std::function<study::PointResult()>& evaluate) {
   study::PointResult result;
   try {
-    result = request.evaluate(point);
+    result = evaluate();
   } catch (const std::exception& error) {
     result.status = error.what();
   }
@@ -52,8 +54,61 @@ void compute_missing(const SweepRequest& request, ResultFolder& folder) {
   };
   study::compute_points(
       missing_points(request, folder), request.jobs,
-      [&](std::size_t point) { return evaluate_with_speed(request, point); }, deliver,
-      [] { return Interruption::requested(); });
+      [&](std::size_t point) {
+        return evaluate_with_speed(request, point, [&] { return request.evaluate(point); });
+      },
+      deliver, [] { return Interruption::requested(); });
+}
+
+/// A chain in progress: where the next point starts.
+class Chain {
+ public:
+  Chain(const SweepRequest& request, ResultFolder& folder) : request_(request), folder_(folder) {}
+
+  void take(std::size_t point) {
+    const auto finished = folder_.finished().find(point);
+    if (finished == folder_.finished().end()) return compute(point);
+    if (finished->second.row.ok()) last_ = folder_.path() / finished->second.file;
+  }
+
+ private:
+  void compute(std::size_t point) {
+    if (!last_.empty()) state_ = stored_state(std::exchange(last_, {}));
+    study::PointResult result =
+        evaluate_with_speed(request_, point, [&] { return request_.evaluate_from(point, state_); });
+    // A failed point has no state to go on from: the next one starts where the failed one did.
+    if (result.status == "ok" && result.dynamic) state_ = result.dynamic->final_state;
+    std::vector<FinishedPoint> kept;
+    kept.push_back(finished_point(request_, {point, std::move(result)}));
+    folder_.keep(std::move(kept));
+  }
+
+  static Eigen::VectorXd stored_state(const std::filesystem::path& file) {
+    const std::vector<double> state = read_final_state(file);
+    if (state.empty())
+      throw BadInput(
+          fmt::format("{}: holds no final state to go on from; the file as its sweep wrote it is "
+                      "required: remove it and sweep with --resume",
+                      file.string()));
+    return Eigen::Map<const Eigen::VectorXd>(state.data(), static_cast<Eigen::Index>(state.size()));
+  }
+
+  const SweepRequest& request_;
+  ResultFolder& folder_;
+  std::filesystem::path last_;  // file whose final state is the next start, where not yet read
+  Eigen::VectorXd state_;       // empty: the next point starts from its own quasi-static state
+};
+
+void compute_chains(const SweepRequest& request, ResultFolder& folder) {
+  Progress progress(folder.finished().size(), request.header.own_points(), !request.quiet);
+  for (const std::vector<std::size_t>& points : chains_of(request.points, *request.header.continued)) {
+    Chain chain(request, folder);
+    for (const std::size_t point : points) {
+      if (Interruption::requested()) return;
+      chain.take(point);
+      progress.show(folder.finished().size());
+    }
+  }
 }
 
 }  // namespace
@@ -73,7 +128,10 @@ SweepOutcome run_sweep(const SweepRequest& request) {
   ResultFolder folder(request.folder, request.header, request.resolved_case,
                       request.resume ? OpenMode::resume : OpenMode::fresh);
   const std::size_t kept = folder.finished().size();
-  compute_missing(request, folder);
+  if (request.header.continued)
+    compute_chains(request, folder);
+  else
+    compute_missing(request, folder);
   const std::size_t done = folder.finished().size();
   if (done < request.header.own_points())
     throw ComputationFailed(fmt::format("{}: interrupted with {} of {} points done; go on with --resume",

@@ -27,6 +27,9 @@ struct SweepRequest {
   std::vector<SweepPoint> points;  // all of the sweep, in order; the shard picks its own
   /// Computes a point. Called from several threads at once; an exception becomes the row's status.
   std::function<study::PointResult(std::size_t point)> evaluate;
+  /// Computes a point of a continued sweep (header.continued) from the final state of its neighbour, or from
+  /// its own start where `start` is empty. Called from one thread.
+  std::function<study::PointResult(std::size_t point, const Eigen::VectorXd& start)> evaluate_from{};
   std::filesystem::path folder;
   int jobs = 0;  // threads; 0: as many as the machine has
   bool resume = false;
@@ -43,8 +46,11 @@ struct SweepOutcome {
 };
 
 /// Computes what is missing in the folder and writes points/*.nc, manifest.jsonl, case.resolved.yaml and
-/// sweep.csv. Throws BadInput (folder not to be used) and ComputationFailed (disk full, or SIGINT or SIGTERM,
-/// after which the points computed so far are kept and `resume` goes on).
+/// sweep.csv. A continued sweep takes its chains one after the other; a point goes on from the last one
+/// before it in its chain that was computed, and a resumed chain from the state stored with that point, so
+/// that the results are those of an undisturbed run to the last bit. Throws BadInput (folder not to be used,
+/// no state stored to go on from) and ComputationFailed (disk full, or SIGINT or SIGTERM, after which the
+/// points computed so far are kept and `resume` goes on).
 SweepOutcome run_sweep(const SweepRequest& request);
 
 /// The rows of a folder; `kept` of its points were found finished.

@@ -7,6 +7,7 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/ledger.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "coupling/study/ablation.hpp"
@@ -103,6 +104,26 @@ Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::Drivetra
   return drawn;
 }
 
+// Speeds at pure rolling relative to the carrier, as multiples of the input speed: what slip is measured
+// against.
+Json kinematics(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry) {
+  const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
+  const double inner = duty.point.inner_speed / drivetrain.drive.speed;
+  const double outer = duty.point.outer_speed / drivetrain.drive.speed;
+  return {{"inner_race", inner},
+          {"outer_race", outer},
+          {"cage", bearing::kinematic_cage_speed(geometry.bearing, inner, outer)},
+          {"roller_spin", bearing::kinematic_roller_spin(geometry.bearing, inner, outer)},
+          {"carrier", duty.gears.carrier_speed / drivetrain.drive.speed}};
+}
+
+Json axes_json(const ManifestHeader& header) {
+  Json list = Json::array();
+  for (const SweptAxis& axis : header.axes)
+    list.push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
+  return list;
+}
+
 Json ablation_curves(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds) {
   Json list = Json::array();
   for (const study::Ablation& ablation : study::ablations()) {
@@ -191,8 +212,9 @@ study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
 }  // namespace
 
 nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest) {
-  const LifeCurve grid = life_curve(resolved);
-  const auto [set, drivetrain, geometry] = shown_set(resolved, grid);
+  const SpeedSlice slice = speed_slice(resolved);
+  const LifeCurve grid = life_curve(slice.at);
+  const auto [set, drivetrain, geometry] = shown_set(slice.at, grid);
   const SweepOutcome outcome = outcome_of(manifest);
   const FoundPeak found = find_peak(resolved, outcome);
   const std::vector<double> fine = fine_speeds(grid);
@@ -204,6 +226,9 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
                   {"source", resolved.text("source")},
                   {"model", resolved.choice("model")}};
   data["fidelity"] = outcome.header.fidelity;
+  data["axes"] = axes_json(outcome.header);
+  data["slice"] = slice.columns;
+  data["kinematics"] = kinematics(drivetrain, geometry);
   data["published"] = published_points(ledger.rows);
   data["fine"] = fine_curve(drivetrain, geometry, fine);
   data["polar"] = polar(drivetrain, geometry, shown_speeds(grid));

@@ -36,29 +36,6 @@ std::string in_name(std::string_view unit) {
   return name;
 }
 
-// Values of the other axes stand in the table in the customary unit of their field, or as plain numbers.
-SweptAxis swept_axis(const SweepAxis& axis) {
-  const Field& field = *find_field(axis.path);
-  if (field.kind == Kind::quantity)
-    return {.column = axis.path + "_" + in_name(field.dimension.customary),
-            .units = std::string(field.dimension.customary),
-            .meaning = field.meaning};
-  return {.column = axis.path, .units = "1", .meaning = field.meaning};
-}
-
-double axis_value(const ResolvedCase& resolved, const std::string& path) {
-  const Field& field = *find_field(path);
-  switch (field.kind) {
-    case Kind::quantity:
-      return in_table_unit(resolved.quantity(path),
-                           *convert(1.0, field.dimension.si, field.dimension.customary).value);
-    case Kind::integer:
-      return resolved.integer(path);
-    default:
-      return resolved.number(path);
-  }
-}
-
 SweepPoint point_of(const ResolvedCase& resolved, std::size_t index) {
   const std::vector<Setting> settings = sweep_point(resolved, index);
   SweepPoint point{.label = label_of(settings)};
@@ -78,6 +55,28 @@ study::PointResult compute_point(const ResolvedCase& resolved, std::size_t index
 }
 
 }  // namespace
+
+SweptAxis axis_column(const std::string& path) {
+  const Field& field = *find_field(path);
+  if (field.kind == Kind::quantity)
+    return {.column = path + "_" + in_name(field.dimension.customary),
+            .units = std::string(field.dimension.customary),
+            .meaning = field.meaning};
+  return {.column = path, .units = "1", .meaning = field.meaning};
+}
+
+double axis_value(const ResolvedCase& resolved, const std::string& path) {
+  const Field& field = *find_field(path);
+  switch (field.kind) {
+    case Kind::quantity:
+      return in_table_unit(resolved.quantity(path),
+                           *convert(1.0, field.dimension.si, field.dimension.customary).value);
+    case Kind::integer:
+      return resolved.integer(path);
+    default:
+      return resolved.number(path);
+  }
+}
 
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
   if (resolved.model() != planetary_drivetrain)
@@ -100,13 +99,38 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
                     .fidelity = fidelity,
                     .points = request.points.size()};
   for (const SweepAxis& axis : resolved.axes())
-    if (axis.path != kSpeedPath) request.header.axes.push_back(swept_axis(axis));
+    if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
   request.header.sets = bearing_set_names(resolved);
   request.resolved_case = write_resolved(resolved);
   const study::Fidelity level =
       fidelity == "dynamic" ? study::Fidelity::dynamic : study::Fidelity::quasi_static;
   request.evaluate = [resolved, level](std::size_t index) { return compute_point(resolved, index, level); };
   return request;
+}
+
+void continue_from_neighbours(const ResolvedCase& resolved, Direction direction, SweepRequest& request) {
+  std::vector<std::string> mistakes;
+  if (request.header.fidelity != "dynamic")
+    mistakes.push_back("--continue: found --fidelity " + request.header.fidelity +
+                       "; required: --fidelity dynamic, the one that has a state to go on from");
+  const std::vector<SweepAxis>& axes = resolved.axes();
+  const bool swept = std::any_of(axes.begin(), axes.end(), [](const SweepAxis& axis) {
+    return axis.path == kSpeedPath && axis.values.size() > 1;
+  });
+  if (!swept)
+    mistakes.push_back("--continue: found a sweep without " + kSpeedPath +
+                       "; required: at least two speeds, so that points have neighbours");
+  if (resolved.shape().several)
+    mistakes.push_back(
+        "--continue: found a drivetrain of several sets; required: one set, since a point keeps the "
+        "final state of one bearing");
+  if (!mistakes.empty()) throw BadInput(mistakes);
+  request.header.continued = direction;
+  request.evaluate_from = [resolved](std::size_t index, const Eigen::VectorXd& start) {
+    if (start.size() == 0) return compute_point(resolved, index, study::Fidelity::dynamic);
+    const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.with(sweep_point(resolved, index)));
+    return study::evaluate_from(drivetrain, study::derive(drivetrain), start);
+  };
 }
 
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved) {

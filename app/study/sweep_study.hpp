@@ -15,6 +15,15 @@ namespace orbearing::app {
 /// are left to the caller. Throws BadInput where the case's model has no sweep.
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity);
 
+/// How a swept field other than input.speed stands in the table: in its customary unit, or as a plain number;
+/// and its value in the case.
+SweptAxis axis_column(const std::string& path);
+double axis_value(const ResolvedCase& resolved, const std::string& path);
+
+/// Makes `request` follow its branch: each point from the final state of its neighbour in speed. Throws
+/// BadInput, with every mistake, where the points have no motion (fidelity) or no neighbour (axes).
+void continue_from_neighbours(const ResolvedCase& resolved, Direction direction, SweepRequest& request);
+
 /// `assumptions` and `versions` as results carry them.
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved);
 nlohmann::ordered_json versions_json();

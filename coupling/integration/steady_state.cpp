@@ -41,6 +41,7 @@ void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {
     matrix->setZero(rollers, samples);
   series.time.setZero(samples);
   series.cage_position.setZero(2, samples);
+  series.cage_angle.setZero(samples);
   series.cage_speed.setZero(samples);
   series.power_loss.setZero(samples);
 }
@@ -57,6 +58,7 @@ void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& ser
   series.pocket_load.col(i) = now.pocket_load;
   series.spin.col(i) = now.spin;
   series.cage_position.col(i) = now.cage_position;
+  series.cage_angle[i] = now.cage_angle;
   series.cage_speed[i] = now.cage_speed;
   series.power_loss[i] = now.loss.total();
 }

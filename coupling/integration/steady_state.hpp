@@ -38,6 +38,7 @@ struct BearingSeries {
   Eigen::ArrayXXd pocket_load;    // [N]
   Eigen::ArrayXXd spin;           // [rad/s]
   Eigen::Array2Xd cage_position;  // [m]      (x and y, samples)
+  Eigen::ArrayXd cage_angle;      // [rad]    grows without bound
   Eigen::ArrayXd cage_speed;      // [rad/s]  relative to the carrier
   Eigen::ArrayXd power_loss;      // [W]
 };

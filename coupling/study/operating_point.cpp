@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "bearing/dynamics/layout.hpp"
 #include "bearing/line_contact.hpp"
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
@@ -78,7 +79,8 @@ DynamicRecord record_of(const integration::SteadyStateResult& run) {
           .friction_moment = run.statistics.bore_friction_moment,
           .loss = run.statistics.loss,
           .series = run.series,
-          .run = run.report};
+          .run = run.report,
+          .final_state = run.final_state};
 }
 
 LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& means) {
@@ -98,6 +100,19 @@ integration::SteadyStateResult motion_of(const PlanetaryDrivetrain& drivetrain,
                              drivetrain.run_up.duration);
 }
 
+integration::SteadyStateResult motion_from(const Eigen::VectorXd& start,
+                                           const PlanetaryDrivetrain& drivetrain,
+                                           const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+  const Eigen::Index required = bearing::dynamics::StateLayout{drivetrain.bearing.rollers}.size();
+  if (start.size() != required)
+    throw std::invalid_argument("state to start from: found " + std::to_string(start.size()) +
+                                " variables; required: " + std::to_string(required) + ", those of " +
+                                std::to_string(drivetrain.bearing.rollers) + " rollers");
+  return integration::run_to_steady_state_from(start, drivetrain.bearing, duty.point,
+                                               dynamics_parameters(drivetrain, geometry, duty),
+                                               drivetrain.steady_state);
+}
+
 // The life in hours of a run-up is that at its mean speed.
 BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
   const RunUp& run_up = drivetrain.run_up;
@@ -106,9 +121,8 @@ BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
   return duty;
 }
 
-PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                          const BearingDuty& duty) {
-  const integration::SteadyStateResult run = motion_of(drivetrain, geometry, duty);
+PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+                          const integration::SteadyStateResult& run) {
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);
@@ -146,6 +160,13 @@ double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainG
   return std::max(pressure(Race::inner, result.inner.load_max), pressure(Race::outer, result.outer.load_max));
 }
 
+PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                      const BearingDuty& duty, PointResult result) {
+  put_loads(drivetrain, geometry, duty, result);
+  result.contact_pressure = largest_pressure(drivetrain, geometry, result);
+  return result;
+}
+
 }  // namespace
 
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
@@ -165,11 +186,17 @@ bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetr
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  PointResult result = fidelity == Fidelity::dynamic ? dynamic_point(drivetrain, geometry, duty)
-                                                     : quasi_static_point(drivetrain, geometry, duty);
-  put_loads(drivetrain, geometry, duty, result);
-  result.contact_pressure = largest_pressure(drivetrain, geometry, result);
-  return result;
+  if (fidelity == Fidelity::quasi_static)
+    return completed(drivetrain, geometry, duty, quasi_static_point(drivetrain, geometry, duty));
+  const integration::SteadyStateResult run = motion_of(drivetrain, geometry, duty);
+  return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
+}
+
+PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const Eigen::VectorXd& start) {
+  const BearingDuty duty = bearing_duty(drivetrain, geometry);
+  const integration::SteadyStateResult run = motion_from(start, drivetrain, geometry, duty);
+  return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
 }
 
 }  // namespace orbearing::study

@@ -35,6 +35,7 @@ struct DynamicRecord {
   bearing::dynamics::PowerLoss loss;   // [W]  by cause
   integration::BearingSeries series;   // of the last cage revolution
   integration::IntegrationReport run;  // what it took
+  Eigen::VectorXd final_state;         // where it ended; a neighbouring point may go on from here
 };
 
 /// One of several sets at an operating point. Loads and life are those of one bearing.
@@ -78,5 +79,10 @@ bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetr
 /// motion could not be followed.
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity = Fidelity::quasi_static);
+
+/// The motion at one point from `start`, the final state of a neighbouring point, taken as it is. Throws as
+/// above, and std::invalid_argument where the state is not one of a bearing with that many rollers.
+PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const Eigen::VectorXd& start);
 
 }  // namespace orbearing::study

@@ -7,18 +7,18 @@ from pathlib import Path
 from typing import Any, Sequence
 
 from orbearing.blocks import MISSING, FigureBlock, Table, format_number, format_quantity, is_number
-from orbearing.result_folder import Report
+from orbearing.result_folder import Report, records
 from orbearing.summary import headline, summary_table
 
 STYLE_SHEET = Path(__file__).with_name("page.css")
 SHORT, SHORT_CELL = 14, ' class="short"'  # letters of a text that stays on one line, as a number with its unit
 
 
-def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
-    """The whole document."""
+def page(report: Report, blocks: Sequence[FigureBlock], animations: Sequence[str] = ()) -> str:
+    """The whole document; `animations` are pages beside it, by their name below its folder."""
     name = report.record("case").get("name") or "unnamed case"
     sections = [_answer(report), *(_figure(index, block) for index, block in enumerate(blocks, start=1))]
-    sections += [_failed(report), _assumptions(report), _warnings(report), _ledger(report), _worths(report), _versions(report), _reproduce(report)]
+    sections += [_animations(animations), _failed(report), _assumptions(report), _warnings(report), _ledger(report), _worths(report), _versions(report), _reproduce(report)]
     return "\n".join([
         "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
@@ -68,6 +68,15 @@ def _figure(index: int, block: FigureBlock) -> str:
 
 def _section(title: str, body: str) -> str:
     return f"<section>\n<h2>{escape(title)}</h2>\n{body}\n</section>"
+
+
+def _animations(names: Sequence[str]) -> str:
+    if not names:
+        return ""
+    items = "\n".join(f'<li><a href="{escape(name, quote=True)}">{escape(name)}</a></li>' for name in names)
+    note = ("<p>Rollers, cage and rings in motion over one orbit, with the loads as bars: a page for each point, in the folder "
+            "of this report.</p>")
+    return _section("Animations", f"{note}\n<ul>{items}</ul>")
 
 
 def _failed(report: Report) -> str:
@@ -137,6 +146,8 @@ def _text(value: Any) -> str:
 
 def _reproduce(report: Report) -> str:
     fidelity = f" --fidelity {report.fidelity}" if report.fidelity in ("quasi-static", "dynamic") else ""
+    first = next(iter(records(report.record("branches").get("runs"))), {}).get("name")
+    fidelity += f" --continue {first}" if first in ("up", "down") else ""
     commands = f"orbearing sweep case.resolved.yaml -o again{fidelity}\norbearing report again"
     text = "<p>In the folder of this page, which holds the case with every default resolved:</p>"
     return _section("How to reproduce", f"{text}\n<pre>{escape(commands)}</pre>")

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from orbearing.blocks import format_number, is_number
-from orbearing.result_folder import Report, record
+from orbearing.result_folder import Report, lies_on, record
 
 # Speeds in report.json and in the manifest agree but for the last digits.
 SAME_SPEED = 1e-6
@@ -35,7 +35,7 @@ def read_point(report: Report, speed_rpm: float | None) -> PointFile:
     if not is_number(speed_rpm):
         return PointFile(problem="No point of this result is whole.")
     where = f"the point at {format_number(speed_rpm)} rpm"
-    path = _path(report.folder, speed_rpm)
+    path = _path(report.folder, speed_rpm, report.record("slice"))
     if path is None:
         return PointFile(problem=f"The file of {where} is not named in manifest.jsonl.")
     try:
@@ -76,8 +76,8 @@ def one_roller(point: PointFile, *names: str, roller: int = 0) -> list[np.ndarra
     return [time - time[0], np.mod(angle, 2 * np.pi), *series]
 
 
-def _path(folder: Path | None, speed_rpm: float) -> Path | None:
-    """The manifest says which file belongs to which speed."""
+def _path(folder: Path | None, speed_rpm: float, others: dict) -> Path | None:
+    """The manifest says which file belongs to which speed on the line of speeds that is shown."""
     if folder is None:
         return None
     try:
@@ -86,8 +86,9 @@ def _path(folder: Path | None, speed_rpm: float) -> Path | None:
         return None
     for line in lines:
         entry = _entry(line)
-        speed = record(entry.get("row")).get("input_speed_rpm")
-        if is_number(speed) and abs(speed - speed_rpm) <= SAME_SPEED * abs(speed_rpm) and isinstance(entry.get("file"), str):
+        row = record(entry.get("row"))
+        speed = row.get("input_speed_rpm")
+        if lies_on(row, others) and is_number(speed) and abs(speed - speed_rpm) <= SAME_SPEED * abs(speed_rpm) and isinstance(entry.get("file"), str):
             return folder / entry["file"]
     return None
 

@@ -1,5 +1,7 @@
 """`python3 -m orbearing.report DIR`: DIR/report.json becomes DIR/report.html, one self-contained page.
 
+Of a dynamic result each point gets a page that plays its motion, DIR/animations/*.html; the report names them.
+
 Exit codes as of the command line: 0 done, 1 the page could not be made, 2 bad input or usage.
 """
 
@@ -17,14 +19,20 @@ USAGE = "usage: python3 -m orbearing.report DIR"
 
 def build(folder: Path) -> str:
     """The page of a result folder as text; the same results give the same bytes."""
-    from orbearing import style
+    return build_all(folder)["report.html"]
+
+
+def build_all(folder: Path) -> dict[str, str]:
+    """Every page by its name below the result folder; the report itself comes last."""
+    from orbearing import animation, style
     from orbearing.figures import blocks_of
     from orbearing.page import page
     from orbearing.result_folder import read_report
 
     report = read_report(folder)
+    pages = dict(animation.pages(report.along_speed()))
     with style.context():
-        return page(report, blocks_of(report))
+        return {**pages, "report.html": page(report, blocks_of(report), tuple(pages))}
 
 
 def write_aside(path: Path, text: str) -> None:
@@ -51,7 +59,9 @@ def main(arguments: list[str]) -> int:
         return 0 if arguments in (["-h"], ["--help"]) else 2
     folder = Path(arguments[0])
     try:
-        write_aside(folder / "report.html", build(folder))
+        for name, text in build_all(folder).items():
+            (folder / name).parent.mkdir(exist_ok=True)
+            write_aside(folder / name, text)
     except ImportError as error:
         print(f"report: {error}; numpy and matplotlib are required; on Debian install python3-matplotlib", file=sys.stderr)
         return 1

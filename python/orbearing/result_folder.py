@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +11,9 @@ import numpy as np
 
 from orbearing.blocks import is_number
 from orbearing.errors import BadInput
+
+
+SAME_VALUE = 1e-9  # relative; far above round-off, far below any step of a sweep
 
 
 def numbers(values: Any) -> np.ndarray:
@@ -36,6 +39,23 @@ def record(value: Any) -> dict:
     return value if isinstance(value, dict) else {}
 
 
+def same(one: Any, other: Any) -> bool:
+    """Whether two numbers differ by no more than the round-off of a unit's conversion."""
+    return is_number(one) and is_number(other) and abs(one - other) <= SAME_VALUE * max(abs(one), abs(other))
+
+
+def lies_on(row: dict, line: dict) -> bool:
+    """Whether a row of the sweep lies on the line of speeds that has these values on the other axes."""
+    return all(same(row.get(column), value) for column, value in line.items())
+
+
+def grid_peak(points: list[dict]) -> dict:
+    """The longest life among these points."""
+    alive = [p for p in points if is_number(p.get("life_h")) and is_number(p.get("input_speed_rpm"))]
+    best = max(alive, key=lambda p: p["life_h"], default={})
+    return {"speed_rpm": best.get("input_speed_rpm"), "life_h": best.get("life_h")}
+
+
 @dataclass(frozen=True)
 class Report:
     """The content of report.json; keys and units as the file names them."""
@@ -52,6 +72,19 @@ class Report:
     def point_column(self, name: str) -> np.ndarray:
         """One column of the sweep, NaN at failed points."""
         return numbers([point.get(name) for point in self.records("points")])
+
+    def along_speed(self) -> Report:
+        """What plots over speed show: of a sweep with more axes the one line of speeds that `slice` names."""
+        line = self.record("slice")
+        if not line:
+            return self
+        points = [point for point in self.records("points") if lies_on(point, line)]
+        return replace(self, content={**self.content, "points": points, "peak": grid_peak(points)})
+
+    @property
+    def line(self) -> str:
+        """Where that line lies, in words; empty for a sweep over speed alone."""
+        return ", ".join(f"{column} = {value:.10g}" for column, value in self.record("slice").items() if is_number(value))
 
     @property
     def fidelity(self) -> str:

@@ -20,10 +20,11 @@ def best(report: Report) -> tuple[float | None, float | None]:
 
 def headline(report: Report) -> str:
     """Peak speed and life in words, or why there are none."""
+    report, others = report.along_speed(), f" with {report.line}" if report.line else ""
     speed, life = best(report)
     if speed is None:
         return "No point of this sweep gave a life, so there is no peak to report."
-    where = f"at {format_number(speed, 4)} rpm input speed"
+    where = f"at {format_number(speed, 4)} rpm input speed{others}"
     if len(report.records("points")) == 1:
         return f"{_capital(where)} the planet bearing lives {format_number(life, 3)} hours (a single point, no peak)."
     return f"The planet bearing lives longest {where}: {format_number(life, 3)} hours."
@@ -31,13 +32,15 @@ def headline(report: Report) -> str:
 
 def summary_table(report: Report) -> Table:
     """What was computed and what came out."""
-    case, peak = report.record("case"), report.record("peak")
     points, failed = report.records("points"), report.failed_points
+    report, line = report.along_speed(), report.line
+    case, peak = report.record("case"), report.record("peak")
     rows = [
         ("Case", f"{case.get('name') or MISSING} ({case.get('model') or 'model not named'})"),
         ("Source", case.get("source")),
         ("Fidelity", report.fidelity),
         ("Points of the sweep", f"{len(points)}, of which {len(failed)} without a life"),
+        *([("Shown over speed", f"the points with {line}, nearest to the case's own")] if line else []),
         ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h")) + _edge_note(report)),
         ("Refined peak", _speed_and_life(peak.get("refined_speed_rpm"), peak.get("refined_life_h"))),
         *_published_rows(report),

@@ -1,7 +1,7 @@
 """A made-up dynamic result: report.json, manifest and point files, of rollers that carry just as quasi-static ones.
 
 One cage revolution is stored; every roller passes the loads of `report_fixture.distribution`, and the cage's centre
-runs round a circle of half its clearance.
+runs round a circle of half its clearance. Cage and rollers turn a little slower than at pure rolling.
 """
 
 import json
@@ -13,6 +13,9 @@ import report_fixture as fixture
 CAGE_OUTER, GUIDE_LAND = 40.2, 40.6  # [mm]
 CLEARANCE = 1e-3 * (GUIDE_LAND - CAGE_OUTER) / 2  # [m] radial
 INSTANTS, PLACES = 240, 72
+CAGE_SLIP, ROLLER_SLIP = 0.01, 0.05
+# Speeds relative to the carrier over the input speed; the planet turns against the carrier.
+ROLLING = {"inner_race": 0.0, "outer_race": -1.06, "cage": -0.6 / (1 - CAGE_SLIP), "roller_spin": -4.1, "carrier": 0.319}
 CAUSES = ("race_damping", "inner_traction", "outer_traction", "rolling", "drag", "pockets", "guidance", "support")
 EFFECTS = {"all effects": 1.0, "no Coriolis": 0.996, "no carrier centrifugal": 40.0, "film in the approach": 1.1}
 
@@ -26,6 +29,7 @@ def losses(speed_rpm):
 def make_report():
     content = fixture.make_report()
     content["fidelity"] = "dynamic"
+    content.update(axes=[], slice=None, branches=None, kinematics=ROLLING)
     content["drawing"].update(cage_outer_mm=CAGE_OUTER, guide_land_mm=GUIDE_LAND)
     for point in content["points"]:
         point.update(losses(point["input_speed_rpm"]), roller_slip=0.05, cage_slip=0.01 - 1e-6 * point["input_speed_rpm"])
@@ -56,11 +60,13 @@ def variables(speed_rpm):
     angle, places = np.mod(start - turn, 2 * np.pi), 2 * np.pi * np.arange(PLACES) / PLACES
     inner, outer = loads_at(speed_rpm, angle)
     rollers = {"angle": angle, "inner_load": inner, "outer_load": outer, "inner_sliding": 1 / (1 + inner),
-               "outer_sliding": -1 / (1 + outer), "inner_film": 2e-7 + 0 * angle, "outer_film": 3e-7 + 0 * angle}
+               "spin": (1 - ROLLER_SLIP) * ROLLING["roller_spin"] * speed_rpm * np.pi / 30 + 0 * angle, "outer_sliding": -1 / (1 + outer), "inner_film": 2e-7 + 0 * angle, "outer_film": 3e-7 + 0 * angle}
     mean = loads_at(speed_rpm, places)
     return {
         "time": (("time",), "s", time),
         **{f"roller_{name}": (("roller", "time"), "SI", values) for name, values in rollers.items()},
+        "cage_angle": (("time",), "rad", 40 * np.pi - turn),
+        "cage_speed": (("time",), "rad s-1", np.full(INSTANTS, -0.6 * speed_rpm * np.pi / 30)),
         "cage_position": (("direction", "time"), "m", CLEARANCE / 2 * np.array([np.cos(turn), np.sin(turn)])),
         "angle": (("place",), "rad", places),
         "inner_load": (("place",), "N", mean[0]),

@@ -27,15 +27,16 @@ import report_dynamic_fixture as dynamic  # noqa: E402
 import report_fixture as fixture  # noqa: E402
 from orbearing import report as command  # noqa: E402
 from orbearing import style  # noqa: E402
-from orbearing.figures import DYNAMIC_BLOCKS, cage_orbit, dynamic_ablation, dynamic_polar, power_loss  # noqa: E402
+from orbearing.figures import DYNAMIC_BLOCKS, cage_orbit, dynamic_ablation, dynamic_polar, power_loss, slip_traces  # noqa: E402
 from orbearing.page import page  # noqa: E402
 from orbearing.point_file import load_zone, one_roller, read_point  # noqa: E402
 from orbearing.result_folder import read_report  # noqa: E402
 from report_test import nulled, outline, poisoned, run_command  # noqa: E402
 
-FROM_FILES = ("dynamic-polar", "roller-history", "roller-orbit", "cage-orbit")
+FROM_FILES = ("dynamic-polar", "roller-history", "roller-orbit", "slip-traces", "cage-orbit")
 FROM_ROWS = ("slip", "power-loss", "dynamic-ablation")
-PICTURES = {"dynamic-polar": 3, "roller-history": 1, "roller-orbit": 1, "cage-orbit": 3, "slip": 1, "power-loss": 2, "dynamic-ablation": 1}
+PICTURES = {"dynamic-polar": 3, "roller-history": 2, "roller-orbit": 1, "slip-traces": 1, "cage-orbit": 3, "slip": 1, "power-loss": 2,
+            "dynamic-ablation": 1}
 ROUND_OFF = 1e-9  # a few operations in double precision, relative
 
 
@@ -84,7 +85,8 @@ class WholeResult(unittest.TestCase):
         self.assertEqual((self.outline.faults, self.outline.open), ([], []))
         self.assertEqual(len(self.outline.identifiers), len(set(self.outline.identifiers)))
         self.assertNotRegex(self.page, r"https?:|@import|@font-face|(?i:>nan<)")
-        used = {r[1:] for r in self.outline.references} | set(re.findall(r"url\(#([^)]+)\)", self.page))
+        inside = {reference for reference in self.outline.references if not reference.startswith("animations/")}
+        used = {r[1:] for r in inside} | set(re.findall(r"url\(#([^)]+)\)", self.page))
         self.assertEqual(used - set(self.outline.identifiers), set())
 
     def test_same_results_give_the_same_bytes_in_another_process(self):
@@ -136,13 +138,13 @@ class MissingData(unittest.TestCase):
     def test_one_file_less_costs_one_picture(self):
         text = make_page(damage=lambda folder: (folder / "points" / "00000.nc").unlink())
         self.assertEqual(section(text, "dynamic-polar").count("<svg"), 2)
-        self.assertEqual(section(text, "roller-history").count("<svg"), 1)
+        self.assertEqual(section(text, "roller-history").count("<svg"), PICTURES["roller-history"])
 
     def test_any_variable_may_be_absent_or_unfilled(self):
         for name in dynamic.variables(6000):
             for empty in (None, np.nan):
                 with self.subTest(variable=name, value=empty):
-                    text = make_figures(peak_only(), lambda n, values: values if n != name else empty, DYNAMIC_BLOCKS[:4])
+                    text = make_figures(peak_only(), lambda n, values: values if n != name else empty, DYNAMIC_BLOCKS[:len(FROM_FILES)])
                     self.assertEqual(outline(text).faults, [])
                     self.assertNotRegex(text, r"(?i)>nan<")
 
@@ -213,6 +215,11 @@ class Numbers(unittest.TestCase):
         clearance_um = 1e6 * dynamic.CLEARANCE
         self.assertAlmostEqual(row[4], clearance_um / 2, delta=0.05)  # the table shows tenths
         self.assertAlmostEqual(row[5], 50.0, delta=0.05)
+
+    def test_slip_over_time_is_that_of_the_rows(self):
+        rows = np.array(self.block(slip_traces).data.rows, dtype=float)
+        shares = 100 * np.array([dynamic.ROLLER_SLIP, dynamic.ROLLER_SLIP, dynamic.CAGE_SLIP])
+        np.testing.assert_allclose(rows[:, 1:], np.tile(shares, (len(rows), 1)), rtol=1e3 * ROUND_OFF)
 
     def test_clearance_of_either_guidance(self):
         rows = [((38.88, 33.44, 38.54), 170.0), ((33.0, 33.44, 38.54), 220.0), ((36.0, 33.44, 38.54), None), ((None, 33.44, 38.54), None)]

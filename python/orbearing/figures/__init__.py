@@ -2,8 +2,8 @@
 
 from orbearing.blocks import FigureBlock
 from orbearing.figures import (
-    ablation, bearing_drawing, cage_orbit, dynamic_ablation, dynamic_polar, life_curve, planet_load, polar_loads, power_loss,
-    roller_history, roller_loads, roller_orbit, slip,
+    ablation, bearing_drawing, branches, cage_orbit, dynamic_ablation, dynamic_polar, life_curve, planet_load, polar_loads, power_loss,
+    roller_history, roller_loads, roller_orbit, slip, slip_map, slip_traces,
 )
 from orbearing.result_folder import Report
 
@@ -20,6 +20,7 @@ DYNAMIC_BLOCKS = (
     dynamic_polar.block,
     roller_history.block,
     roller_orbit.block,
+    slip_traces.block,
     cage_orbit.block,
     slip.block,
     power_loss.block,
@@ -29,4 +30,10 @@ DYNAMIC_BLOCKS = (
 
 def blocks_of(report: Report) -> list[FigureBlock]:
     """Every figure of this result; what only motion in time can show follows at the end."""
-    return [block(report) for block in (*BLOCKS, *(DYNAMIC_BLOCKS if report.is_dynamic else ()))]
+    line = report.along_speed()
+    blocks = [block(line) for block in (*BLOCKS, *(DYNAMIC_BLOCKS if report.is_dynamic else ()))]
+    if report.is_dynamic and report.records("axes"):
+        blocks.append(slip_map.block(report))
+    if report.record("branches"):
+        blocks.append(branches.block(line))
+    return blocks

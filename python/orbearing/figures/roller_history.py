@@ -1,13 +1,15 @@
-"""The loads of one roller over one revolution of the cage, with the load zone."""
+"""The loads of one roller over one revolution of the cage, with the load zone: over time and round the bearing."""
 
 from __future__ import annotations
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_number
+from orbearing.figures.polar_loads import turn
 from orbearing.point_file import load_zone, one_roller, read_point
 from orbearing.result_folder import Report
 
@@ -19,7 +21,8 @@ CAPTION = (
     "Contact loads of one roller as it goes round once, at the speed of the peak; its place stands above. Shaded is the load "
     "zone, where the mean load on the inner race is more than a twentieth of its largest. Within it the roller is squeezed "
     "between both races. The lower picture enlarges the small loads, a dot for each stored instant: outside the zone the roller "
-    "rests on the race to which inertia presses it or knocks against it, and flies free where both loads are zero."
+    "rests on the race to which inertia presses it or knocks against it, and flies free where both loads are zero. The round "
+    "picture shows the same loads by place: 0° outward, 90° along carrier rotation, 180° towards the sun."
 )
 
 
@@ -32,8 +35,8 @@ def block(report: Report) -> FigureBlock:
     time, angle, inner, outer = (values[::EVERY] for values in found)
     head = ("time (ms)", "place (deg)", "inner race (N)", "outer race (N)")
     table = Table(head, list(zip(1e3 * time, np.degrees(angle), inner, outer)))
-    picture = _draw(report.peak_speed, found, load_zone(point, found[1]))
-    return FigureBlock(SLUG, TITLE, CAPTION, (picture,), data=table)
+    pictures = (_draw(report.peak_speed, found, load_zone(point, found[1])), _draw_round(report.peak_speed, found))
+    return FigureBlock(SLUG, TITLE, CAPTION, pictures, data=table)
 
 
 def _draw(speed: float, found: list[np.ndarray], zone: np.ndarray) -> str:
@@ -57,6 +60,23 @@ def _draw(speed: float, found: list[np.ndarray], zone: np.ndarray) -> str:
     _name_places(whole, time, angle)
     style.legend_above(whole, columns=3, height=1.12)
     return style.to_svg(figure, SLUG, "Inner and outer load of one roller over one cage revolution")
+
+
+def _draw_round(speed: float, found: list[np.ndarray]) -> str:
+    _, angle, inner, outer = found
+    figure = Figure(figsize=(4.4, 5.0))
+    axes = figure.add_subplot(projection="polar")
+    turn(axes)
+    axes.plot(angle, outer, color=style.VERMILION, linewidth=1.2, label="outer race")
+    axes.plot(angle, inner, color=style.BLUE, linewidth=1.0, linestyle=(0, (3, 1)), label="inner race")
+    axes.set_ylim(0, 1.1 * (max(np.nanmax(inner), np.nanmax(outer)) or 1.0))
+    centre = np.nansum(inner * np.exp(1j * angle))
+    axes.set_rlabel_position(np.degrees(np.angle(-centre)) + 45)
+    axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10], prune="lower"))
+    style.thousands(axes.yaxis)
+    axes.set_title(f"{format_number(speed)} rpm, load in N", pad=12)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncol=2, borderaxespad=0)
+    return style.to_svg(figure, f"{SLUG}-round", "Inner and outer load of one roller by place over one orbit")
 
 
 def _name_places(axes: Axes, time: np.ndarray, angle: np.ndarray) -> None:

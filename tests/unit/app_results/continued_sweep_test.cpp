@@ -1,0 +1,167 @@
+// A continued sweep: chains in order, every point from the final state before it, cut and resumed alike.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "app/errors.hpp"
+#include "app/results/chains.hpp"
+#include "app/results/point_file.hpp"
+#include "tests/unit/app_results/fake_sweep.hpp"
+
+namespace orbearing::app {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::fake_request;
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+using Numbers = std::vector<std::size_t>;
+
+constexpr std::size_t points = 12;             // one of them, failing_point, fails
+constexpr Eigen::Index state_of_rollers = 29;  // variables of a bearing with three rollers
+
+// The state remembers by which points it went, in which order; its digits fill a double.
+Eigen::VectorXd next_state(std::size_t point, const Eigen::VectorXd& start) {
+  if (start.size() == 0) return Eigen::VectorXd::Constant(state_of_rollers, std::sqrt(2.0 + double(point)));
+  return (start.array() * 1.0625 + std::sqrt(3.0 + double(point))).matrix();
+}
+
+SweepRequest continued(const fs::path& folder, Direction direction) {
+  SweepRequest request = fake_request(folder, points);
+  request.header.fidelity = "dynamic";
+  request.header.continued = direction;
+  request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("not continued"); };
+  request.evaluate_from = [](std::size_t point, const Eigen::VectorXd& start) {
+    study::PointResult result = testing::fake_result(point);
+    result.dynamic.emplace().final_state = next_state(point, start);
+    result.cage_slip = result.dynamic->final_state[0];
+    return result;
+  };
+  return request;
+}
+
+std::string table_of(const SweepRequest& request) {
+  run_sweep(request);
+  return read_file(request.folder / "sweep.csv");
+}
+
+/// Ends the sweep as Ctrl-C does while it computes `point`; that point is kept.
+void run_until(SweepRequest request, std::size_t point) {
+  const auto evaluate = request.evaluate_from;
+  request.evaluate_from = [=](std::size_t now, const Eigen::VectorXd& start) {
+    if (now == point) std::raise(SIGINT);
+    return evaluate(now, start);
+  };
+  EXPECT_THROW(run_sweep(request), ComputationFailed);
+}
+
+TEST(Chains, FollowTheSpeedWhateverTheOrderOfThePoints) {
+  const std::vector<SweepPoint> list{{"", 300.0, {}}, {"", 100.0, {}}, {"", 200.0, {}}};
+  EXPECT_EQ(chains_of(list, Direction::up), (std::vector<Numbers>{{1, 2, 0}}));
+  EXPECT_EQ(chains_of(list, Direction::down), (std::vector<Numbers>{{0, 2, 1}}));
+}
+
+TEST(Chains, OneForEachCombinationOfTheOtherAxes) {
+  std::vector<SweepPoint> list;
+  for (const double speed : {100.0, 200.0})
+    for (const double power : {50.0, 150.0}) list.push_back({"", speed, {power}});
+  EXPECT_EQ(chains_of(list, Direction::up), (std::vector<Numbers>{{0, 2}, {1, 3}}));
+  EXPECT_EQ(chains_of(list, Direction::down), (std::vector<Numbers>{{2, 0}, {3, 1}}));
+}
+
+TEST(ContinuedSweep, EveryPointStartsWhereItsNeighbourEnded) {
+  const TemporaryFolder place;
+  for (const Direction direction : {Direction::up, Direction::down}) {
+    const SweepOutcome outcome = run_sweep(continued(place / to_string(direction), direction));
+    Eigen::VectorXd state;
+    for (std::size_t i = 0; i < points; ++i) {
+      const std::size_t point = direction == Direction::up ? i : points - 1 - i;
+      if (point == testing::failing_point) continue;  // the next one starts where this one did
+      state = next_state(point, state);
+      EXPECT_EQ(value_of(outcome.head, outcome.rows[point], "cage_slip"), in_table_unit(state[0], 1.0))
+          << point;
+      EXPECT_EQ(read_final_state(place / to_string(direction) / point_file_name(point)).front(), state[0]);
+    }
+  }
+}
+
+TEST(ContinuedSweep, CutAnywhereAndResumedItIsTheSameToTheLastBit) {
+  const TemporaryFolder place;
+  const std::string undisturbed = table_of(continued(place / "whole", Direction::up));
+  for (const std::size_t cut : {std::size_t{0}, std::size_t{5}, testing::failing_point, points - 2}) {
+    SweepRequest request = continued(place / std::to_string(cut), Direction::up);
+    run_until(request, cut);
+    request.resume = true;
+    EXPECT_EQ(table_of(request), undisturbed) << cut;
+    for (std::size_t point = 0; point < points; ++point)
+      EXPECT_EQ(read_final_state(request.folder / point_file_name(point)),
+                read_final_state(place / "whole" / point_file_name(point)));
+  }
+}
+
+TEST(ContinuedSweep, LostPointIsComputedAnewFromItsNeighbour) {
+  const TemporaryFolder place;
+  SweepRequest request = continued(place / "d", Direction::up);
+  const std::string undisturbed = table_of(request);
+  fs::remove(request.folder / point_file_name(5));
+  request.resume = true;
+  EXPECT_EQ(table_of(request), undisturbed);
+}
+
+TEST(ContinuedSweep, DoesNotGoOnWithoutAStoredState) {
+  const TemporaryFolder place;
+  SweepRequest request = continued(place / "d", Direction::up);
+  run_until(request, 5);
+  study::PointResult stateless = testing::fake_result(5);
+  testing::write(request.folder / point_file_name(5),
+                 netcdf_bytes(point_content(request.header, 5, {}, stateless)));
+  request.resume = true;
+  try {
+    run_sweep(request);
+    FAIL() << "went on";
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.messages.front(), HasSubstr("points/00005.nc: holds no final state"));
+  }
+}
+
+TEST(ContinuedSweep, OtherDirectionsAreNotResumed) {
+  const TemporaryFolder place;
+  run_sweep(continued(place / "up", Direction::up));
+  const auto before = testing::snapshot(place / "up");
+  SweepRequest down = continued(place / "up", Direction::down);
+  SweepRequest none = down;
+  none.header.continued.reset();
+  for (SweepRequest* request : {&down, &none}) {
+    request->resume = true;
+    try {
+      run_sweep(*request);
+      FAIL() << "resumed";
+    } catch (const BadInput& error) {
+      EXPECT_THAT(error.messages.front(), HasSubstr("direction of --continue 'up' was found"));
+    }
+  }
+  EXPECT_EQ(testing::snapshot(place / "up"), before);
+}
+
+TEST(ContinuedSweep, ManifestRemembersTheDirection) {
+  for (const Direction direction : {Direction::up, Direction::down}) {
+    ManifestHeader header = testing::fake_header(points);
+    header.continued = direction;
+    EXPECT_EQ(parse_manifest(header_line(header), "m").header->continued, direction);
+  }
+  EXPECT_FALSE(parse_manifest(header_line(testing::fake_header(points)), "m").header->continued.has_value());
+}
+
+TEST(PointFile, FinalStateIsReadAsItWasWritten) {
+  const TemporaryFolder place;
+  study::PointResult result = testing::fake_result(1);
+  result.dynamic.emplace().final_state = Eigen::VectorXd::LinSpaced(state_of_rollers, -1.0 / 3.0, 2.0 / 7.0);
+  testing::write(place / "p.nc", netcdf_bytes(point_content(testing::fake_header(5), 1, {}, result)));
+  const Eigen::VectorXd& state = result.dynamic->final_state;
+  EXPECT_EQ(read_final_state(place / "p.nc"), std::vector<double>(state.begin(), state.end()));
+  EXPECT_TRUE(read_final_state(place / "missing.nc").empty());
+}
+
+}  // namespace
+}  // namespace orbearing::app
