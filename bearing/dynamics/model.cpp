@@ -169,11 +169,30 @@ void set_driving(const InertiaSwitches& inertia, BearingModel& model) {
       model.bore_mass * inertial_acceleration(model.frame, none, none) - model.bore_loads.centrifugal;
 }
 
+// Cosine and sine of rising multiples of an angle, each from the one before by turning on.
+class Multiples {
+ public:
+  explicit Multiples(double angle) : first_(std::cos(angle), std::sin(angle)) {}
+  /// (cosine, sine) of order times the angle; orders must not fall from call to call.
+  const Vector2& of(int order) {
+    for (; order_ < order; ++order_)
+      now_ = {now_.x() * first_.x() - now_.y() * first_.y(), now_.x() * first_.y() + now_.y() * first_.x()};
+    return now_;
+  }
+
+ private:
+  Vector2 first_;
+  Vector2 now_{1.0, 0.0};
+  int order_ = 0;
+};
+
 Vector2 ripple_load(const MeshRipple& ripple, double angle) {
   Vector2 load = Vector2::Zero();
-  for (const LoadHarmonic& harmonic : ripple.harmonics)
-    load +=
-        std::cos(harmonic.order * angle) * harmonic.cosine + std::sin(harmonic.order * angle) * harmonic.sine;
+  Multiples multiples(angle);
+  for (const LoadHarmonic& harmonic : ripple.harmonics) {
+    const Vector2& turned = multiples.of(harmonic.order);
+    load += turned.x() * harmonic.cosine + turned.y() * harmonic.sine;
+  }
   return load;
 }
 
@@ -232,12 +251,13 @@ Vector2 bore_load(const BearingModel& model, double time) {
 
 Vector2 bore_load_slope(const BearingModel& model, double time) {
   Vector2 slope = Vector2::Zero();
-  const double angle = model.ripple.angular_frequency * time;
-  for (const LoadHarmonic& harmonic : model.ripple.harmonics)
-    slope += harmonic.order * model.ripple.angular_frequency *
-             (std::cos(harmonic.order * angle) * harmonic.sine -
-              std::sin(harmonic.order * angle) * harmonic.cosine);
-  return slope;
+  if (model.ripple.harmonics.empty()) return slope;
+  Multiples multiples(model.ripple.angular_frequency * time);
+  for (const LoadHarmonic& harmonic : model.ripple.harmonics) {
+    const Vector2& turned = multiples.of(harmonic.order);
+    slope += harmonic.order * (turned.x() * harmonic.sine - turned.y() * harmonic.cosine);
+  }
+  return model.ripple.angular_frequency * slope;
 }
 
 }  // namespace orbearing::bearing::dynamics

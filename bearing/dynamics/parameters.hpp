@@ -119,7 +119,7 @@ struct LoadHarmonic {
 /// What the meshes add to the mean load on the bore as their teeth pass, as a Fourier series.
 struct MeshRipple {
   double angular_frequency = 0.0;  // [rad/s]  of tooth engagement
-  std::vector<LoadHarmonic> harmonics;
+  std::vector<LoadHarmonic> harmonics;  // in rising order
 };
 
 /// Run-up or run-down: all speeds are (1 + growth t) times those at t = 0. The meshes pass constant power, so
