@@ -93,7 +93,7 @@ Complaint unused_field(const CaseShape& shape) {
 }
 
 bool is_of_bearing(const Field& field) {
-  if (field.path.starts_with("inertia.")) return field.path == "inertia.own_orbit";
+  if (field.path == "inertia.own_orbit" || field.path == "input.acceleration") return true;
   for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
                             "support.", "simulation.", "numerics.", "gearset.mesh_variation"})
     if (field.path.starts_with(block)) return true;

@@ -75,7 +75,7 @@ void add_refinements(const ResolvedCase& in, study::PlanetaryDrivetrain& drivetr
 }
 
 void require_computable(const ResolvedCase& in, const std::string& fidelity, bool sweep) {
-  if (in.model() != planetary_drivetrain) return;
+  if (in.model() != planetary_drivetrain || !in.has(kAcceleration)) return;  // gears alone have none
   const bool swept = std::any_of(in.axes().begin(), in.axes().end(),
                                  [](const SweepAxis& axis) { return axis.path == kAcceleration; });
   if (sweep && (swept || runs_up(in)))

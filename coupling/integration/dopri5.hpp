@@ -1,5 +1,5 @@
-// The formula of Dormand and Prince from Odeint, with this project's error measure. Included by the sources of
-// this folder alone.
+// The formula of Dormand and Prince from Odeint, with this project's error measure. Included by the sources
+// of this folder alone.
 #pragma once
 
 #include <algorithm>
