@@ -24,7 +24,7 @@ using boost::math::double_constants::two_pi;
 using gearset::dynamics::Mode;
 using gearset::dynamics::ModeKind;
 using gearset::dynamics::SetModel;
-constexpr int kHarmonics = 3;            // of the mesh frequency, that meet modes
+constexpr int kHarmonics = 4;            // of the mesh frequency, that meet modes
 constexpr std::size_t kFewestRuns = 45;  // a resonance is narrower than a usual step of the sweep
 constexpr int kShapesOfKind = 2;
 constexpr long kSpectrumPeriods = 32;  // of the series: lines 1/32 of an order apart

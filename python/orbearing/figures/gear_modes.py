@@ -15,7 +15,7 @@ SHAPE_SLUG, SHAPE_TITLE = "gear-modes", "Gears: mode shapes"
 CAMPBELL_SLUG, CAMPBELL_TITLE = "gear-campbell", "Gears: Campbell diagram"
 KINDS = {"R": ("rotational", style.BLUE, "-"), "T": ("translational", style.GREEN, "--"), "P": ("planet", style.VERMILION, "-.")}
 NEEDED = ("planets", "centre_distance_mm", "sun_radius_mm", "ring_radius_mm", "planet_radius_mm")
-ORDERS = (1, 2, 3)
+ORDERS = (1, 2, 3, 4)  # with four planets each kind of mode has a harmonic among these
 DRAWN = 0.16  # largest displacement in the picture over the centre distance
 
 
@@ -32,7 +32,7 @@ def shape_block(gears: dict) -> FigureBlock:
     modes = [m for m in records(content.get("modes")) if is_number(m.get("frequency_Hz")) and _shape(m).size == size > 0]
     if not modes:
         return FigureBlock(SHAPE_SLUG, SHAPE_TITLE, missing="This result holds no mode shapes.")
-    caption = ("The lowest modes of each kind of the set at rest, with mean mesh stiffness; displacements are enlarged, the largest to the "
+    caption = ("The lowest modes of each kind of the set at rest, with mean mesh stiffness and the bearings as loaded at the middle speed; displacements are enlarged, the largest to the "
                "same size in each picture. Grey: members at rest; coloured: displaced, the spoke shows how far each has turned, on its base "
                "circle. Rotational (R): central members turn, all planets do the same; translational (T, in pairs): central "
                "members shift; planet (P): central members rest.")
@@ -102,7 +102,7 @@ def campbell_block(gears: dict) -> FigureBlock:
     modes = [m for m in records(content.get("modes")) if len(numbers(m.get("frequency_Hz"))) == len(speed)]
     if np.isfinite(speed).sum() < 2 or not modes:
         return FigureBlock(CAMPBELL_SLUG, CAMPBELL_TITLE, missing="A Campbell diagram needs natural frequencies at two speeds or more.")
-    caption = ("Natural frequencies in the frame of the carrier, gyroscopic and centrifugal terms included, and the harmonics 1 to 3 of the "
+    caption = ("Natural frequencies in the frame of the carrier, gyroscopic and centrifugal terms included, and the harmonics 1 to 4 of the "
                "mesh frequency. Pairs of translational modes split with speed. Rings: a harmonic meets a mode that it can excite, for with "
                "equal planets harmonic l of the meshes moves only modes of one kind, told by l times the sun's teeth modulo the number of "
                "planets; other crossings stay without effect.")
@@ -127,7 +127,7 @@ def _draw_campbell(speed: np.ndarray, mesh: np.ndarray, modes: list[dict], meeti
         seen.add(kind)
     for order in ORDERS:
         axes.plot(speed, order * mesh / 1e3, color=style.GREY, linewidth=1.0, zorder=1, label=None if order > 1 else "mesh harmonics")
-        _name_harmonic(axes, order, speed, mesh / 1e3, top)
+        _name_harmonic(axes, order, speed, mesh / 1e3, modes, top)
     axes.plot([m["speed_rpm"] for m in meetings], [m["frequency_Hz"] / 1e3 for m in meetings], "o", color=style.BLACK, markersize=6,
               markerfacecolor="none", linestyle="", label="excited meeting", zorder=5)
     axes.set_xlim(np.nanmin(speed), np.nanmax(speed))
@@ -139,17 +139,21 @@ def _draw_campbell(speed: np.ndarray, mesh: np.ndarray, modes: list[dict], meeti
     return style.to_svg(figure, CAMPBELL_SLUG, "Natural frequencies and mesh harmonics over input speed")
 
 
-def _name_harmonic(axes: Axes, order: int, speed: np.ndarray, mesh: np.ndarray, top: float) -> None:
-    """Beside the line, where it has gone four fifths of its way through the picture."""
-    inside = np.flatnonzero(order * mesh < 0.93 * top)
-    if len(inside):
-        at = inside[int(0.86 * (len(inside) - 1))]
-        axes.text(speed[at], order * mesh[at], f"{order} ×", ha="center", va="center", color=style.BLACK, fontsize=8.5,
-                  bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0}, zorder=4)
+def _name_harmonic(axes: Axes, order: int, speed: np.ndarray, mesh: np.ndarray, modes: list[dict], top: float) -> None:
+    """On its line, in the upper half of what is seen of it, as far from the modes as it goes."""
+    inside = np.flatnonzero(order * mesh < 0.95 * top)
+    inside = inside[len(inside) // 2:]
+    if not len(inside):
+        return
+    lines = np.array([numbers(mode["frequency_Hz"])[inside] / 1e3 for mode in modes])
+    room = np.nanmin(np.where(np.isfinite(lines), np.abs(lines - order * mesh[inside]), np.inf), axis=0)
+    at = inside[int(np.argmax(room))]
+    axes.text(speed[at], order * mesh[at], f"{order} ×", ha="center", va="center", color=style.BLACK, fontsize=8.5,
+              bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0}, zorder=4)
 
 
 def _name_modes(axes: Axes, speed: np.ndarray, modes: list[dict], top: float) -> None:
-    """At the right edge, pushed apart where they would cover each other."""
+    """At the right edge, pushed apart where they would cover each other, each with a thread to its line."""
     ends: dict[str, list[float]] = {}
     for mode in modes:
         value = numbers(mode["frequency_Hz"])[-1]
@@ -158,5 +162,6 @@ def _name_modes(axes: Axes, speed: np.ndarray, modes: list[dict], top: float) ->
     last = -np.inf
     for name, values in sorted(ends.items(), key=lambda item: np.mean(item[1])):
         last = max(float(np.mean(values)), last + 0.032 * top)
-        axes.annotate(name, (np.nanmax(speed), last), xytext=(4, 0), textcoords="offset points", va="center", fontsize=8,
-                      color=kind_of(name)[1], annotation_clip=False)
+        axes.annotate(name, (1.0, float(np.mean(values))), xycoords=axes.get_yaxis_transform(), xytext=(1.035, last),
+                      textcoords=axes.get_yaxis_transform(), va="center", fontsize=8, color=kind_of(name)[1], annotation_clip=False,
+                      arrowprops={"arrowstyle": "-", "color": kind_of(name)[1], "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0})

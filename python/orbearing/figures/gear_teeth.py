@@ -13,7 +13,8 @@ from orbearing.result_folder import curve, numbers, record, records
 PAIR_SLUG, PAIR_TITLE = "gear-teeth", "Gears: teeth in contact, to scale"
 STIFFNESS_SLUG, STIFFNESS_TITLE = "gear-stiffness", "Gears: stiffness of the meshes"
 NEIGHBOURS = (-1, 0, 1)  # teeth that are drawn, counted from the one in contact
-BODY = 0.9  # depth of the drawn part of the body, in modules
+BODY = 3.0  # depth of the drawn part of the body, in modules: beyond the edge of the picture
+ARC = 9  # points of the tip circle on a tooth
 FACES = ("#d5dade", "#e8d8b0")
 PARTS = ("bending_N_per_m", "shear_N_per_m", "axial_N_per_m", "foundation_N_per_m")
 
@@ -55,8 +56,9 @@ def outline(gear: dict) -> tuple[np.ndarray, np.ndarray]:
     """The teeth in contact and beside it with the body they stand on: one closed line."""
     radius, half = curve(gear, "radius_mm", "half_angle_deg")
     pitch, axis = 360.0 / gear["teeth"], gear["axis_deg"]
-    radii = np.concatenate([np.concatenate([radius, radius[::-1]]) for _ in NEIGHBOURS])
-    angles = np.concatenate([axis + n * pitch + np.concatenate([-half, half[::-1]]) for n in NEIGHBOURS])
+    tip = np.linspace(-half[-1], half[-1], ARC)
+    radii = np.concatenate([np.concatenate([radius, np.full(ARC, radius[-1]), radius[::-1]]) for _ in NEIGHBOURS])
+    angles = np.concatenate([axis + n * pitch + np.concatenate([-half, tip, half[::-1]]) for n in NEIGHBOURS])
     inward = 1.0 if radius[-1] > radius[0] else -1.0
     ends = axis + pitch * (NEIGHBOURS[0] - 0.5), axis + pitch * (NEIGHBOURS[-1] + 0.5)
     foot = radius[0] - inward * BODY * gear["module_mm"]

@@ -5,17 +5,17 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, columns_table, format_number, is_number
-from orbearing.figures.gear_modes import excited_meetings, kind_of
+from orbearing.figures.gear_modes import ORDERS, excited_meetings, kind_of
 from orbearing.result_folder import curve, numbers, record, records
 
 ACCELERATION_SLUG, ACCELERATION_TITLE = "gear-acceleration", "Gears: acceleration of the planets"
 SPECTRUM_SLUG, SPECTRUM_TITLE = "gear-spectrum", "Gears: spectrum of the tangential bearing load"
 SHARING_SLUG, SHARING_TITLE = "gear-sharing", "Gears: sharing of the load"
 PARTS = (("x", "rms"), ("x", "max"), ("y", "rms"), ("y", "max"))
-ORDERS = (1, 2, 3)
 LEAST_AMPLITUDE = 1e-6  # of the largest line: below it is round-off
 
 
@@ -69,7 +69,7 @@ def joined(meetings: list[dict]) -> list[dict]:
 
 def _draw_acceleration(runs: list[dict], columns: list[list[float]], meetings: list[dict]) -> str:
     figure = Figure(figsize=(7.2, 6.4))
-    names, upper, lower = figure.subplots(3, 1, sharex=True, height_ratios=(0.55, 1, 1))
+    names, upper, lower = figure.subplots(3, 1, sharex=True, height_ratios=(0.65, 1, 1))
     speed = np.array([run["speed_rpm"] for run in runs])
     swept = np.array([run.get("swept") is True for run in runs])
     for axes, way, (first, second) in ((upper, "x", columns[:2]), (lower, "y", columns[2:])):
@@ -83,20 +83,20 @@ def _draw_acceleration(runs: list[dict], columns: list[list[float]], meetings: l
         axes.set_ylabel(f"acceleration {way} (m/s²)")
         style.thousands(axes.yaxis)
     _draw_meetings(names, meetings)
-    upper.legend(loc="upper left", ncol=2)
+    names.legend(*upper.get_legend_handles_labels(), loc="lower left", bbox_to_anchor=(0, 1.02), borderaxespad=0, ncol=2)
     style.speed_axis(lower)
     return style.to_svg(figure, ACCELERATION_SLUG, "Planet accelerations over speed, with speeds at which mesh harmonics meet modes")
 
 
 def _draw_meetings(axes: Axes, meetings: list[dict]) -> None:
-    """A line of names for each harmonic; the third stands on top as it meets modes at the lowest speeds."""
+    """A line of names for each harmonic."""
     for meeting in meetings:
         colour = kind_of(meeting["mode"])[1]
         axes.plot([meeting["low"], meeting["high"]], [meeting["order"]] * 2, color=colour, linewidth=3, solid_capstyle="butt")
         axes.plot(meeting["speed_rpm"], meeting["order"], "|", color=colour, markersize=9)
         axes.annotate(meeting["mode"], (meeting["speed_rpm"], meeting["order"]), xytext=(0, 6), textcoords="offset points", ha="center",
                       va="bottom", fontsize=8, color=colour)
-    axes.set_ylim(0.6, 3.9)
+    axes.set_ylim(0.6, ORDERS[-1] + 0.9)
     axes.set_yticks(ORDERS, [f"{order} ×" for order in ORDERS])
     axes.set_ylabel("mesh harmonic")
     axes.grid(False)
@@ -131,6 +131,7 @@ def _draw_spectrum(order: np.ndarray, amplitude: np.ndarray, mesh: float) -> str
         axes.axvline(number * mesh / 1e3, color=style.GREY, linewidth=0.6, linestyle=":", zorder=0)
         axes.text(number * mesh / 1e3, 3.2 * largest, f"{number} ×", ha="center", va="center", fontsize=8.5,
                   bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0})
+    axes.set_xlim(left=0)
     axes.set_xlabel("frequency (kHz)")
     axes.set_ylabel("amplitude (N)")
     style.thousands(axes.yaxis)
@@ -163,7 +164,8 @@ def _draw_sharing(speed: np.ndarray, shares: list[np.ndarray], planets: int) -> 
         axes.axhline(1.0, color=style.GREY, linewidth=0.8, zorder=0)
         low, high = axes.get_ylim()
         axes.set_ylim(min(low, 0.9), max(high, 1.1))
+        axes.xaxis.set_major_locator(MaxNLocator(5))
         style.speed_axis(axes)
         axes.set_ylabel(label)
-    style.legend_above(figure.axes[0], columns=4 if planets <= 4 else 3)
+    style.legend_above(figure.axes[0], columns=2 if planets <= 4 else 3)
     return style.to_svg(figure, SHARING_SLUG, "Mean and largest share of the tangential load of each planet over speed")
