@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/study/drivetrain_case.hpp"
+#include "app/study/gear_report.hpp"
 #include "app/study/ledger.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/speed_slice.hpp"
@@ -236,6 +237,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["ablation"] = ablation_curves(drivetrain, fine);
   data["ledger"] = rows_json(ledger);
   data["worth"] = worth_json(ledger);
+  if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;
   if (outcome.header.fidelity == "dynamic")
     data["dynamic"] = {{"ablation", dynamic_ablation(drivetrain, shown_speeds(grid))},

@@ -2,7 +2,7 @@
 
 from orbearing.blocks import FigureBlock
 from orbearing.figures import (
-    ablation, bearing_drawing, branches, cage_orbit, dynamic_ablation, dynamic_polar, life_curve, planet_load, polar_loads, power_loss,
+    ablation, bearing_drawing, branches, cage_orbit, dynamic_ablation, dynamic_polar, gears, life_curve, planet_load, polar_loads, power_loss,
     roller_history, roller_loads, roller_orbit, slip, slip_map, slip_traces,
 )
 from orbearing.result_folder import Report
@@ -34,6 +34,7 @@ def blocks_of(report: Report) -> list[FigureBlock]:
     blocks = [block(line) for block in (*BLOCKS, *(DYNAMIC_BLOCKS if report.is_dynamic else ()))]
     if report.is_dynamic and report.records("axes"):
         blocks.append(slip_map.block(report))
+    blocks += gears.blocks(report)
     if report.record("branches"):
         blocks.append(branches.block(line))
     return blocks
