@@ -15,8 +15,8 @@ inline Shift shift_of(const RollerPack& at, const Pack& dr, const Pack& dtheta, 
           -at.r * at.orbital * dtheta, at.radial * dtheta + at.orbital * dr};
 }
 
-inline ContactForce shifted(const ContactSlopes& slopes, const Shift& shift) {
-  ContactForce change;
+inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift& shift) {
+  ContactForce<Pack> change;
   Pack* into[3] = {&change.f_r, &change.f_t, &change.moment};
   for (int i = 0; i < 3; ++i)
     *into[i] = slopes.by_position[i][0] * shift.d_r + slopes.by_position[i][1] * shift.d_t +
@@ -35,18 +35,18 @@ inline void LaneEngine::solve(const double* rhs, double* k) const {
     const RollerPack& at = linear_[p];
     const RollerBlock& block = block_[p];
     const Pack dr = load(entry(rhs, 0, p)), dtheta = load(entry(rhs, 1, p));
-    const ContactForce inner = shifted(at.inner, shift_of(at, dr, dtheta, pin[0], pin[1]));
-    const ContactForce outer = shifted(at.outer, shift_of(at, dr, dtheta, bore[0], bore[1]));
-    react(inner, at.cosine, at.sine, loads.pin);
-    react(outer, at.cosine, at.sine, loads.bore);
+    const ContactForce<Pack> inner = shifted(at.inner, shift_of(at, dr, dtheta, pin[0], pin[1]));
+    const ContactForce<Pack> outer = shifted(at.outer, shift_of(at, dr, dtheta, bore[0], bore[1]));
+    react(inner.f_r, inner.f_t, at.cosine, at.sine, loads.pin);
+    react(outer.f_r, outer.f_t, at.cosine, at.sine, loads.bore);
     Pack f_r = inner.f_r + outer.f_r, f_t = inner.f_t + outer.f_t, moment = inner.moment + outer.moment;
     if (at.caged) {
       const Shift shift = shift_of(at, dr, dtheta, cage[0], cage[1]);
-      ContactForce pocket = shifted(at.pocket.on_roller, shift);
+      ContactForce<Pack> pocket = shifted(at.pocket.on_roller, shift);
       pocket.f_r += at.pocket.by_angle[0] * cage[2];
       pocket.f_t += at.pocket.by_angle[1] * cage[2];
       pocket.moment += at.pocket.by_angle[2] * cage[2];
-      react(pocket, at.cosine, at.sine, loads.cage);
+      react(pocket.f_r, pocket.f_t, at.cosine, at.sine, loads.cage);
       loads.cage_moment += at.pocket.cage_by_position[0] * shift.d_r +
                            at.pocket.cage_by_position[1] * shift.d_t +
                            at.pocket.cage_by_velocity[0] * shift.w_r +

@@ -8,7 +8,7 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 /// What the pocket's slopes have beyond those by relative motion: those by the cage's rotation, and the
 /// moment on the cage.
 struct PocketSlopes {
-  ContactSlopes on_roller;     // by motion of the roller relative to the cage's centre
+  ContactSlopes<Pack> on_roller;     // by motion of the roller relative to the cage's centre
   Pack by_angle[3]{};          // of (f_r, f_t, moment) by the cage angle
   Pack by_speed[3]{};          // and by its speed
   Pack cage_by_position[2]{};  // of the moment on the cage
@@ -19,7 +19,7 @@ struct PocketSlopes {
 };
 
 struct PocketForce {
-  ContactForce on_roller;
+  ContactForce<Pack> on_roller;
   Pack cage_moment{};  // [N m]
   bool touched = false;
 };
@@ -27,7 +27,7 @@ struct PocketForce {
 /// `e_r`, `e_t`: direction of each pocket in polar axes of its roller.
 template <bool WithSlopes>
 PocketForce pocket_contact(const Constants& c, const Pack& radius, const Mask& present, const Pack& e_r,
-                           const Pack& e_t, double cage_speed, const RelativeMotion& motion,
+                           const Pack& e_t, double cage_speed, const RelativeMotion<Pack>& motion,
                            PocketSlopes& slopes) {
   const Pack a_r = -e_t, a_t = e_r;  // ahead
   const Pack offset = motion.d_r * a_r + motion.d_t * a_t;
@@ -83,7 +83,7 @@ PocketForce pocket_contact(const Constants& c, const Pack& radius, const Mask& p
     Pack x_a, x_e;
     for (int k = 0; k < 2; ++k) {  // polar component k of position, then of velocity
       const Pack d_a = k == 0 ? a_r : a_t, d_e = k == 0 ? e_r : e_t;
-      ContactSlopes& roller = slopes.on_roller;
+      ContactSlopes<Pack>& roller = slopes.on_roller;
       put(d_a, d_e, zero, zero, zero, zero, x_a, x_e, roller.by_position[2][k], slopes.cage_by_position[k]);
       to_polar(x_a, x_e, roller.by_position[0][k], roller.by_position[1][k]);
       put(zero, zero, d_a, d_e, zero, zero, x_a, x_e, roller.by_velocity[2][k], slopes.cage_by_velocity[k]);

@@ -21,7 +21,7 @@ inline void by_roller(double g, const RollerPack& at, const Pack& position_r, co
       at.r * (g * position_t + velocity_t) + g * (at.radial * velocity_t - at.r * at.orbital * velocity_r);
 }
 
-inline StageSlopes stage_slopes(double g, const RollerPack& at, const ContactSlopes& slopes) {
+inline StageSlopes stage_slopes(double g, const RollerPack& at, const ContactSlopes<Pack>& slopes) {
   StageSlopes stage;
   for (int i = 0; i < 3; ++i) {
     const Pack(&position)[2] = slopes.by_position[i];
