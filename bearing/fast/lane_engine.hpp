@@ -19,12 +19,19 @@ struct Pair {
   Pack x{}, y{};
 };
 
+/// Slopes of the accelerations of rollers that are not contact forces: inertia of the frame, drag, turning
+/// axes.
+struct FreeSlopes {
+  Pack radial_by_r, radial_by_theta, radial_by_orbital;
+  Pack orbital_by_r, orbital_by_theta, orbital_by_radial, orbital_by_orbital;
+  Pack spin_by_spin;
+};
+
 /// One pack of rollers at the last linearisation.
 struct RollerPack {
-  Pack r, radial, orbital, spin;  // [m], [m/s], [rad/s], [rad/s]
+  Pack r, per_r, radial, orbital;  // [m], [1/m], [m/s], [rad/s]
   Pack cosine, sine;
-  Pack f_r, f_t;    // all contact forces on the roller [N]
-  Pack orbit_rate;  // theta'' [rad/s^2]
+  FreeSlopes free;
   ContactSlopes<Pack> inner, outer;
   PocketSlopes pocket;
   bool caged = false;
@@ -96,6 +103,25 @@ class LaneEngine final : public Engine {
   double cage_cosine_ = 1.0;
   double cage_sine_ = 0.0;
 };
+
+/// `f_r`, `f_t`: all contact forces on the rollers [N]; `orbit_rate`: theta'' [rad/s^2].
+inline FreeSlopes free_slopes(const Constants& c, const RollerPack& at, const Pack& f_r, const Pack& f_t,
+                              const Pack& spin, const Pack& orbit_rate) {
+  const double per_mass = 1.0 / c.roller_mass;
+  const Pack twice = 2.0 * c.own_orbit * at.orbital + 2.0 * c.coriolis_speed;
+  const Pack drag = (-2.0 * c.orbit_drag * per_mass) * absolute(at.r * at.orbital);
+  const double far = c.centrifugal * c.orbit_radius, late = c.euler * c.orbit_radius;
+  FreeSlopes s;
+  s.radial_by_r = at.orbital * (twice - c.own_orbit * at.orbital) + c.centrifugal;
+  s.radial_by_theta = f_t * per_mass - far * at.sine - late * at.cosine;
+  s.radial_by_orbital = at.r * twice;
+  s.orbital_by_r = (drag * at.orbital - orbit_rate - c.euler) * at.per_r;
+  s.orbital_by_theta = (late * at.sine - f_r * per_mass - far * at.cosine) * at.per_r;
+  s.orbital_by_radial = -2.0 * (c.coriolis_speed + at.orbital) * at.per_r;
+  s.orbital_by_orbital = drag - 2.0 * at.radial * at.per_r;
+  s.spin_by_spin = (-2.0 * c.spin_drag / c.roller_inertia) * absolute(spin);
+  return s;
+}
 
 /// Motion of the rollers relative to `body`, in their polar axes.
 inline RelativeMotion<Pack> relative_motion(const Pack& r, const Pack& radial, const Pack& orbital,
@@ -178,14 +204,12 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   store(only(here, spin_rate), entry(dx, 4, p));
   if constexpr (WithSlopes) {
     linear.r = r;
+    linear.per_r = 1.0 / linear.r;
     linear.radial = radial;
     linear.orbital = orbital;
-    linear.spin = spin;
     linear.cosine = cosine;
     linear.sine = sine;
-    linear.f_r = f_r;
-    linear.f_t = f_t;
-    linear.orbit_rate = only(here, orbit_rate);
+    linear.free = free_slopes(c_, linear, f_r, f_t, spin, only(here, orbit_rate));
     linear.caged = pocket.touched;
   }
 }

@@ -8,14 +8,14 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 /// What the pocket's slopes have beyond those by relative motion: those by the cage's rotation, and the
 /// moment on the cage.
 struct PocketSlopes {
-  ContactSlopes<Pack> on_roller;     // by motion of the roller relative to the cage's centre
-  Pack by_angle[3]{};          // of (f_r, f_t, moment) by the cage angle
-  Pack by_speed[3]{};          // and by its speed
-  Pack cage_by_position[2]{};  // of the moment on the cage
-  Pack cage_by_velocity[2]{};
-  Pack cage_by_spin{};
-  Pack cage_by_angle{};
-  Pack cage_by_speed{};
+  ContactSlopes<Pack> on_roller;  // by motion of the roller relative to the cage's centre
+  Pack by_angle[3];               // of (f_r, f_t, moment) by the cage angle
+  Pack by_speed[3];               // and by its speed
+  Pack cage_by_position[2];       // of the moment on the cage
+  Pack cage_by_velocity[2];
+  Pack cage_by_spin;
+  Pack cage_by_angle;
+  Pack cage_by_speed;
 };
 
 struct PocketForce {

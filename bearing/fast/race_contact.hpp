@@ -33,9 +33,9 @@ struct ContactForce {
 /// Slopes of (f_r, f_t, moment): by relative position, by relative velocity, by spin. [row][column]
 template <class Number>
 struct ContactSlopes {
-  Number by_position[3][2]{};
-  Number by_velocity[3][2]{};
-  Number by_spin[3]{};
+  Number by_position[3][2];
+  Number by_velocity[3][2];
+  Number by_spin[3];
 };
 
 /// The parts of slopes at both races.
@@ -218,7 +218,10 @@ ContactForce<Both> race_contact(const BothRaces& race, const Pack& radius, const
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
   const RaceLoads x = race_loads<WithSlopes>(race, m);
   ContactForce<Both> result;
-  if (!any(x.elastic.value > 0.0)) return result;
+  if (!any(x.elastic.value > 0.0)) {
+    if constexpr (WithSlopes) slopes = ContactSlopes<Both>{};
+    return result;
+  }
   const Both f_n = -race.side * x.load;
   Both f_t = x.friction.force + x.inlet.value * x.tilt;
   if (!race.round) f_t += race.side * x.load * m.form.slope * m.inverse;

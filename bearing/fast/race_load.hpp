@@ -86,19 +86,14 @@ Slopes2 elastic_load(const BothRaces& race, const Both& approach, const Both& en
   const Both p2 = root29 * root29, p4 = p2 * p2, p8 = p4 * p4;
   const Both cap = race.film_cap * (p8 * p8 * p2 * root29);
   const Both cap_approach = race.film_cap_approach * (p8 * root29);
-  const Both beyond = larger(approach + cap, tiny);
   const BothMask touching = approach + cap > 0.0;
+  const Both beyond = select(touching, approach + cap, cap_approach);
   const BothMask thinned = beyond > cap_approach;
-  Both e = beyond, film = cap, ninth{};
-  if (any(thinned)) {
-    const Both factor = race.film_factor * exponential(kFilmSpeed * log_entrainment);
-    const ThinnedFilm root = thinned_film(select(thinned, approach, cap_approach), factor,
-                                          select(thinned, beyond, cap_approach + cap));
-    e = select(thinned, root.approach, beyond);
-    film = select(thinned, root.film, cap);
-    ninth = root.ninth;
-  }
-  if (any(~thinned & touching)) ninth = select(thinned, ninth, ninth_root(beyond));
+  // At the cap the elastic approach is known, and the same steps find its ninth root.
+  const Both factor = only(thinned, race.film_factor * exponential(kFilmSpeed * log_entrainment));
+  const ThinnedFilm root = thinned_film(select(thinned, approach, beyond), factor, beyond);
+  const Both e = root.approach, ninth = root.ninth;
+  const Both film = select(thinned, root.film, cap);
   const Both stiffness = race.stiffness * ninth;
   Slopes2 result{only(touching, stiffness * e), Both{}, Both{}};
   if constexpr (WithSlopes) {

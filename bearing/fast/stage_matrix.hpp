@@ -92,34 +92,11 @@ inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Con
   ring_sums[kTurn][kTurn] += scale * (g * slopes.cage_by_angle + slopes.cage_by_speed);
 }
 
-/// Slopes of the accelerations of rollers that are not contact forces: inertia of the frame, drag, turning
-/// axes.
-struct FreeSlopes {
-  Pack radial_by_r, radial_by_theta, radial_by_orbital;
-  Pack orbital_by_r, orbital_by_theta, orbital_by_radial, orbital_by_orbital;
-  Pack spin_by_spin;
-};
-
-inline FreeSlopes free_slopes(const Constants& c, const RollerPack& at) {
-  const Pack twice = 2.0 * c.own_orbit * at.orbital + 2.0 * c.coriolis_speed;
-  const Pack drag = -2.0 * c.orbit_drag / c.roller_mass * absolute(at.r * at.orbital);
-  const Pack inverse = 1.0 / at.r;
-  const double far = c.centrifugal * c.orbit_radius, late = c.euler * c.orbit_radius;
-  return {.radial_by_r = at.orbital * (twice - c.own_orbit * at.orbital) + c.centrifugal,
-          .radial_by_theta = at.f_t / c.roller_mass - far * at.sine - late * at.cosine,
-          .radial_by_orbital = at.r * twice,
-          .orbital_by_r = (drag * at.orbital - at.orbit_rate - c.euler) * inverse,
-          .orbital_by_theta = (-at.f_r / c.roller_mass - far * at.cosine + late * at.sine) * inverse,
-          .orbital_by_radial = -2.0 * (c.coriolis_speed + at.orbital) * inverse,
-          .orbital_by_orbital = drag - 2.0 * at.radial * inverse,
-          .spin_by_spin = -2.0 * c.spin_drag / c.roller_inertia * absolute(at.spin)};
-}
-
 inline void LaneEngine::build_block(int p, double g, Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]) {
   const RollerPack& at = linear_[p];
   RollerBlock& block = block_[p];
   block.caged = at.caged;
-  const FreeSlopes free = free_slopes(c_, at);
+  const FreeSlopes& free = at.free;
   block.own[0][0] = 1.0 - g * g * free.radial_by_r;
   block.own[0][1] = -g * (g * free.radial_by_theta + free.radial_by_orbital);
   block.own[0][2] = Pack{};
@@ -128,7 +105,7 @@ inline void LaneEngine::build_block(int p, double g, Pack (&ring_sums)[kRingUnkn
   block.own[1][2] = Pack{};
   block.own[2][0] = block.own[2][1] = Pack{};
   block.own[2][2] = 1.0 - g * free.spin_by_spin;
-  const Pack roller_scale[3] = {spread(-g / c_.roller_mass), -g / (c_.roller_mass * at.r),
+  const Pack roller_scale[3] = {spread(-g / c_.roller_mass), (-g / c_.roller_mass) * at.per_r,
                                 spread(-g / c_.roller_inertia)};
   add_contact(g, roller_scale, c_.pin_mass, kPin, at, stage_slopes(g, at, at.inner), block, ring_sums);
   add_contact(g, roller_scale, c_.bore_mass, kBore, at, stage_slopes(g, at, at.outer), block, ring_sums);
