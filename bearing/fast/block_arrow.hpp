@@ -17,6 +17,7 @@ struct RollerBlock {
   Pack own[kRollerUnknowns][kRollerUnknowns];
   Pack by_ring[kRollerUnknowns][kRingUnknowns];  // rows of the roller, columns of the rings
   Pack of_ring[kRingUnknowns][kRollerUnknowns];  // rows of the rings, columns of the roller
+  Pack rings[kRingUnknowns][kRingUnknowns];      // what the rollers add to each body's own block, else unset
   bool caged = false;
 
   int ring_end() const { return caged ? kRingUnknowns : kCage; }
@@ -43,13 +44,24 @@ inline void eliminate(RollerBlock& block) {
   }
 }
 
-/// Adds -of_ring own^-1 by_ring of an eliminated block to sums over lanes.
-inline void subtract_schur(const RollerBlock& block, Pack (&sums)[kRingUnknowns][kRingUnknowns]) {
-  const int end = block.ring_end();
-  for (int i = 0; i < end; ++i)
-    for (int k = 0; k < end; ++k)
-      sums[i][k] -= block.of_ring[i][0] * block.by_ring[0][k] + block.of_ring[i][1] * block.by_ring[1][k] +
-                    block.of_ring[i][2] * block.by_ring[2][k];
+/// Whether two unknowns of the rings belong to one body, pin, bore or cage.
+constexpr bool same_body(int i, int k) {
+  return (i < kCage ? i / 2 : 2) == (k < kCage ? k / 2 : 2);
+}
+
+/// Adds rings - of_ring own^-1 by_ring of an eliminated block, summed over its rollers.
+inline void add_schur(const RollerBlock& block, double (&sums)[kRingUnknowns][kRingUnknowns]) {
+  const auto add = [&](int i, int k) {
+    Pack share = block.of_ring[i][0] * block.by_ring[0][k] + block.of_ring[i][1] * block.by_ring[1][k] +
+                 block.of_ring[i][2] * block.by_ring[2][k];
+    if (same_body(i, k)) share -= block.rings[i][k];
+    sums[i][k] -= sum(share);
+  };
+  for (int i = 0; i < kCage; ++i)
+    for (int k = 0; k < kCage; ++k) add(i, k);
+  if (!block.caged) return;
+  for (int i = 0; i < kRingUnknowns; ++i)
+    for (int k = i < kCage ? kCage : 0; k < kRingUnknowns; ++k) add(i, k);
 }
 
 /// Small dense matrix with its factors; no pivoting, since 1 - g J is close to a positive matrix.

@@ -9,9 +9,9 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 /// Friction on the roller [N] with slopes by load, sliding speed and entrainment speed.
 struct Friction {
   Both force;
-  Both by_load{};
-  Both by_sliding{};
-  Both by_entrainment{};
+  Both by_load;
+  Both by_sliding;
+  Both by_entrainment;
 };
 
 inline Friction coulomb(const BothRaces& race, const Both& load, const Both& sliding) {

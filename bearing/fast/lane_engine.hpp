@@ -78,7 +78,7 @@ class LaneEngine final : public Engine {
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
   template <bool WithSlopes>
   void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
-  void build_block(int p, double g, Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]);
+  void build_block(int p, double g);
   void add_rings(double g, RingBlock& rings) const;
 
   Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }

@@ -107,7 +107,7 @@ struct RaceLoads {
   Both damped;      // [-]  factor of the damping, cut at zero
   Both load;        // [N]
   Friction friction;
-  Slopes2 inlet{};  // rolling resistance by load and rolling speed
+  Slopes2 inlet;    // rolling resistance by load and rolling speed
   Both tilt;        // [-]  arm of the oil pressure's tilt over the distance
 };
 
@@ -123,74 +123,114 @@ RaceLoads race_loads(const BothRaces& race, const RaceMotion& m) {
                                    : coulomb(race, x.load, m.sliding);
   if (race.mixed)
     x.friction = mixed_friction(race, x.friction, x.load, m.sliding, m.entrainment, log_entrainment);
-  if (race.rolling_resistance)
-    x.inlet = rolling_resistance(race, x.load, m.rolling, log_entrainment, m.turn);
+  x.inlet = race.rolling_resistance
+                ? rolling_resistance(race, x.load, m.rolling, log_entrainment, m.turn)
+                : Slopes2{};
   x.tilt = (m.race_arm + m.roller_arm) * m.inverse;
   return x;
 }
 
-/// Slopes of a contact by one variable of its motion; what the laws see of it comes in, what the roller feels
-/// goes out.
-struct ContactRate {
-  Both approach{}, closing{}, sliding{}, rolling{};
-  Both normal{}, tangential{}, moment{};  // of the force along n, along t, of the moment on the roller
+/// How load, friction and rolling resistance of a contact change with one variable of its motion.
+struct LawRate {
+  Both load, friction, inlet;
 };
 
-inline void follow_laws(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
-                        ContactRate& rate) {
-  const Both by_closing = only(x.damped > 0.0, x.elastic.value * race.damping);
-  const Both load =
-      x.damped * (x.elastic.by_first * rate.approach + x.elastic.by_second * m.turn * rate.rolling) +
-      by_closing * rate.closing;
-  const Both friction = x.friction.by_load * load + x.friction.by_sliding * rate.sliding +
-                        x.friction.by_entrainment * m.turn * rate.rolling;
-  const Both inlet = x.inlet.by_first * load + x.inlet.by_second * rate.rolling;
-  rate.normal = -race.side * load;
-  rate.tangential = friction + inlet * x.tilt;
-  rate.moment = (friction - inlet) * m.roller_arm;
-  if (!race.round) rate.tangential += race.side * m.inverse * m.form.slope * load;
+inline LawRate operator+(const LawRate& x, const LawRate& y) {
+  return {x.load + y.load, x.friction + y.friction, x.inlet + y.inlet};
+}
+template <class Number>
+LawRate operator*(const Number& scale, const LawRate& x) {
+  return {scale * x.load, scale * x.friction, scale * x.inlet};
+}
+
+/// By what the laws see of a motion.
+struct LawSlopes {
+  LawRate approach, closing, rolling;
+  Both sliding;  // of the friction alone
+};
+
+inline LawSlopes law_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x) {
+  const auto by_load = [&](const Both& load) {
+    return LawRate{load, x.friction.by_load * load, x.inlet.by_first * load};
+  };
+  LawSlopes slopes{by_load(x.damped * x.elastic.by_first),
+                   by_load(only(x.damped > 0.0, x.elastic.value * race.damping)),
+                   by_load(x.damped * x.elastic.by_second * m.turn), x.friction.by_sliding};
+  slopes.rolling.friction += x.friction.by_entrainment * m.turn;
+  slopes.rolling.inlet += x.inlet.by_second;
+  return slopes;
+}
+
+/// Slopes of the force along n and along t and of the moment on the roller by one variable of its motion.
+struct ForceRate {
+  Both normal, tangential, moment;
+};
+
+inline ForceRate force_rate(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+                            const LawRate& rate) {
+  ForceRate force{-1.0 * race.side * rate.load, rate.friction + rate.inlet * x.tilt,
+                  (rate.friction - rate.inlet) * m.roller_arm};
+  if (!race.round) force.tangential += race.side * m.inverse * m.form.slope * rate.load;
+  return force;
+}
+
+/// Slopes along the normal and the tangent: by the distance and a shift across, by both velocities, by spin.
+struct NormalSlopes {
+  ForceRate distance, across, v_n, v_t, spin;
+};
+
+inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+                                  const Both& f_n, const Both& f_t) {
+  const PerRace side = race.side;
+  const LawSlopes laws = law_slopes(race, m, x);
+  const auto sliding_and_rolling = [&](const Both& sliding, const Both& rolling) {
+    LawRate rate = rolling * laws.rolling;
+    rate.friction += sliding * laws.sliding;
+    return rate;
+  };
+  const Both line_by_distance = -m.line * m.inverse;
+  const Both race_by_distance = race.speed - m.line - line_by_distance * m.race_arm;
+  const Both roller_by_distance = -line_by_distance * m.roller_arm;
+  LawRate distance = sliding_and_rolling(race_by_distance - roller_by_distance,
+                                         0.5 * (race_by_distance + roller_by_distance)) +
+                     side * laws.approach;
+  LawRate v_t = sliding_and_rolling((m.roller_arm - m.race_arm) * m.inverse,
+                                    -0.5 * (m.race_arm + m.roller_arm) * m.inverse);
+  if (!race.round) {
+    const Both steep = -1.0 * side * m.form.slope;
+    distance = distance + steep * line_by_distance * laws.closing;
+    v_t = v_t + steep * m.inverse * laws.closing;
+  }
+  NormalSlopes n;
+  n.distance = force_rate(race, m, x, distance);
+  n.v_n = force_rate(race, m, x, side * laws.closing);
+  n.v_t = force_rate(race, m, x, v_t);
+  n.spin = force_rate(race, m, x, sliding_and_rolling(-m.roller_arm, 0.5 * m.roller_arm));
+  n.distance.tangential += x.inlet.value * (1.0 - x.tilt) * m.inverse;
+  // A shift across turns the normal: with it v_n and v_t, and the force itself.
+  const Both up = m.v_t * m.inverse, down = m.v_n * m.inverse;
+  n.across = {n.v_n.normal * up - n.v_t.normal * down - f_t * m.inverse,
+              n.v_n.tangential * up - n.v_t.tangential * down + f_n * m.inverse,
+              n.v_n.moment * up - n.v_t.moment * down};
+  if (!race.round) {
+    const Both per_distance = side * m.inverse;
+    n.distance.tangential -= per_distance * x.load * m.form.slope * m.inverse;
+    const Both climb = -1.0 * m.form.slope * per_distance;
+    const Both gain = (m.form.turning_bend * race.speed - m.form.bend * m.line) * per_distance;
+    const ForceRate by_form = force_rate(race, m, x, climb * laws.approach + gain * laws.closing);
+    n.across.normal += by_form.normal;
+    n.across.tangential += by_form.tangential + per_distance * x.load * m.form.bend * m.inverse;
+    n.across.moment += by_form.moment;
+  }
+  return n;
 }
 
 /// Slopes in polar axes, `f_n` and `f_t` being the force along n and t.
 inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x, const Both& f_n,
                         const Both& f_t, ContactSlopes<Both>& slopes) {
-  const PerRace side = race.side;
-  ContactRate distance, v_n, v_t, spin;
-  const Both line_by_distance = -m.line * m.inverse;
-  const Both race_by_distance = race.speed - m.line - line_by_distance * m.race_arm;
-  const Both roller_by_distance = -line_by_distance * m.roller_arm;
-  distance.approach = spread(side);
-  distance.sliding = race_by_distance - roller_by_distance;
-  distance.rolling = 0.5 * (race_by_distance + roller_by_distance);
-  v_n.closing = spread(side);
-  v_t.sliding = (m.roller_arm - m.race_arm) * m.inverse;
-  v_t.rolling = -0.5 * (m.race_arm + m.roller_arm) * m.inverse;
-  spin.sliding = -m.roller_arm;
-  spin.rolling = 0.5 * m.roller_arm;
-  ContactRate across;  // a shift along t turns the normal
-  if (!race.round) {
-    distance.closing = -1.0 * side * m.form.slope * line_by_distance;
-    v_t.closing = -1.0 * side * m.form.slope * m.inverse;
-    across.approach = -1.0 * side * m.form.slope * m.inverse;
-    across.closing = -side * (m.form.bend * m.line - m.form.turning_bend * race.speed) * m.inverse;
-    follow_laws(race, m, x, across);
-    across.tangential += side * x.load * m.form.bend * m.inverse * m.inverse;
-  }
-  follow_laws(race, m, x, distance);
-  follow_laws(race, m, x, v_n);
-  follow_laws(race, m, x, v_t);
-  follow_laws(race, m, x, spin);
-  distance.tangential += x.inlet.value * (1.0 - x.tilt) * m.inverse;
-  if (!race.round) distance.tangential -= side * x.load * m.form.slope * m.inverse * m.inverse;
-
-  // With the normal turn v_n and v_t, and the force itself.
-  const Both up = m.v_t * m.inverse, down = m.v_n * m.inverse;
-  across.normal += v_n.normal * up - v_t.normal * down - f_t * m.inverse;
-  across.tangential += v_n.tangential * up - v_t.tangential * down + f_n * m.inverse;
-  across.moment += v_n.moment * up - v_t.moment * down;
-
+  const NormalSlopes n = normal_slopes(race, m, x, f_n, f_t);
   // From (n, t) to polar axes: K' = R K R^T with R = [n_r -n_t; n_t n_r].
-  const auto turned = [&](const ContactRate& by_n, const ContactRate& by_t, Both(&into)[3][2]) {
+  const auto turned = [&](const ForceRate& by_n, const ForceRate& by_t, Both(&into)[3][2]) {
     const Both n_by_r = by_n.normal * m.n_r - by_t.normal * m.n_t;
     const Both n_by_t = by_n.normal * m.n_t + by_t.normal * m.n_r;
     const Both t_by_r = by_n.tangential * m.n_r - by_t.tangential * m.n_t;
@@ -202,11 +242,11 @@ inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLo
     into[2][0] = by_n.moment * m.n_r - by_t.moment * m.n_t;
     into[2][1] = by_n.moment * m.n_t + by_t.moment * m.n_r;
   };
-  turned(distance, across, slopes.by_position);
-  turned(v_n, v_t, slopes.by_velocity);
-  slopes.by_spin[0] = spin.normal * m.n_r - spin.tangential * m.n_t;
-  slopes.by_spin[1] = spin.normal * m.n_t + spin.tangential * m.n_r;
-  slopes.by_spin[2] = spin.moment;
+  turned(n.distance, n.across, slopes.by_position);
+  turned(n.v_n, n.v_t, slopes.by_velocity);
+  slopes.by_spin[0] = n.spin.normal * m.n_r - n.spin.tangential * m.n_t;
+  slopes.by_spin[1] = n.spin.normal * m.n_t + n.spin.tangential * m.n_r;
+  slopes.by_spin[2] = n.spin.moment;
 }
 
 /// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;

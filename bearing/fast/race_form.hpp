@@ -9,16 +9,16 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 /// Height and slopes by the angle of the normal; `turning` is the share of what turns with the race.
 template <class Number>
 struct FormSlopes {
-  Number height{};  // [m]
-  Number slope{};   // [m/rad]
-  Number bend{};    // [m/rad^2]  second derivative
-  Number turning_slope{};
-  Number turning_bend{};
+  Number height;  // [m]
+  Number slope;   // [m/rad]
+  Number bend;    // [m/rad^2]  second derivative
+  Number turning_slope;
+  Number turning_bend;
 };
 
 /// `cosine`, `sine` of the normal's angle in the carrier frame.
 inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosine, const Pack& sine) {
-  FormSlopes<Pack> sum;
+  FormSlopes<Pack> sum{};
   for (int i = 0; i < race.waves; ++i) {
     const WaveConstants& wave = race.wave[i];
     // (cosine + i sine)^order, by squaring.

@@ -9,9 +9,9 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 /// A value and its slopes by two arguments.
 struct Slopes2 {
-  Both value{};
-  Both by_first{};
-  Both by_second{};
+  Both value;
+  Both by_first;
+  Both by_second;
 };
 
 /// Root e of e - factor e^(-13/90) = approach, with film = factor e^(-13/90) and ninth = e^(1/9).
