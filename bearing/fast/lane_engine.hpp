@@ -56,10 +56,10 @@ class LaneEngine final : public Engine {
         inner_load_(packs_),
         outer_load_(packs_) {}
 
-  void derivative(const double* x, double load_x, double load_y, double* dx) override {
+  [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
     evaluate<false>(x, load_x, load_y, dx);
   }
-  void linearise(const double* x, double load_x, double load_y, double* dx) override {
+  [[gnu::flatten]] void linearise(const double* x, double load_x, double load_y, double* dx) override {
     evaluate<true>(x, load_x, load_y, dx);
   }
   bool factor(double g) override;

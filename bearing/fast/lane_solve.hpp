@@ -24,7 +24,7 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
   return change;
 }
 
-inline void LaneEngine::solve(const double* rhs, double* k) const {
+[[gnu::flatten]] inline void LaneEngine::solve(const double* rhs, double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();

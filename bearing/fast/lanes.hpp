@@ -26,16 +26,17 @@ inline constexpr int kLanes = 2 * kRegisterLanes;
 using Register = double __attribute__((vector_size(8 * kRegisterLanes)));
 using BitRegister = long long __attribute__((vector_size(8 * kRegisterLanes)));
 
-/// Two of a kind side by side: two registers, or the numbers of two races. Arithmetic goes part by part.
+/// Two of a kind side by side: two registers, or the numbers of two races. Arithmetic goes part by part. Not set
+/// to zero unless asked, as in Both{}: there is much of it.
 template <class Part>
 struct Two {
-  Part low{}, high{};
+  Part low, high;
 };
 
 /// The same for whole numbers, and for truth values with all bits set for true.
 template <class Part>
 struct TwoBits {
-  Part low{}, high{};
+  Part low, high;
 };
 
 using Pack = Two<Register>;         // kLanes numbers, one of each roller

@@ -145,7 +145,7 @@ inline void LaneEngine::add_rings(double g, RingBlock& rings) const {
   }
 }
 
-inline bool LaneEngine::factor(double g) {
+[[gnu::flatten]] inline bool LaneEngine::factor(double g) {
   g_ = g;
   rings_ = RingBlock{};
   for (int p = 0; p < packs_; ++p) {
