@@ -15,7 +15,7 @@ struct BothRaces : RaceNumbers<PerRace> {
 /// Both races follow the same laws, with numbers of their own. Keeps pointers to `inner` and `outer`.
 inline BothRaces both_races(const RaceConstants& inner, const RaceConstants& outer) {
   BothRaces both;
-  const auto join = [&](PerRace RaceNumbers<PerRace>::* into, double RaceNumbers<double>::* from) {
+  const auto join = [&](PerRace RaceNumbers<PerRace>::*into, double RaceNumbers<double>::*from) {
     both.*into = {inner.*from, outer.*from};
   };
   using To = RaceNumbers<PerRace>;

@@ -15,8 +15,8 @@ struct WaveConstants {
   bool turning = false;    // with the race
 };
 
-/// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp. For one race Number is
-/// double; vectorised laws hold the numbers of both.
+/// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp. For one
+/// race Number is double; vectorised laws hold the numbers of both.
 template <class Number>
 struct RaceNumbers {
   Number side{};               // [-]      -1 inner race, +1 outer race
@@ -26,7 +26,7 @@ struct RaceNumbers {
   Number damping{};            // [s/m]
   Number entrainment_scale{};  // [m/s]
 
-  bool film = false;               // the film adds to the elastic approach
+  bool film = false;           // the film adds to the elastic approach
   Number film_factor{};        // [m^(103/90)]  thinning film times approach^(13/90), at 1 m/s
   Number film_cap{};           // [m]  largest film at 1 m/s
   Number film_cap_approach{};  // [m]  elastic approach where the cap begins, at 1 m/s
@@ -41,7 +41,7 @@ struct RaceNumbers {
   Number central_film_factor{};    // [m N^0.13]  at 1 m/s
   Number central_film_cap_load{};  // [N]         at 1 m/s
 
-  bool mixed = false;              // asperities share load and friction with the film
+  bool mixed = false;          // asperities share load and friction with the film
   Number roughness{};          // [m]
   Number boundary_friction{};  // [-]
   Number boundary_scale{};     // [m/s]

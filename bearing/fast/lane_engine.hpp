@@ -189,13 +189,13 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   const Pack speed = r * orbital;
   const Pack drag = -c_.orbit_drag * speed * absolute(speed);
   const double per_mass = 1.0 / c_.roller_mass, per_inertia = 1.0 / c_.roller_inertia;
-  const Pack radial_rate = f_r * per_mass + c_.own_orbit * speed * orbital +
-                           2.0 * c_.coriolis_speed * speed + c_.centrifugal * (r + c_.orbit_radius * cosine) -
+  const Pack radial_rate = f_r * per_mass + c_.own_orbit * speed * orbital + 2.0 * c_.coriolis_speed * speed +
+                           c_.centrifugal * (r + c_.orbit_radius * cosine) -
                            c_.euler * c_.orbit_radius * sine;
-  const Pack orbit_rate = ((f_t + drag) * per_mass - 2.0 * c_.coriolis_speed * radial -
-                           c_.centrifugal * c_.orbit_radius * sine -
-                           c_.euler * (r + c_.orbit_radius * cosine) - 2.0 * radial * orbital) /
-                          r;
+  const Pack orbit_rate =
+      ((f_t + drag) * per_mass - 2.0 * c_.coriolis_speed * radial - c_.centrifugal * c_.orbit_radius * sine -
+       c_.euler * (r + c_.orbit_radius * cosine) - 2.0 * radial * orbital) /
+      r;
   const Pack spin_rate = (moment - c_.spin_drag * spin * absolute(spin)) * per_inertia - c_.euler;
   store(radial, entry(dx, 0, p));
   store(orbital, entry(dx, 1, p));

@@ -32,7 +32,8 @@ inline Number logarithm(const Number& x) {
   const Number q = s * s;
   const Number even =
       1.0 / 3 + q * q * (1.0 / 7 + q * q * (1.0 / 11 + q * q * (1.0 / 15 + q * q * (1.0 / 19))));
-  const Number odd = 1.0 / 5 + q * q * (1.0 / 9 + q * q * (1.0 / 13 + q * q * (1.0 / 17 + q * q * (1.0 / 21))));
+  const Number odd =
+      1.0 / 5 + q * q * (1.0 / 9 + q * q * (1.0 / 13 + q * q * (1.0 / 17 + q * q * (1.0 / 21))));
   const Number tail = q * (even + q * odd);
   return whole * 0x1.62e42fefa3800p-1 + (2.0 * s + (2.0 * s * tail + whole * 0x1.ef35793c76730p-45));
 }

@@ -56,11 +56,11 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
       moment += pocket.moment;
     }
     const FreeSlopes& free = at.free;
-    const Pack b[3] = {load(entry(rhs, 2, p)) +
-                           g * (f_r * per_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
-                       load(entry(rhs, 3, p)) +
-                           g * (f_t * at.per_r * per_mass + free.orbital_by_r * dr + free.orbital_by_theta * dtheta),
-                       load(entry(rhs, 4, p)) + (g / c_.roller_inertia) * moment};
+    const Pack b[3] = {
+        load(entry(rhs, 2, p)) + g * (f_r * per_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
+        load(entry(rhs, 3, p)) +
+            g * (f_t * at.per_r * per_mass + free.orbital_by_r * dr + free.orbital_by_theta * dtheta),
+        load(entry(rhs, 4, p)) + (g / c_.roller_inertia) * moment};
     Pack y[3];
     for (int i = 0; i < 3; ++i) {
       y[i] = block.own[i][0] * b[0] + block.own[i][1] * b[1] + block.own[i][2] * b[2];

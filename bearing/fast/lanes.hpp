@@ -26,8 +26,8 @@ inline constexpr int kLanes = 2 * kRegisterLanes;
 using Register = double __attribute__((vector_size(8 * kRegisterLanes)));
 using BitRegister = long long __attribute__((vector_size(8 * kRegisterLanes)));
 
-/// Two of a kind side by side: two registers, or the numbers of two races. Arithmetic goes part by part. Not set
-/// to zero unless asked, as in Both{}: there is much of it.
+/// Two of a kind side by side: two registers, or the numbers of two races. Arithmetic goes part by part. Not
+/// set to zero unless asked, as in Both{}: there is much of it.
 template <class Part>
 struct Two {
   Part low, high;
@@ -45,10 +45,10 @@ using Both = Two<Pack>;             // one number of each roller at the inner ra
 using BothMask = TwoBits<Mask>;
 using PerRace = Two<double>;  // one number of the inner race and one of the outer
 
-#define ORBEARING_OPERATOR(Kind, op)                                          \
-  template <class Part>                                                       \
-  inline Kind<Part> operator op(const Kind<Part>& x, const Kind<Part>& y) {   \
-    return {x.low op y.low, x.high op y.high};                                \
+#define ORBEARING_OPERATOR(Kind, op)                                        \
+  template <class Part>                                                     \
+  inline Kind<Part> operator op(const Kind<Part>& x, const Kind<Part>& y) { \
+    return {x.low op y.low, x.high op y.high};                              \
   }
 ORBEARING_OPERATOR(Two, +)
 ORBEARING_OPERATOR(Two, -)
@@ -62,29 +62,29 @@ ORBEARING_OPERATOR(TwoBits, ^)
 #undef ORBEARING_OPERATOR
 
 // With one number for all, one for each race, or one of each roller for both races.
-#define ORBEARING_MIXED_OPERATOR(op)                                    \
-  template <class Part>                                                 \
-  inline Two<Part> operator op(const Two<Part>& x, double y) {          \
-    return {x.low op y, x.high op y};                                   \
-  }                                                                     \
-  template <class Part>                                                 \
-  inline Two<Part> operator op(double x, const Two<Part>& y) {          \
-    return {x op y.low, x op y.high};                                   \
-  }                                                                     \
-  inline Both operator op(const Both& x, const PerRace& y) {            \
-    return {x.low op y.low, x.high op y.high};                          \
-  }                                                                     \
-  inline Both operator op(const PerRace& x, const Both& y) {            \
-    return {x.low op y.low, x.high op y.high};                          \
-  }                                                                     \
-  inline Both operator op(const PerRace& x, const Pack& y) {            \
-    return {x.low op y, x.high op y};                                   \
-  }                                                                     \
-  inline Both operator op(const Both& x, const Pack& y) {               \
-    return {x.low op y, x.high op y};                                   \
-  }                                                                     \
-  inline Both operator op(const Pack& x, const Both& y) {               \
-    return {x op y.low, x op y.high};                                   \
+#define ORBEARING_MIXED_OPERATOR(op)                           \
+  template <class Part>                                        \
+  inline Two<Part> operator op(const Two<Part>& x, double y) { \
+    return {x.low op y, x.high op y};                          \
+  }                                                            \
+  template <class Part>                                        \
+  inline Two<Part> operator op(double x, const Two<Part>& y) { \
+    return {x op y.low, x op y.high};                          \
+  }                                                            \
+  inline Both operator op(const Both& x, const PerRace& y) {   \
+    return {x.low op y.low, x.high op y.high};                 \
+  }                                                            \
+  inline Both operator op(const PerRace& x, const Both& y) {   \
+    return {x.low op y.low, x.high op y.high};                 \
+  }                                                            \
+  inline Both operator op(const PerRace& x, const Pack& y) {   \
+    return {x.low op y, x.high op y};                          \
+  }                                                            \
+  inline Both operator op(const Both& x, const Pack& y) {      \
+    return {x.low op y, x.high op y};                          \
+  }                                                            \
+  inline Both operator op(const Pack& x, const Both& y) {      \
+    return {x op y.low, x op y.high};                          \
   }
 ORBEARING_MIXED_OPERATOR(+)
 ORBEARING_MIXED_OPERATOR(-)
@@ -257,7 +257,7 @@ inline Two<Part> inverse_root(const Two<Part>& x) {
 }
 
 namespace detail {
-// The upper half over the lower one, then the upper quarter over the next: sums by halving.
+// Halves, quarters and neighbours changed over: sums by halving.
 #if defined(__AVX512F__)
 template <class Vector>
 Vector upper_half(const Vector& x) {
@@ -267,13 +267,48 @@ template <class Vector>
 Vector upper_quarter(const Vector& x) {
   return __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
 }
+// Sums of neighbours, then of pairs, then of halves; those of `y` beside those of `x`.
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14) +
+         __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
+}
+inline Register pairs(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 8, 9, 4, 5, 12, 13) +
+         __builtin_shufflevector(x, y, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+inline Register halves(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11) +
+         __builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15);
+}
 #elif defined(__AVX__)
 template <class Vector>
 Vector upper_quarter(const Vector& x) {
   return __builtin_shufflevector(x, x, 2, 3, 0, 1);
 }
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 4, 2, 6) + __builtin_shufflevector(x, y, 1, 5, 3, 7);
+}
+inline Register pairs(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 4, 5) + __builtin_shufflevector(x, y, 2, 3, 6, 7);
+}
+#else
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 2) + __builtin_shufflevector(x, y, 1, 3);
+}
 #endif
 }  // namespace detail
+
+/// The sums of as many registers as one has lanes, side by side.
+inline Register sums(const Register (&x)[kRegisterLanes]) {
+#if defined(__AVX512F__)
+  return detail::halves(detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3])),
+                        detail::pairs(detail::neighbours(x[4], x[5]), detail::neighbours(x[6], x[7])));
+#elif defined(__AVX__)
+  return detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3]));
+#else
+  return detail::neighbours(x[0], x[1]);
+#endif
+}
 
 inline bool any(const Mask& where) {
   BitRegister found = where.low | where.high;

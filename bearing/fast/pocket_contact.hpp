@@ -90,8 +90,8 @@ PocketForce pocket_contact(const Constants& c, const Pack& radius, const Mask& p
     roller.by_spin[1] = by_spin * e_t;
     roller.by_spin[2] = -arm * by_spin;
     slopes.cage_by_spin = (offset + arm) * by_spin;
-    put(follow(-viscous * along, -(arm + offset)), slopes.by_speed[0], slopes.by_speed[1],
-        slopes.by_speed[2], slopes.cage_by_speed);
+    put(follow(-viscous * along, -(arm + offset)), slopes.by_speed[0], slopes.by_speed[1], slopes.by_speed[2],
+        slopes.cage_by_speed);
     // The cage turns by an angle: e turns ahead, ahead turns against e.
     Rate angle = follow(-steep * along - viscous * (w_e + cage_speed * offset), cage_speed * along - w_a);
     angle.a += friction;

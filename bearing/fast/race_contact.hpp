@@ -14,11 +14,11 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 /// Motion of a roller relative to the centre of a race (or of the cage), in polar axes.
 template <class Number>
 struct RelativeMotion {
-  Number d_r;   // [m]      position
-  Number d_t;   // [m]
-  Number w_r;   // [m/s]    velocity
-  Number w_t;   // [m/s]
-  Pack spin;    // [rad/s]  of the roller
+  Number d_r;  // [m]      position
+  Number d_t;  // [m]
+  Number w_r;  // [m/s]    velocity
+  Number w_t;  // [m/s]
+  Pack spin;   // [rad/s]  of the roller
 };
 
 /// Force on the roller through its centre and moment about it; the other body feels the opposite force.
@@ -107,8 +107,8 @@ struct RaceLoads {
   Both damped;      // [-]  factor of the damping, cut at zero
   Both load;        // [N]
   Friction friction;
-  Slopes2 inlet;    // rolling resistance by load and rolling speed
-  Both tilt;        // [-]  arm of the oil pressure's tilt over the distance
+  Slopes2 inlet;  // rolling resistance by load and rolling speed
+  Both tilt;      // [-]  arm of the oil pressure's tilt over the distance
 };
 
 template <bool WithSlopes>
@@ -123,9 +123,8 @@ RaceLoads race_loads(const BothRaces& race, const RaceMotion& m) {
                                    : coulomb(race, x.load, m.sliding);
   if (race.mixed)
     x.friction = mixed_friction(race, x.friction, x.load, m.sliding, m.entrainment, log_entrainment);
-  x.inlet = race.rolling_resistance
-                ? rolling_resistance(race, x.load, m.rolling, log_entrainment, m.turn)
-                : Slopes2{};
+  x.inlet = race.rolling_resistance ? rolling_resistance(race, x.load, m.rolling, log_entrainment, m.turn)
+                                    : Slopes2{};
   x.tilt = (m.race_arm + m.roller_arm) * m.inverse;
   return x;
 }
@@ -254,7 +253,7 @@ inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLo
 template <bool WithSlopes>
 ContactForce<Both> race_contact(const BothRaces& race, const Pack& radius, const Mask& present,
                                 const Pack& cosine, const Pack& sine, const RelativeMotion<Both>& relative,
-                          ContactSlopes<Both>& slopes) {
+                                ContactSlopes<Both>& slopes) {
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
   const RaceLoads x = race_loads<WithSlopes>(race, m);
   ContactForce<Both> result;

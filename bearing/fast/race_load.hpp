@@ -43,8 +43,8 @@ inline Both rough_ninetieth_root(const Both& e) {
   return kRoot * (1.0 + t * (1.0 + t * (0.5 + t * (1.0 / 6))));
 }
 
-/// With e = x^90 all powers are whole ones: x^90 - factor x^-13 = approach. A start within some per cent, then
-/// steps of Halley in x; `beyond` is a bound of e from above.
+/// With e = x^90 all powers are whole ones: x^90 - factor x^-13 = approach. A start within some per cent,
+/// then steps of Halley in x; `beyond` is a bound of e from above.
 inline ThinnedFilm thinned_film(const Both& approach, const Both& factor, const Both& beyond) {
   constexpr double m = 13.0 / 90.0, kRough = 0.97;  // of a rough power, which is never too small
   constexpr double kLargest = 0.02, kNear = 2e-6;   // of steps; after the latter round-off is left
@@ -99,8 +99,8 @@ Slopes2 elastic_load(const BothRaces& race, const Both& approach, const Both& en
   if constexpr (WithSlopes) {
     const Both yielding = only(thinned, m * film / e);
     result.by_first = only(touching, (10.0 / 9.0) * stiffness / (1.0 + yielding));
-    result.by_second =
-        result.by_first * select(thinned, spread<Both>(kFilmSpeed), spread<Both>(kCapSpeed)) * film / entrainment;
+    result.by_second = result.by_first * select(thinned, spread<Both>(kFilmSpeed), spread<Both>(kCapSpeed)) *
+                       film / entrainment;
   }
   return result;
 }

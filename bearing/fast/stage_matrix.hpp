@@ -39,8 +39,8 @@ inline Pair to_plane(const RollerPack& at, const Pack& along_r, const Pack& alon
   return {along_r * at.cosine - along_t * at.sine, along_r * at.sine + along_t * at.cosine};
 }
 
-/// Puts one contact into the block of its rollers, whose rows have the factors `roller_scale`; the ring's rows
-/// begin at `first`.
+/// Puts one contact into the block of its rollers, whose rows have the factors `roller_scale`; the ring's
+/// rows begin at `first`.
 inline void add_contact(double g, const Pack (&roller_scale)[3], double body_mass, int first,
                         const RollerPack& at, const StageSlopes& stage, RollerBlock& block) {
   const double body_scale = g / body_mass;  // the body feels the opposite force
@@ -145,13 +145,21 @@ inline void LaneEngine::add_rings(double g, RingBlock& rings) const {
   }
 }
 
+template <int kEnd>
+void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingRow]) {
+  eliminate<kEnd>(block);
+  add_schur<kEnd>(block, rings);
+}
+
 [[gnu::flatten]] inline bool LaneEngine::factor(double g) {
   g_ = g;
   rings_ = RingBlock{};
   for (int p = 0; p < packs_; ++p) {
     build_block(p, g);
-    eliminate(block_[p]);
-    add_schur(block_[p], rings_.a);
+    if (block_[p].caged)
+      eliminate_and_add<kRingUnknowns>(block_[p], rings_.a);
+    else
+      eliminate_and_add<kCage>(block_[p], rings_.a);
   }
   add_rings(g, rings_);
   return rings_.factor();
