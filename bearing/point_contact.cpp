@@ -54,10 +54,9 @@ PointContact point_contact(const PointCurvature& curvature, const Material& mate
   PointContact contact{.curvature = curvature, .ellipse = contact_ellipse(curvature.difference)};
   const ContactEllipse& ellipse = contact.ellipse;
   contact.modulus = material.youngs_modulus / (1.0 - material.poisson_ratio * material.poisson_ratio);
-  contact.constant =
-      boost::math::double_constants::root_two * kPi / 3.0 * contact.modulus *
-      std::sqrt(ellipse.axis_ratio * ellipse.axis_ratio * ellipse.second / curvature.sum) *
-      std::pow(ellipse.first, -1.5);
+  contact.constant = boost::math::double_constants::root_two * kPi / 3.0 * contact.modulus *
+                     std::sqrt(ellipse.axis_ratio * ellipse.axis_ratio * ellipse.second / curvature.sum) *
+                     std::pow(ellipse.first, -1.5);
   return contact;
 }
 

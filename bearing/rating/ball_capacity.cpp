@@ -29,11 +29,10 @@ double capacity_factor(const BallSet& set) {
 double race_load_at(const BallSet& set, Race race, double pressure) {
   const double osculation = race == Race::inner ? set.inner_osculation : set.outer_osculation;
   const Material steel{.youngs_modulus = 207e9, .poisson_ratio = 0.3};
-  return load_at_pressure(
-      point_contact(ball_race_curvature(race, set.diameter, set.pitch_diameter, osculation * set.diameter,
-                                        set.contact_angle),
-                    steel),
-      pressure);
+  return load_at_pressure(point_contact(ball_race_curvature(race, set.diameter, set.pitch_diameter,
+                                                            osculation * set.diameter, set.contact_angle),
+                                        steel),
+                          pressure);
 }
 
 struct AxialFactor {
@@ -80,10 +79,9 @@ double ball_capacity_factor(double gamma, double inner_osculation, double outer_
 double dynamic_capacity(const BallSet& set) {
   constexpr double inch = 25.4;                         // [mm]  above it capacity grows less with size
   const double diameter = kMillimetres * set.diameter;  // [mm]
-  const double size =
-      diameter <= inch ? std::pow(diameter, 1.8) : 3.647 * std::pow(diameter, 1.4);
-  return set.material_factor * capacity_factor(set) *
-         std::pow(set.rows * std::cos(set.contact_angle), 0.7) * std::pow(set.balls, 2.0 / 3.0) * size;
+  const double size = diameter <= inch ? std::pow(diameter, 1.8) : 3.647 * std::pow(diameter, 1.4);
+  return set.material_factor * capacity_factor(set) * std::pow(set.rows * std::cos(set.contact_angle), 0.7) *
+         std::pow(set.balls, 2.0 / 3.0) * size;
 }
 
 double static_capacity(const BallSet& set) {
@@ -95,8 +93,7 @@ double static_capacity(const BallSet& set) {
 }
 
 ContactCapacities contact_capacities(const BallSet& set, double dynamic_capacity) {
-  const double share =
-      dynamic_capacity / (set.balls * std::cos(set.contact_angle) * std::pow(set.rows, 0.7));
+  const double share = dynamic_capacity / (set.balls * std::cos(set.contact_angle) * std::pow(set.rows, 0.7));
   const double ratio =
       std::pow(1.044 * race_ratio(gamma(set), set.inner_osculation, set.outer_osculation), 10.0 / 3.0);
   return {.inner = share / 0.407 * std::pow(1.0 + ratio, 0.3),
@@ -104,7 +101,7 @@ ContactCapacities contact_capacities(const BallSet& set, double dynamic_capacity
 }
 
 double deep_groove_equivalent_load(const BallSet& set, double radial, double axial) {
-  constexpr double radial_share = 0.56;  // X
+  constexpr double radial_share = 0.56;                                           // X
   const double area = kMillimetres * kMillimetres * set.diameter * set.diameter;  // [mm^2]
   const AxialFactor factor = axial_factor(axial / (set.rows * set.balls * area));
   const bool counts = axial > factor.limit * radial;

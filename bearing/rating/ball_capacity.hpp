@@ -21,7 +21,8 @@ struct BallSet {
 /// D cos(alpha)/d_m [-], with the nominal angle.
 double gamma(const BallSet& set);
 
-/// Factor f_c [N, mm] in the closed form of [ISO1281]. The table of [ISO281] is that of both osculations 0.52.
+/// Factor f_c [N, mm] in the closed form of [ISO1281]. The table of [ISO281] is that of both osculations
+/// 0.52.
 double ball_capacity_factor(double gamma, double inner_osculation = 0.52, double outer_osculation = 0.52,
                             double lambda = 0.95);
 

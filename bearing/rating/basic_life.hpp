@@ -15,8 +15,8 @@ double life_exponent(RollingElement element);
 /// [LundbergPalmgren1952]
 double weibull_slope(RollingElement element);
 
-/// L10 [rev] = 1e6 (C/P)^p of [ISO281], for load rating `capacity` [N] and equivalent load [N]; infinite at no
-/// load.
+/// L10 [rev] = 1e6 (C/P)^p of [ISO281], for load rating `capacity` [N] and equivalent load [N]; infinite at
+/// no load.
 double basic_rating_life(RollingElement element, double capacity, double equivalent_load);
 
 /// Equivalent load [N] that gives a bearing of `capacity` [N] the life `life` [rev]: the inverse of
@@ -27,8 +27,8 @@ double reference_load(RollingElement element, double capacity, double life);
 /// which [ISO281] prints its table (90 to 99.95 %). Three parameters: near certainty 5 % of L10 is safe.
 double reliability_factor(double reliability);
 
-/// Life over L10 [-] that a share `reliability` in (0, 1) reaches, by Weibull's distribution of two parameters
-/// with slope e; and back.
+/// Life over L10 [-] that a share `reliability` in (0, 1) reaches, by Weibull's distribution of two
+/// parameters with slope e; and back.
 double weibull_life_ratio(double reliability, double slope);
 double weibull_reliability(double life_ratio, double slope);
 

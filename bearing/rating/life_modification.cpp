@@ -46,7 +46,8 @@ CleanlinessTerm oil_term(Lubrication lubrication, Cleanliness cleanliness) {
   if (lubrication == Lubrication::oil_bath) return bath.at(level);
   if (level < filtered.size()) return filtered[level];
   throw std::invalid_argument(
-      "contamination: found the lowest cleanliness for circulating oil; required: one of the four filters, or "
+      "contamination: found the lowest cleanliness for circulating oil; required: one of the four filters, "
+      "or "
       "an oil bath");
 }
 
@@ -64,7 +65,8 @@ double required_viscosity(double speed, double pitch_diameter) {
   const double rpm = std::abs(speed) * 30.0 / boost::math::double_constants::pi;
   if (!(rpm > 0.0)) refuse("viscosity ratio", rpm, "a speed above 0 rpm");
   const double size = 1.0 / std::sqrt(kMillimetres * pitch_diameter);
-  const double mm2_per_s = rpm < 1000.0 ? 45000.0 * std::pow(rpm, -0.83) * size : 4500.0 * size / std::sqrt(rpm);
+  const double mm2_per_s =
+      rpm < 1000.0 ? 45000.0 * std::pow(rpm, -0.83) * size : 4500.0 * size / std::sqrt(rpm);
   return 1e-6 * mm2_per_s;
 }
 

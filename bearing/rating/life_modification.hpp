@@ -5,9 +5,9 @@
 
 namespace orbearing::bearing::rating {
 
-/// Viscosity nu_1 [m^2/s] that a bearing of `pitch_diameter` [m] needs at `speed` [rad/s] between its rings: in
-/// mm^2/s, rpm and mm 45000 n^-0.83 d_m^-0.5 below 1000 rpm, else 4500 n^-0.5 d_m^-0.5. (The two differ by 2 %
-/// where they meet.) Throws std::invalid_argument at rest.
+/// Viscosity nu_1 [m^2/s] that a bearing of `pitch_diameter` [m] needs at `speed` [rad/s] between its rings:
+/// in mm^2/s, rpm and mm 45000 n^-0.83 d_m^-0.5 below 1000 rpm, else 4500 n^-0.5 d_m^-0.5. (The two differ by
+/// 2 % where they meet.) Throws std::invalid_argument at rest.
 double required_viscosity(double speed, double pitch_diameter);
 
 /// kappa [-]: kinematic viscosity of the oil at running temperature over the required one, both [m^2/s].
@@ -25,9 +25,9 @@ enum class Lubrication { circulating_oil, oil_bath, grease };
 /// beta_40 = 75. Grease: high, normal, slight to typical contamination, severe, very severe.
 enum class Cleanliness { highest, high, medium, low, lowest };
 
-/// Contamination factor e_C [-] for kappa [-] and d_m [m]: a (1 - c/d_m^(1/3)), a = min(b kappa^0.68 d_m^0.55,
-/// 1), d_m in mm, of annex A of [ISO281]. Coefficients b and c are from memory of the annex. Never negative.
-/// Throws std::invalid_argument for a level that the annex does not have.
+/// Contamination factor e_C [-] for kappa [-] and d_m [m]: a (1 - c/d_m^(1/3)), a = min(b kappa^0.68
+/// d_m^0.55, 1), d_m in mm, of annex A of [ISO281]. Coefficients b and c are from memory of the annex. Never
+/// negative. Throws std::invalid_argument for a level that the annex does not have.
 double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, double kappa,
                             double pitch_diameter);
 

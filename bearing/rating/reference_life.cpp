@@ -68,7 +68,8 @@ Eigen::ArrayXd stress_riser(Eigen::Index laminae) {
   Eigen::ArrayXd riser = Eigen::ArrayXd::Ones(laminae);
   const double n = static_cast<double>(laminae);
   for (Eigen::Index k = 1; k <= laminae; ++k) {
-    const double place = std::abs(2.0 * static_cast<double>(k) - n - 1.0);  // 0 only in the middle of an odd n
+    const double place =
+        std::abs(2.0 * static_cast<double>(k) - n - 1.0);  // 0 only in the middle of an odd n
     if (place > 0.0) riser[k - 1] = 1.0 - 0.01 / std::log(1.985 * place / (2.0 * n - 2.0));
   }
   return riser;
@@ -140,9 +141,9 @@ BearingLife ball_reference_life(const ContactCapacities& capacities,
                                 const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                 const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
                                 const RaceMotions& motions) {
-  return life_of_races(
-      ball_damage(capacities.inner, equivalent_ball_load(inner_loads, motions.inner)),
-      ball_damage(capacities.outer, equivalent_ball_load(outer_loads, motions.outer)), kBallSlope);
+  return life_of_races(ball_damage(capacities.inner, equivalent_ball_load(inner_loads, motions.inner)),
+                       ball_damage(capacities.outer, equivalent_ball_load(outer_loads, motions.outer)),
+                       kBallSlope);
 }
 
 }  // namespace orbearing::bearing::rating

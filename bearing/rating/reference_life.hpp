@@ -20,9 +20,9 @@ Eigen::ArrayXd stress_riser(Eigen::Index laminae);
 Eigen::ArrayXXd with_stress_riser(const Eigen::Ref<const Eigen::ArrayXXd>& loads);
 
 /// Lamina loads [N] (laminae, rollers) that would press as hard, as line contacts of Hertz, as the largest
-/// pressures `pressure` [Pa] found in the laminae by a finer model do: q = p^2 pi D (1 -+ gamma) l (1 - nu^2)/
-/// (E n), upper sign inner race. (In N and mm [ISO16281] writes (p/271)^2 D (1 -+ gamma) l/n, the same for
-/// E = 210 GPa, nu = 0.3.) They take the place of loads with the stress riser.
+/// pressures `pressure` [Pa] found in the laminae by a finer model do: q = p^2 pi D (1 -+ gamma) l (1 -
+/// nu^2)/ (E n), upper sign inner race. (In N and mm [ISO16281] writes (p/271)^2 D (1 -+ gamma) l/n, the same
+/// for E = 210 GPa, nu = 0.3.) They take the place of loads with the stress riser.
 Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pressure, const RollerSet& set,
                                    Race race, const Material& material);
 

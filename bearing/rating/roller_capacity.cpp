@@ -38,8 +38,8 @@ double roller_capacity_factor(double gamma, double lambda) {
 double dynamic_capacity(const RollerSet& set) {
   const double length = kMillimetres * set.length * set.rows * std::cos(set.contact_angle);  // [mm]
   const double diameter = kMillimetres * set.diameter;                                       // [mm]
-  return set.material_factor * roller_capacity_factor(gamma(set), set.lambda) *
-         std::pow(length, 7.0 / 9.0) * std::pow(set.rollers, 0.75) * std::pow(diameter, 29.0 / 27.0);
+  return set.material_factor * roller_capacity_factor(gamma(set), set.lambda) * std::pow(length, 7.0 / 9.0) *
+         std::pow(set.rollers, 0.75) * std::pow(diameter, 29.0 / 27.0);
 }
 
 double static_capacity(const RollerSet& set) {

@@ -7,12 +7,12 @@ namespace orbearing::bearing::rating {
 
 /// What the ratings know of a radial roller bearing.
 struct RollerSet {
-  int rows = 1;                 // [-]
-  int rollers = 0;              // [-]    in one row
-  double diameter = 0.0;        // [m]    of a roller
-  double length = 0.0;          // [m]    effective contact length
-  double pitch_diameter = 0.0;  // [m]
-  double contact_angle = 0.0;   // [rad]
+  int rows = 1;                  // [-]
+  int rollers = 0;               // [-]    in one row
+  double diameter = 0.0;         // [m]    of a roller
+  double length = 0.0;           // [m]    effective contact length
+  double pitch_diameter = 0.0;   // [m]
+  double contact_angle = 0.0;    // [rad]
   double material_factor = 1.1;  // [-]   b_m: 1.1 for cylindrical rollers of today's steel
   double lambda = 0.83;          // [-]   product lambda nu: load not shared evenly along the roller
 };
