@@ -20,12 +20,6 @@ double race_ratio(double gamma, double inner, double outer) {
   return std::pow((1.0 - gamma) / (1.0 + gamma), 1.72) * std::pow(grooves, 0.41);
 }
 
-double capacity_factor(const BallSet& set) {
-  if (set.inner_osculation <= kTableInner && set.outer_osculation <= kTableOuter)
-    return ball_capacity_factor(gamma(set), kTableInner, kTableInner, set.lambda);
-  return ball_capacity_factor(gamma(set), set.inner_osculation, set.outer_osculation, set.lambda);
-}
-
 double race_load_at(const BallSet& set, Race race, double pressure) {
   const double osculation = race == Race::inner ? set.inner_osculation : set.outer_osculation;
   const Material steel{.youngs_modulus = 207e9, .poisson_ratio = 0.3};
@@ -76,12 +70,18 @@ double ball_capacity_factor(double gamma, double inner_osculation, double outer_
   return 0.41 * 98.0665 * lambda * races * groove * curvature;
 }
 
+double ball_capacity_factor(const BallSet& set) {
+  if (set.inner_osculation <= kTableInner && set.outer_osculation <= kTableOuter)
+    return ball_capacity_factor(gamma(set), kTableInner, kTableInner, set.lambda);
+  return ball_capacity_factor(gamma(set), set.inner_osculation, set.outer_osculation, set.lambda);
+}
+
 double dynamic_capacity(const BallSet& set) {
   constexpr double inch = 25.4;                         // [mm]  above it capacity grows less with size
   const double diameter = kMillimetres * set.diameter;  // [mm]
   const double size = diameter <= inch ? std::pow(diameter, 1.8) : 3.647 * std::pow(diameter, 1.4);
-  return set.material_factor * capacity_factor(set) * std::pow(set.rows * std::cos(set.contact_angle), 0.7) *
-         std::pow(set.balls, 2.0 / 3.0) * size;
+  return set.material_factor * ball_capacity_factor(set) *
+         std::pow(set.rows * std::cos(set.contact_angle), 0.7) * std::pow(set.balls, 2.0 / 3.0) * size;
 }
 
 double static_capacity(const BallSet& set) {

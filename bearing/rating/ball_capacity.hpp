@@ -26,8 +26,11 @@ double gamma(const BallSet& set);
 double ball_capacity_factor(double gamma, double inner_osculation = 0.52, double outer_osculation = 0.52,
                             double lambda = 0.95);
 
-/// Basic dynamic radial load rating C_r [N]. [ISO281] lets its table stand for grooves of up to 0.52 inside
-/// and 0.53 outside; wider ones take the closed form with their own osculations.
+/// f_c of a bearing: that of the table for grooves of up to 0.52 inside and 0.53 outside, as [ISO281] allows;
+/// that of its own osculations for wider ones.
+double ball_capacity_factor(const BallSet& set);
+
+/// Basic dynamic radial load rating C_r [N].
 double dynamic_capacity(const BallSet& set);
 
 /// Basic static radial load rating C_0r [N]: Z i cos(alpha)/5 times the ball load under which the more highly
