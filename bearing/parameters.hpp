@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "bearing/profile/profile.hpp"
+
 namespace orbearing::bearing {
 
 /// Elastic and inertial properties of rings and rollers.
@@ -67,6 +69,10 @@ struct CylindricalRollerBearing {
   std::vector<RaceHarmonic> inner_form;           // of the pin's race; none: round
   std::vector<RaceHarmonic> outer_form;           // of the bore's race
   std::vector<double> roller_diameter_deviation;  // [m]  (rollers)  from roller_diameter; missing ones: 0
+  int laminae = 0;                  // into which each contact is cut; 0: one load over its length
+  profile::Profile roller_profile;  // of one roller; with laminae only, as the next two
+  profile::Profile inner_race_profile;
+  profile::Profile outer_race_profile;
 };
 
 /// Which inertial loads of the carrier frame act on the bodies in it.

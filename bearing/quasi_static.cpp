@@ -8,7 +8,6 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/printed_film.hpp"
-#include "bearing/race_equilibrium.hpp"
 #include "bearing/race_form.hpp"
 
 namespace orbearing::bearing {
@@ -33,7 +32,8 @@ std::string not_finite_text(const OperatingPoint& point) {
   text << "operating point of a bearing: found load (" << point.bore_load.transpose() << ") N, carrier "
        << point.carrier.speed << " rad/s, " << point.carrier.acceleration << " rad/s^2 at "
        << point.carrier.orbit_radius << " m, races " << point.inner_speed << " and " << point.outer_speed
-       << " rad/s; all must be finite numbers: check the inputs they were computed from";
+       << " rad/s, tilt (" << point.bore_tilt.transpose()
+       << ") rad; all must be finite numbers: check the inputs they were computed from";
   return text.str();
 }
 
@@ -41,15 +41,9 @@ void require_finite(const OperatingPoint& point) {
   const CarrierMotion& carrier = point.carrier;
   const bool finite = point.bore_load.allFinite() && std::isfinite(carrier.speed) &&
                       std::isfinite(carrier.acceleration) && std::isfinite(carrier.orbit_radius) &&
-                      std::isfinite(point.inner_speed) && std::isfinite(point.outer_speed);
+                      std::isfinite(point.inner_speed) && std::isfinite(point.outer_speed) &&
+                      point.bore_tilt.allFinite();
   if (!finite) throw std::invalid_argument(not_finite_text(point));
-}
-
-Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
-                                const RollerBearingGeometry& geometry, const OperatingPoint& point,
-                                const InertiaSwitches& inertia) {
-  if (bearing.cage.guidance != Race::outer) return point.bore_load;
-  return point.bore_load + load_through_cage(bearing, geometry, point.carrier, inertia);
 }
 
 // What waves of the races and unequal rollers add to the approach of the races; empty where there are none.
@@ -62,6 +56,23 @@ Eigen::ArrayXd extra_approach(const CylindricalRollerBearing& bearing, const Eig
                form_at(bearing.outer_form, angle[j], 0.0).height +
                diameter_deviation(bearing, static_cast<std::size_t>(j));
   return extra;
+}
+
+}  // namespace
+
+Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
+                                  const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
+                                  const InertiaSwitches& inertia) {
+  const CarrierFrame frame = carrier_frame(carrier, inertia);
+  const double mass = geometry.cage_mass + 0.5 * bearing.rollers * geometry.roller_mass;
+  return mass * inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+}
+
+Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
+                                const RollerBearingGeometry& geometry, const OperatingPoint& point,
+                                const InertiaSwitches& inertia) {
+  if (bearing.cage.guidance != Race::outer) return point.bore_load;
+  return point.bore_load + load_through_cage(bearing, geometry, point.carrier, inertia);
 }
 
 void require_equal_pitches(const CylindricalRollerBearing& bearing) {
@@ -78,18 +89,8 @@ void keep_worst(const SolverReport& one, SolverReport& all) {
   all.converged = all.converged && one.converged;
 }
 
-}  // namespace
-
-Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
-                                  const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
-                                  const InertiaSwitches& inertia) {
-  const CarrierFrame frame = carrier_frame(carrier, inertia);
-  const double mass = geometry.cage_mass + 0.5 * bearing.rollers * geometry.roller_mass;
-  return mass * inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
-}
-
-QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
-                                    const QuasiStaticOptions& options, double first_roller) {
+RaceEquilibrium quasi_static_problem(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                     const QuasiStaticOptions& options, double first_roller) {
   require_finite(point);
   const RollerBearingGeometry geometry = geometry_of(bearing);
   const CarrierFrame frame = carrier_frame(point.carrier, options.inertia);
@@ -108,7 +109,12 @@ QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, con
   problem.extra_approach = extra_approach(bearing, problem.angle);
   problem.inertial_load = problem.angle.unaryExpr(
       [&](double angle) { return roller_inertial_load(geometry, frame, cage_speed, angle); });
-  return solve(problem);
+  return problem;
+}
+
+QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                    const QuasiStaticOptions& options, double first_roller) {
+  return solve(quasi_static_problem(bearing, point, options, first_roller));
 }
 
 QuasiStaticResult quasi_static_bearing(const CylindricalRollerBearing& bearing, const OperatingPoint& point,

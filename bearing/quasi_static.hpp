@@ -9,6 +9,7 @@
 #include "bearing/geometry.hpp"
 #include "bearing/parameters.hpp"
 #include "bearing/quasi_static_state.hpp"
+#include "bearing/race_equilibrium.hpp"
 
 namespace orbearing::bearing {
 
@@ -18,6 +19,9 @@ struct OperatingPoint {
   double inner_speed = 0.0;                             // [rad/s]  race of the pin, relative to the carrier
   double outer_speed = 0.0;                             // [rad/s]  race of the bore, relative to the carrier
   Eigen::Vector2d bore_load = Eigen::Vector2d::Zero();  // [N]   on the outer ring from outside the bearing
+  /// Inclination [rad] of the bore's axis relative to the pin's: it runs along (x, y, 1). Felt by laminae
+  /// only.
+  Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
 };
 
 /// What belongs to the method or to the user's choice of effects.
@@ -45,6 +49,22 @@ struct QuasiStaticResult {
 Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
                                   const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
                                   const InertiaSwitches& inertia);
+
+/// Load [N] on the outer ring with what reaches it through the cage, where it guides the cage.
+Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
+                                const RollerBearingGeometry& geometry, const OperatingPoint& point,
+                                const InertiaSwitches& inertia);
+
+/// What must balance with the first roller at `first_roller` [rad]. Throws std::invalid_argument where a
+/// load, a tilt or a speed is not finite.
+RaceEquilibrium quasi_static_problem(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                     const QuasiStaticOptions& options, double first_roller);
+
+/// Throws std::invalid_argument where rollers are unequal or waves turn with a race.
+void require_equal_pitches(const CylindricalRollerBearing& bearing);
+
+/// `all` becomes the worse of both.
+void keep_worst(const SolverReport& one, SolverReport& all);
 
 /// Equilibrium with the first roller at `first_roller` [rad]. Races that are not round stand as at t = 0; the
 /// small tangential part of their contact forces, of the order amplitude * order / radius, is left out.

@@ -1,0 +1,28 @@
+// Sums over the laminae of one contact, one version for each instruction set. No header of a library here,
+// since files compiled for special instruction sets include it.
+#pragma once
+
+namespace orbearing::bearing::fast {
+
+/// Laminae are padded to a multiple of this, whatever the instruction set; padding has a drop of kNoLamina.
+inline constexpr int kLaminaPadding = 16;
+inline constexpr double kNoLamina = 1e9;  // [m]  a drop that no approach reaches
+
+/// With d = (approach + place * tip - drop) where that is positive, else 0:
+struct LaminaSums {
+  double load = 0.0;         // [m^(10/9)]  sum of d^(10/9)
+  double tip_load = 0.0;     // [m^(10/9)]  sum of d^(10/9) place
+  double by_approach = 0.0;  // [m^(1/9)]  sum of d^(1/9)
+  double mixed = 0.0;        // [m^(1/9)]  sum of d^(1/9) place
+  double by_tip = 0.0;       // [m^(1/9)]  sum of d^(1/9) place^2
+};
+
+/// Places are fractions of half the length, -1 to 1; `count` is a multiple of kLaminaPadding.
+struct LaminaKernel {
+  LaminaSums (*sums)(const double* place, const double* drop, int count, double approach, double tip);
+  /// Of each lamina: `load` d^(10/9) [m^(10/9)] and `root` d^(1/9) [m^(1/9)].
+  void (*loads)(const double* place, const double* drop, int count, double approach, double tip, double* load,
+                double* root);
+};
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,152 @@
+// Adjoint derivatives of measures of the lamina loads against central differences.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bearing/laminae/drop_gradient.hpp"
+#include "bearing/profile/design.hpp"
+
+namespace orbearing::bearing::laminae {
+namespace {
+
+constexpr double kAgreement = 1e-6;  // relative, of the adjoint and of central differences
+constexpr double kPower = 4.5;       // a measure like those of fatigue life
+
+struct Study {
+  CylindricalRollerBearing bearing;
+  OperatingPoint point;
+  QuasiStaticOptions options;
+};
+
+Study study(bool film) {
+  Study s;
+  s.bearing = {.rollers = 15,
+               .roller_diameter = 5.24e-3,
+               .roller_length = 5.7e-3,
+               .pitch_diameter = 35.64e-3,
+               .bore = 25e-3,
+               .outside_diameter = 47e-3,
+               .width = 11.9e-3};
+  s.bearing.laminae = 40;
+  s.bearing.roller_profile = profile::Iso16281{5.7e-3, 5.24e-3, 1.0};
+  s.bearing.outer_race_profile = profile::CircularCrown{5.7e-3, 2e-6};
+  s.point.carrier = {.speed = 200.0, .orbit_radius = 87.9e-3};
+  s.point.outer_speed = -720.0;
+  s.point.bore_load = {900.0, 1600.0};
+  s.point.bore_tilt = {0.5e-3, 0.9e-3};
+  s.options.cage_positions = 3;
+  s.options.first_roller = 0.137;
+  if (film) s.options.film = Lubricant{0.01, 1.5e-8};
+  return s;
+}
+
+LaminaResult solved(const Study& s) {
+  LaminaResult result = quasi_static_laminae(LaminaBearing(s.bearing), s.point, s.options);
+  EXPECT_TRUE(result.report.converged);
+  return result;
+}
+
+// Sum over all laminae and places of (q/100 N)^4.5, the outer ones counting twice.
+double measure(const LaminaResult& result) {
+  return (result.inner_lamina_load / 100.0).pow(kPower).sum() +
+         2.0 * (result.outer_lamina_load / 100.0).pow(kPower).sum();
+}
+
+DropGradient adjoint(const Study& s) {
+  const LaminaResult result = solved(s);
+  const Eigen::ArrayXXd inner = kPower / 100.0 * (result.inner_lamina_load / 100.0).pow(kPower - 1.0);
+  const Eigen::ArrayXXd outer = 2.0 * kPower / 100.0 * (result.outer_lamina_load / 100.0).pow(kPower - 1.0);
+  return drop_gradient(LaminaBearing(s.bearing), s.point, s.options, result, inner, outer);
+}
+
+template <class Change>
+double difference(Study s, double step, Change&& change) {
+  Study up = s, down = s;
+  change(up, step);
+  change(down, -step);
+  return (measure(solved(up)) - measure(solved(down))) / (2.0 * step);
+}
+
+void change_parameter(Study& s, double by) {
+  const double value = profile::leading_parameter(s.bearing.roller_profile);
+  s.bearing.roller_profile = profile::with_parameter(s.bearing.roller_profile, value + by);
+}
+
+TEST(DropGradient, ByTheRollersParameterIsItsDifference) {
+  for (const bool film : {false, true}) {
+    const Study s = study(film);
+    const double expected = difference(s, 1e-5, change_parameter);
+    EXPECT_NEAR(by_roller_parameter(LaminaBearing(s.bearing), adjoint(s)), expected,
+                kAgreement * std::abs(expected))
+        << "film " << film;
+  }
+}
+
+TEST(DropGradient, OfEveryKindOfProfile) {
+  const double l = 5.7e-3;
+  const profile::DesignLoad design{600.0, l, 2.2e-3, Material{}};
+  const std::vector<profile::Profile> profiles{
+      profile::Chamfer{l, 0.5e-3, 5e-6},
+      profile::CircularCrown{l, 6e-6},
+      profile::StraightCircular{l, 2e-3, 6e-6},
+      profile::lundberg_for(design),
+      profile::johns_gohar_for(design),
+      profile::fujiwara_kawase_for(design, 1.5, 0.6, 8e-6),
+      profile::Table{{-0.5 * l, 0.0, 0.5 * l}, {6e-6, 0.0, 3e-6}, 1.0}};
+  for (const profile::Profile& profile : profiles) {
+    Study s = study(false);
+    s.bearing.roller_profile = profile;
+    const double expected = difference(s, 2e-5 * profile::leading_parameter(profile), change_parameter);
+    EXPECT_NEAR(by_roller_parameter(LaminaBearing(s.bearing), adjoint(s)), expected,
+                kAgreement * std::abs(expected))
+        << profile::kind(profile);
+  }
+}
+
+TEST(DropGradient, ByTheDropAtAStationIsItsDifference) {
+  const Study s = study(false);
+  const double station = 0.975 * 0.5 * s.bearing.roller_length;
+  const double depth = profile::drop(s.bearing.roller_profile, station);
+  const double expected = difference(s, 1e-10, [&](Study& changed, double by) {
+    changed.bearing.roller_profile = profile::with_drop(s.bearing.roller_profile, station, depth + by);
+  });
+  EXPECT_NEAR(by_roller_drop(LaminaBearing(s.bearing), adjoint(s), station), expected,
+              kAgreement * std::abs(expected));
+}
+
+TEST(DropGradient, ByTiltAndLoadAreTheirDifferences) {
+  for (const bool film : {false, true}) {
+    const Study s = study(film);
+    const DropGradient gradient = adjoint(s);
+    for (int i = 0; i < 2; ++i) {
+      const double by_tilt =
+          difference(s, 1e-8, [&](Study& changed, double by) { changed.point.bore_tilt[i] += by; });
+      EXPECT_NEAR(gradient.by_tilt[i], by_tilt, kAgreement * std::abs(by_tilt)) << "film " << film;
+      const double by_load =
+          difference(s, 1e-2, [&](Study& changed, double by) { changed.point.bore_load[i] += by; });
+      EXPECT_NEAR(gradient.by_load[i], by_load, kAgreement * std::abs(by_load)) << "film " << film;
+    }
+  }
+}
+
+// A deeper drop at one lamina of one contact, stated as a table with a tooth there.
+TEST(DropGradient, BySingleDropsAreTheirDifferences) {
+  const Study s = study(false);
+  const DropGradient gradient = adjoint(s);
+  for (const int lamina : {4, 19, 31}) {
+    const double expected = difference(s, 2e-12, [&](Study& changed, double by) {
+      const std::vector<double> places = lamina_places(40);
+      profile::Table table;
+      for (int k = 0; k < 40; ++k) {
+        const double x = 0.5 * s.bearing.roller_length * places[static_cast<std::size_t>(k)];
+        table.x.push_back(x);
+        table.drop.push_back(profile::drop(s.bearing.outer_race_profile, x) + (k == lamina ? by : 0.0));
+      }
+      changed.bearing.outer_race_profile = table;
+    });
+    EXPECT_NEAR(gradient.outer[lamina], expected, kAgreement * std::abs(expected)) << "lamina " << lamina;
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::laminae
