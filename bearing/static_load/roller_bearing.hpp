@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "bearing/laminae/lamina_contact.hpp"
 #include "bearing/parameters.hpp"
 #include "bearing/profile/profile.hpp"
 #include "bearing/static_load/convex_balance.hpp"
@@ -15,7 +16,9 @@ namespace orbearing::bearing::static_load {
 struct LaminaBearing {
   CylindricalRollerBearing bearing;
   int laminae = 40;
-  profile::Profile roller_profile;  // on both contacts of a roller
+  profile::Profile roller_profile;  // counts on both contacts of a roller
+  profile::Profile inner_profile;   // of the races
+  profile::Profile outer_profile;
 };
 
 /// Load on the inner ring. The radial load points to the first roller; a positive tilt presses the rollers
@@ -38,27 +41,22 @@ struct RollerBearingState {
   BalanceReport report;
 };
 
-/// Middles of the laminae [m] (laminae): ((k - 1/2)/n - 1/2) l.
-Eigen::ArrayXd lamina_places(int laminae, double length);
-
 /// Throws std::invalid_argument where there are no laminae or a profile has no meaning.
 RollerBearingState static_state(const LaminaBearing& bearing, const RollerBearingLoad& load);
 
-/// Laminae of all rollers with what does not change with the load; for tests, and for many loads.
-struct LaminaContacts {
-  double constant = 0.0;  // [N/m^(10/9)]  c_L/n of one lamina
-  double lever = 0.0;     // [m]  of the tilt: half the roller's length
-  Eigen::ArrayXd gap;     // [m]  (laminae)  s/2 + 2 P
-  Eigen::ArrayXd place;   // [-]  (laminae)  x over the lever
-  Eigen::ArrayXd cosine;  // (rollers)
-  Eigen::ArrayXd sine;    // (rollers)
+/// What does not change with the load: both contacts of a roller as one, and where the rollers stand.
+struct StaticRollers {
+  laminae::LaminaContact contact;  // c_L in all, drops of both contacts
+  double clearance = 0.0;          // [m]  diametral
+  Eigen::ArrayXd cosine;           // (rollers)
+  Eigen::ArrayXd sine;             // (rollers)
 };
 
-LaminaContacts lamina_contacts(const LaminaBearing& bearing);
+StaticRollers static_rollers(const LaminaBearing& bearing);
 
-/// Load on the coordinates (radial, lateral, lever x tan tilt, lever x tan lateral tilt) at `place` [m], and
-/// its stiffness; and the energy [J] they derive from.
-RingForces<4> ring_forces(const LaminaContacts& contacts, const Eigen::Vector4d& place);
-double stored_energy(const LaminaContacts& contacts, const Eigen::Vector4d& place);
+/// Load on the coordinates (radial, lateral, l/2 tan tilt, l/2 tan lateral tilt) at `place` [m], and its
+/// stiffness; and the energy [J] they derive from.
+RingForces<4> ring_forces(const StaticRollers& rollers, const Eigen::Vector4d& place);
+double stored_energy(const StaticRollers& rollers, const Eigen::Vector4d& place);
 
 }  // namespace orbearing::bearing::static_load

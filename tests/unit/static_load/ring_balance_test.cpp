@@ -4,8 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "bearing/quasi_static.hpp"
 #include "bearing/static_load/ball_bearing.hpp"
 #include "bearing/static_load/roller_bearing.hpp"
+#include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::static_load {
 namespace {
@@ -47,7 +49,7 @@ void expect_slopes(const Eigen::Vector<double, N>& place, const Energy& energy, 
 }
 
 TEST(StaticRollers, ForcesAreSlopesOfTheEnergy) {
-  const LaminaContacts contacts = lamina_contacts(rollers());
+  const StaticRollers contacts = static_rollers(rollers());
   const Eigen::Vector4d place = Eigen::Vector4d(15.0, -4.0, 3.0, 2.0) * kMicrometre;
   expect_slopes<4>(
       place, [&](const Eigen::Vector4d& at) { return stored_energy(contacts, at); },
@@ -103,6 +105,29 @@ TEST(StaticBalls, GivenTiltNeedsTheMomentThatGivesIt) {
   ASSERT_TRUE(free.report.converged);
   EXPECT_NEAR(free.tilt, 5e-4, 1e-9);
   EXPECT_NEAR(free.axial, held.axial, 1e-11);
+}
+
+// Straight rollers without tilt share a load like the uncut ones of the planet bearing, for either law.
+TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
+  for (const ContactLaw law : {ContactLaw::palmgren, ContactLaw::iso16281}) {
+    LaminaBearing in = rollers();
+    in.roller_profile = profile::Straight{};
+    in.bearing.contact_law = law;
+    const RollerBearingState cut = static_state(in, {.radial = 1500.0});
+    const QuasiStaticState uncut =
+        quasi_static_state(in.bearing, bearing::testing::static_load(-1500.0), {}, 0.0);
+    EXPECT_LT((cut.roller_load - uncut.outer_load).abs().maxCoeff(), 1e-8);
+  }
+}
+
+// A relief on a race counts once, that of the rollers twice: once at either race.
+TEST(StaticRollers, ProfilesOfRollersAndRacesAddUp) {
+  LaminaBearing on_rollers = rollers(), on_races = rollers();
+  on_races.roller_profile = profile::Straight{};
+  on_races.inner_profile = on_races.outer_profile = on_rollers.roller_profile;
+  const RollerBearingState one = static_state(on_rollers, {.radial = 2000.0, .tilt = 5e-4});
+  const RollerBearingState other = static_state(on_races, {.radial = 2000.0, .tilt = 5e-4});
+  EXPECT_LT((one.lamina_load - other.lamina_load).abs().maxCoeff(), 1e-9);
 }
 
 // A sin a is the closed form of a ring under axial load alone: Z Q sin a = F with Q = c (A (cos a0/cos a -
