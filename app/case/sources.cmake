@@ -18,12 +18,17 @@ set(ORBEARING_CASE_SOURCES
   case/pair_case.cpp
   case/pair_fields.cpp
   case/printable.cpp
+  case/profile_case.cpp
+  case/profile_fields.cpp
   case/refinement_consistency.cpp
   case/refinement_fields.cpp
   case/resolved_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp
   case/settings.cpp
+  case/static_case.cpp
+  case/static_consistency.cpp
+  case/static_fields.cpp
   case/sweep_axes.cpp
   case/sweep_consistency.cpp
   case/units.cpp
