@@ -1,0 +1,45 @@
+#include "bearing/profile/design.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+namespace orbearing::bearing::profile {
+
+namespace {
+
+using boost::math::double_constants::ln_two;
+using boost::math::double_constants::pi;
+
+double reduced_modulus(const Material& material) {
+  return material.youngs_modulus / (1.0 - material.poisson_ratio * material.poisson_ratio);
+}
+
+}  // namespace
+
+double amplitude(const DesignLoad& design) {
+  return 2.0 * design.load / (pi * reduced_modulus(design.material) * design.length);
+}
+
+double width_ratio(const DesignLoad& design) {
+  const double half_width = std::sqrt(8.0 * design.load * design.equivalent_radius /
+                                      (pi * reduced_modulus(design.material) * design.length));
+  return 2.0 * half_width / design.length;
+}
+
+double end_drop_factor(double width_ratio) {
+  return 0.5 + ln_two - std::log(width_ratio);
+}
+
+Lundberg lundberg_for(const DesignLoad& design) {
+  return {design.length, amplitude(design), width_ratio(design)};
+}
+
+JohnsGohar johns_gohar_for(const DesignLoad& design) {
+  return {design.length, amplitude(design), width_ratio(design)};
+}
+
+FujiwaraKawase fujiwara_kawase_for(const DesignLoad& design, double k1, double k2, double end_drop) {
+  return {design.length, end_drop, end_drop / (k1 * amplitude(design)), k2};
+}
+
+}  // namespace orbearing::bearing::profile

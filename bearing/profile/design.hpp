@@ -1,0 +1,32 @@
+// Logarithmic profiles for a load: the relief that gives an even line load on an elastic half-space.
+#pragma once
+
+#include "bearing/parameters.hpp"
+#include "bearing/profile/profile.hpp"
+
+namespace orbearing::bearing::profile {
+
+/// What a logarithmic profile is laid out for.
+struct DesignLoad {
+  double load = 0.0;               // [N]  Q of one roller on one race
+  double length = 0.0;             // [m]  l
+  double equivalent_radius = 0.0;  // [m]  R of the roller on that race
+  Material material;               // of roller and race
+};
+
+/// A = 2 Q / (pi E' l) [m] with E' = E / (1 - nu^2): factor of the logarithm.
+double amplitude(const DesignLoad& design);
+
+/// 2b/l [-]: width of the Hertzian contact, b = sqrt(8 Q R / (pi E' l)), over its length.
+double width_ratio(const DesignLoad& design);
+
+/// Drop at the end over A [-]: 1/2 + ln 2 - ln(2b/l), [Lundberg1939].
+double end_drop_factor(double width_ratio);
+
+Lundberg lundberg_for(const DesignLoad& design);
+JohnsGohar johns_gohar_for(const DesignLoad& design);
+
+/// K1 scales the amplitude, K2 is the crowned fraction of each half, `end_drop` [m] is z_m.
+FujiwaraKawase fujiwara_kawase_for(const DesignLoad& design, double k1, double k2, double end_drop);
+
+}  // namespace orbearing::bearing::profile
