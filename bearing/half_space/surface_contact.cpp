@@ -83,7 +83,7 @@ RollerContactMap map_of(const Plane& plane, const ConjugateGradients& problem, c
 RollerContactMap solve(const HalfSpaceContact& contact, const Relief& relief, const SurfaceSettings& settings,
                        const StripContact& strips, const RollerContactPressure& start, bool load_given) {
   const Plane plane{contact, strips, start, strips.relief(relief)};
-  double reach = kMargin * start.half_width.maxCoeff();
+  double reach = settings.reach > 0.0 ? settings.reach : kMargin * start.half_width.maxCoeff();
   for (int k = 0; k < kMostWidenings; ++k, reach *= kWiden) {
     const RowGrid rows{settings.rows, reach / (settings.rows - 0.5)};
     const ArrayXd y = ArrayXd::LinSpaced(rows.rows, 0.0, (rows.rows - 1) * rows.spacing);

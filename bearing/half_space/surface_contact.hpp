@@ -14,7 +14,8 @@ namespace orbearing::bearing::half_space {
 struct SurfaceSettings {
   int elements = 64;      // [-]  along the roller
   double grading = 0.92;  // [-]  see graded_grid
-  int rows = 24;          // [-]  from the middle outwards, over about 1.2 half widths
+  double reach = 0.0;     // [m]  of the grid across, from the middle; 0: as the strips' widths ask
+  int rows = 24;          // [-]  from the middle outwards, over the reach
   double tolerance =
       1e-8;  // [-]  rms distance of the loaded surfaces, and overlap of unloaded ones, over the
              //      greatest displacement
