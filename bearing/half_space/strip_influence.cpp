@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bearing/half_space/strip_kernel.hpp"
 
@@ -25,58 +24,53 @@ struct StripInfluence::Corners {
   double nearest() const { return *std::min_element(at, at + 4); }
 };
 
-namespace {
-
-/// Row by row, the lower triangle.
-std::size_t place(Index i, Index j) {
-  return static_cast<std::size_t>(i * (i + 1) / 2 + j);
+StripInfluence::StripInfluence(const LengthGrid& grid, double mirror_factor) : grid_(grid) {
+  const double length = grid.edge(grid.edge.size() - 1) - grid.edge(0);
+  sources_.push_back(source(false, 0.0, 1.0));
+  if (mirror_factor != 0.0) {
+    sources_.push_back(source(true, length, mirror_factor));
+    sources_.push_back(source(true, -length, mirror_factor));
+  }
 }
 
-}  // namespace
-
-StripInfluence::StripInfluence(const LengthGrid& grid, double mirror_factor)
-    : grid_(grid), mirror_factor_(mirror_factor), length_(grid.edge(grid.edge.size() - 1) - grid.edge(0)) {
-  const Index elements = grid_.middle.size();
-  direct_.resize(place(elements, 0));
-  mirrored_.resize(mirror_factor_ != 0.0 ? direct_.size() : 0);
-  for (Index i = 0; i < elements; ++i) {
+StripInfluence::Source StripInfluence::source(bool image, double end, double factor) const {
+  Source made{image, end, factor, {}};
+  for (Index i = 0; i < grid_.middle.size(); ++i) {
     for (Index j = 0; j <= i; ++j) {
-      direct_[place(i, j)].nearest = std::numeric_limits<double>::infinity();
-      add(direct_[place(i, j)], direct(i, j), 1.0);
-      if (!mirrored_.empty()) {
-        Pair& image = mirrored_[place(i, j)];
-        image.nearest = std::numeric_limits<double>::infinity();
-        add(image, mirrored(i, j, length_), mirror_factor_);
-        add(image, mirrored(i, j, -length_), mirror_factor_);
-      }
+      made.pairs.push_back(pair_of(corners(made, i, j)));
     }
   }
+  return made;
 }
 
-StripInfluence::Corners StripInfluence::direct(Index i, Index j) const {
-  return {grid_.edge(i), grid_.edge(i + 1), grid_.edge(j), grid_.edge(j + 1)};
+StripInfluence::Corners StripInfluence::corners(const Source& source, Index i, Index j) const {
+  const double begin = grid_.edge(j), end = grid_.edge(j + 1);
+  return source.image ? Corners(grid_.edge(i), grid_.edge(i + 1), source.end - end, source.end - begin)
+                      : Corners(grid_.edge(i), grid_.edge(i + 1), begin, end);
 }
 
-StripInfluence::Corners StripInfluence::mirrored(Index i, Index j, double end) const {
-  return {grid_.edge(i), grid_.edge(i + 1), end - grid_.edge(j + 1), end - grid_.edge(j)};
-}
-
-void StripInfluence::add(Pair& pair, const Corners& corners, double factor) {
-  pair.nearest = std::min(pair.nearest, corners.nearest());
-  if (!(corners.nearest() > 0.0)) {
-    return;  // always near: the far field is never asked for
+StripInfluence::Pair StripInfluence::pair_of(const Corners& corners) {
+  Pair pair;
+  pair.nearest = corners.nearest();
+  if (!(pair.nearest > 0.0)) {
+    return pair;  // always near: the far field is never asked for
   }
   using Far = StripFarField;
-  pair.far[0] += factor * corners.difference([](double x) { return x * std::log(x); });
-  pair.far[1] += factor * Far::second * corners.difference([](double x) { return 1.0 / x; });
-  pair.far[2] += factor * Far::fourth * corners.difference([](double x) { return 1.0 / (x * x * x); });
-  pair.far[3] += factor * Far::sixth * corners.difference([](double x) { return 1.0 / (x * x * x * x * x); });
+  pair.far[0] = corners.difference([](double x) { return x * std::log(x); });
+  const auto over = [&](auto power) { return corners.difference([&](double x) { return 1.0 / power(x); }); };
+  const auto cube = [](double x) { return x * x * x; };
+  pair.far[1] = Far::second * over([](double x) { return x; });
+  pair.far[2] = Far::fourth * over(cube);
+  pair.far[3] = Far::sixth * over([&](double x) { return x * x * cube(x); });
+  pair.far[4] = Far::eighth * over([&](double x) { return x * cube(x) * cube(x); });
+  return pair;
 }
 
 StripInfluence::Field StripInfluence::far_field(const Pair& pair, double width) {
   const double s = width * width;
-  return {pair.far[0] + s * (pair.far[1] + s * (pair.far[2] + s * pair.far[3])),
-          -(pair.far[1] + s * (2.0 * pair.far[2] + s * 3.0 * pair.far[3]))};
+  const auto& far = pair.far;
+  return {far[0] + s * (far[1] + s * (far[2] + s * (far[3] + s * far[4]))),
+          -(far[1] + s * (2.0 * far[2] + s * (3.0 * far[3] + s * 4.0 * far[4])))};
 }
 
 StripInfluence::Field StripInfluence::near_field(const Corners& corners, double width) {
@@ -90,37 +84,26 @@ StripInfluence::Field StripInfluence::near_field(const Corners& corners, double 
   return {width * potential, spread / (2.0 * width)};
 }
 
-StripInfluence::Field StripInfluence::field(Index i, Index j, double width) const {
-  const Pair& pair = direct_[place(i, j)];
-  const double far = kStripKernelFar * width;
-  Field sum = pair.nearest > far ? far_field(pair, width) : near_field(direct(i, j), width);
-  if (!mirrored_.empty()) {
-    const Pair& image = mirrored_[place(i, j)];
-    if (image.nearest > far) {
-      const Field ends = far_field(image, width);
-      sum.influence += ends.influence;
-      sum.widening += ends.widening;
-    } else {
-      for (const double end : {length_, -length_}) {
-        const Field one = near_field(mirrored(i, j, end), width);
-        sum.influence += mirror_factor_ * one.influence;
-        sum.widening += mirror_factor_ * one.widening;
-      }
-    }
-  }
-  return sum;
-}
-
 void StripInfluence::evaluate(const Eigen::ArrayXd& half_width, StripMatrices& matrices) const {
   const Index elements = grid_.middle.size();
   matrices.influence.resize(elements, elements);
   matrices.widening.resize(elements, elements);
   const Eigen::ArrayXd square = half_width.square();
+  std::size_t place = 0;
   for (Index i = 0; i < elements; ++i) {
-    for (Index j = 0; j <= i; ++j) {
-      const Field pair = field(i, j, std::sqrt(0.5 * (square(i) + square(j))));
-      matrices.influence(i, j) = matrices.influence(j, i) = pair.influence;
-      matrices.widening(i, j) = matrices.widening(j, i) = pair.widening;
+    for (Index j = 0; j <= i; ++j, ++place) {
+      const double width = std::sqrt(0.5 * (square(i) + square(j)));
+      Field sum;
+      for (const Source& source : sources_) {
+        const Pair& pair = source.pairs[place];
+        const Field field = pair.nearest > StripFarField::from * width
+                                ? far_field(pair, width)
+                                : near_field(corners(source, i, j), width);
+        sum.influence += source.factor * field.influence;
+        sum.widening += source.factor * field.widening;
+      }
+      matrices.influence(i, j) = matrices.influence(j, i) = sum.influence;
+      matrices.widening(i, j) = matrices.widening(j, i) = sum.widening;
     }
   }
 }

@@ -28,26 +28,29 @@ class StripInfluence {
  private:
   /// Coefficients of the far field of one pair in powers of B^2, and how near the elements are.
   struct Pair {
-    double far[4] = {0.0, 0.0, 0.0, 0.0};
+    double far[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
     double nearest = 0.0;  // [m]
+  };
+  /// The loads themselves, or their mirror images beyond one end.
+  struct Source {
+    bool image = false;
+    double end = 0.0;         // [m]  an image of x lies at end - x
+    double factor = 1.0;      // [-]
+    std::vector<Pair> pairs;  // (i, j <= i), row by row
   };
   struct Field {
     double influence = 0.0, widening = 0.0;
   };
   struct Corners;
 
-  Corners direct(Eigen::Index i, Eigen::Index j) const;
-  Corners mirrored(Eigen::Index i, Eigen::Index j, double end) const;
-  static void add(Pair& pair, const Corners& corners, double factor);
+  Corners corners(const Source& source, Eigen::Index i, Eigen::Index j) const;
+  Source source(bool image, double end, double factor) const;
+  static Pair pair_of(const Corners& corners);
   static Field far_field(const Pair& pair, double width);
   static Field near_field(const Corners& corners, double width);
-  Field field(Eigen::Index i, Eigen::Index j, double width) const;
 
   LengthGrid grid_;
-  double mirror_factor_ = 0.0;
-  double length_ = 0.0;
-  std::vector<Pair> direct_;    // (i, j <= i)
-  std::vector<Pair> mirrored_;  // both ends together; empty where the factor is zero
+  std::vector<Source> sources_;
 };
 
 }  // namespace orbearing::bearing::half_space

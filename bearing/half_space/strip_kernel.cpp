@@ -53,7 +53,7 @@ StripKernel expansion(double xi) {
   using Far = StripFarField;
   const double e = 1.0 / (xi * xi);
   const double logarithm = xi * (std::log(xi) + 2.0 * ln_two - 0.75);
-  const double near = (Far::second + e * (Far::fourth + e * (Far::sixth + e * 735.0 / 65536.0))) / xi;
+  const double near = (Far::second + e * (Far::fourth + e * (Far::sixth + e * Far::eighth))) / xi;
   const double spread = (0.25 + e * (-5.0 / 64.0 + e * (35.0 / 512.0 - e * 735.0 / 8192.0))) / xi;
   return {logarithm + near, xi + spread};
 }

@@ -23,12 +23,14 @@ StripKernel strip_kernel_by_quadrature(double distance);
 /// Beyond this distance [-] between cross-sections the expansion holds to 1e-9.
 inline constexpr double kStripKernelFar = 10.0;
 
-/// Far field: b potential = x ln x + b^2 second/x + b^4 fourth/x^3 + b^6 sixth/x^5 + terms linear in x, which
-/// cancel between elements that do not touch.
+/// Far field between elements that do not touch, where terms linear in x cancel:
+/// b potential = x ln x + b^2 second/x + b^4 fourth/x^3 + b^6 sixth/x^5 + b^8 eighth/x^7.
 struct StripFarField {
   static constexpr double second = -1.0 / 8.0;
   static constexpr double fourth = 5.0 / 256.0;
   static constexpr double sixth = -35.0 / 3072.0;
+  static constexpr double eighth = 735.0 / 65536.0;
+  static constexpr double from = 6.0;  // [-]  |x|/b, from where the influence errs by less than 1e-7
 };
 
 }  // namespace orbearing::bearing::half_space
