@@ -10,6 +10,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/refinement_consistency.hpp"
 #include "app/case/pair_case.hpp"
+#include "app/case/profile_case.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
@@ -260,6 +261,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_guide_land(check);
   check_widths(check);
   check_refinements(resolved, mistakes);
+  check_profile(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }
 
