@@ -18,6 +18,7 @@ set(ORBEARING_CASE_SOURCES
   case/pair_case.cpp
   case/pair_fields.cpp
   case/printable.cpp
+  case/profile_case.cpp
   case/refinement_consistency.cpp
   case/refinement_fields.cpp
   case/resolved_case.cpp

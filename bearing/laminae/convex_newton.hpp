@@ -25,13 +25,21 @@ struct NewtonReport {
   bool settled = false;  // ended within tolerance or at round-off
 };
 
-/// The stiffness is lifted a little, so that a direction without stiffness keeps a finite step.
+/// Lengths that forces cause on a stiffness that may be singular: a direction without stiffness is given a
+/// little of the other's, so that forces along it ask for far too long a step, and no force for none.
+inline Eigen::Vector2d lengths_under(const Eigen::Vector2d& force, const Eigen::Matrix2d& stiffness) {
+  const int first = stiffness(0, 0) >= stiffness(1, 1) ? 0 : 1, second = 1 - first;
+  const double pivot = stiffness(first, first) + 1e-30;
+  const double factor = stiffness(0, 1) / pivot;
+  const double rest = std::fmax(stiffness(second, second) - factor * stiffness(0, 1), 1e-12 * pivot);
+  Eigen::Vector2d lengths;
+  lengths[second] = (force[second] - factor * force[first]) / rest;
+  lengths[first] = force[first] / pivot - factor * lengths[second];
+  return lengths;
+}
+
 inline Eigen::Vector2d newton_step(const EnergySlope& now, double reach) {
-  const double lift = 1e-12 * now.stiffness.trace() + 1e-30;
-  const double a = now.stiffness(0, 0) + lift, b = now.stiffness(0, 1), c = now.stiffness(1, 1) + lift;
-  const double determinant = a * c - b * b;
-  const Eigen::Vector2d step =
-      Eigen::Vector2d(c * now.force[0] - b * now.force[1], a * now.force[1] - b * now.force[0]) / determinant;
+  const Eigen::Vector2d step = lengths_under(now.force, now.stiffness);
   const double length = step.norm();
   return length > reach ? Eigen::Vector2d(step * (reach / length)) : step;
 }

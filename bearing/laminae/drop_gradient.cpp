@@ -1,39 +1,27 @@
 #include "bearing/laminae/drop_gradient.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include "bearing/laminae/convex_newton.hpp"
 
 namespace orbearing::bearing::laminae {
 
 namespace {
 
-// The unknowns of one roller are w = (elastic, outer approach, tip), its equations
-//   r0 = elastic - h_i(Q_i) - h_o(Q_o) - approach(u) = 0,  r1 = Q_o - Q_i - I = 0,  r2 = M_o - M_i = 0,
-// those of the ring F + sum Q_o e = 0 in u, with d(approach)/du = -e. With multipliers m of the roller and v
-// of the ring the measure L + m . r + v . (F + sum Q_o e) is stationary in w and u:
-//   J^T m = -(dL/dw + (v . e) dQ_o/dw),   sum m_0 e = 0.
+// The unknowns of one roller are E (elastic) and y = (outer approach, tip), its equations
+//   r0 = E - h_i(Q_i) - h_o(Q_o) - approach(u) = 0,  r = (Q_o - Q_i - I, M_o - M_i) = 0,
+// those of the ring F + sum Q_o e = 0 in u, with d(approach)/du = -e. With multipliers m0, m of the roller
+// and v of the ring, L + m0 r0 + m . r + v . (F + sum Q_o e) is stationary in all unknowns. With H = dr/dy,
+// symmetric, p = dy/dE, S = d(load)/dE, f = dh_i/dQ + dh_o/dQ, t = v . e and s = H^-1 dL/dy this gives
+//   m0 = -(dL/dE + p . dL/dy + t S)/(1 - f S),  sum m0 e = 0,
+//   m = -s - t (1 - p_a, -p_b) + m0 (f_o (1 - p_a, -p_b) - f_i p).
 struct AdjointRoller {
   LaminaLoads inner, outer;
-  double inner_film_slope = 0.0;                         // [m/N]  dh_i/dQ_i
-  double outer_film_slope = 0.0;                         // [m/N]
-  Eigen::Vector3d of_measure = Eigen::Vector3d::Zero();  // m where v is zero
-  Eigen::Vector3d of_ring = Eigen::Vector3d::Zero();     // change of m with v . e
+  double inner_film_slope = 0.0;                       // [m/N]  f_i
+  double outer_film_slope = 0.0;                       // [m/N]  f_o
+  double of_measure = 0.0;                             // m0 where v is zero
+  Eigen::Vector2d settling = Eigen::Vector2d::Zero();  // s
 };
-
-Eigen::Matrix3d roller_matrix(const LaminaForce& in, const LaminaForce& out, const AdjointRoller& adjoint) {
-  const Eigen::RowVector3d inner_load(in.by_approach, -in.by_approach, -in.mixed);
-  const Eigen::RowVector3d outer_load(0.0, out.by_approach, out.mixed);
-  Eigen::Matrix3d matrix;
-  matrix.row(0) = Eigen::RowVector3d::UnitX() - adjoint.inner_film_slope * inner_load -
-                  adjoint.outer_film_slope * outer_load;
-  matrix.row(1) = outer_load - inner_load;
-  matrix.row(2) = Eigen::RowVector3d(-in.mixed, out.mixed + in.mixed, out.by_tip + in.by_tip);
-  // A roller or a tilt that nothing holds stays where it is.
-  const double lift = 1e-13 * (matrix(1, 1) + matrix(2, 2)) + 1e-30;
-  matrix(1, 1) += lift;
-  matrix(2, 2) += lift;
-  return matrix;
-}
 
 AdjointRoller adjoint_roller(const LaminaBearing& bearing, const RollerContacts& contacts,
                              const RollerState& roller, const Eigen::ArrayXd& by_inner,
@@ -45,14 +33,25 @@ AdjointRoller adjoint_roller(const LaminaBearing& bearing, const RollerContacts&
   adjoint.inner_film_slope = contacts.inner.film().slope(roller.inner.load);
   adjoint.outer_film_slope = contacts.outer.film().slope(roller.outer.load);
   const Eigen::ArrayXd in = by_inner * adjoint.inner.stiffness, out = by_outer * adjoint.outer.stiffness;
-  const Eigen::Vector3d measure(in.sum(), out.sum() - in.sum(),
-                                (outer.places() * out).sum() - (inner.places() * in).sum());
-  const Eigen::Vector3d outer_load(0.0, roller.outer.by_approach, roller.outer.mixed);
-  const Eigen::Matrix3d transposed = roller_matrix(roller.inner, roller.outer, adjoint).transpose();
-  const Eigen::PartialPivLU<Eigen::Matrix3d> factors(transposed);
-  adjoint.of_measure = -factors.solve(measure);
-  adjoint.of_ring = -factors.solve(outer_load);
+  const Eigen::Vector2d by_place(out.sum() - in.sum(), (outer.places() * out - inner.places() * in).sum());
+  adjoint.of_measure = -roller.per_approach * (in.sum() + roller.per_elastic.dot(by_place));
+  adjoint.settling = lengths_under(by_place, settling_stiffness(roller));
   return adjoint;
+}
+
+// m0 and m for the ring's multiplier along the roller.
+struct RollerMultipliers {
+  double approach = 0.0;
+  Eigen::Vector2d balance = Eigen::Vector2d::Zero();
+};
+
+RollerMultipliers multipliers(const AdjointRoller& adjoint, const RollerState& roller, double along) {
+  const Eigen::Vector2d outer = Eigen::Vector2d::UnitX() - roller.per_elastic;
+  RollerMultipliers m;
+  m.approach = adjoint.of_measure - along * roller.stiffness;
+  m.balance = -adjoint.settling - along * outer +
+              m.approach * (adjoint.outer_film_slope * outer - adjoint.inner_film_slope * roller.per_elastic);
+  return m;
 }
 
 Eigen::Vector2d outward(double angle) {
@@ -65,11 +64,10 @@ Eigen::Vector2d ring_multiplier(const LaminaState& state, const std::vector<Adjo
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   for (std::size_t j = 0; j < rollers.size(); ++j) {
     const Eigen::Vector2d e = outward(state.angle[static_cast<Eigen::Index>(j)]);
-    stiffness -= rollers[j].of_ring[0] * e * e.transpose();
-    force += rollers[j].of_measure[0] * e;
+    stiffness += state.rollers[j].stiffness * e * e.transpose();
+    force += rollers[j].of_measure * e;
   }
-  stiffness += (1e-13 * stiffness.trace() + 1e-30) * Eigen::Matrix2d::Identity();
-  return stiffness.inverse() * force;
+  return lengths_under(force, stiffness);
 }
 
 DropGradient none(const LaminaBearing& bearing) {
@@ -97,11 +95,12 @@ DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& p
     const AdjointRoller& roller = rollers[static_cast<std::size_t>(j)];
     const Eigen::Vector2d e = outward(state.angle[j]);
     const double along = gradient.by_load.dot(e);
-    const Eigen::Vector3d m = roller.of_measure + along * roller.of_ring;
-    gradient.inner += roller.inner.stiffness *
-                      (m[0] * roller.inner_film_slope + m[1] + m[2] * place - by_inner_load.col(j));
-    const Eigen::ArrayXd outer = roller.outer.stiffness * (m[0] * roller.outer_film_slope - m[1] -
-                                                           m[2] * place - along - by_outer_load.col(j));
+    const RollerMultipliers m = multipliers(roller, state.rollers[static_cast<std::size_t>(j)], along);
+    const Eigen::ArrayXd balance = m.balance[0] + m.balance[1] * place;
+    gradient.inner +=
+        roller.inner.stiffness * (m.approach * roller.inner_film_slope + balance - by_inner_load.col(j));
+    const Eigen::ArrayXd outer = roller.outer.stiffness * (m.approach * roller.outer_film_slope - balance -
+                                                           along - by_outer_load.col(j));
     gradient.outer += outer;
     gradient.by_tilt += bearing.half_length() * (place * outer).sum() * e;
   }

@@ -27,8 +27,7 @@ struct DryRoller {
     const LaminaForce &in = state.inner, &out = state.outer;
     EnergySlope slope;
     slope.force << setting.inertial_load + in.load - out.load, in.tip_load - out.tip_load;
-    slope.stiffness << in.by_approach + out.by_approach, in.mixed + out.mixed, in.mixed + out.mixed,
-        in.by_tip + out.by_tip;
+    slope.stiffness = settling_stiffness(state);
     slope.scale = std::abs(setting.inertial_load) + in.load + out.load;
     return slope;
   }
@@ -64,11 +63,7 @@ NewtonLimits limits_of(const TiltedRoller& roller, const RollerSetting& setting,
 // inner contact's stiffness.
 double put_slopes(const EnergySlope& now, RollerState& state) {
   const Eigen::Vector2d by_elastic(state.inner.by_approach, state.inner.mixed);
-  const double lift = 1e-13 * now.stiffness.trace() + 1e-30;
-  const double a = now.stiffness(0, 0) + lift, b = now.stiffness(0, 1), c = now.stiffness(1, 1) + lift;
-  state.per_elastic =
-      Eigen::Vector2d(c * by_elastic[0] - b * by_elastic[1], a * by_elastic[1] - b * by_elastic[0]) /
-      (a * c - b * b);
+  state.per_elastic = lengths_under(by_elastic, now.stiffness);
   return std::max(0.0, state.inner.by_approach - by_elastic.dot(state.per_elastic));
 }
 

@@ -51,6 +51,15 @@ struct RollerState {
   double inner_approach() const { return elastic - outer_approach; }
 };
 
+/// Stiffness [N/m] that holds the roller in its place and tip between races at rest.
+inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
+  const double mixed = state.inner.mixed + state.outer.mixed;
+  Eigen::Matrix2d stiffness;
+  stiffness << state.inner.by_approach + state.outer.by_approach, mixed, mixed,
+      state.inner.by_tip + state.outer.by_tip;
+  return stiffness;
+}
+
 /// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i. Slopes follow from the
 /// implicit function theorem. A roller that is not squeezed rests on the race towards which its inertial load
 /// points. A known `state` is where the search starts.
