@@ -56,7 +56,8 @@ inline Both contact_tips(const Pack& tip, const Pack& outer_tip) {
 [[gnu::noinline]] inline LaminaPackSums balanced_sums(const BothRaces& race, const Both& elastic,
                                                       const Pack& outer_tip) {
   constexpr int kMostIterations = 60;
-  constexpr double kBalance = 1e-13;  // of the loads
+  constexpr double kBalance = 1e-12;  // of the loads
+  constexpr double kNothing = 1e-9;   // [N]  tip loads that move no roller
   const LaminaConstants& laminae = race.laminae;
   Pack reach = absolute(outer_tip) + larger(elastic.low, Pack{}) + larger(elastic.high, Pack{});
   double deepest = 0.0;
@@ -75,7 +76,7 @@ inline Both contact_tips(const Pack& tip, const Pack& outer_tip) {
     const Both tip_load = race.stiffness * sums.tip_load, load = race.stiffness * sums.load;
     const Both by_tip = (10.0 / 9.0) * race.stiffness * sums.by_tip;
     const Pack excess = tip_load.low - tip_load.high, stiffness = by_tip.low + by_tip.high;
-    const Mask open = absolute(excess) > kBalance * (load.low + load.high);
+    const Mask open = absolute(excess) > kBalance * (load.low + load.high) + kNothing;
     if (!any(open)) break;
     low = select(excess > 0.0, tip, low);
     high = select(excess > 0.0, high, tip);
