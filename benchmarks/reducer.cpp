@@ -17,9 +17,10 @@ double Duty::cage_revolution() const {
   return two_pi / std::abs(speed);
 }
 
-study::PlanetaryDrivetrain shipped_reducer() {
+study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes) {
   const std::string file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml";
-  return app::drivetrain_of(app::read_case(file, {"film.enabled=true"}));
+  const std::string varying = meshes == MeshForces::varying ? "true" : "false";
+  return app::drivetrain_of(app::read_case(file, {"film.enabled=true", "gearset.mesh_variation=" + varying}));
 }
 
 Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance) {
@@ -29,6 +30,13 @@ Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance
   const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
   return {drivetrain.bearing, duty.point, study::dynamics_parameters(drivetrain, geometry, duty),
           drivetrain.steady_state.allowed_length_error};
+}
+
+Duty with_laminae(Duty duty, int laminae) {
+  const double length = duty.bearing.roller_length;
+  duty.bearing.laminae = laminae;
+  duty.bearing.roller_profile = bearing::profile::Iso16281{length, duty.bearing.roller_diameter, 1.0};
+  return duty;
 }
 
 Duty with_more_rollers(const Duty& duty, int factor) {

@@ -20,11 +20,17 @@ struct Duty {
   double cage_revolution() const;
 };
 
+/// What the gears do to the bearing: their mean forces alone, or shaken by the real meshes.
+enum class MeshForces { constant, varying };
+
 /// The shipped case, with the film in the approach. Throws app::BadInput where it cannot be read.
-study::PlanetaryDrivetrain shipped_reducer();
+study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes = MeshForces::constant);
 
 /// Duty at the input speed `rpm` [1/min] with diametral clearance `clearance` [um].
 Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance);
+
+/// Its contacts cut into `laminae`, the rollers with the standard's profile.
+Duty with_laminae(Duty duty, int laminae);
 
 /// The same rollers, `factor` times as many on a pitch circle as much larger, under as much more load.
 Duty with_more_rollers(const Duty& duty, int factor);

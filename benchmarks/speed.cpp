@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <exception>
 #include <thread>
 
@@ -41,10 +40,6 @@ double sweep_once(const study::PlanetaryDrivetrain& drivetrain, double clearance
   return watch.wall();
 }
 
-std::string name_of(double rpm, double clearance) {
-  return std::to_string(std::lround(rpm)) + "/" + std::to_string(std::lround(clearance));
-}
-
 }  // namespace
 
 double median(std::vector<double> values) {
@@ -66,8 +61,8 @@ double speedup(Trial& trial, Method method, double tolerance) {
   return median(ratios);
 }
 
-RealTime real_time(const study::PlanetaryDrivetrain& drivetrain, double rpm, double clearance) {
-  Contest contest(duty_at(drivetrain, rpm, clearance));
+double real_time(const Duty& duty) {
+  Contest contest(duty);
   const double duration = std::max(contest.duty().cage_revolution(), kShortestRun);
   const Eigen::VectorXd start = contest.settled(duration);
   std::vector<double> factors;
@@ -75,7 +70,7 @@ RealTime real_time(const study::PlanetaryDrivetrain& drivetrain, double rpm, dou
     factors.push_back(
         duration /
         contest.run(Method::fast, start, {duration, 1}, contest.duty().allowed_length_error).cpu_seconds);
-  return {name_of(rpm, clearance), median(factors)};
+  return median(factors);
 }
 
 double sweep_seconds(const study::PlanetaryDrivetrain& drivetrain, double clearance) {

@@ -1,8 +1,6 @@
 // Ratios of time between integrators, and of simulated to computing time.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "benchmarks/accuracy.hpp"
@@ -13,14 +11,9 @@ namespace orbearing::bench {
 /// turn, CPU time of this thread.
 double speedup(Trial& trial, Method method, double tolerance);
 
-/// Simulated over computing time of one operating point.
-struct RealTime {
-  std::string name;  // "rpm/clearance in um"
-  double factor = 0.0;
-};
-
-/// The fast path, loads watched, over at least one cage revolution from the settled state; median of three.
-RealTime real_time(const study::PlanetaryDrivetrain& drivetrain, double rpm, double clearance);
+/// Simulated over computing time: the fast path, loads watched, over at least one cage revolution from the
+/// settled state; median of three.
+double real_time(const Duty& duty);
 
 /// Wall time [s] of twelve speeds, 0.13 s simulated each from the quasi-static state, on two threads; median
 /// of five.
