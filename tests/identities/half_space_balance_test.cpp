@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "bearing/half_space/elasticity.hpp"
 #include "tests/half_space_contacts.hpp"
 
 namespace orbearing::bearing::half_space {
@@ -17,6 +18,7 @@ constexpr double kRoundOff = 1e-11;  // sums over thousands of elements, solved 
 constexpr double kStep = 1e-3;       // of approach or tilt
 constexpr double kDifference = 1e-5;  // C kStep^2 of central differences; loaded elements come and go by one
 constexpr double kSolver = 1e-10;     // tolerance asked for here
+constexpr double kMisfit = 1e-9;      // widths to kSolver move displacements by about as much
 const double kTenthOfRoundOff = 1e-12;  // gradients stop as far from symmetry as from the solution
 const StripSettings kStrips{.tolerance = kSolver};
 const SurfaceSettings kPlane{.elements = 32, .reach = 120e-6, .rows = 12, .tolerance = kSolver};
@@ -116,6 +118,22 @@ TEST(HalfSpaceBalance, StifferBodiesUnderMoreLoadDeformTheSame) {
   EXPECT_NEAR(same.approach, soft.approach, kRoundOff * soft.approach);
 }
 
+/// Greatest distance by which surfaces overlap or loaded ones gape over the greatest displacement [-], from
+/// the influence of the solution's strips; elements without load may have any width, here `width` [m].
+double misfit(const HalfSpaceContact& contact, const Relief& relief, const RollerContactPressure& solution,
+              double width) {
+  const LengthGrid grid = graded_grid(contact.length, static_cast<int>(solution.x.size()));
+  const ArrayXd b = (solution.line_load > 0.0).select(solution.half_width, width);
+  StripMatrices strips;
+  StripInfluence(grid, mirror_factor(contact)).evaluate(b, strips);
+  const double compliance = boost::math::double_constants::one_div_pi / contact_modulus(contact);
+  const ArrayXd displacement =
+      compliance * (strips.influence * solution.line_load.matrix()).array() / grid.size;
+  const ArrayXd gap = displacement + b.square() / (8.0 * contact.equivalent_radius) +
+                      mean_relief(grid, relief) - solution.approach - solution.tilt * grid.middle;
+  return (solution.line_load > 0.0).select(gap.abs(), (-gap).max(0.0)).maxCoeff() / displacement.maxCoeff();
+}
+
 // Chamfers, crowns, steps and rough tables, from a touch at one end to loads far beyond use, tilted or not.
 TEST(HalfSpaceBalance, RandomContactsAreSolved) {
   const char* text = std::getenv("RANDOM_BEARINGS");
@@ -139,7 +157,12 @@ TEST(HalfSpaceBalance, RandomContactsAreSolved) {
     const double load = magnitude(1.0, 3e4), tilt = between(-1.0, 1.0) * magnitude(1e-5, 1e-2);
     SCOPED_TRACE(::testing::Message() << "draw " << k << " of seed 20260101: load " << load << " N, tilt "
                                       << tilt << " rad, depth " << depth << " m");
-    const auto solution = contact_pressure(contact, relief_of(table), load, tilt);
+    const auto solution = contact_pressure(contact, relief_of(table), load, tilt, kStrips);
+    for (const double width : {0.1, 1.0}) {
+      const double overlap =
+          misfit(contact, relief_of(table), solution, width * solution.half_width.maxCoeff());
+      EXPECT_LE(overlap, kMisfit);
+    }
     EXPECT_NEAR(solution.load, load, kRoundOff * load);
     EXPECT_GE(solution.pressure.minCoeff(), 0.0);
     EXPECT_TRUE(solution.pressure.allFinite());

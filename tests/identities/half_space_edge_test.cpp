@@ -15,6 +15,7 @@ using boost::math::double_constants::pi;
 using Eigen::ArrayXd;
 using Eigen::Index;
 
+constexpr double kStated = 0.005;      // two digits after the point
 constexpr double kTwoModels = 0.02;    // ellipses across against free pressures, at a sharp corner
 constexpr double kSmoothEnds = 0.002;  // the same where the profile brings the pressure down before the end
 constexpr double kExponent = 0.02;  // of the law of growth, from elements still a hundredth of the half width
@@ -44,6 +45,13 @@ TEST(HalfSpaceEdge, MeanOverTheGaugeConverges) {
     EXPECT_LT(std::abs(fine - middle), 0.6 * std::abs(middle - coarse) + 5e-4 * fine);
     EXPECT_NEAR(fine, middle, 0.01 * fine);
   }
+}
+
+// The limits that the folder's README states, from the grid that is finest at the ends.
+TEST(HalfSpaceEdge, LimitsAreThoseStated) {
+  EXPECT_NEAR(sharp(EndSurface::continuing, 200, 0.999).edge_ratio, 2.17, kStated);
+  EXPECT_NEAR(sharp(EndSurface::mirrored, 200, 0.999).edge_ratio, 1.43, kStated);
+  EXPECT_NEAR(sharp(EndSurface::corrected, 200, 0.999).edge_ratio, 1.24, kStated);
 }
 
 TEST(HalfSpaceEdge, FreeEndIsLessStiffAndCarriesLess) {
