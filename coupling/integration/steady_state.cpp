@@ -8,6 +8,7 @@
 
 #include "bearing/dynamics/equations.hpp"
 #include "bearing/dynamics/initial_state.hpp"
+#include "coupling/integration/in_place.hpp"
 #include "coupling/integration/integrate_bearing.hpp"
 
 namespace orbearing::integration {
@@ -97,6 +98,12 @@ class Recorder {
   long sample_;  // of the last window; negative before it
 };
 
+// Ends an integration from within its observer.
+struct CameOut {
+  double time;  // [s]
+  std::string reason;
+};
+
 // The run in progress: state, time and the length of the next window.
 class SteadyRun {
  public:
@@ -117,7 +124,7 @@ class SteadyRun {
     const OutputTimes output{time_, window_ / static_cast<double>(per_window), per_window * windows};
     take_snapshot(model(), result_.final_state, snapshot_, time_);
     collector_.begin(time_, snapshot_);
-    add_to_report(vectorised_ ? advance_vectorised(output, series) : advance_readable(output, series));
+    add_to_report(advanced(output, series));
     time_ = output.time(output.samples);
     if (!result_.report.completed) return {};
     const WindowStatistics means = collector_.means();
@@ -134,9 +141,26 @@ class SteadyRun {
     return vectorised_ ? options_.series_samples : options_.samples_per_window;
   }
 
+  IntegrationReport advanced(const OutputTimes& output, BearingSeries* series) {
+    try {
+      return vectorised_ ? advance_vectorised(output, series) : advance_readable(output, series);
+    } catch (const CameOut& end) {
+      IntegrationReport report;
+      report.reached = end.time;
+      report.message = end.reason;
+      return report;
+    }
+  }
+
+  void require_in_place(double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+    const std::string reason = out_of_place(model(), x);
+    if (!reason.empty()) throw CameOut{time, reason};
+  }
+
   IntegrationReport advance_readable(const OutputTimes& output, BearingSeries* series) {
     Recorder recorder(output, samples_per_window(), options_.series_samples, model().layout.rollers, series);
     const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+      require_in_place(time, x);
       take_snapshot(model(), x, snapshot_, time);
       collector_.add(time, snapshot_);
       recorder.add(time, snapshot_);
@@ -148,6 +172,7 @@ class SteadyRun {
     Recorder recorder(output, samples_per_window(), options_.series_samples, model().layout.rollers, series);
     long sample = 0;
     const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+      require_in_place(time, x);
       const bool counts = ++sample % kStatesPerSample == 0 || sample == output.samples;
       if (counts || recorder.wants_next()) take_snapshot(model(), x, snapshot_, time);
       if (counts) collector_.add_state(time, snapshot_);

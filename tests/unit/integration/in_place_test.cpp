@@ -1,0 +1,47 @@
+#include "coupling/integration/in_place.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/dynamics/reducer_bearing.hpp"
+
+namespace orbearing::integration {
+namespace {
+
+using bearing::dynamics::BearingModel;
+
+class OutOfPlace : public testing::Test {
+ protected:
+  const bearing::CylindricalRollerBearing bearing = test::reducer_bearing();
+  const BearingModel model = bearing_model(bearing, test::reducer_point(6000.0), test::reducer_parameters());
+  Eigen::VectorXd x = initial_state(bearing, model, test::reducer_parameters(), 0.3).x;
+  bearing::dynamics::MutableStateViews now = bearing::dynamics::mutable_state_views(model.layout, x.data());
+  const double limit = 2.62e-3;  // [m]  half of a roller
+};
+
+TEST_F(OutOfPlace, IsSilentInsideTheBearing) {
+  EXPECT_EQ(out_of_place(model, x), "");
+  now.cage_position.x() += 0.9 * limit;
+  now.radius[3] += 0.9 * limit;
+  EXPECT_EQ(out_of_place(model, x), "");
+}
+
+TEST_F(OutOfPlace, NamesACageThatCameOut) {
+  now.cage_position.y() -= 1.1 * limit;
+  EXPECT_EQ(out_of_place(model, x).rfind("the cage came out", 0), 0u) << out_of_place(model, x);
+}
+
+TEST_F(OutOfPlace, NamesARollerThatCameOut) {
+  now.radius[7] -= 1.1 * limit;
+  EXPECT_EQ(out_of_place(model, x).rfind("a roller came out", 0), 0u) << out_of_place(model, x);
+}
+
+TEST_F(OutOfPlace, LetsPinAndBoreMoveTogether) {
+  now.pin_position.x() += 5.0 * limit;
+  now.bore_position.x() += 5.0 * limit;
+  now.cage_position.x() += 5.0 * limit;
+  now.radius[0] += 5.0 * limit;
+  EXPECT_EQ(out_of_place(model, x), "");
+}
+
+}  // namespace
+}  // namespace orbearing::integration
