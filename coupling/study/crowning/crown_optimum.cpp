@@ -17,8 +17,8 @@ namespace {
 constexpr double kStepEnd = 1e-8;       // relative, of the variables
 constexpr double kConstraint = 1e-10;   // of ln L
 constexpr int kMostEvaluations = 300;
-constexpr double kSameDrop = 1e-3;      // of the greatest drop
-constexpr double kSameLife = 1e-6;      // relative
+constexpr int kMostRuns = 12;
+constexpr double kLeastGain = 1e-9;     // of ln L
 
 // Variables: drop over the greatest, share, ln of the life that all members reach.
 struct Search {
@@ -85,22 +85,36 @@ nlopt::opt programme(Search& search) {
   return programme;
 }
 
+// One run of the programme; false where it stopped without reason to.
+bool improve(Search& search, std::vector<double>& x) {
+  double value = 0.0;
+  try {
+    const nlopt::result result = programme(search).optimize(x, value);
+    return result > 0 && result != nlopt::MAXEVAL_REACHED;
+  } catch (const nlopt::roundoff_limited&) {
+    return true;  // no further step changes anything
+  }
+}
+
+// Where a lamina just touches, slopes change so fast that the programme's picture of the curvature misleads
+// it and it stops short. It begins anew, without that picture, until nothing more is gained.
 SearchEnd search_from(const Crown& start, Search search) {
   SearchEnd end{.start = start};
   std::vector<double> x{start.drop / search.options.greatest_drop};
   if (search.with_share()) x.push_back(start.share);
-  x.push_back(worst_log_life(search, search.crown(x.data())));
-  double value = 0.0;
-  try {
-    const nlopt::result result = programme(search).optimize(x, value);
-    end.converged = result > 0 && result != nlopt::MAXEVAL_REACHED;
-  } catch (const nlopt::roundoff_limited&) {
-    end.converged = true;  // no further step changes anything
-  } catch (const std::runtime_error&) {
-    end.converged = false;
+  double reached = worst_log_life(search, start);
+  x.push_back(reached);
+  for (int run = 0; run < kMostRuns; ++run) {
+    const std::vector<double> before = x;
+    end.converged = improve(search, x);
+    x.back() = worst_log_life(search, search.crown(x.data()));
+    const double gained = x.back() - reached;
+    if (gained < 0.0) x = before;
+    reached = x.back();
+    if (gained < kLeastGain) break;
   }
   end.crown = search.crown(x.data());
-  end.life_hours = std::exp(worst_log_life(search, end.crown));
+  end.life_hours = std::exp(reached);
   end.evaluations = search.evaluations;
   return end;
 }
@@ -117,11 +131,6 @@ std::vector<Crown> random_starts(const Search& search) {
     starts.push_back({drop, search.with_share() ? share : usual_share(search.family)});
   }
   return starts;
-}
-
-bool same(const SearchEnd& one, const SearchEnd& other, double greatest_drop) {
-  return std::abs(one.crown.drop - other.crown.drop) <= kSameDrop * greatest_drop &&
-         std::abs(one.life_hours - other.life_hours) <= kSameLife * other.life_hours;
 }
 
 }  // namespace
@@ -149,6 +158,11 @@ double worst_life_hours(const CrownProblem& problem, const ProfileFamily& family
   return worst;
 }
 
+bool is_same(const SearchEnd& end, const CrownOptimum& best, const SearchOptions& options) {
+  return std::abs(end.crown.drop - best.crown.drop) <= kSameDrop * options.greatest_drop &&
+         std::abs(end.life_hours - best.life_hours) <= kSameLife * best.life_hours;
+}
+
 CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family,
                         const std::vector<Member>& members, const SearchOptions& options) {
   const Search search{problem, family, members, options};
@@ -169,7 +183,7 @@ CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family
   optimum.crown = best->crown;
   optimum.life_hours = best->life_hours;
   optimum.unique = std::all_of(optimum.ends.begin(), optimum.ends.end(), [&](const SearchEnd& end) {
-    return end.converged && same(end, *best, options.greatest_drop);
+    return end.converged && is_same(end, optimum, options);
   });
   return optimum;
 }

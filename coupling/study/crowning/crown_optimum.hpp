@@ -54,8 +54,14 @@ struct CrownOptimum {
   Crown crown;
   double life_hours = 0.0;      // [h]  shortest over the members
   std::vector<SearchEnd> ends;  // of all starts
-  bool unique = false;          // all starts ended in the same crown, to 1e-3 of its drop, or in its life to 1e-6
+  bool unique = false;          // all starts ended in it
 };
+
+/// Two ends are one where they are as close as this. Laminae that begin to touch ripple the life by about
+/// 1e-6 with a period of hundredths of a micrometre, each ripple with an optimum of its own.
+inline constexpr double kSameDrop = 5e-3;  // of the greatest drop
+inline constexpr double kSameLife = 1e-4;  // relative
+bool is_same(const SearchEnd& end, const CrownOptimum& best, const SearchOptions& options);
 
 /// Throws std::runtime_error where no start ends.
 CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family,

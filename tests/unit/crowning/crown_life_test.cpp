@@ -65,7 +65,7 @@ TEST_P(CrownSlopes, AreCentralDifferences) {
       if (film) problem.options.film = bearing::Lubricant{0.01, 1.5e-8};
       const ProfileFamily family = family_of(GetParam(), problem.bearing, 1500.0);
       const Crown crown{4.3e-6, has_share(family) ? 0.41 : 1.0};
-      const double tilt = 0.7e-3, drop_step = 2e-9, share_step = 2e-6;
+      const double tilt = 0.7e-3, drop_step = 1e-11, share_step = 1e-6;
       const CrownLife ours = crown_life(problem, family, crown, tilt);
       const auto at = [&](double drop, double share) {
         return log_life_at(problem, family, {crown.drop + drop, crown.share + share}, tilt);
