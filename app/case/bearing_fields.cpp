@@ -1,4 +1,6 @@
 // Fields of the bearing and its cage.
+#include <utility>
+
 #include "app/case/field_table.hpp"
 
 namespace orbearing::app::table {
@@ -64,6 +66,85 @@ void add_cage(std::vector<Field>& fields) {
                     .default_reason = "a usual play for rollers of a few millimetres"});
 }
 
+Field profile_length(std::string path, std::string meaning, const Dimension& dimension, double most) {
+  return {.path = std::move(path),
+          .kind = Kind::quantity,
+          .meaning = std::move(meaning),
+          .dimension = dimension,
+          .range = {0.0, most}};
+}
+
+void add_profile_shape(std::vector<Field>& fields) {
+  fields.push_back({.path = "bearing.profile.design_load",
+                    .kind = Kind::quantity,
+                    .meaning =
+                        "load of one roller for which lundberg, johns-gohar and fujiwara-kawase are laid "
+                        "out; left out: the load that goes with the drop",
+                    .dimension = dimension::force,
+                    .range = {.least = 0.0, .most = 1e8, .least_allowed = false}});
+  fields.push_back(profile_length("bearing.profile.chamfer_length",
+                                  "chamfer: its length at each end; left out: a tenth of the roller",
+                                  dimension::length, 1e4));
+  fields.push_back(profile_length(
+      "bearing.profile.straight_length",
+      "straight-circular: its straight middle; left out: six tenths of the roller", dimension::length, 1e4));
+  fields.push_back({.path = "bearing.profile.k1",
+                    .kind = Kind::number,
+                    .meaning = "fujiwara-kawase: K1, factor of the design load; left out: 1",
+                    .range = {.least = 0.0, .most = 1000.0, .least_allowed = false}});
+  fields.push_back({.path = "bearing.profile.k2",
+                    .kind = Kind::number,
+                    .meaning = "fujiwara-kawase: K2, crowned share of each half; left out: 1",
+                    .range = {.least = 0.0, .most = 1.0, .least_allowed = false}});
+  fields.push_back(profile_length("bearing.profile.end_drop",
+                                  "fujiwara-kawase: z_m, relief at the end; left out: as Johns and Gohar",
+                                  dimension::small_length, 1000.0));
+  fields.push_back({.path = "bearing.profile.x",
+                    .kind = Kind::list,
+                    .meaning = "table: places from the middle of the roller, rising",
+                    .dimension = dimension::length,
+                    .range = {-1e4, 1e4},
+                    .element = Kind::quantity});
+  fields.push_back({.path = "bearing.profile.drops",
+                    .kind = Kind::list,
+                    .meaning = "table: relief at those places",
+                    .dimension = dimension::small_length,
+                    .range = {0.0, 1000.0},
+                    .element = Kind::quantity});
+}
+
+// None has a default: a case without them is computed with whole contacts, as before there were laminae.
+void add_profile(std::vector<Field>& fields) {
+  fields.push_back({.path = "bearing.laminae",
+                    .kind = Kind::integer,
+                    .meaning = "laminae into which each contact is cut, for profile and misalignment",
+                    .range = {1, 200}});
+  fields.push_back({.path = "bearing.profile.kind",
+                    .kind = Kind::choice,
+                    .meaning = "profile of the rollers along their length; left out: straight",
+                    .choices = {"straight", "chamfer", "circular", "straight-circular", "lundberg",
+                                "johns-gohar", "iso16281", "fujiwara-kawase", "table"}});
+  fields.push_back(profile_length("bearing.profile.drop",
+                                  "relief of one roller at the outermost of 40 laminae; left out: what the "
+                                  "other entries of the profile give, else the relief of the profile of "
+                                  "ISO/TS 16281 there",
+                                  dimension::small_length, 1000.0));
+  add_profile_shape(fields);
+  for (const auto& [key, meaning] :
+       {std::pair{"planet_tilt",
+                  "tilt of the planet on its pin, in the plane of the load on its bearing; "
+                  "positive: the bore leans towards the load at its positive end"},
+        std::pair{"carrier_wind_up",
+                  "tilt of the bore against the pin in the tangential plane, by the twist of "
+                  "the carrier; positive: the bore leads at its positive end"}})
+    fields.push_back({.path = std::string("bearing.misalignment.") + key,
+                      .kind = Kind::quantity,
+                      .meaning = meaning,
+                      .models = planetary_drivetrain,
+                      .dimension = dimension::angle,
+                      .range = {-2.0, 2.0}});
+}
+
 }  // namespace
 
 void add_bearing_fields(std::vector<Field>& fields) {
@@ -84,6 +165,7 @@ void add_bearing_fields(std::vector<Field>& fields) {
       length("bearing.outside_diameter", "outside diameter of the outer ring", planetary_drivetrain));
   fields.push_back(length("bearing.width", "width of the rings", planetary_drivetrain));
   add_cage(fields);
+  add_profile(fields);
 }
 
 }  // namespace orbearing::app::table

@@ -10,6 +10,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/refinement_consistency.hpp"
 #include "app/case/pair_case.hpp"
+#include "app/case/profile_case.hpp"
 #include "app/case/static_consistency.hpp"
 #include "gearset/checks.hpp"
 
@@ -261,6 +262,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_guide_land(check);
   check_widths(check);
   check_refinements(resolved, mistakes);
+  check_profile(resolved, mistakes);
   check_static_bearing(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }

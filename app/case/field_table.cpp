@@ -37,7 +37,6 @@ std::vector<Field> build_table() {
   table::add_drivetrain_fields(fields);
   table::add_gear_dynamics_fields(fields);
   table::add_bearing_fields(fields);
-  table::add_profile_fields(fields);
   table::add_condition_fields(fields);
   table::add_dynamics_fields(fields);
   table::add_refinement_fields(fields);

@@ -39,7 +39,6 @@ void add_dynamics_fields(std::vector<Field>& fields);
 void add_refinement_fields(std::vector<Field>& fields);
 void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_pair_fields(std::vector<Field>& fields);
-void add_profile_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
 }  // namespace table
 

@@ -1,62 +1,143 @@
 #include "app/case/profile_case.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 
+#include "app/case/field_table.hpp"
+#include "bearing/geometry.hpp"
 #include "bearing/profile/design.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-namespace profile = bearing::profile;
+using namespace bearing::profile;
 
-// The roller on the inner race: the smaller radius of both contacts asks for the deeper profile.
-profile::DesignLoad design_of(const ResolvedCase& in) {
-  constexpr double stribeck = 4.08;  // [-]  largest roller load over F/Z, many rollers without clearance
-  const double given = in.quantity("bearing.profile.design_load");
-  const double diameter = in.quantity("bearing.roller_diameter");
-  const double gamma = diameter / in.quantity("bearing.pitch_diameter");
-  return {.load = given > 0.0 ? given : stribeck * in.quantity("load.radial") / in.integer("bearing.rollers"),
-          .length = in.quantity("bearing.roller_length"),
-          .equivalent_radius = 0.5 * diameter * (1.0 - gamma),
-          .material = {.youngs_modulus = in.quantity("material.youngs_modulus"),
-                       .poisson_ratio = in.number("material.poisson_ratio")}};
+const std::string kBlock = "bearing.profile.";
+const std::string kKind = kBlock + "kind";
+
+double length_or(const ResolvedCase& in, const std::string& key, double otherwise) {
+  return in.has(kBlock + key) ? in.quantity(kBlock + key) : otherwise;
 }
 
-profile::Table table_of(const ResolvedCase& in) {
-  if (!in.has("bearing.profile.places") || !in.has("bearing.profile.drops"))
-    throw std::invalid_argument(
-        "a table without its points; required: bearing.profile.places and bearing.profile.drops, lists of "
-        "equal length");
-  return {in.list("bearing.profile.places"), in.list("bearing.profile.drops"),
-          in.number("bearing.profile.scale")};
+double number_or(const ResolvedCase& in, const std::string& key, double otherwise) {
+  return in.has(kBlock + key) ? in.number(kBlock + key) : otherwise;
 }
 
-profile::Profile shape_of(const ResolvedCase& in, const std::string& kind) {
-  const double length = in.quantity("bearing.roller_length");
-  const double drop = in.quantity("bearing.profile.drop");
-  if (kind == "chamfer") return profile::Chamfer{length, in.quantity("bearing.profile.chamfer_length"), drop};
-  if (kind == "circular") return profile::CircularCrown{length, drop};
+// What the roller of the case offers its profile.
+struct Roller {
+  double length = 0.0;    // [m]
+  double diameter = 0.0;  // [m]
+  double drop = 0.0;      // [m]  at kDropPlace: stated, or that of the standard's profile
+  DesignLoad design;      // of the more strongly curved contact, on the inner race
+};
+
+Roller roller_of(const ResolvedCase& in) {
+  Roller out{.length = in.quantity("bearing.roller_length"),
+             .diameter = in.quantity("bearing.roller_diameter")};
+  const double station = kDropPlace * 0.5 * out.length;
+  const double standard = drop(Iso16281{out.length, out.diameter, 1.0}, station);
+  out.drop = length_or(in, "drop", standard);
+  const bearing::CylindricalRollerBearing races{.roller_diameter = out.diameter,
+                                                .pitch_diameter = in.quantity("bearing.pitch_diameter"),
+                                                .radial_clearance = in.quantity("bearing.radial_clearance")};
+  out.design = {
+      .length = out.length,
+      .equivalent_radius = bearing::equivalent_radius(bearing::geometry_of(races), bearing::Race::inner),
+      .material = {.youngs_modulus = in.quantity("material.youngs_modulus"),
+                   .poisson_ratio = in.number("material.poisson_ratio"),
+                   .density = in.quantity("material.density")}};
+  out.design.load = in.has(kBlock + "design_load")
+                        ? in.quantity(kBlock + "design_load")
+                        : design_load_of_drop(out.design, out.drop > 0.0 ? out.drop : standard);
+  return out;
+}
+
+FujiwaraKawase fujiwara_kawase(const ResolvedCase& in, const Roller& roller) {
+  const double k1 = number_or(in, "k1", 1.0);
+  const double end = k1 * drop(johns_gohar_for(roller.design), 0.5 * roller.length);
+  return fujiwara_kawase_for(roller.design, k1, number_or(in, "k2", 1.0), length_or(in, "end_drop", end));
+}
+
+Table table(const ResolvedCase& in) {
+  Table out;
+  if (in.has(kBlock + "x")) out.x = in.list(kBlock + "x");
+  if (in.has(kBlock + "drops")) out.drop = in.list(kBlock + "drops");
+  return out;
+}
+
+// With the depth that its own entries give it; one that has none yet is as deep at its end as it shall be at
+// kDropPlace.
+Profile own_profile(const ResolvedCase& in, const Roller& roller) {
+  const std::string& kind = in.choice(kKind);
+  const double l = roller.length, depth = std::max(roller.drop, 1e-9);
+  if (kind == "chamfer") return Chamfer{l, length_or(in, "chamfer_length", 0.1 * l), depth};
+  if (kind == "circular") return CircularCrown{l, depth};
   if (kind == "straight-circular")
-    return profile::StraightCircular{length, in.number("bearing.profile.straight_share") * length, drop};
-  if (kind == "lundberg") return profile::lundberg_for(design_of(in));
-  if (kind == "johns-gohar") return profile::johns_gohar_for(design_of(in));
-  if (kind == "fujiwara-kawase")
-    return profile::fujiwara_kawase_for(design_of(in), in.number("bearing.profile.k1"),
-                                        in.number("bearing.profile.k2"), drop);
-  if (kind == "iso16281")
-    return profile::Iso16281{length, in.quantity("bearing.roller_diameter"),
-                             in.number("bearing.profile.scale")};
-  if (kind == "table") return table_of(in);
-  return profile::Straight{};
+    return StraightCircular{l, length_or(in, "straight_length", 0.6 * l), depth};
+  if (kind == "lundberg") return lundberg_for(roller.design);
+  if (kind == "johns-gohar") return johns_gohar_for(roller.design);
+  if (kind == "iso16281") return Iso16281{l, roller.diameter, 1.0};
+  if (kind == "fujiwara-kawase") return fujiwara_kawase(in, roller);
+  if (kind == "table") return table(in);
+  return Straight{};
+}
+
+// Kinds whose depth lies in other entries than the drop.
+bool has_own_depth(const ResolvedCase& in) {
+  const std::string& kind = in.choice(kKind);
+  if (kind == "straight" || kind == "table" || kind == "iso16281") return true;
+  return in.has(kBlock + "design_load") &&
+         (kind == "lundberg" || kind == "johns-gohar" || kind == "fujiwara-kawase");
+}
+
+std::string first_of(const ResolvedCase& in, const std::string& block) {
+  for (const Field& field : all_fields())
+    if (field.path.starts_with(block) && in.has(field.path)) return field.path;
+  return {};
 }
 
 }  // namespace
 
-profile::Profile profile_of(const ResolvedCase& resolved) {
-  profile::Profile result = shape_of(resolved, resolved.choice("bearing.profile.kind"));
-  profile::require_sound(result);
-  return result;
+Profile roller_profile_of(const ResolvedCase& in) {
+  if (!in.has(kKind)) return Straight{};
+  const Roller roller = roller_of(in);
+  const Profile own = own_profile(in, roller);
+  require_sound(own);
+  if (!in.has(kBlock + "drop") && has_own_depth(in)) return own;
+  const Profile deep = with_drop(own, kDropPlace * 0.5 * roller.length, roller.drop);
+  require_sound(deep);
+  return deep;
+}
+
+void check_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  for (const std::string block : {"bearing.profile.", "bearing.misalignment."}) {
+    const std::string present = first_of(in, block);
+    if (present.empty() || in.has("bearing.laminae")) continue;
+    mistakes.push_back({in.place(present),
+                        present,
+                        {"an entry without bearing.laminae",
+                         "laminae, which feel it, are required: for instance bearing.laminae: 40"}});
+  }
+  const std::string profile = first_of(in, kBlock);
+  if (!profile.empty() && !in.has(kKind))
+    mistakes.push_back({in.place(profile),
+                        profile,
+                        {"a profile without bearing.profile.kind", "a kind of profile is required"}});
+  for (const char* needed : {"bearing.profile.kind", "bearing.roller_length", "bearing.roller_diameter",
+                             "bearing.pitch_diameter", "bearing.radial_clearance"})
+    if (!in.has(needed)) return;
+  try {
+    roller_profile_of(in);
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    const auto split = text.find("; ");
+    mistakes.push_back({in.place(kKind),
+                        kKind,
+                        {text.substr(0, split), split == std::string::npos ? "a profile that can be made"
+                                                                           : text.substr(split + 2)}});
+  }
 }
 
 }  // namespace orbearing::app

@@ -1,13 +1,20 @@
-// From a resolved case to the profile of its rollers.
+// The profile of the rollers that a case states, and what does not fit about it.
 #pragma once
 
+#include <vector>
+
+#include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"
 #include "bearing/profile/profile.hpp"
 
 namespace orbearing::app {
 
-/// The profile that `bearing.profile` states, for rollers under the load of the case. Throws
-/// std::invalid_argument where it has no meaning, with what was found and what is required.
-bearing::profile::Profile profile_of(const ResolvedCase& resolved);
+/// Profile of one roller; straight where the case states none. Throws std::invalid_argument where it has no
+/// meaning.
+bearing::profile::Profile roller_profile_of(const ResolvedCase& resolved);
+
+/// Tells `mistakes` of a profile that cannot be made, and of profile or misalignment without the laminae that
+/// feel them.
+void check_profile(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
 }  // namespace orbearing::app

@@ -19,7 +19,6 @@ set(ORBEARING_CASE_SOURCES
   case/pair_fields.cpp
   case/printable.cpp
   case/profile_case.cpp
-  case/profile_fields.cpp
   case/refinement_consistency.cpp
   case/refinement_fields.cpp
   case/resolved_case.cpp

@@ -12,7 +12,7 @@ bearing::Material material_of(const ResolvedCase& in) {
           .density = in.quantity("material.density")};
 }
 
-bearing::CylindricalRollerBearing cylindrical_bearing_of(const ResolvedCase& in) {
+bearing::CylindricalRollerBearing whole_bearing_of(const ResolvedCase& in) {
   return {.rollers = in.integer("bearing.rollers"),
           .roller_diameter = in.quantity("bearing.roller_diameter"),
           .roller_length = in.quantity("bearing.roller_length"),
@@ -30,10 +30,11 @@ std::optional<double> tilt_of(const ResolvedCase& in) {
 
 }  // namespace
 
-bearing::static_load::LaminaBearing lamina_bearing_of(const ResolvedCase& in) {
-  return {.bearing = cylindrical_bearing_of(in),
-          .laminae = in.integer("bearing.laminae"),
-          .roller_profile = profile_of(in)};
+bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& in) {
+  bearing::CylindricalRollerBearing bearing = whole_bearing_of(in);
+  bearing.laminae = in.has("bearing.laminae") ? in.integer("bearing.laminae") : default_laminae;
+  bearing.roller_profile = roller_profile_of(in);
+  return bearing;
 }
 
 bearing::static_load::BallBearing ball_bearing_of(const ResolvedCase& in) {
@@ -59,7 +60,7 @@ bearing::static_load::BallBearingLoad ball_load_of(const ResolvedCase& in) {
 }
 
 bearing::rating::RollerSet roller_set_of(const ResolvedCase& in) {
-  bearing::rating::RollerSet set = bearing::rating::roller_set(cylindrical_bearing_of(in));
+  bearing::rating::RollerSet set = bearing::rating::roller_set(whole_bearing_of(in));
   set.lambda = in.number("life.lambda");
   return set;
 }

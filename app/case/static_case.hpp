@@ -8,8 +8,11 @@
 
 namespace orbearing::app {
 
-/// Throws std::invalid_argument where the profile has no meaning.
-bearing::static_load::LaminaBearing lamina_bearing_of(const ResolvedCase& resolved);
+/// Laminae where the case states none.
+inline constexpr int default_laminae = 40;
+
+/// Always cut into laminae. Throws std::invalid_argument where the profile has no meaning.
+bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& resolved);
 bearing::static_load::BallBearing ball_bearing_of(const ResolvedCase& resolved);
 
 bearing::static_load::RollerBearingLoad roller_load_of(const ResolvedCase& resolved);

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-
-#include "app/case/profile_case.hpp"
 
 namespace orbearing::app {
 
@@ -35,34 +31,13 @@ void check_load(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.has("load.tilt") && in.has("load.moment") && in.quantity("load.moment") != 0.0)
     object(in, "load.tilt", "a tilt beside load.moment",
            "either the moment, with the tilt that follows, or the tilt is required", mistakes);
-  if (in.model() != roller_bearing || !has_all(in, {"load.radial", "bearing.laminae"})) return;
+  if (in.model() != roller_bearing || !in.has("load.radial")) return;
   if (in.quantity("load.radial") <= 0.0)
     object(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
   const bool moment = in.has("load.moment") && in.quantity("load.moment") != 0.0;
-  if (moment && in.integer("bearing.laminae") < 2)
+  if (moment && in.has("bearing.laminae") && in.integer("bearing.laminae") < 2)
     object(in, "bearing.laminae", "a single lamina, which holds no moment",
            "at least 2 laminae are required with load.moment", mistakes);
-}
-
-void check_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (!has_all(in,
-               {"bearing.profile.kind", "bearing.rollers", "bearing.roller_diameter", "bearing.roller_length",
-                "bearing.pitch_diameter", "load.radial", "material.youngs_modulus", "material.poisson_ratio",
-                "bearing.profile.drop", "bearing.profile.chamfer_length", "bearing.profile.straight_share",
-                "bearing.profile.scale", "bearing.profile.design_load", "bearing.profile.k1",
-                "bearing.profile.k2"}) ||
-      in.quantity("load.radial") <= 0.0)
-    return;
-  try {
-    profile_of(in);
-  } catch (const std::invalid_argument& error) {
-    const std::string text = error.what();
-    const std::string join = "; required";
-    const std::size_t end = std::min(text.find(join), text.size());
-    const std::size_t rest = text.find_first_not_of(": ", std::min(end + join.size(), text.size()));
-    object(in, "bearing.profile.kind", text.substr(0, end),
-           (rest < text.size() ? text.substr(rest) : "a profile with a meaning") + " is required", mistakes);
-  }
 }
 
 void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
@@ -116,10 +91,7 @@ void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mi
   if (resolved.model() != roller_bearing && resolved.model() != ball_bearing) return;
   check_load(resolved, mistakes);
   check_life(resolved, mistakes);
-  if (resolved.model() == ball_bearing)
-    check_balls(resolved, mistakes);
-  else
-    check_profile(resolved, mistakes);
+  check_balls(resolved, mistakes);
 }
 
 }  // namespace orbearing::app

@@ -106,6 +106,26 @@ void add_distribution(PointContent& content, const study::LoadDistribution& load
       {"outer_load", {"place"}, "N", "load of a roller on the outer race", loads.outer_load});
 }
 
+// Of a bearing cut into laminae, whose places are those of the distribution.
+void add_laminae(PointContent& content, const study::LaminaRecord& record) {
+  content.dimensions.push_back({"lamina", record.lamina_place.size()});
+  content.arrays.push_back({"lamina_place", {"lamina"}, "m", "middle of a lamina, from the middle of the roller",
+                            record.lamina_place});
+  content.arrays.push_back({"inner_lamina_load", {"place", "lamina"}, "N",
+                            "load of a lamina of a roller on the inner race", record.inner_load});
+  content.arrays.push_back({"outer_lamina_load", {"place", "lamina"}, "N",
+                            "load of a lamina of a roller on the outer race", record.outer_load});
+  content.arrays.push_back({"roller_tilt", {"place"}, "rad",
+                            "tilt of a roller, outward at positive lamina places", record.roller_tilt});
+  const auto add_vector = [&](const std::string& name, const char* units, const std::string& meaning,
+                              const Eigen::Vector2d& value) {
+    content.arrays.push_back({name + "_x", {}, units, meaning + ", outward", {value.x()}});
+    content.arrays.push_back({name + "_y", {}, units, meaning + ", in the sense of rotation", {value.y()}});
+  };
+  add_vector("bore_tilt", "rad", "inclination of the bore's axis against the pin's", record.bore_tilt);
+  add_vector("bore_moment", "N.m", "moment of the rollers on the bore along its tilt", record.moment);
+}
+
 }  // namespace
 
 PointContent point_content(const ManifestHeader& header, std::size_t point,
@@ -122,6 +142,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   add_sets(content, header.sets, result);
   if (result.status == "ok" && !result.distribution.angle.empty())
     add_distribution(content, result.distribution);
+  if (result.status == "ok" && result.laminae) add_laminae(content, *result.laminae);
   if (result.dynamic) add_series(result.dynamic->series, content);
   if (result.dynamic) add_final_state(result.dynamic->final_state, content);
   content.attributes = {{"Conventions", "CF-1.10"},

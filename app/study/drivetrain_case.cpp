@@ -6,6 +6,8 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/refinements.hpp"
 #include "app/case/arrangement_case.hpp"
+#include "app/case/profile_case.hpp"
+#include "bearing/profile/design.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 
@@ -110,6 +112,12 @@ gearset::Drive drive_of(const ResolvedCase& in) {
           .speed = in.quantity("input.speed")};
 }
 
+study::Misalignment misalignment_of(const ResolvedCase& in) {
+  const auto angle = [&](const char* path) { return in.has(path) ? in.quantity(path) : 0.0; };
+  return {.planet_tilt = angle("bearing.misalignment.planet_tilt"),
+          .carrier_wind_up = angle("bearing.misalignment.carrier_wind_up")};
+}
+
 study::PlanetaryDrivetrain quasi_static_drivetrain(const ResolvedCase& in) {
   return {.set = set_of(in),
           .drive = drive_of(in),
@@ -123,6 +131,7 @@ study::PlanetaryDrivetrain quasi_static_drivetrain(const ResolvedCase& in) {
                         .pressure_viscosity = in.quantity("lubricant.pressure_viscosity")},
           .film_in_approach = in.flag("film.enabled"),
           .lambda = in.number("life.lambda"),
+          .misalignment = misalignment_of(in),
           .cage_positions = in.integer("numerics.cage_positions")};
 }
 
@@ -163,8 +172,18 @@ void add_duty(const study::BearingDuty& duty, std::vector<Derived>& rows) {
       {"operation.bore_load_y", duty.point.bore_load.y(), "N", "the same, in the sense of rotation"});
 }
 
-void add_bearing(const study::DrivetrainGeometry& geometry, std::vector<Derived>& rows) {
+void add_profile(const bearing::CylindricalRollerBearing& bearing, std::vector<Derived>& rows) {
+  if (bearing.laminae == 0) return;
+  const double half = 0.5 * bearing.roller_length;
+  rows.push_back({"bearing.profile.outermost_drop",
+                  1e6 * bearing::profile::drop(bearing.roller_profile, bearing::profile::kDropPlace * half),
+                  "um", "relief of one roller at the outermost of 40 laminae"});
+}
+
+void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
+                 std::vector<Derived>& rows) {
   const bearing::RollerBearingGeometry& g = geometry.bearing;
+  add_profile(drivetrain.bearing, rows);
   rows.push_back(
       {"bearing.inner_raceway_diameter", 2e3 * g.inner_radius, "mm", "pitch - roller - half clearance"});
   rows.push_back(
@@ -189,7 +208,9 @@ bearing::CylindricalRollerBearing bearing_of(const ResolvedCase& in) {
                        .density = in.quantity("material.density")},
           .contact_law = in.choice("contact.law") == "iso16281" ? bearing::ContactLaw::iso16281
                                                                 : bearing::ContactLaw::palmgren,
-          .cage = cage_of(in)};
+          .cage = cage_of(in),
+          .laminae = in.has("bearing.laminae") ? in.integer("bearing.laminae") : 0,
+          .roller_profile = roller_profile_of(in)};
 }
 
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
@@ -252,7 +273,7 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
   for (const study::NamedSet& set : bearing_sets(resolved)) {
     std::vector<Derived> of_set;
     add_gears(set.drivetrain, set.geometry, of_set);
-    add_bearing(set.geometry, of_set);
+    add_bearing(set.drivetrain, set.geometry, of_set);
     add_duty(study::bearing_duty(set.drivetrain, set.geometry), of_set);
     for (Derived& row : of_set) {
       if (!set.name.empty()) row.path = set_prefix(set.name) + row.path;

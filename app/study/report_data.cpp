@@ -55,11 +55,12 @@ Json fine_curve(const study::PlanetaryDrivetrain& drivetrain, const study::Drive
   return curve;
 }
 
-// Speeds of the sweep nearest to the lowest, the best and the highest: what the polar plots show.
-std::vector<double> shown_speeds(const LifeCurve& grid) {
-  const double peak = property(grid, "peak_speed_rpm");
+// Speeds of the sweep nearest to the lowest, the best and the highest: what the polar plots show. `peak`: the
+// best by another model too, where it is a number.
+std::vector<double> shown_speeds(const LifeCurve& grid, double peak = std::nan("")) {
   const auto [low, high] = std::minmax_element(grid.speed_rpm.begin(), grid.speed_rpm.end());
-  std::vector<double> speeds{*low, peak, *high};
+  std::vector<double> speeds{*low, property(grid, "peak_speed_rpm"), *high};
+  if (std::isfinite(peak)) speeds.push_back(peak);
   std::sort(speeds.begin(), speeds.end());
   speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
   return speeds;
@@ -247,8 +248,9 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;
   if (outcome.header.fidelity == "dynamic")
-    data["dynamic"] = {{"ablation", dynamic_ablation(drivetrain, shown_speeds(grid), every_effect)},
-                       {"quasi_static", {{"polar", data["polar"]}}}};
+    data["dynamic"] = {
+        {"ablation", dynamic_ablation(drivetrain, shown_speeds(grid), every_effect)},
+        {"quasi_static", {{"polar", polar(drivetrain, geometry, shown_speeds(grid, found.peak.speed_rpm))}}}};
   return data;
 }
 

@@ -78,6 +78,9 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
     study.warnings.push_back(
         "L10: the factors X and Y of ISO 281 are held for a nominal contact angle of zero; L10r has no need "
         "of them");
+  if (in.model() == roller_bearing && !in.has("bearing.laminae"))
+    study.warnings.push_back(fmt::format(
+        "bearing.laminae: not given; {} are taken, and lives depend on their number", default_laminae));
   if (study.lamina_load.rows() > 0 && study.lamina_load.rows() < 30)
     study.warnings.push_back(fmt::format(
         "bearing.laminae: {} laminae; ISO/TS 16281 asks for at least 30, and its stress riser depends on "

@@ -35,8 +35,8 @@ double roller_pressure(const StaticStudy& study, const rating::RollerSet& set,
 }
 
 StaticStudy roller_study(const ResolvedCase& in) {
-  const static_load::LaminaBearing bearing = lamina_bearing_of(in);
-  const static_load::RollerBearingState state = static_load::static_state(bearing, roller_load_of(in));
+  const bearing::CylindricalRollerBearing rollers = lamina_bearing_of(in);
+  const static_load::RollerBearingState state = static_load::static_state(rollers, roller_load_of(in));
   require_balance(in, state.report);
   StaticStudy study{.model = in.choice("model"),
                     .radial = state.radial,
@@ -46,12 +46,12 @@ StaticStudy roller_study(const ResolvedCase& in) {
                     .lamina_load = state.lamina_load};
   study.ratings = ratings_of(in);
   const rating::RaceMotions motions = race_motions_of(in);
-  study.largest_pressure = roller_pressure(study, roller_set_of(in), bearing.bearing.material);
+  study.largest_pressure = roller_pressure(study, roller_set_of(in), rollers.material);
   study.equivalent_load = in.quantity("load.radial");
   study.reference_life =
       rating::lamina_reference_life(study.ratings.contacts, state.lamina_load, state.lamina_load, motions);
   study.lundberg_palmgren = bearing::lundberg_palmgren_life(
-      bearing.bearing, in.number("life.lambda"),
+      rollers, in.number("life.lambda"),
       motions.inner == bearing::RaceMotion::standing ? Race::inner : Race::outer, state.roller_load,
       state.roller_load);
   rate(in, rating::RollingElement::roller, study);

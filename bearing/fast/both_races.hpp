@@ -10,10 +10,13 @@ struct BothRaces : RaceNumbers<PerRace> {
   bool round = true;  // neither race has waves
   const RaceConstants* inner = nullptr;
   const RaceConstants* outer = nullptr;
+  LaminaConstants laminae;
 };
 
-/// Both races follow the same laws, with numbers of their own. Keeps pointers to `inner` and `outer`.
-inline BothRaces both_races(const RaceConstants& inner, const RaceConstants& outer) {
+/// Both races follow the same laws, with numbers of their own. Keeps pointers to `inner`, `outer` and what
+/// `laminae` points to.
+inline BothRaces both_races(const RaceConstants& inner, const RaceConstants& outer,
+                            const LaminaConstants& laminae) {
   BothRaces both;
   const auto join = [&](PerRace RaceNumbers<PerRace>::*into, double RaceNumbers<double>::*from) {
     both.*into = {inner.*from, outer.*from};
@@ -50,6 +53,7 @@ inline BothRaces both_races(const RaceConstants& inner, const RaceConstants& out
   both.round = inner.waves == 0 && outer.waves == 0;
   both.inner = &inner;
   both.outer = &outer;
+  both.laminae = laminae;
   return both;
 }
 

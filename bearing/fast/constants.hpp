@@ -58,6 +58,17 @@ struct RaceConstants : RaceNumbers<double> {
   const WaveConstants* wave = nullptr;  // (waves)
 };
 
+/// The contacts cut into laminae; see dynamics/lamina_races.hpp.
+struct LaminaConstants {
+  int count = 0;                       // 0: line contacts of straight rollers
+  const double* place = nullptr;       // (count)  -1 to 1
+  const double* inner_drop = nullptr;  // (count)  [m]
+  const double* outer_drop = nullptr;  // (count)  [m]
+  double bore_tip_x = 0.0;             // [m]
+  double bore_tip_y = 0.0;             // [m]
+  bool upright = true;                 // symmetric, and no roller ever tilts
+};
+
 /// The land that guides the cage; see dynamics/cage_guidance.hpp.
 struct LandConstants {
   bool present = false;
@@ -95,6 +106,7 @@ struct Constants {
 
   RaceConstants inner;
   RaceConstants outer;
+  LaminaConstants laminae;
 
   double half_clearance = 0.0;        // [m]  of a pocket
   double pocket_stiffness = 0.0;      // [N/m]

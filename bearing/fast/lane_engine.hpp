@@ -47,7 +47,7 @@ class LaneEngine final : public Engine {
  public:
   LaneEngine(const Constants& constants, const RollerConstants& rollers)
       : c_(constants),
-        races_(both_races(c_.inner, c_.outer)),
+        races_(both_races(c_.inner, c_.outer, c_.laminae)),
         given_(rollers),
         layout_{constants.rollers},
         packs_(layout_.lanes() / kLanes),

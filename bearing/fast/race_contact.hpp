@@ -6,8 +6,8 @@
 #pragma once
 
 #include "bearing/fast/friction.hpp"
+#include "bearing/fast/lamina_load.hpp"
 #include "bearing/fast/race_form.hpp"
-#include "bearing/fast/race_load.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
@@ -112,11 +112,14 @@ struct RaceLoads {
 };
 
 template <bool WithSlopes>
-RaceLoads race_loads(const BothRaces& race, const RaceMotion& m) {
+RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine) {
   RaceLoads x;
   const bool needs_log = race.film || race.limiting_shear || race.mixed || race.rolling_resistance;
   const Both log_entrainment = needs_log ? logarithm(m.entrainment) : Both{};
-  x.elastic = elastic_load<WithSlopes>(race, m.approach, m.entrainment, log_entrainment);
+  const ElasticApproach e = elastic_approach<WithSlopes>(race, m.approach, m.entrainment, log_entrainment);
+  const LoadSlope elastic =
+      race.laminae.count > 0 ? lamina_load(race, e, cosine, sine) : straight_load(race, e);
+  x.elastic = {elastic.load, elastic.slope * e.by_approach, elastic.slope * e.by_entrainment};
   x.damped = larger(1.0 + race.damping * m.closing, Both{});
   x.load = x.elastic.value * x.damped;
   x.friction = race.limiting_shear ? limiting_shear(race, x.load, m.sliding, m.entrainment, log_entrainment)
@@ -255,7 +258,7 @@ ContactForce<Both> race_contact(const BothRaces& race, const Pack& radius, const
                                 const Pack& cosine, const Pack& sine, const RelativeMotion<Both>& relative,
                                 ContactSlopes<Both>& slopes) {
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
-  const RaceLoads x = race_loads<WithSlopes>(race, m);
+  const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine);
   ContactForce<Both> result;
   if (!any(x.elastic.value > 0.0)) {
     if constexpr (WithSlopes) slopes = ContactSlopes<Both>{};

@@ -66,43 +66,54 @@ inline ThinnedFilm thinned_film(const Both& approach, const Both& factor, const 
   return {powers.ninetieth, powers.ninetieth - approach, powers.tenth};
 }
 
-/// Elastic load [N] by approach [m] and entrainment speed [m/s], given with its logarithm; zero where there
-/// is no contact.
+/// Elastic approach of a contact in the middle and its slopes.
+struct ElasticApproach {
+  Both value;           // [m]  zero or negative without contact
+  Both ninth;           // [m^(1/9)]  its ninth root, where it is positive
+  Both by_approach;     // [-]
+  Both by_entrainment;  // [s]
+};
+
+/// By approach [m] and entrainment speed [m/s], given with its logarithm: dynamics/race_load.cpp.
 template <bool WithSlopes>
-Slopes2 elastic_load(const BothRaces& race, const Both& approach, const Both& entrainment,
-                     const Both& log_entrainment) {
-  const Both tiny = spread<Both>(1e-30);
-  if (!race.film) {
-    const Both e = larger(approach, tiny);
-    const Both stiffness = race.stiffness * ninth_root(e);
-    const BothMask touching = approach > 0.0;
-    return {only(touching, stiffness * e), only(touching, stiffness * (10.0 / 9.0)), Both{}};
-  }
-  // Powers of the entrainment speed, dynamics/race_load.cpp: cap ~ u^(19/29), its approach ~ u^(9/29), factor
-  // ~ u^0.7.
+ElasticApproach elastic_approach(const BothRaces& race, const Both& approach, const Both& entrainment,
+                                 const Both& log_entrainment) {
+  if (!race.film) return {approach, ninth_root(approach), spread<Both>(1.0), Both{}};
+  // Powers of the entrainment speed: cap ~ u^(19/29), its approach ~ u^(9/29), factor ~ u^0.7.
   constexpr double m = 0.13 * 10.0 / 9.0;
   constexpr double kFilmSpeed = 0.7, kCapSpeed = 19.0 / 29.0;
   const Both root29 = exponential(log_entrainment * (1.0 / 29.0));
   const Both p2 = root29 * root29, p4 = p2 * p2, p8 = p4 * p4;
   const Both cap = race.film_cap * (p8 * p8 * p2 * root29);
   const Both cap_approach = race.film_cap_approach * (p8 * root29);
-  const BothMask touching = approach + cap > 0.0;
-  const Both beyond = select(touching, approach + cap, cap_approach);
+  const Both capped = approach + cap;
+  const BothMask touching = capped > 0.0;
+  const Both beyond = select(touching, capped, cap_approach);
   const BothMask thinned = beyond > cap_approach;
   // At the cap the elastic approach is known, and the same steps find its ninth root.
   const Both factor = only(thinned, race.film_factor * exponential(kFilmSpeed * log_entrainment));
   const ThinnedFilm root = thinned_film(select(thinned, approach, beyond), factor, beyond);
-  const Both e = root.approach, ninth = root.ninth;
-  const Both film = select(thinned, root.film, cap);
-  const Both stiffness = race.stiffness * ninth;
-  Slopes2 result{only(touching, stiffness * e), Both{}, Both{}};
+  ElasticApproach e{select(touching, root.approach, capped), root.ninth, Both{}, Both{}};
   if constexpr (WithSlopes) {
-    const Both yielding = only(thinned, m * film / e);
-    result.by_first = only(touching, (10.0 / 9.0) * stiffness / (1.0 + yielding));
-    result.by_second = result.by_first * select(thinned, spread<Both>(kFilmSpeed), spread<Both>(kCapSpeed)) *
+    const Both film = select(thinned, root.film, cap);
+    e.by_approach = 1.0 / (1.0 + only(thinned, m * film / root.approach));
+    e.by_entrainment = e.by_approach * select(thinned, spread<Both>(kFilmSpeed), spread<Both>(kCapSpeed)) *
                        film / entrainment;
   }
-  return result;
+  return e;
+}
+
+/// A load [N] and its slope by the elastic approach [N/m].
+struct LoadSlope {
+  Both load;
+  Both slope;
+};
+
+/// Of a straight roller.
+inline LoadSlope straight_load(const BothRaces& race, const ElasticApproach& e) {
+  const BothMask touching = e.value > 0.0;
+  const Both stiffness = only(touching, race.stiffness * e.ninth);
+  return {stiffness * e.value, (10.0 / 9.0) * stiffness};
 }
 
 }  // namespace orbearing::bearing::fast::ORBEARING_LANES

@@ -42,4 +42,17 @@ FujiwaraKawase fujiwara_kawase_for(const DesignLoad& design, double k1, double k
   return {design.length, end_drop, end_drop / (k1 * amplitude(design)), k2};
 }
 
+// The end's width changes the logarithm little, so that each step of the iteration loses most of the error.
+double design_load_of_drop(DesignLoad design, double drop) {
+  constexpr int kSteps = 60;
+  const double station = kDropPlace * 0.5 * design.length;
+  design.load = drop * reduced_modulus(design.material) * design.length;
+  for (int i = 0; i < kSteps; ++i) {
+    const double now = profile::drop(johns_gohar_for(design), station);
+    if (!(now > 0.0)) break;
+    design.load *= drop / now;
+  }
+  return design.load;
+}
+
 }  // namespace orbearing::bearing::profile

@@ -6,6 +6,10 @@
 
 namespace orbearing::bearing::profile {
 
+/// Where a profile's drop is stated, as a share of half the length: the middle of the outermost of 40
+/// laminae. The ends themselves are no good place, for logarithmic profiles are steepest there.
+inline constexpr double kDropPlace = 39.0 / 40.0;
+
 /// What a logarithmic profile is laid out for.
 struct DesignLoad {
   double load = 0.0;               // [N]  Q of one roller on one race
@@ -28,5 +32,9 @@ JohnsGohar johns_gohar_for(const DesignLoad& design);
 
 /// K1 scales the amplitude, K2 is the crowned fraction of each half, `end_drop` [m] is z_m.
 FujiwaraKawase fujiwara_kawase_for(const DesignLoad& design, double k1, double k2, double end_drop);
+
+/// Load [N] for which the profile of Johns and Gohar drops by `drop` [m] > 0 at kDropPlace; the load of
+/// `design` does not count.
+double design_load_of_drop(DesignLoad design, double drop);
 
 }  // namespace orbearing::bearing::profile

@@ -28,13 +28,14 @@ RollerApproach approach_at(const StaticRollers& rollers, Eigen::Index j, const E
 }
 
 // Relief of both contacts of a roller at the middles of its laminae [m].
-std::vector<double> drops_of(const LaminaBearing& in) {
-  for (const profile::Profile& profile : {in.roller_profile, in.inner_profile, in.outer_profile})
+std::vector<double> drops_of(const CylindricalRollerBearing& in) {
+  for (const profile::Profile& profile : {in.roller_profile, in.inner_race_profile, in.outer_race_profile})
     profile::require_sound(profile);
-  const double length = in.bearing.roller_length;
-  std::vector<double> drops = laminae::lamina_drops(in.roller_profile, in.inner_profile, length, in.laminae);
+  const double length = in.roller_length;
+  std::vector<double> drops =
+      laminae::lamina_drops(in.roller_profile, in.inner_race_profile, length, in.laminae);
   const std::vector<double> outer =
-      laminae::lamina_drops(in.roller_profile, in.outer_profile, length, in.laminae);
+      laminae::lamina_drops(in.roller_profile, in.outer_race_profile, length, in.laminae);
   for (std::size_t k = 0; k < drops.size(); ++k) drops[k] += outer[k];
   return drops;
 }
@@ -46,25 +47,24 @@ laminae::LaminaLaw law_of(const CylindricalRollerBearing& bearing) {
 }
 
 // The scale of the solution: clearance and relief to be taken up, and twice what one roller alone would give.
-double reach_of(const LaminaBearing& in, const StaticRollers& rollers, const Eigen::Vector4d& load) {
-  const double elastic = std::pow(load.norm() / law_of(in.bearing).constant, 1.0 / kExponent);
+double reach_of(const CylindricalRollerBearing& in, const StaticRollers& rollers,
+                const Eigen::Vector4d& load) {
+  const double elastic = std::pow(load.norm() / law_of(in).constant, 1.0 / kExponent);
   return std::abs(rollers.clearance) + rollers.contact.greatest_drop() + 2.0 * elastic + 1e-6;
 }
 
 }  // namespace
 
-StaticRollers static_rollers(const LaminaBearing& in) {
+StaticRollers static_rollers(const CylindricalRollerBearing& in) {
   if (in.laminae < 1) {
     std::ostringstream text;
     text << "laminae: found " << in.laminae << "; required: at least 1";
     throw std::invalid_argument(text.str());
   }
-  const CylindricalRollerBearing& bearing = in.bearing;
-  const double pitch = boost::math::double_constants::two_pi / bearing.rollers;
-  const Eigen::ArrayXd angles =
-      pitch * Eigen::ArrayXd::LinSpaced(bearing.rollers, 0.0, bearing.rollers - 1.0);
-  return {.contact = laminae::LaminaContact(law_of(bearing), bearing.roller_length, drops_of(in)),
-          .clearance = bearing.radial_clearance,
+  const double pitch = boost::math::double_constants::two_pi / in.rollers;
+  const Eigen::ArrayXd angles = pitch * Eigen::ArrayXd::LinSpaced(in.rollers, 0.0, in.rollers - 1.0);
+  return {.contact = laminae::LaminaContact(law_of(in), in.roller_length, drops_of(in)),
+          .clearance = in.radial_clearance,
           .cosine = angles.cos(),
           .sine = angles.sin()};
 }
@@ -96,7 +96,7 @@ double stored_energy(const StaticRollers& rollers, const Eigen::Vector4d& place)
   return energy;
 }
 
-RollerBearingState static_state(const LaminaBearing& bearing, const RollerBearingLoad& load) {
+RollerBearingState static_state(const CylindricalRollerBearing& bearing, const RollerBearingLoad& load) {
   const StaticRollers rollers = static_rollers(bearing);
   const double lever = rollers.contact.half_length();
   BalanceProblem<4> problem;

@@ -1,4 +1,6 @@
-// Cylindrical roller bearing cut into laminae under a static load, without inertia, [ISO16281].
+// Cylindrical roller bearing cut into laminae under a static load, without inertia, [ISO16281]. The contact
+// law of the bearing is taken for both contacts of a roller in series; its cage, rings and forms play no
+// part.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,20 +8,9 @@
 
 #include "bearing/laminae/lamina_contact.hpp"
 #include "bearing/parameters.hpp"
-#include "bearing/profile/profile.hpp"
 #include "bearing/static_load/convex_balance.hpp"
 
 namespace orbearing::bearing::static_load {
-
-/// A bearing and how finely its contacts are cut. The contact law of the bearing is taken for both contacts
-/// of a roller in series.
-struct LaminaBearing {
-  CylindricalRollerBearing bearing;
-  int laminae = 40;
-  profile::Profile roller_profile;  // counts on both contacts of a roller
-  profile::Profile inner_profile;   // of the races
-  profile::Profile outer_profile;
-};
 
 /// Load on the inner ring. The radial load points to the first roller; a positive tilt presses the rollers
 /// there at negative x.
@@ -42,7 +33,7 @@ struct RollerBearingState {
 };
 
 /// Throws std::invalid_argument where there are no laminae or a profile has no meaning.
-RollerBearingState static_state(const LaminaBearing& bearing, const RollerBearingLoad& load);
+RollerBearingState static_state(const CylindricalRollerBearing& bearing, const RollerBearingLoad& load);
 
 /// What does not change with the load: both contacts of a roller as one, and where the rollers stand.
 struct StaticRollers {
@@ -52,7 +43,7 @@ struct StaticRollers {
   Eigen::ArrayXd sine;             // (rollers)
 };
 
-StaticRollers static_rollers(const LaminaBearing& bearing);
+StaticRollers static_rollers(const CylindricalRollerBearing& bearing);
 
 /// Load on the coordinates (radial, lateral, l/2 tan tilt, l/2 tan lateral tilt) at `place` [m], and its
 /// stiffness; and the energy [J] they derive from.

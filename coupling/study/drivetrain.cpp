@@ -14,6 +14,11 @@ DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
   return geometry;
 }
 
+Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load) {
+  return misalignment.planet_tilt * load.normalized() +
+         misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();
+}
+
 BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   BearingDuty duty;
   duty.gears =
@@ -28,6 +33,7 @@ BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const Drivetrain
       geometry.planet_mass *
       bearing::inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   duty.point.bore_load = (meshes + inertia) / drivetrain.bearings_per_planet;
+  duty.point.bore_tilt = bore_tilt(drivetrain.misalignment, duty.point.bore_load);
   return duty;
 }
 

@@ -24,6 +24,12 @@ struct RunUp {
   double duration = 0.0;      // [s]
 };
 
+/// How the bore stands on the pin. Felt by bearings cut into laminae only.
+struct Misalignment {
+  double planet_tilt = 0.0;  // [rad]  in the plane of the load: the bore leans towards the load at positive z
+  double carrier_wind_up = 0.0;  // [rad]  in the tangential plane: the bore leads at positive z
+};
+
 /// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
 /// other and derives anew.
 struct PlanetaryDrivetrain {
@@ -38,12 +44,13 @@ struct PlanetaryDrivetrain {
   bearing::Lubricant lubricant;
   bool film_in_approach = false;
   bearing::FilmApproach film_approach = bearing::FilmApproach::added;
-  double lambda = 0.83;                            // [-]  product lambda nu of ISO/TR 1281-1
+  double lambda = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
+  Misalignment misalignment;
   bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
   integration::SteadyStateOptions steady_state;
   RunUp run_up;
-  /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes give
-  /// their mean forces. Called once for each operating point that is computed in time.
+  /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes
+  /// give their mean forces. Called once for each operating point that is computed in time.
   std::function<gearset::dynamics::SetParameters()> gear_set;
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
@@ -64,6 +71,10 @@ struct BearingDuty {
   gearset::MeanLoads gears;
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
 };
+
+/// Inclination of the bore's axis against the pin's [rad], (x, y): the planet's tilt along `load` [N], the
+/// wind-up along y.
+Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load);
 
 /// Duty of one planet bearing at the drivetrain's power and speed. Throws std::invalid_argument where power
 /// or speed is not positive.

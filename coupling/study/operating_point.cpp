@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bearing/dynamics/layout.hpp"
+#include "bearing/laminae/lamina_bearing.hpp"
 #include "bearing/line_contact.hpp"
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
@@ -46,14 +47,22 @@ RaceResult race_result(const Eigen::ArrayXd& loads, const bearing::Film& film) {
           .least_film = least_film(film, loads.maxCoeff())};
 }
 
-PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                               const BearingDuty& duty) {
+bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain) {
   bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
                                       .cage_positions = drivetrain.cage_positions};
   if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
   options.film_approach = drivetrain.film_approach;
-  const bearing::QuasiStaticResult loads =
-      bearing::quasi_static_bearing(drivetrain.bearing, duty.point, options);
+  return options;
+}
+
+std::vector<double> as_vector(const Eigen::ArrayXXd& array) {
+  return {array.data(), array.data() + array.size()};
+}
+
+// Loads by place of either model.
+template <class Loads>
+PointResult point_of_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                           const BearingDuty& duty, const Loads& loads) {
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
   const bearing::RollerContacts rolling =
       bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
@@ -67,6 +76,31 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
                                            loads.outer_load),
            result);
   return result;
+}
+
+// One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
+PointResult lamina_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                         const BearingDuty& duty) {
+  const bearing::laminae::LaminaBearing cut(drivetrain.bearing, bearing::fast::InstructionSet::baseline);
+  const bearing::laminae::LaminaResult loads =
+      bearing::laminae::quasi_static_laminae(cut, duty.point, quasi_static_options(drivetrain));
+  PointResult result = point_of_loads(drivetrain, geometry, duty, loads);
+  const Eigen::ArrayXd places = cut.half_length() * cut.contact(Race::inner).places();
+  result.laminae = {.lamina_place = as_vector(places),
+                    .inner_load = as_vector(loads.inner_lamina_load),
+                    .outer_load = as_vector(loads.outer_lamina_load),
+                    .roller_tilt = as_vector(loads.roller_tilt),
+                    .bore_tilt = duty.point.bore_tilt,
+                    .moment = loads.moment};
+  return result;
+}
+
+PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                               const BearingDuty& duty) {
+  if (drivetrain.bearing.laminae > 0) return lamina_point(drivetrain, geometry, duty);
+  return point_of_loads(
+      drivetrain, geometry, duty,
+      bearing::quasi_static_bearing(drivetrain.bearing, duty.point, quasi_static_options(drivetrain)));
 }
 
 RaceResult race_result(const bearing::dynamics::RaceStatistics& race) {
@@ -151,13 +185,21 @@ void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
   result.centrifugal_load = total.x() - result.radial_mesh_load;
 }
 
+// The load [N] that the whole roller would carry were it loaded all along as where it is loaded most.
+double largest_even_load(double roller_load, const std::vector<double>* lamina_loads, int laminae) {
+  return lamina_loads ? laminae * *std::max_element(lamina_loads->begin(), lamina_loads->end()) : roller_load;
+}
+
 double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                         const PointResult& result) {
-  const auto pressure = [&](Race race, double load) {
-    return bearing::hertz_pressure(load, bearing::equivalent_radius(geometry.bearing, race),
+  const auto pressure = [&](Race race, double load, const std::vector<double>* lamina_loads) {
+    return bearing::hertz_pressure(largest_even_load(load, lamina_loads, drivetrain.bearing.laminae),
+                                   bearing::equivalent_radius(geometry.bearing, race),
                                    drivetrain.bearing.roller_length, drivetrain.bearing.material);
   };
-  return std::max(pressure(Race::inner, result.inner.load_max), pressure(Race::outer, result.outer.load_max));
+  const LaminaRecord* cut = result.laminae ? &*result.laminae : nullptr;
+  return std::max(pressure(Race::inner, result.inner.load_max, cut ? &cut->inner_load : nullptr),
+                  pressure(Race::outer, result.outer.load_max, cut ? &cut->outer_load : nullptr));
 }
 
 PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,

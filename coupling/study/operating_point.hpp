@@ -27,6 +27,16 @@ struct LoadDistribution {
   std::vector<double> outer_load;  // [N]    roller on planet bore
 };
 
+/// What only a bearing cut into laminae tells. Arrays (places, laminae) have the laminae fastest.
+struct LaminaRecord {
+  std::vector<double> lamina_place;  // [m]    (laminae)  middles, from the middle of the roller
+  std::vector<double> inner_load;    // [N]    (places, laminae)
+  std::vector<double> outer_load;    // [N]    (places, laminae)
+  std::vector<double> roller_tilt;   // [rad]  (places)  outward at positive lamina places
+  Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();  // [rad]  of the bore's axis against the pin's
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();     // [N m]  of the rollers on the bore, along its tilt
+};
+
 /// What only the motion in time tells.
 struct DynamicRecord {
   bool steady = false;                 // false: the means still drifted when they were taken
@@ -61,10 +71,12 @@ struct PointResult {
   RaceResult outer;
   double life_hours = 0.0;         // [h]  one bearing
   double system_life_hours = 0.0;  // [h]  all planet bearings of all sets
-  double contact_pressure = 0.0;   // [Pa] largest of both races, after Hertz
-  double cage_slip = 0.0;          // [-]  1 - cage speed / kinematic cage speed
+  double contact_pressure =
+      0.0;                 // [Pa] largest of both races, after Hertz; of laminae, the most loaded one's
+  double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
+  std::optional<LaminaRecord> laminae;   // none from whole contacts
   std::string limiting_set;              // of several sets, the one these numbers belong to
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed

@@ -61,7 +61,7 @@ class Rollers(unittest.TestCase):
             self.assertAlmostEqual(100.0 * (life / at_40 - 1.0), change, delta=0.5)
 
     def test_every_profile_runs_and_carries_the_load(self):
-        table = ["bearing.profile.places=[-2.85 mm, 0 mm, 2.85 mm]", "bearing.profile.drops=[5 um, 0 um, 5 um]"]
+        table = ["bearing.profile.x=[-2.85 mm, 0 mm, 2.85 mm]", "bearing.profile.drops=[5 um, 0 um, 5 um]"]
         kinds = "straight chamfer circular straight-circular lundberg johns-gohar iso16281 fujiwara-kawase table"
         lives = {}
         for kind in kinds.split():
@@ -71,7 +71,7 @@ class Rollers(unittest.TestCase):
             self.assertEqual(len(loads[0]), 40)
             lives[kind] = found["L10r_Mrev"]
         self.assertEqual(len(set(lives.values())), len(lives))
-        self.assertIn("bearing.profile.places", refusal(PLANET, "bearing.profile.kind=table"))
+        self.assertIn("bearing.profile.kind", refusal(PLANET, "bearing.profile.kind=table"))
 
     def test_tilt_given_or_by_its_moment(self):
         held = run(PLANET, "load.tilt=1 mrad")

@@ -1,0 +1,68 @@
+// Operating points of a drivetrain whose planet bearings are cut into laminae.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "coupling/study/operating_point.hpp"
+#include "tests/reducer.hpp"
+
+namespace orbearing::study {
+namespace {
+
+constexpr double kRoundOff = 1e-9;  // of loads and lives, 9/2 times that of the equilibrium
+
+PointResult point(const PlanetaryDrivetrain& drivetrain) {
+  return evaluate(drivetrain, derive(drivetrain));
+}
+
+PlanetaryDrivetrain crowned(double scale) {
+  PlanetaryDrivetrain drivetrain = testing::reducer();
+  drivetrain.bearing.laminae = 40;
+  drivetrain.bearing.roller_profile = bearing::profile::Iso16281{5.7e-3, 5.24e-3, scale};
+  return drivetrain;
+}
+
+TEST(LaminaPoint, StraightAndLevelIsTheUncutPoint) {
+  for (const bool film : {false, true}) {
+    PlanetaryDrivetrain uncut = testing::reducer(), cut = crowned(0.0);
+    uncut.film_in_approach = cut.film_in_approach = film;
+    const PointResult expected = point(uncut), found = point(cut);
+    EXPECT_NEAR(found.life_hours, expected.life_hours, kRoundOff * expected.life_hours);
+    EXPECT_NEAR(found.inner.load_max, expected.inner.load_max, kRoundOff * expected.inner.load_max);
+    EXPECT_NEAR(found.contact_pressure, expected.contact_pressure, kRoundOff * expected.contact_pressure);
+    EXPECT_FALSE(expected.laminae.has_value());
+  }
+}
+
+TEST(LaminaPoint, RecordsTheLaminaeOfEveryPlace) {
+  PlanetaryDrivetrain drivetrain = crowned(1.0);
+  drivetrain.misalignment = {.planet_tilt = 1e-3};
+  const PointResult found = point(drivetrain);
+  ASSERT_TRUE(found.laminae.has_value());
+  const LaminaRecord& record = *found.laminae;
+  const std::size_t places = found.distribution.angle.size();
+  ASSERT_EQ(record.lamina_place.size(), 40U);
+  ASSERT_EQ(record.inner_load.size(), 40U * places);
+  ASSERT_EQ(record.roller_tilt.size(), places);
+  EXPECT_NEAR(record.lamina_place.back(), 0.975 * 2.85e-3, 1e-15);
+  for (std::size_t place = 0; place < places; ++place) {
+    const auto first = record.outer_load.begin() + static_cast<std::ptrdiff_t>(40 * place);
+    EXPECT_NEAR(std::accumulate(first, first + 40, 0.0), found.distribution.outer_load[place],
+                kRoundOff * found.outer.load_max);
+  }
+  EXPECT_NEAR(record.bore_tilt.norm(), 1e-3, 1e-15);
+  EXPECT_LT(record.moment.dot(record.bore_tilt), 0.0);
+}
+
+TEST(LaminaPoint, TiltRaisesThePressureOfStraightRollersMoreThanOfCrownedOnes) {
+  const auto rise = [](PlanetaryDrivetrain drivetrain) {
+    const double level = point(drivetrain).contact_pressure;
+    drivetrain.misalignment = {.planet_tilt = 1e-3};
+    return point(drivetrain).contact_pressure / level;
+  };
+  EXPECT_GT(rise(crowned(0.0)), 1.05);
+  EXPECT_GT(rise(crowned(0.0)), rise(crowned(1.0)));
+}
+
+}  // namespace
+}  // namespace orbearing::study
