@@ -21,17 +21,17 @@ void in_parallel(std::size_t count, int jobs, const Work& work) {
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
 
-// Loads are found once for life and pressure of a duty.
+// Loads are found once, for life and pressure.
 void put_duties(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
                 CrownPoint& point) {
+  std::vector<bearing::laminae::LaminaResult> loads;
   double used = 0.0;  // [1/h]
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
-    const bearing::laminae::LaminaResult loads = loads_at(problem, profile, point.tilt, duty);
-    used += problem.duties[duty].share / duty_hours(problem, loads, duty);
-    const PeakPressure one = peak_pressure(problem, pressure, profile, loads);
-    if (one.peak > point.pressure.peak) point.pressure = one;
+    loads.push_back(loads_at(problem, profile, point.tilt, duty));
+    used += problem.duties[duty].share / duty_hours(problem, loads.back(), duty);
   }
   point.life_hours = 1.0 / used;
+  point.pressure = peak_pressure(problem, pressure, profile, loads);
 }
 
 CrownPoint point_at(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,

@@ -81,6 +81,7 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
   for (const SpectrumPoint& at : spectrum) {
     PlanetaryDrivetrain there = drivetrain;
     there.drive.speed = at.speed;
+    there.misalignment.planet_tilt = 0.0;  // it is what a study varies
     problem.duties.push_back({at.speed, at.share, bearing_duty(there, geometry).point});
     problem.ratings.push_back(
         lamina_rating(problem.bearing, problem.duties.back().point, measure, drivetrain.lambda));

@@ -15,7 +15,7 @@ namespace orbearing::study::crowning {
 struct Duty {
   double speed = 0.0;             // [rad/s]  of the drivetrain's input
   double share = 1.0;             // [-]      of the time
-  bearing::OperatingPoint point;  // tilt as the case states it; those of a study are added
+  bearing::OperatingPoint point;  // tilted by the wind-up alone; tilts of a study are added
 };
 
 /// What a study asks about; immutable, from any thread.

@@ -22,6 +22,10 @@ profile::DesignLoad design_of(const bearing::CylindricalRollerBearing& bearing, 
           .material = bearing.material};
 }
 
+[[noreturn]] void throw_no_drop(const std::string& kind) {
+  throw std::invalid_argument("profile: found " + kind + "; required: a kind that can be given any drop");
+}
+
 Profile shape_of(const std::string& kind, const bearing::CylindricalRollerBearing& bearing, double load) {
   const double l = bearing.roller_length;
   const profile::DesignLoad design = design_of(bearing, load);
@@ -35,7 +39,7 @@ Profile shape_of(const std::string& kind, const bearing::CylindricalRollerBearin
     const double end = profile::drop(profile::johns_gohar_for(design), 0.5 * l);
     return profile::fujiwara_kawase_for(design, 1.0, 0.6, end);
   }
-  throw std::invalid_argument("profile: found " + kind + "; required: a kind that has a drop");
+  throw_no_drop(kind);
 }
 
 // Relieved length of one half.
@@ -89,7 +93,7 @@ double by_share_alone(const ProfileFamily& family, const Profile& made, double s
 }
 
 double station_of(const ProfileFamily& family) {
-  return kStation * 0.5 * family.length;
+  return profile::kDropPlace * 0.5 * family.length;
 }
 
 }  // namespace
@@ -102,6 +106,13 @@ std::vector<std::string> family_names() {
 ProfileFamily family_of(const std::string& kind, const bearing::CylindricalRollerBearing& bearing,
                         double load) {
   return {shape_of(kind, bearing, load), bearing.roller_length};
+}
+
+ProfileFamily family_like(const Profile& made, const bearing::CylindricalRollerBearing& bearing) {
+  const std::string kind = profile::kind(made);
+  const std::vector<std::string> names = family_names();
+  if (std::find(names.begin(), names.end(), kind) == names.end()) throw_no_drop(kind);
+  return {made, bearing.roller_length};
 }
 
 bool has_share(const ProfileFamily& family) {
@@ -135,7 +146,7 @@ DropSlope drop_slope(const ProfileFamily& family, const Crown& crown, double x) 
 
 double reference_drop(const bearing::CylindricalRollerBearing& bearing) {
   return profile::drop(profile::Iso16281{bearing.roller_length, bearing.roller_diameter, 1.0},
-                       kStation * 0.5 * bearing.roller_length);
+                       profile::kDropPlace * 0.5 * bearing.roller_length);
 }
 
 }  // namespace orbearing::study::crowning

@@ -5,16 +5,14 @@
 #include <vector>
 
 #include "bearing/parameters.hpp"
+#include "bearing/profile/design.hpp"
 #include "bearing/profile/profile.hpp"
 
 namespace orbearing::study::crowning {
 
-/// Where a drop is stated, as a share of half the length: the middle of the outermost of 40 laminae.
-inline constexpr double kStation = 39.0 / 40.0;
-
 /// What is free about a profile.
 struct Crown {
-  double drop = 0.0;   // [m]  of one roller at kStation
+  double drop = 0.0;   // [m]  of one roller at profile::kDropPlace
   double share = 1.0;  // [-]  of each half that is relieved; of kinds that have a straight middle only
 };
 
@@ -24,13 +22,17 @@ struct ProfileFamily {
   double length = 0.0;              // [m]
 };
 
-/// Names of the kinds that can be given any drop: all but straight and table.
+/// Kinds that can be given any drop: all but straight and table.
 std::vector<std::string> family_names();
 
 /// The family `kind` for rollers of `bearing`. `load` [N] of one roller sets the width of the contact, which
 /// rounds the ends of johns-gohar, lundberg and fujiwara-kawase. Throws std::invalid_argument for other kinds.
 ProfileFamily family_of(const std::string& kind, const bearing::CylindricalRollerBearing& bearing,
                         double load);
+
+/// The family that `made` belongs to, with its own proportions. Throws as above.
+ProfileFamily family_like(const bearing::profile::Profile& made,
+                          const bearing::CylindricalRollerBearing& bearing);
 
 /// Whether the kind has a straight middle whose length is free: chamfer, straight-circular, fujiwara-kawase.
 bool has_share(const ProfileFamily& family);
@@ -54,7 +56,7 @@ struct DropSlope {
 /// At `x` [m] from the middle.
 DropSlope drop_slope(const ProfileFamily& family, const Crown& crown, double x);
 
-/// Drop [m] at kStation of the reference profile of [ISO16281] on rollers of `bearing`.
+/// Drop [m] at profile::kDropPlace of the reference profile of [ISO16281] on rollers of `bearing`.
 double reference_drop(const bearing::CylindricalRollerBearing& bearing);
 
 }  // namespace orbearing::study::crowning

@@ -43,25 +43,18 @@ WorstRoller worst_roller(const LaminaBearing& bearing, const LaminaResult& loads
 }
 
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
-                           const LaminaResult& loads) {
+                           const std::vector<LaminaResult>& loads) {
   const LaminaBearing bearing = lamina_bearing(problem, profile);
   PeakPressure worst;
   for (const Race race : {Race::inner, Race::outer}) {
-    const WorstRoller roller = worst_roller(bearing, loads, race);
+    WorstRoller roller;
+    for (const LaminaResult& duty : loads) {
+      const WorstRoller found = worst_roller(bearing, duty, race);
+      if (found.load > roller.load) roller = found;
+    }
     if (roller.load <= 0.0) continue;
     const auto found = pressure.on(race, profile, roller.load, roller.tilt);
     if (found.peak_pressure > worst.peak) worst = {found.peak_pressure, found.edge_ratio, race};
-  }
-  return worst;
-}
-
-PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
-                           double tilt) {
-  PeakPressure worst;
-  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
-    const PeakPressure one =
-        peak_pressure(problem, pressure, profile, loads_at(problem, profile, tilt, duty));
-    if (one.peak > worst.peak) worst = one;
   }
   return worst;
 }

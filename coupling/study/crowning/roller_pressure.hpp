@@ -39,13 +39,10 @@ struct PeakPressure {
   bearing::Race race = bearing::Race::inner;
 };
 
-/// Of the most loaded rollers, over all duties. The tilt of a roller is that of its balance on laminae.
-PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
-                           const bearing::profile::Profile& profile, double tilt);
-
-/// The same for one duty whose loads are known.
+/// Of the most loaded roller on each race, at the duty that loads it most; `loads` are those of the duties, in
+/// their order. The roller's tilt is that of its balance on laminae.
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
                            const bearing::profile::Profile& profile,
-                           const bearing::laminae::LaminaResult& loads);
+                           const std::vector<bearing::laminae::LaminaResult>& loads);
 
 }  // namespace orbearing::study::crowning
