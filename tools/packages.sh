@@ -9,6 +9,8 @@ pkg-config: finds netCDF and udunits
 libeigen3-dev: linear algebra
 libboost-dev: Boost.Math and Boost.Odeint
 libtbb-dev: operating points in parallel
+libnlopt-dev: best crown of rollers
+libnlopt-cxx-dev: best crown of rollers, C++ header
 libyaml-cpp-dev: case files
 libudunits2-dev: units in case files
 libcli11-dev: command line

@@ -60,6 +60,45 @@ void add_sweep(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"up", "down"}));
 }
 
+void add_crown_choices(CLI::App& command, CrownOptions& crown) {
+  command.add_option("--profile", crown.profiles,
+                     "kinds of profile, comma between them: chamfer, circular, straight-circular, lundberg, "
+                     "johns-gohar, iso16281, fujiwara-kawase; default: the case's, else iso16281");
+  command.add_option("--tilts", crown.tilts,
+                     "tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: \"0 mrad, 1 mrad, 2 "
+                     "mrad\"");
+  command.add_option("--drops", crown.drops,
+                     "relief of one roller at the outermost of 40 laminae: the same with lengths; default: 17 from 0 to "
+                     "about three times that of ISO/TS 16281");
+  command.add_flag("--spectrum", crown.spectrum,
+                   "all speeds that the case sweeps, for equal times, in place of its one speed");
+  command.add_option("--shares", crown.shares, "with --spectrum: shares of the time, one for each speed, comma between them");
+}
+
+void add_crown_aims(CLI::App& command, CrownOptions& crown) {
+  command.add_option("--tolerance", crown.tolerance,
+                     "also the best crown where the drop may miss by this, plus and minus, e.g. \"1 um\"");
+  command.add_option("--tilt-tolerance", crown.tilt_tolerance,
+                     "also the best crown where each tilt may miss by this, e.g. \"0.5 mrad\"");
+  command
+      .add_option("--life", crown.life,
+                  "lundberg-palmgren (default; straight and untilted it is the life of a sweep) or iso16281 (with "
+                  "its stress riser at the ends)")
+      ->check(CLI::IsMember({"lundberg-palmgren", "iso16281"}));
+  command.add_option("--of", crown.of_set, "of several sets, the one whose planet bearing is studied")->type_name("SET");
+  command.add_option("--starts", crown.starts, "random starts of the search for the best; default: 10")
+      ->check(CLI::Range(1, 1000));
+}
+
+void add_crown(CLI::App& command, Options& options) {
+  add_case(command, options);
+  add_output(command, options);
+  add_crown_choices(command, options.crown);
+  add_crown_aims(command, options.crown);
+  command.add_option("--jobs", options.jobs, "threads; default: one for each core")->check(CLI::Range(1, 4096));
+  command.add_flag("--resume", options.resume, "where DIR holds this very study, show it again");
+}
+
 // Subcommands in the order in which they are shown.
 struct CommandTable {
   CLI::App& program;
@@ -88,6 +127,7 @@ void add_commands(CommandTable table) {
   add_settings(merge, options);
   merge.add_option("DIR", options.folders, "folders of the shards")->required();
   add_output(merge, options);
+  add_crown(table.add("crown", "roller profile trade study and optimum", crown_command), options);
   add_case(table.add("mesh", "mesh stiffness over a mesh period, contact ratio, phases", mesh_command),
            options);
   CLI::App& modes =
@@ -122,9 +162,9 @@ bool known(const CLI::App& program, const std::string& word) {
 void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.front() == '-' || known(program, word)) return;
-  const bool planned = std::string(" crown fmu ").find(" " + word + " ") != std::string::npos;
+  const bool planned = std::string(" fmu ").find(" " + word + " ") != std::string::npos;
   throw BadInput(
-      fmt::format("orbearing: found the command {}{}; required: check, run, sweep, merge, mesh, modes, "
+      fmt::format("orbearing: found the command {}{}; required: check, run, sweep, merge, crown, mesh, modes, "
                   "validate or report",
                   word, planned ? ", which this version does not have yet" : ""));
 }

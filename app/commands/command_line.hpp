@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/study/crown/crown_options.hpp"
+
 namespace orbearing::app {
 
 /// What the user typed after the subcommand. A command reads the options it declares.
@@ -22,6 +24,7 @@ struct Options {
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all ablations of the motion in time
   bool gears = false;                    // run: without the dynamics of bearings
+  CrownOptions crown;
   bool resume = false;
   bool json = false;
   bool quiet = false;
@@ -32,6 +35,7 @@ int check_command(const Options& options);
 int run_command(const Options& options);
 int sweep_command(const Options& options);
 int merge_command(const Options& options);
+int crown_command(const Options& options);
 int mesh_command(const Options& options);
 int modes_command(const Options& options);
 int validate_command(const Options& options);

@@ -10,6 +10,8 @@
 #include "app/errors.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/branches.hpp"
+#include "app/study/crown/crown_figures.hpp"
+#include "app/study/crown/crown_files.hpp"
 #include "app/study/report_data.hpp"
 #include "app/version.hpp"
 
@@ -52,6 +54,25 @@ int draw(const fs::path& folder) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+// Of a crowning study: its result and what its pictures show beyond it.
+nlohmann::ordered_json crown_data(const ResolvedCase& resolved, const fs::path& folder) {
+  const CrownResult stored = read_crown(folder);
+  const CrownRequest request = crown_request(resolved, options_from(stored.object.at("options")));
+  return {{"crown", stored.object}, {"figures", crown_figures(resolved, request, stored.object)}};
+}
+
+nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& manifest, const Options& options) {
+  const fs::path folder = options.folders.front();
+  std::vector<Branch> branches{{folder, manifest}};
+  if (!options.other.empty()) {
+    branches.push_back({options.other, read_results(options.other)});
+    require_two_branches(branches.front(), branches.back());
+  }
+  nlohmann::ordered_json data = report_data(resolved, manifest, options.every_effect);
+  data["branches"] = branches_json(resolved, branches);
+  return data;
+}
+
 }  // namespace
 
 int report_command(const Options& options) {
@@ -62,13 +83,8 @@ int report_command(const Options& options) {
   const Manifest manifest = read_results(folder);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
   const fs::path page = folder / "report.html";
-  std::vector<Branch> branches{{folder, manifest}};
-  if (!options.other.empty()) {
-    branches.push_back({options.other, read_results(options.other)});
-    require_two_branches(branches.front(), branches.back());
-  }
-  nlohmann::ordered_json data = report_data(resolved, manifest, options.every_effect);
-  data["branches"] = branches_json(resolved, branches);
+  const nlohmann::ordered_json data =
+      holds_crown(folder) ? crown_data(resolved, folder) : sweep_data(resolved, manifest, options);
   write_data(folder / "report.json", data);
   if (draw(folder) != 0)
     throw ComputationFailed(page.string() +

@@ -30,9 +30,20 @@ def build_all(folder: Path) -> dict[str, str]:
     from orbearing.result_folder import read_report
 
     report = read_report(folder)
+    if report.record("crown"):
+        return _crown_pages(report)
     pages = dict(animation.pages(report.along_speed()))
     with style.context():
         return {**pages, "report.html": page(report, blocks_of(report), tuple(pages))}
+
+
+def _crown_pages(report) -> dict[str, str]:
+    """The page of a crowning study."""
+    from orbearing import crown_page, style
+    from orbearing.figures import crown
+
+    with style.context():
+        return {"report.html": crown_page.page(report, crown.blocks(report))}
 
 
 def write_aside(path: Path, text: str) -> None:

@@ -1,0 +1,105 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <mutex>
+
+#include "app/case/case_file.hpp"
+#include "app/case/resolved_writer.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/errors.hpp"
+#include "app/results/durable_file.hpp"
+#include "app/results/progress.hpp"
+#include "app/results/result_folder.hpp"
+#include "app/study/crown/crown_files.hpp"
+#include "app/study/crown/crown_output.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/sweep_study.hpp"
+#include "app/version.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+ManifestHeader header_of(const ResolvedCase& resolved, const CrownOptions& options) {
+  return {.case_name = resolved.text("name"),
+          .case_hash = case_hash(resolved),
+          .program_version = std::string(program_version),
+          .instruction_set = std::string(instruction_set),
+          .fidelity = options_text(options),
+          .points = 1};
+}
+
+std::string netcdf_of(const ManifestHeader& header, const CrownStudy& study) {
+  PointContent content = crown_content(study);
+  const std::vector<std::pair<std::string, std::string>> common{
+      {"Conventions", "CF-1.10"},
+      {"title", header.case_name + ", crowning of the planet bearing's rollers"},
+      {"source", "Orbearing " + header.program_version},
+      {"case", header.case_name},
+      {"case_hash", header.case_hash},
+      {"program_version", header.program_version},
+      {"instruction_set", header.instruction_set},
+      {"options", header.fidelity},
+      {"status", study.failed == 0 ? "ok" : "some points found no balance"}};
+  content.attributes.insert(content.attributes.end(), common.begin(), common.end());
+  return netcdf_bytes(content);
+}
+
+CrownStudy computed(const CrownRequest& request, const Options& options) {
+  Progress progress(0, grid_size(request), !options.quiet);
+  std::mutex one_at_a_time;
+  return crown_study(request, options.jobs, [&](std::size_t done) {
+    const std::scoped_lock lock(one_at_a_time);
+    progress.show(done);
+  });
+}
+
+nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
+                                   const CrownStudy& study) {
+  nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", options_json(options)}};
+  object.update(crown_json(study));
+  object["assumptions"] = assumptions_json(resolved);
+  std::vector<std::string> warnings = gear_warnings(resolved);
+  warnings.insert(warnings.end(), study.warnings.begin(), study.warnings.end());
+  object["warnings"] = warnings;
+  object["versions"] = versions_json();
+  return object;
+}
+
+// Columns of a sweep have no place for a study: the row says only that it was done.
+ResultRow done_row(const TableHead& head) {
+  return {std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
+}
+
+}  // namespace
+
+int crown_command(const Options& options) {
+  const ResolvedCase resolved = read_case(options.case_file, options.settings);
+  const CrownRequest request = crown_request(resolved, options.crown);
+  const ManifestHeader header = header_of(resolved, options.crown);
+  ResultFolder folder(options.output, header, write_resolved(resolved),
+                      options.resume ? OpenMode::resume : OpenMode::fresh);
+  const fs::path file = fs::path(options.output) / crown_file_name;
+  CrownResult result;
+  if (folder.finished().contains(0) && fs::exists(file)) {
+    result = read_crown(options.output);
+  } else {
+    const CrownStudy study = computed(request, options);
+    result = {result_json(resolved, options.crown, study), crown_text(study), study.failed};
+    write_crown(options.output, result);
+    folder.keep({{0, netcdf_of(header, study), done_row(folder.head())}});
+  }
+  if (options.json)
+    fmt::print("{}\n", result.object.dump(2));
+  else if (!options.quiet)
+    fmt::print("{}", result.text);
+  for (const auto& warning : result.object["warnings"])
+    if (!options.json && !options.quiet) fmt::print("warning: {}\n", warning.get<std::string>());
+  if (result.failed == 0) return 0;
+  fmt::print(stderr, "crown: {} points found no balance; their status says why\n", result.failed);
+  return 1;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,234 @@
+#include "app/study/crown/crown_figures.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "app/study/crown/crown_study.hpp"
+#include "bearing/profile/design.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using nlohmann::ordered_json;
+using namespace study::crowning;
+using bearing::Race;
+using bearing::profile::Profile;
+
+constexpr double kRpm = 30.0 / boost::math::double_constants::pi;  // per rad/s
+constexpr double kDegree = 180.0 / boost::math::double_constants::pi;
+constexpr int kMapDrops = 33, kMapTilts = 17, kFrontDrops = 17, kProfilePoints = 201;
+
+// A profile under the name that the pictures give it.
+struct Named {
+  std::string name;
+  Profile made;
+};
+
+struct Stage {
+  const CrownRequest& request;
+  CrownProblem problem;
+  RollerPressure pressure;
+  double best_drop;  // [m]
+  std::vector<Named> chief;  // straight, the standard's, the best
+};
+
+Profile best_profile(const CrownProblem& problem, const ordered_json& optimum) {
+  const ProfileFamily family = family_in(problem, optimum.at("profile"));
+  const double share = optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
+  return profile_of(family, {1e-6 * optimum.at("drop_um").get<double>(), share});
+}
+
+Stage stage_of(const CrownRequest& request, const ordered_json& result) {
+  const CrownProblem problem = problem_of(request);
+  const ordered_json& optimum = result.at("optimum");
+  const std::string best = optimum.at("profile").get<std::string>();
+  return {request,
+          problem,
+          RollerPressure(problem),
+          1e-6 * optimum.at("drop_um").get<double>(),
+          {{"straight", bearing::profile::Straight{}},
+           {"ISO/TS 16281", bearing::profile::Iso16281{problem.bearing.roller_length, problem.bearing.roller_diameter, 1.0}},
+           {best + ", optimum", best_profile(problem, optimum)}}};
+}
+
+std::vector<double> even(double from, double to, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(from + (to - from) * i / (count - 1));
+  return values;
+}
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+  std::vector<double> out = values;
+  for (double& value : out) value *= factor;
+  return out;
+}
+
+std::vector<double> scaled(const Eigen::ArrayXd& values, double factor) {
+  const Eigen::ArrayXd out = values * factor;
+  return {out.begin(), out.end()};
+}
+
+ordered_json drawn_profile(const Named& profile, double length) {
+  const std::vector<double> x = even(-0.5 * length, 0.5 * length, kProfilePoints);
+  std::vector<double> drops;
+  for (const double place : x) drops.push_back(1e6 * bearing::profile::drop(profile.made, place));
+  return {{"profile", profile.name}, {"x_mm", scaled(x, 1e3)}, {"drop_um", drops}};
+}
+
+// Every kind, as deep as the best.
+std::vector<Named> all_kinds(const Stage& stage) {
+  std::vector<Named> kinds{stage.chief.front()};
+  for (const std::string& name : family_names()) {
+    const ProfileFamily family = family_in(stage.problem, name);
+    kinds.push_back({name, profile_of(family, {std::max(stage.best_drop, 1e-7), usual_share(family)})});
+  }
+  return kinds;
+}
+
+// The duty whose bore load is greatest: where pressures are read.
+std::size_t heaviest(const CrownProblem& problem) {
+  std::size_t heaviest = 0;
+  for (std::size_t duty = 1; duty < problem.duties.size(); ++duty)
+    if (problem.duties[duty].point.bore_load.norm() > problem.duties[heaviest].point.bore_load.norm()) heaviest = duty;
+  return heaviest;
+}
+
+ordered_json pressure_curve(const Stage& stage, const Named& profile, double tilt) {
+  const auto loads = loads_at(stage.problem, profile.made, tilt, heaviest(stage.problem));
+  const WorstRoller roller = worst_roller(lamina_bearing(stage.problem, profile.made), loads, Race::inner);
+  const auto found = stage.pressure.on(Race::inner, profile.made, roller.load, roller.tilt);
+  return {{"profile", profile.name},
+          {"tilt_mrad", 1e3 * tilt},
+          {"load_N", roller.load},
+          {"x_mm", scaled(found.x, 1e3)},
+          {"pressure_MPa", scaled(found.pressure, 1e-6)},
+          {"peak_pressure_MPa", 1e-6 * found.peak_pressure},
+          {"edge_ratio", found.edge_ratio}};
+}
+
+ordered_json pressure_curves(const Stage& stage) {
+  ordered_json curves = ordered_json::array();
+  std::vector<double> tilts{0.0};
+  if (stage.request.tilts.back() > 0.0) tilts.push_back(stage.request.tilts.back());
+  for (const double tilt : tilts)
+    for (const Named& profile : all_kinds(stage)) curves.push_back(pressure_curve(stage, profile, tilt));
+  return curves;
+}
+
+// Pressure along every roller of the load zone on the inner race, at one cage angle out of four.
+ordered_json zone_of(const Stage& stage, const Named& profile, double tilt) {
+  const auto loads = loads_at(stage.problem, profile.made, tilt, heaviest(stage.problem));
+  const double half = 0.5 * stage.problem.bearing.roller_length;
+  ordered_json rows = ordered_json::array();
+  std::vector<double> x;
+  const std::size_t step = std::max<std::size_t>(1, loads.states.size() / 4);
+  for (std::size_t s = 0; s < loads.states.size(); s += step)
+    for (std::size_t j = 0; j < loads.states[s].rollers.size(); ++j) {
+      const auto& roller = loads.states[s].rollers[j];
+      std::vector<double> pressure;
+      if (roller.inner.load > 1.0) {
+        const auto found = stage.pressure.on(Race::inner, profile.made, roller.inner.load, roller.inner_tip / half);
+        pressure = scaled(found.pressure, 1e-6);
+        x = scaled(found.x, 1e3);
+      }
+      rows.push_back({{"angle_deg", kDegree * loads.states[s].angle[static_cast<Eigen::Index>(j)]},
+                      {"pressure_MPa", pressure}});
+    }
+  return {{"profile", profile.name}, {"tilt_mrad", 1e3 * tilt}, {"x_mm", x}, {"places", rows}};
+}
+
+ordered_json zones(const Stage& stage) {
+  ordered_json all = ordered_json::array();
+  for (const Named& profile : {stage.chief.front(), stage.chief.back()})
+    for (const double tilt : {0.0, stage.request.tilts.back()}) all.push_back(zone_of(stage, profile, tilt));
+  return all;
+}
+
+ordered_json rows_of(const Eigen::ArrayXXd& values) {
+  ordered_json rows = ordered_json::array();
+  for (Eigen::Index i = 0; i < values.rows(); ++i) {
+    const Eigen::ArrayXd row = values.row(i);
+    rows.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  return rows;
+}
+
+ordered_json life_map(const Stage& stage, const ordered_json& optimum) {
+  const std::string name = optimum.at("profile");
+  const ProfileFamily family = family_in(stage.problem, name);
+  const double share = optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
+  const double most = std::max(1.25 * stage.request.tilts.back(), 1e-3);
+  const std::vector<double> drops = even(0.0, stage.request.drops.back(), kMapDrops);
+  const std::vector<double> tilts = even(0.0, most, kMapTilts);
+  std::vector<Profile> profiles;
+  for (const double drop : drops) profiles.push_back(profile_of(family, {drop, share}));
+  return {{"profile", name},
+          {"drop_um", scaled(drops, 1e6)},
+          {"tilt_mrad", scaled(tilts, 1e3)},
+          {"life_h", rows_of(life_grid(stage.problem, profiles, tilts, 0))},
+          {"drop_tolerance_um", 1e6 * stage.request.tolerance.drop},
+          {"tilt_tolerance_mrad", 1e3 * stage.request.tolerance.tilt}};
+}
+
+ordered_json front_of(const Stage& stage, const std::string& name) {
+  const ProfileFamily family = family_in(stage.problem, name);
+  std::vector<double> drops = even(0.0, stage.request.drops.back(), kFrontDrops);
+  std::vector<Profile> profiles;
+  for (const double drop : drops) profiles.push_back(profile_of(family, {drop, usual_share(family)}));
+  const auto points = crown_grid(stage.problem, stage.pressure, profiles, drops, stage.request.tilts, 0, {});
+  ordered_json front{{"profile", name}, {"points", ordered_json::array()}};
+  for (const WorstOfTilts& one : worst_of_tilts(points, stage.request.tilts.size()))
+    if (std::isfinite(one.life_hours))
+      front["points"].push_back({{"drop_um", 1e6 * one.drop},
+                                 {"life_h", one.life_hours},
+                                 {"peak_pressure_MPa", 1e-6 * one.peak_pressure},
+                                 {"efficient", one.efficient}});
+  return front;
+}
+
+ordered_json fronts(const Stage& stage) {
+  ordered_json all = ordered_json::array();
+  for (const std::string& name : family_names()) all.push_back(front_of(stage, name));
+  return all;
+}
+
+// Life at each swept speed alone.
+ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds) {
+  ordered_json all = ordered_json::array();
+  std::vector<double> tilts{0.0};
+  if (stage.request.tilts.back() > 0.0) tilts.push_back(stage.request.tilts.back());
+  for (const double tilt : tilts)
+    for (const Named& profile : stage.chief) {
+      std::vector<double> lives;
+      for (const double speed : speeds)
+        lives.push_back(life_hours(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0}},
+                                                 stage.request.measure, stage.request.laminae),
+                                   profile.made, tilt));
+      all.push_back({{"profile", profile.name}, {"tilt_mrad", 1e3 * tilt}, {"speed_rpm", scaled(speeds, kRpm)}, {"life_h", lives}});
+    }
+  return all;
+}
+
+}  // namespace
+
+ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& request, const ordered_json& result) {
+  const Stage stage = stage_of(request, result);
+  ordered_json profiles = ordered_json::array();
+  for (const Named& profile : stage.chief)
+    profiles.push_back(drawn_profile(profile, stage.problem.bearing.roller_length));
+  for (const Named& profile : all_kinds(stage))
+    if (profile.name != "straight") profiles.push_back(drawn_profile(profile, stage.problem.bearing.roller_length));
+  return {{"roller_length_mm", 1e3 * stage.problem.bearing.roller_length},
+          {"roller_diameter_mm", 1e3 * stage.problem.bearing.roller_diameter},
+          {"profiles", profiles},
+          {"pressure_speed_rpm", kRpm * stage.problem.duties[heaviest(stage.problem)].speed},
+          {"pressure", pressure_curves(stage)},
+          {"zone", zones(stage)},
+          {"map", life_map(stage, result.at("optimum"))},
+          {"fronts", fronts(stage)},
+          {"speeds", speed_curves(stage, swept_speeds(resolved))}};
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,229 @@
+#include "app/study/crown/crown_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/case/printable.hpp"
+#include "app/errors.hpp"
+#include "app/study/crown/quantity_list.hpp"
+#include "app/study/drivetrain_case.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace crowning = study::crowning;
+
+constexpr Dimension kTilt{"angle", "rad", "mrad", "1 mrad"};
+constexpr Dimension kDrop{"length", "m", "um", "5 um"};
+constexpr double kMostTilt = 0.1;       // [rad]  far beyond any mounting
+constexpr double kMostDrop = 1e-3;      // [m]
+constexpr double kShareRoundOff = 1e-6;  // of a sum of shares that were rounded for typing
+const std::string kSpeedPath = "input.speed";
+
+using Mistakes = std::vector<std::string>;
+
+// About 1/5 of the standard's drop, a round number of its decade; sixteen of them reach well beyond the best.
+std::vector<double> usual_drops(const bearing::CylindricalRollerBearing& bearing) {
+  const double fifth = crowning::reference_drop(bearing) / 5.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(fifth)));
+  const double step = decade * (fifth >= 5.0 * decade ? 5.0 : fifth >= 2.0 * decade ? 2.0 : 1.0);
+  std::vector<double> drops;
+  for (int i = 0; i <= 16; ++i) drops.push_back(i * step);
+  return drops;
+}
+
+void require_range(const std::string& option, const std::vector<double>& values, double most,
+                   const std::string& required, Mistakes& mistakes) {
+  for (const double value : values)
+    if (!(value >= 0.0 && value <= most)) {
+      mistakes.push_back(fmt::format("{}: found {:.6g}; required: {}", option, value, required));
+      return;
+    }
+}
+
+std::vector<double> tilts_of(const CrownOptions& options, Mistakes& mistakes) {
+  if (options.tilts.empty()) return {0.0, 1e-3, 2e-3};
+  std::vector<double> tilts = quantity_list("--tilts", options.tilts, kTilt, mistakes);
+  require_range("--tilts", tilts, kMostTilt, "tilts from 0 to 100 mrad", mistakes);
+  std::sort(tilts.begin(), tilts.end());
+  tilts.erase(std::unique(tilts.begin(), tilts.end()), tilts.end());
+  return tilts;
+}
+
+std::vector<double> drops_of(const CrownOptions& options, const bearing::CylindricalRollerBearing& bearing,
+                             Mistakes& mistakes) {
+  if (options.drops.empty()) return usual_drops(bearing);
+  const std::size_t before = mistakes.size();
+  std::vector<double> drops = quantity_list("--drops", options.drops, kDrop, mistakes);
+  require_range("--drops", drops, kMostDrop, "drops from 0 to 1000 um", mistakes);
+  std::sort(drops.begin(), drops.end());
+  drops.erase(std::unique(drops.begin(), drops.end()), drops.end());
+  if (mistakes.size() == before && drops.back() <= 0.0)
+    mistakes.push_back("--drops: found nothing above 0; required: at least one drop above 0 um");
+  return drops;
+}
+
+double tolerance_of(const std::string& option, const std::string& text, const Dimension& dimension, double most,
+                    Mistakes& mistakes) {
+  if (text.empty()) return 0.0;
+  const double value = option_quantity(option, text, dimension, mistakes);
+  if (!(value >= 0.0 && value < most))
+    mistakes.push_back(fmt::format("{}: found {}; required: at least 0 and less than the greatest drop or 100 mrad",
+                                   option, quote(text)));
+  return value;
+}
+
+std::vector<double> shares_of(const CrownOptions& options, std::size_t speeds, Mistakes& mistakes) {
+  if (options.shares.empty()) return std::vector<double>(speeds, 1.0 / static_cast<double>(speeds));
+  std::vector<double> shares;
+  double sum = 0.0;
+  for (const std::string& part : parts_of(options.shares, ',')) {
+    const Reading<double> share = read_number(part);
+    if (!share.value || *share.value <= 0.0) {
+      mistakes.push_back(fmt::format("--shares: found {}; required: numbers above 0", quote(part)));
+      return {};
+    }
+    shares.push_back(*share.value);
+    sum += *share.value;
+  }
+  if (shares.size() != speeds)
+    mistakes.push_back(fmt::format("--shares: found {} of them; required: {}, one for each speed of the sweep",
+                                   shares.size(), speeds));
+  else if (std::abs(sum - 1.0) > kShareRoundOff)
+    mistakes.push_back(fmt::format("--shares: found a sum of {:.6g}; required: 1", sum));
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
+std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, const CrownOptions& options,
+                                                 Mistakes& mistakes) {
+  if (!options.spectrum && options.shares.empty()) return {{resolved.quantity(kSpeedPath), 1.0}};
+  const std::vector<SweepAxis>& axes = resolved.axes();
+  if (std::none_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == kSpeedPath; })) {
+    mistakes.push_back("--spectrum: found a case without sweep.input.speed; required: the speeds of the spectrum there");
+    return {};
+  }
+  const std::vector<double> speeds = swept_speeds(resolved);
+  const std::vector<double> shares = shares_of(options, speeds.size(), mistakes);
+  std::vector<crowning::SpectrumPoint> spectrum;
+  for (std::size_t i = 0; i < speeds.size() && i < shares.size(); ++i) spectrum.push_back({speeds[i], shares[i]});
+  return spectrum;
+}
+
+std::vector<std::string> profiles_of(const CrownOptions& options, const bearing::CylindricalRollerBearing& bearing,
+                                     Mistakes& mistakes) {
+  const std::vector<std::string> known = crowning::family_names();
+  const auto is_known = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  const std::string stated = bearing::profile::kind(bearing.roller_profile);
+  if (options.profiles.empty()) return {is_known(stated) ? stated : "iso16281"};
+  std::vector<std::string> names;
+  for (const std::string& name : parts_of(options.profiles, ',')) {
+    if (!is_known(name))
+      mistakes.push_back(fmt::format("--profile: found {}; required: {}", quote(name), fmt::join(known, ", ")));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+crowning::LifeMeasure measure_of(const CrownOptions& options, Mistakes& mistakes) {
+  if (options.life == "iso16281") return crowning::LifeMeasure::iso16281;
+  if (options.life != "lundberg-palmgren")
+    mistakes.push_back(fmt::format("--life: found {}; required: lundberg-palmgren or iso16281", quote(options.life)));
+  return crowning::LifeMeasure::lundberg_palmgren;
+}
+
+void require_bearing(const ResolvedCase& resolved) {
+  if (resolved.model() != planetary_drivetrain)
+    throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
+                   "; required: planetary-drivetrain, whose planet bearings crown studies");
+  if (!resolved.shape().several && !resolved.shape().bearing)
+    throw BadInput(resolved.file() + ": bearing: missing; required: a planet bearing, whose rollers are crowned");
+}
+
+study::NamedSet set_of(const ResolvedCase& resolved, const CrownOptions& options) {
+  std::vector<study::NamedSet> sets = bearing_sets(resolved);
+  const auto named = std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == options.of_set; });
+  if (resolved.shape().several ? named != sets.end() : options.of_set.empty())
+    return std::move(resolved.shape().several ? *named : sets.front());
+  std::vector<std::string> names;
+  for (const study::NamedSet& set : sets)
+    if (!set.name.empty()) names.push_back(set.name);
+  throw BadInput(names.empty()
+                     ? fmt::format("--of: found {}; required: nothing, for the case has one set", quote(options.of_set))
+                     : fmt::format("--of: found {}; required: the set whose planet bearing is meant: {}",
+                                   options.of_set.empty() ? "nothing" : quote(options.of_set), fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+std::vector<double> swept_speeds(const ResolvedCase& resolved) {
+  for (const SweepAxis& axis : resolved.axes()) {
+    if (axis.path != kSpeedPath) continue;
+    std::vector<double> speeds;
+    for (const std::string& text : axis.values)
+      speeds.push_back(resolved.without_sweep().with(kSpeedPath, text).quantity(kSpeedPath));
+    return speeds;
+  }
+  return {resolved.quantity(kSpeedPath)};
+}
+
+nlohmann::ordered_json options_json(const CrownOptions& options) {
+  return {{"profile", options.profiles},     {"tilts", options.tilts},
+          {"drops", options.drops},          {"spectrum", options.spectrum},
+          {"shares", options.shares},        {"tolerance", options.tolerance},
+          {"tilt_tolerance", options.tilt_tolerance}, {"life", options.life},
+          {"of", options.of_set},            {"starts", options.starts}};
+}
+
+CrownOptions options_from(const nlohmann::ordered_json& object) {
+  return {.profiles = object.at("profile"),
+          .tilts = object.at("tilts"),
+          .drops = object.at("drops"),
+          .shares = object.at("shares"),
+          .tolerance = object.at("tolerance"),
+          .tilt_tolerance = object.at("tilt_tolerance"),
+          .life = object.at("life"),
+          .of_set = object.at("of"),
+          .spectrum = object.at("spectrum"),
+          .starts = object.at("starts")};
+}
+
+std::string options_text(const CrownOptions& options) {
+  std::string text = "crown";
+  const nlohmann::ordered_json object = options_json(options);
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_string() && value.get<std::string>().empty()) continue;
+    if (value.is_boolean() && !value.get<bool>()) continue;
+    text += fmt::format(" --{} {}", name, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return printable(text);
+}
+
+CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options) {
+  require_bearing(resolved);
+  study::NamedSet set = set_of(resolved, options);
+  const bearing::CylindricalRollerBearing& bearing = set.drivetrain.bearing;
+  Mistakes mistakes;
+  CrownRequest request{.measure = measure_of(options, mistakes),
+                       .laminae = bearing.laminae > 0 ? bearing.laminae : 40,
+                       .spectrum = spectrum_of(resolved, options, mistakes),
+                       .profiles = profiles_of(options, bearing, mistakes),
+                       .tilts = tilts_of(options, mistakes),
+                       .drops = drops_of(options, bearing, mistakes),
+                       .starts = options.starts};
+  const double greatest = request.drops.empty() ? kMostDrop : request.drops.back();
+  request.tolerance = {tolerance_of("--tolerance", options.tolerance, kDrop, greatest, mistakes),
+                       tolerance_of("--tilt-tolerance", options.tilt_tolerance, kTilt, kMostTilt, mistakes)};
+  if (!mistakes.empty()) throw BadInput(mistakes);
+  request.drivetrain = std::move(set.drivetrain);
+  request.geometry = set.geometry;
+  return request;
+}
+
+}  // namespace orbearing::app

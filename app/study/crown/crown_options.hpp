@@ -1,0 +1,54 @@
+// What `orbearing crown` is asked beyond the case, as text and as numbers.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "coupling/study/crowning/crown_optimum.hpp"
+
+namespace orbearing::app {
+
+/// Options as typed; empty: the default.
+struct CrownOptions {
+  std::string profiles;        // --profile         "iso16281, circular"
+  std::string tilts;           // --tilts           "0 mrad, 1 mrad" or "0 mrad : 2 mrad : 0.5 mrad"
+  std::string drops;           // --drops           the same with lengths
+  std::string shares;          // --shares          of the time, one for each swept speed
+  std::string tolerance;       // --tolerance       plus and minus about the drop
+  std::string tilt_tolerance;  // --tilt-tolerance  plus and minus about each tilt
+  std::string life = "lundberg-palmgren";
+  std::string of_set;     // --of: which of several sets
+  bool spectrum = false;  // all swept speeds
+  int starts = 10;
+};
+
+/// The same as JSON, so that a report can ask the same again.
+nlohmann::ordered_json options_json(const CrownOptions& options);
+CrownOptions options_from(const nlohmann::ordered_json& object);
+
+/// One line that names all that differs between studies of a case.
+std::string options_text(const CrownOptions& options);
+
+/// A study, checked and in SI.
+struct CrownRequest {
+  study::PlanetaryDrivetrain drivetrain;
+  study::DrivetrainGeometry geometry;
+  study::crowning::LifeMeasure measure = study::crowning::LifeMeasure::lundberg_palmgren;
+  int laminae = 40;
+  std::vector<study::crowning::SpectrumPoint> spectrum;
+  std::vector<std::string> profiles;
+  std::vector<double> tilts;  // [rad]
+  std::vector<double> drops;  // [m]  rising
+  study::crowning::Tolerance tolerance;
+  int starts = 10;
+};
+
+/// Throws BadInput with every mistake at once.
+CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options);
+
+/// Speeds of the input [rad/s] that the case sweeps; its own speed where it sweeps none.
+std::vector<double> swept_speeds(const ResolvedCase& resolved);
+
+}  // namespace orbearing::app

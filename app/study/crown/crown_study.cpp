@@ -1,0 +1,175 @@
+#include "app/study/crown/crown_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/errors.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using namespace study::crowning;
+using bearing::profile::Profile;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kAtEnd = 1e-6;  // of the greatest drop
+
+// All that computing needs, laid out once.
+struct Bench {
+  const CrownRequest& request;
+  CrownProblem problem;
+  CrownProblem other;  // the same, rated by the measure that is not optimised
+  RollerPressure pressure;
+  int jobs;
+};
+
+CrownProblem rated(const CrownRequest& request, LifeMeasure measure) {
+  return crown_problem(request.drivetrain, request.geometry, request.spectrum, measure, request.laminae);
+}
+
+LifeMeasure not_this(LifeMeasure measure) {
+  return measure == LifeMeasure::iso16281 ? LifeMeasure::lundberg_palmgren : LifeMeasure::iso16281;
+}
+
+bool has_band(const CrownRequest& request) {
+  return request.tolerance.drop > 0.0 || request.tolerance.tilt > 0.0;
+}
+
+std::vector<CrownPoint> grid_of(const Bench& bench, const ProfileFamily& family, const Progressed& progressed) {
+  std::vector<Profile> profiles;
+  for (const double drop : bench.request.drops)
+    profiles.push_back(profile_of(family, {drop, usual_share(family)}));
+  return crown_grid(bench.problem, bench.pressure, profiles, bench.request.drops, bench.request.tilts, bench.jobs,
+                    progressed);
+}
+
+// Lives and pressures of one profile over the tilts.
+CrownDesign design_of(const Bench& bench, const std::string& name, const Profile& made, double drop) {
+  const std::vector<double>& tilts = bench.request.tilts;
+  const auto points = crown_grid(bench.problem, bench.pressure, {made}, {drop}, tilts, bench.jobs, {});
+  CrownDesign design{.profile = name, .crown = {drop, 1.0}, .made = made};
+  design.life_hours = design.other_life_hours = std::numeric_limits<double>::infinity();
+  for (const CrownPoint& point : points) {
+    if (point.status != "ok") throw ComputationFailed("crown: profile " + name + ": " + point.status);
+    design.life_hours = std::min(design.life_hours, point.life_hours);
+    design.other_life_hours = std::min(design.other_life_hours, life_hours(bench.other, made, point.tilt));
+    if (point.pressure.peak <= design.peak_pressure) continue;
+    design.peak_pressure = point.pressure.peak;
+    design.edge_ratio = point.pressure.edge_ratio;
+  }
+  design.untilted_life_hours =
+      tilts.front() == 0.0 ? points.front().life_hours : life_hours(bench.problem, made, 0.0);
+  design.life_in_band = kNone;
+  return design;
+}
+
+CrownDesign crowned(const Bench& bench, const std::string& name, const ProfileFamily& family, const Crown& crown) {
+  CrownDesign design = design_of(bench, name, profile_of(family, crown), crown.drop);
+  design.crown = crown;
+  design.has_share = has_share(family);
+  if (has_band(bench.request))
+    design.life_in_band = worst_life_hours(bench.problem, family, crown,
+                                           members_of(bench.request.tilts, bench.request.tolerance));
+  return design;
+}
+
+CrownSearch search_of(const Bench& bench, const std::string& name, const ProfileFamily& family,
+                      const Tolerance& tolerance) {
+  const SearchOptions options{.greatest_drop = bench.request.drops.back(),
+                              .least_drop = tolerance.drop,
+                              .starts = bench.request.starts,
+                              .jobs = bench.jobs};
+  const CrownOptimum best = best_crown(bench.problem, family, members_of(bench.request.tilts, tolerance), options);
+  CrownSearch search{.best = crowned(bench, name, family, best.crown), .ends = best.ends};
+  for (const SearchEnd& end : best.ends) search.in_best += is_same(end, best, options);
+  search.at_end = best.crown.drop >= (1.0 - kAtEnd) * options.greatest_drop;
+  return search;
+}
+
+template <class Life>
+std::size_t longest(const std::vector<CrownSearch>& searches, Life&& life) {
+  const auto best = std::max_element(searches.begin(), searches.end(), [&](const auto& a, const auto& b) {
+    return life(a.best) < life(b.best);
+  });
+  return static_cast<std::size_t>(best - searches.begin());
+}
+
+void add_warnings(CrownStudy& study) {
+  for (const CrownSearch& search : study.searches) {
+    if (search.at_end)
+      study.warnings.push_back(fmt::format(
+          "profile {}: the best drop is the greatest studied, {:.4g} um; a greater one in --drops may be better",
+          search.best.profile, 1e6 * search.best.crown.drop));
+    if (search.in_best < static_cast<int>(search.ends.size()))
+      study.warnings.push_back(fmt::format("profile {}: {} of {} starts of the search ended in the best crown; "
+                                           "the others in lesser ones, listed under starts",
+                                           search.best.profile, search.in_best, search.ends.size()));
+  }
+}
+
+void put_points(const Bench& bench, const Progressed& progressed, CrownStudy& study) {
+  std::size_t before = 0;
+  for (const std::string& name : study.request.profiles) {
+    const auto shifted = [&](std::size_t done) {
+      if (progressed) progressed(before + done);
+    };
+    study.points.push_back(grid_of(bench, family_in(bench.problem, name), shifted));
+    before += study.points.back().size();
+    study.worst.push_back(worst_of_tilts(study.points.back(), study.request.tilts.size()));
+    for (const CrownPoint& point : study.points.back()) study.failed += point.status != "ok";
+  }
+}
+
+void put_searches(const Bench& bench, CrownStudy& study) {
+  for (const std::string& name : study.request.profiles) {
+    const ProfileFamily family = family_in(bench.problem, name);
+    study.searches.push_back(search_of(bench, name, family, {}));
+    if (has_band(study.request)) study.robust.push_back(search_of(bench, name, family, study.request.tolerance));
+  }
+  study.best = longest(study.searches, [](const CrownDesign& design) { return design.life_hours; });
+  study.best_robust = longest(study.robust, [](const CrownDesign& design) { return design.life_in_band; });
+}
+
+}  // namespace
+
+std::size_t grid_size(const CrownRequest& request) {
+  return request.profiles.size() * request.drops.size() * request.tilts.size();
+}
+
+CrownProblem problem_of(const CrownRequest& request) {
+  return rated(request, request.measure);
+}
+
+// A profile that the case states lends its proportions; another is laid out for the load that 4.08 F/Z of the
+// most loaded duty gives.
+ProfileFamily family_in(const CrownProblem& problem, const std::string& name) {
+  if (bearing::profile::kind(problem.bearing.roller_profile) == name)
+    return family_like(problem.bearing.roller_profile, problem.bearing);
+  double load = 0.0;
+  for (const Duty& duty : problem.duties) load = std::max(load, duty.point.bore_load.norm());
+  return family_of(name, problem.bearing, 4.08 * load / problem.bearing.rollers);
+}
+
+CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& progressed) {
+  CrownStudy study{.request = request};
+  const CrownProblem problem = problem_of(request);
+  const Bench bench{study.request, problem, rated(request, not_this(request.measure)), RollerPressure(problem), jobs};
+  try {
+    put_points(bench, progressed, study);
+    put_searches(bench, study);
+    study.straight = design_of(bench, "straight", bearing::profile::Straight{}, 0.0);
+    const double drop = reference_drop(problem.bearing);
+    const ProfileFamily standard = family_of("iso16281", problem.bearing, 1.0);
+    study.reference = crowned(bench, "iso16281", standard, {drop, 1.0});
+  } catch (const std::runtime_error& error) {
+    throw ComputationFailed(std::string("crown: ") + error.what());
+  }
+  add_warnings(study);
+  return study;
+}
+
+}  // namespace orbearing::app

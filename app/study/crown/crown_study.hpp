@@ -1,0 +1,60 @@
+// The crowning study of a case: grid, optimum, what it is compared with.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/crown/crown_options.hpp"
+#include "coupling/study/crowning/crown_grid.hpp"
+
+namespace orbearing::app {
+
+/// A profile with the worst of its lives and pressures over the tilts studied.
+struct CrownDesign {
+  std::string profile;
+  study::crowning::Crown crown;  // share: of kinds with a straight middle
+  bool has_share = false;
+  bearing::profile::Profile made;
+  double life_hours = 0.0;           // [h]
+  double peak_pressure = 0.0;        // [Pa]
+  double edge_ratio = 0.0;           // [-]   at that pressure
+  double untilted_life_hours = 0.0;  // [h]
+  double other_life_hours = 0.0;     // [h]   worst, by the measure that is not optimised
+  double life_in_band = 0.0;         // [h]   worst within the tolerances; NaN without any
+};
+
+/// Result of a search for one kind of profile.
+struct CrownSearch {
+  CrownDesign best;
+  std::vector<study::crowning::SearchEnd> ends;
+  int in_best = 0;      // starts that ended in the best
+  bool at_end = false;  // the greatest drop studied is the best: a greater one may be better
+};
+
+struct CrownStudy {
+  CrownRequest request;
+  std::vector<std::vector<study::crowning::CrownPoint>> points;      // (profiles)(drops x tilts)
+  std::vector<std::vector<study::crowning::WorstOfTilts>> worst;     // (profiles)(drops)
+  std::vector<CrownSearch> searches;                                 // (profiles)
+  std::size_t best = 0;                                              // the profile that lives longest
+  CrownDesign straight;
+  CrownDesign reference;                // profile of ISO/TS 16281 as it stands in the standard
+  std::vector<CrownSearch> robust;      // (profiles) best within the tolerances; empty without any
+  std::size_t best_robust = 0;
+  std::vector<std::string> warnings;
+  int failed = 0;                       // points without balance
+};
+
+/// Runs it on `jobs` threads (0: all); `progressed` is told of finished points of the grid. Throws
+/// ComputationFailed where no crown could be found at all.
+CrownStudy crown_study(const CrownRequest& request, int jobs, const study::crowning::Progressed& progressed);
+
+/// Points of the grid.
+std::size_t grid_size(const CrownRequest& request);
+
+/// The parts it is made of, for pictures.
+study::crowning::CrownProblem problem_of(const CrownRequest& request);
+study::crowning::ProfileFamily family_in(const study::crowning::CrownProblem& problem, const std::string& name);
+
+}  // namespace orbearing::app

@@ -1,0 +1,46 @@
+// Life and pressure over drops and tilts, computed in parallel, and which designs are worth a thought.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coupling/study/crowning/roller_pressure.hpp"
+
+namespace orbearing::study::crowning {
+
+/// One profile at one tilt, under the whole spectrum.
+struct CrownPoint {
+  double drop = 0.0;           // [m]    of one roller at profile::kDropPlace
+  double tilt = 0.0;           // [rad]  of the bore on its pin
+  double life_hours = 0.0;     // [h]
+  PeakPressure pressure;       // greatest over the spectrum
+  std::string status = "ok";   // "ok" or why there is no balance
+};
+
+/// Called as points finish, from several threads, with how many are done.
+using Progressed = std::function<void(std::size_t done)>;
+
+/// Points for `profiles`, drop by drop and within each over `tilts` [rad]; `jobs` threads (0: all). Results
+/// do not depend on `jobs`. `drops` [m] name the profiles.
+std::vector<CrownPoint> crown_grid(const CrownProblem& problem, const RollerPressure& pressure,
+                                   const std::vector<bearing::profile::Profile>& profiles,
+                                   const std::vector<double>& drops, const std::vector<double>& tilts,
+                                   int jobs, const Progressed& progressed);
+
+/// Lives alone, [h] (profiles, tilts): what a wide study needs.
+Eigen::ArrayXXd life_grid(const CrownProblem& problem, const std::vector<bearing::profile::Profile>& profiles,
+                          const std::vector<double>& tilts, int jobs);
+
+/// The worst over tilts of each drop.
+struct WorstOfTilts {
+  double drop = 0.0;           // [m]
+  double life_hours = 0.0;     // [h]   shortest; NaN where a point failed
+  double peak_pressure = 0.0;  // [Pa]  greatest
+  bool efficient = false;      // no other drop lives longer at a lower or equal pressure
+};
+
+/// Of a grid with `tilts` tilts; on the front of life against pressure where `efficient`.
+std::vector<WorstOfTilts> worst_of_tilts(const std::vector<CrownPoint>& points, std::size_t tilts);
+
+}  // namespace orbearing::study::crowning

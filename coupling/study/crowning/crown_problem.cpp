@@ -1,0 +1,146 @@
+#include "coupling/study/crowning/crown_problem.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "bearing/laminae/drop_gradient.hpp"
+
+namespace orbearing::study::crowning {
+
+namespace {
+
+using bearing::laminae::LaminaBearing;
+using bearing::laminae::LaminaResult;
+using bearing::profile::Profile;
+
+bearing::QuasiStaticOptions options_of(const PlanetaryDrivetrain& drivetrain) {
+  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
+                                      .cage_positions = drivetrain.cage_positions};
+  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
+  options.film_approach = drivetrain.film_approach;
+  return options;
+}
+
+void require_whole(const std::vector<SpectrumPoint>& spectrum) {
+  double sum = 0.0;
+  for (const SpectrumPoint& point : spectrum) {
+    if (!(point.share > 0.0)) throw std::invalid_argument("spectrum: a share of time above 0 is required");
+    sum += point.share;
+  }
+  if (std::abs(sum - 1.0) > 1e-9)
+    throw std::invalid_argument("spectrum: the shares of time add up to " + std::to_string(sum) +
+                                "; 1 is required");
+}
+
+LaminaResult balanced(const LaminaBearing& bearing, const CrownProblem& problem, double tilt,
+                      std::size_t duty) {
+  LaminaResult loads =
+      bearing::laminae::quasi_static_laminae(bearing, tilted(problem.duties[duty], tilt), problem.options);
+  if (!loads.report.converged) throw std::runtime_error(loads.report.message);
+  return loads;
+}
+
+// Speed [rad/s] of the race that turns relative to the load.
+double turning_speed(const bearing::OperatingPoint& point) {
+  return point.outer_speed != 0.0 ? point.outer_speed : point.inner_speed;
+}
+
+// Of one duty.
+CrownLife duty_life(const CrownProblem& problem, const LaminaBearing& bearing,
+                    const std::vector<DropSlope>& slopes, double tilt, std::size_t duty) {
+  const LaminaResult loads = balanced(bearing, problem, tilt, duty);
+  const LogLife life = log_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load);
+  const bearing::laminae::DropGradient by_drops =
+      bearing::laminae::drop_gradient(bearing, tilted(problem.duties[duty], tilt), problem.options, loads,
+                                      life.by_inner_load, life.by_outer_load);
+  CrownLife result{.log_hours = std::log(duty_hours(problem, loads, duty))};
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    const auto lamina = static_cast<Eigen::Index>(k);
+    const double by_lamina_drop = by_drops.inner[lamina] + by_drops.outer[lamina];
+    result.by_drop += by_lamina_drop * slopes[k].by_drop;
+    result.by_share += by_lamina_drop * slopes[k].by_share;
+  }
+  return result;
+}
+
+std::vector<DropSlope> lamina_slopes(const LaminaBearing& bearing, const ProfileFamily& family,
+                                     const Crown& crown) {
+  std::vector<DropSlope> slopes;
+  for (const double place : bearing.contact(bearing::Race::inner).places())
+    slopes.push_back(drop_slope(family, crown, place * bearing.half_length()));
+  return slopes;
+}
+
+}  // namespace
+
+CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                           const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae) {
+  require_whole(spectrum);
+  CrownProblem problem{.bearing = drivetrain.bearing, .options = options_of(drivetrain)};
+  problem.bearing.laminae = laminae;
+  for (const SpectrumPoint& at : spectrum) {
+    PlanetaryDrivetrain there = drivetrain;
+    there.drive.speed = at.speed;
+    there.misalignment.planet_tilt = 0.0;  // it is what a study varies
+    problem.duties.push_back({at.speed, at.share, bearing_duty(there, geometry).point});
+    problem.ratings.push_back(
+        lamina_rating(problem.bearing, problem.duties.back().point, measure, drivetrain.lambda));
+  }
+  return problem;
+}
+
+CrownProblem one_duty(const CrownProblem& problem, std::size_t duty) {
+  CrownProblem one{problem.bearing, problem.options, {problem.duties[duty]}, {problem.ratings[duty]}};
+  one.duties.front().share = 1.0;
+  return one;
+}
+
+LaminaBearing lamina_bearing(const CrownProblem& problem, const Profile& profile) {
+  bearing::CylindricalRollerBearing bearing = problem.bearing;
+  bearing.roller_profile = profile;
+  return LaminaBearing(bearing);
+}
+
+bearing::OperatingPoint tilted(const Duty& duty, double tilt) {
+  bearing::OperatingPoint point = duty.point;
+  if (tilt != 0.0) point.bore_tilt += tilt * point.bore_load.normalized();
+  return point;
+}
+
+LaminaResult loads_at(const CrownProblem& problem, const Profile& profile, double tilt, std::size_t duty) {
+  return balanced(lamina_bearing(problem, profile), problem, tilt, duty);
+}
+
+double duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::size_t duty) {
+  const double revolutions =
+      lamina_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load).bearing;
+  return bearing::hours(revolutions, turning_speed(problem.duties[duty].point));
+}
+
+double life_hours(const CrownProblem& problem, const Profile& profile, double tilt) {
+  const LaminaBearing bearing = lamina_bearing(problem, profile);
+  double used = 0.0;  // [1/h]
+  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
+    used += problem.duties[duty].share /
+            duty_hours(problem, balanced(bearing, problem, tilt, duty), duty);
+  return 1.0 / used;
+}
+
+// L = 1/sum(s_i/L_i): d ln L = sum of the duties' d ln L_i, weighted by the part of life each uses up.
+CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
+                     double tilt) {
+  const LaminaBearing bearing = lamina_bearing(problem, profile_of(family, crown));
+  const std::vector<DropSlope> slopes = lamina_slopes(bearing, family, crown);
+  CrownLife sum;
+  double used = 0.0;
+  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
+    const CrownLife one = duty_life(problem, bearing, slopes, tilt, duty);
+    const double part = problem.duties[duty].share * std::exp(-one.log_hours);
+    used += part;
+    sum.by_drop += part * one.by_drop;
+    sum.by_share += part * one.by_share;
+  }
+  return {-std::log(used), sum.by_drop / used, sum.by_share / used};
+}
+
+}  // namespace orbearing::study::crowning

@@ -1,0 +1,70 @@
+// One planet bearing, where it works, and what a crown of its rollers makes of its life.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bearing/laminae/lamina_bearing.hpp"
+#include "coupling/study/crowning/lamina_life.hpp"
+#include "coupling/study/crowning/profile_family.hpp"
+#include "coupling/study/drivetrain.hpp"
+
+namespace orbearing::study::crowning {
+
+/// One operating point of a spectrum.
+struct Duty {
+  double speed = 0.0;             // [rad/s]  of the drivetrain's input
+  double share = 1.0;             // [-]      of the time
+  bearing::OperatingPoint point;  // tilted by the wind-up alone; tilts of a study are added
+};
+
+/// What a study asks about; immutable, from any thread.
+struct CrownProblem {
+  bearing::CylindricalRollerBearing bearing;  // cut into laminae; its roller profile is what is studied
+  bearing::QuasiStaticOptions options;
+  std::vector<Duty> duties;
+  std::vector<LaminaRating> ratings;  // (duties)
+};
+
+/// Speed [rad/s] of the input and share [-] of the time.
+struct SpectrumPoint {
+  double speed = 0.0;
+  double share = 1.0;
+};
+
+/// The planet bearing of `drivetrain` at its own power and the speeds of `spectrum`, whose shares add up
+/// to 1, cut into `laminae`. Throws std::invalid_argument where they do not.
+CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                           const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae = 40);
+
+/// The same bearing at one of its duties alone.
+CrownProblem one_duty(const CrownProblem& problem, std::size_t duty);
+
+/// Loads under `profile` and a tilt [rad] of the bore on its pin in the plane of the load. Throws
+/// std::runtime_error where they do not balance.
+bearing::laminae::LaminaResult loads_at(const CrownProblem& problem, const bearing::profile::Profile& profile,
+                                        double tilt, std::size_t duty);
+
+/// The bearing with `profile` on its rollers, and the point of a duty with the tilt.
+bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
+                                               const bearing::profile::Profile& profile);
+bearing::OperatingPoint tilted(const Duty& duty, double tilt);
+
+/// Life [h] of one bearing at one duty alone, whose loads are known.
+double duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads, std::size_t duty);
+
+/// Life [h] of one bearing by the rule of Palmgren and Miner over the duties; of one duty, its own.
+double life_hours(const CrownProblem& problem, const bearing::profile::Profile& profile, double tilt);
+
+/// ln of the life in hours, and how it follows the crown.
+struct CrownLife {
+  double log_hours = 0.0;
+  double by_drop = 0.0;   // [1/m]
+  double by_share = 0.0;  // [-]
+};
+
+/// The same life with its derivatives, by the adjoint of the equilibrium.
+CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
+                     double tilt);
+
+}  // namespace orbearing::study::crowning

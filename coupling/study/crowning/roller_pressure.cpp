@@ -1,0 +1,62 @@
+#include "coupling/study/crowning/roller_pressure.hpp"
+
+#include "bearing/half_space/of_bearing.hpp"
+
+namespace orbearing::study::crowning {
+
+namespace {
+
+using bearing::Race;
+using bearing::laminae::LaminaBearing;
+using bearing::laminae::LaminaResult;
+using bearing::laminae::RollerState;
+using bearing::profile::Profile;
+
+void keep_worst(const RollerState& roller, Race race, double half_length, double angle, WorstRoller& worst) {
+  const bool inner = race == Race::inner;
+  const double load = inner ? roller.inner.load : roller.outer.load;
+  if (load <= worst.load) return;
+  worst = {load, (inner ? roller.inner_tip : roller.outer_tip) / half_length, angle};
+}
+
+}  // namespace
+
+RollerPressure::RollerPressure(const CrownProblem& problem)
+    : bearing_(problem.bearing),
+      inner_(bearing::half_space::contact_of(problem.bearing, Race::inner)),
+      outer_(bearing::half_space::contact_of(problem.bearing, Race::outer)) {}
+
+bearing::half_space::RollerContactPressure RollerPressure::on(Race race, const Profile& profile, double load,
+                                                              double tilt) const {
+  const bearing::half_space::StripContact& strips = race == Race::inner ? inner_ : outer_;
+  const Profile& other = race == Race::inner ? bearing_.inner_race_profile : bearing_.outer_race_profile;
+  return strips.under_load(strips.relief(bearing::half_space::relief_of(profile, other)), load, tilt);
+}
+
+WorstRoller worst_roller(const LaminaBearing& bearing, const LaminaResult& loads, Race race) {
+  WorstRoller worst;
+  for (const bearing::laminae::LaminaState& state : loads.states)
+    for (std::size_t j = 0; j < state.rollers.size(); ++j)
+      keep_worst(state.rollers[j], race, bearing.half_length(), state.angle[static_cast<Eigen::Index>(j)],
+                 worst);
+  return worst;
+}
+
+PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
+                           const std::vector<LaminaResult>& loads) {
+  const LaminaBearing bearing = lamina_bearing(problem, profile);
+  PeakPressure worst;
+  for (const Race race : {Race::inner, Race::outer}) {
+    WorstRoller roller;
+    for (const LaminaResult& duty : loads) {
+      const WorstRoller found = worst_roller(bearing, duty, race);
+      if (found.load > roller.load) roller = found;
+    }
+    if (roller.load <= 0.0) continue;
+    const auto found = pressure.on(race, profile, roller.load, roller.tilt);
+    if (found.peak_pressure > worst.peak) worst = {found.peak_pressure, found.edge_ratio, race};
+  }
+  return worst;
+}
+
+}  // namespace orbearing::study::crowning

@@ -1,0 +1,222 @@
+"""`orbearing crown` from outside: the contract's keys, what must hold of a study, bad input, folders, the page."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
+REDUCER = CASES / "reducer_150kW" / "case.yaml"
+SECONDS = 120
+ROUND_OFF = 1e-9  # relative, of lives whose loads balance to 1e-12
+
+
+def call(*arguments):
+    command = [os.environ["ORBEARING"], *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+def crown(*options, case=REDUCER):
+    """JSON of a study."""
+    with tempfile.TemporaryDirectory() as folder:
+        result = call("crown", case, "-o", pathlib.Path(folder) / "out", "--json", *options)
+        assert result.returncode == 0, result.stderr
+        assert result.stderr == "", result.stderr
+        return json.loads(result.stdout)
+
+
+def refusal(*options, case=REDUCER):
+    """What is said of bad input; nothing may be written."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "out"
+        result = call("crown", case, "-o", out, *options)
+        assert result.returncode == 2, (result.returncode, result.stdout, result.stderr)
+        assert not out.exists()
+        return result.stderr
+
+
+def life_at(study, drop, tilt):
+    return next(p["life_h"] for p in study["points"] if (p["drop_um"], p["tilt_mrad"]) == (drop, tilt))
+
+
+class Contract(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.study = crown()
+
+    def test_points(self):
+        points = self.study["points"]
+        self.assertEqual(list(points[0])[:5], ["drop_um", "tilt_mrad", "life_h", "peak_pressure_MPa", "edge_ratio"])
+        self.assertEqual({p["tilt_mrad"] for p in points}, {0, 1, 2})
+        self.assertGreaterEqual(len({p["drop_um"] for p in points}), 8)
+        self.assertTrue(all(p["status"] == "ok" and p["life_h"] > 0 and p["peak_pressure_MPa"] > 500 for p in points))
+
+    def test_optimum_and_straight_are_the_worst_over_the_tilts(self):
+        for key in ("optimum", "straight"):
+            self.assertEqual(list(self.study[key])[:4], ["profile", "drop_um", "life_h", "peak_pressure_MPa"])
+        at_zero = [p for p in self.study["points"] if p["drop_um"] == 0]
+        straight = self.study["straight"]
+        self.assertEqual((straight["profile"], straight["drop_um"]), ("straight", 0))
+        self.assertAlmostEqual(straight["life_h"] / min(p["life_h"] for p in at_zero), 1, delta=ROUND_OFF)
+        self.assertAlmostEqual(straight["peak_pressure_MPa"], max(p["peak_pressure_MPa"] for p in at_zero), delta=1e-3)
+
+    def test_no_point_of_the_grid_beats_the_optimum(self):
+        worst = {}
+        for p in self.study["points"]:
+            worst[p["drop_um"]] = min(worst.get(p["drop_um"], float("inf")), p["life_h"])
+        best = self.study["optimum"]["life_h"]
+        self.assertGreaterEqual(best, max(worst.values()))
+        self.assertLess(best, 1.05 * max(worst.values()))
+        self.assertGreater(best, 1.5 * self.study["straight"]["life_h"])
+        self.assertEqual(self.study["optimum"]["starts"]["in_optimum"], 10)
+
+    def test_straight_and_untilted_it_is_the_life_of_a_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = call("run", REDUCER, "-o", pathlib.Path(folder) / "out", "--json")
+            life = json.loads(result.stdout)["points"][0]["life_h"]
+        self.assertAlmostEqual(life_at(self.study, 0, 0) / life, 1, delta=ROUND_OFF)
+
+    def test_crown_takes_the_edge_peak_away(self):
+        straight = next(p for p in self.study["points"] if (p["drop_um"], p["tilt_mrad"]) == (0, 2))
+        self.assertGreater(straight["edge_ratio"], 1.5)
+        self.assertLess(self.study["optimum"]["peak_pressure_MPa"], 0.8 * straight["peak_pressure_MPa"])
+
+
+class Choices(unittest.TestCase):
+    def test_spectrum_is_miners_sum_of_its_speeds(self):
+        few = ["--set", "sweep.input.speed={from: 3000 rpm, to: 9000 rpm, step: 6000 rpm}", "--tilts", "1 mrad", "--drops", "4 um", "--starts", "1"]
+        lives = [life_at(crown(*few, "--set", f"input.speed={rpm} rpm"), 4, 1) for rpm in (3000, 9000)]
+        equal = life_at(crown(*few, "--spectrum"), 4, 1)
+        self.assertAlmostEqual(equal * (0.5 / lives[0] + 0.5 / lives[1]), 1, delta=ROUND_OFF)
+        mostly_slow = life_at(crown(*few, "--spectrum", "--shares", "0.9, 0.1"), 4, 1)
+        self.assertAlmostEqual(mostly_slow * (0.9 / lives[0] + 0.1 / lives[1]), 1, delta=ROUND_OFF)
+
+    def test_lists_and_ranges(self):
+        study = crown("--tilts", "0.5 mrad, 1e-3 rad", "--drops", "1 um : 7 um : 3 um, 0.02 mm", "--starts", "1")
+        self.assertEqual(sorted({p["tilt_mrad"] for p in study["points"]}), [0.5, 1])
+        self.assertEqual(sorted({p["drop_um"] for p in study["points"]}), [1, 4, 7, 20])
+
+    def test_several_profiles_and_the_best_of_them(self):
+        study = crown("--profile", "circular, straight-circular", "--starts", "2")
+        lives = {best["profile"]: best["life_h"] for best in study["optima"]}
+        self.assertEqual(set(lives), {"circular", "straight-circular"})
+        self.assertEqual(study["optimum"]["life_h"], max(lives.values()))
+        share = next(best for best in study["optima"] if best["profile"] == "straight-circular")["crowned_share"]
+        self.assertTrue(0.1 <= share <= 0.95)
+
+    def test_tolerance_asks_for_more_crown(self):
+        study = crown("--tolerance", "1 um", "--tilt-tolerance", "0.5 mrad", "--starts", "3")
+        robust, best = study["robust"], study["optimum"]
+        self.assertGreater(robust["drop_um"], best["drop_um"])
+        self.assertGreater(robust["life_in_band_h"], best["life_in_band_h"])
+        self.assertLess(robust["life_h"], best["life_h"])
+
+    def test_life_of_the_standard_feels_the_ends(self):
+        study = crown("--life", "iso16281", "--starts", "1")
+        self.assertEqual(study["life_measure"], "iso16281")
+        self.assertGreater(life_at(study, 1, 0), life_at(study, 0, 0))
+        self.assertGreater(study["optimum"]["drop_um"], 3)
+
+    def test_one_of_several_sets(self):
+        case = CASES / "three_sets_150kW" / "case.yaml"
+        text = refusal(case=case)
+        self.assertIn("--of: found nothing", text)
+        name = text.rsplit(":", 1)[1].split(",")[0].strip()
+        study = crown("--of", name, "--drops", "4 um", "--tilts", "1 mrad", "--starts", "1", case=case)
+        self.assertGreater(study["points"][0]["life_h"], 0)
+
+
+class BadInput(unittest.TestCase):
+    def test_every_mistake_at_once(self):
+        text = refusal("--tilts", "2", "--drops", "5 kg, -1 um", "--profile", "round", "--tolerance", "1 h")
+        for option in ("--tilts", "--drops", "--profile", "--tolerance"):
+            self.assertIn(option + ": found", text)
+        self.assertIn("iso16281", text)
+        self.assertIn("mrad", text)
+
+    def test_values_out_of_place(self):
+        self.assertIn("0 to 100 mrad", refusal("--tilts", "-1 mrad"))
+        self.assertIn("above 0", refusal("--drops", "0 um"))
+        self.assertIn("FROM : TO : STEP", refusal("--drops", "0 um : 5 um : 2 um"))
+        self.assertIn("FROM : TO : STEP", refusal("--drops", "0 um : 5 um : 0 um"))
+        self.assertIn("one for each speed", refusal("--shares", "0.5, 0.5"))
+        self.assertIn("greatest drop", refusal("--tolerance", "1 mm"))
+        self.assertIn("--life", refusal("--life", "endless"))
+        self.assertIn("--starts", refusal("--starts", "0"))
+
+    def test_cases_without_a_planet_bearing(self):
+        self.assertIn("planetary-drivetrain", refusal(case=CASES / "harris_209" / "case.yaml"))
+
+    def test_output_is_required(self):
+        result = call("crown", REDUCER)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--output", result.stderr)
+
+
+class Folders(unittest.TestCase):
+    few = ("--drops", "0 um, 4 um", "--tilts", "0 mrad, 1 mrad", "--starts", "1")
+
+    def setUp(self):
+        self.place = tempfile.TemporaryDirectory()
+        self.out = pathlib.Path(self.place.name) / "deep" / "out"
+        self.first = call("crown", REDUCER, "-o", self.out, "--json", *self.few)
+        self.assertEqual(self.first.returncode, 0, self.first.stderr)
+
+    def tearDown(self):
+        self.place.cleanup()
+
+    def test_a_second_study_does_not_overwrite_the_first(self):
+        self.assertEqual(call("crown", REDUCER, "-o", self.out, *self.few).returncode, 2)
+        self.assertEqual(call("sweep", REDUCER, "-o", self.out, "--resume").returncode, 2)
+
+    def test_resume_shows_the_same_and_refuses_another(self):
+        again = call("crown", REDUCER, "-o", self.out, "--json", "--resume", *self.few)
+        self.assertEqual((again.returncode, again.stdout), (0, self.first.stdout))
+        self.assertEqual(call("crown", REDUCER, "-o", self.out, "--resume", *self.few, "--spectrum").returncode, 2)
+        self.assertEqual(call("crown", REDUCER, "-o", self.out, "--resume", *self.few, "--set", "input.power=75 kW").returncode, 2)
+
+    def test_files(self):
+        self.assertEqual({p.name for p in self.out.iterdir()}, {"crown.json", "case.resolved.yaml", "manifest.jsonl", "points"})
+        try:
+            import xarray
+        except ImportError:
+            self.skipTest("xarray is missing")
+        with xarray.open_dataset(self.out / "points" / "00000.nc") as data:
+            self.assertEqual(dict(data.sizes), {"profile": 1, "drop": 2, "tilt": 2})
+            self.assertEqual(data["life"].attrs["units"], "h")
+            life = next(p["life_h"] for p in json.loads(self.first.stdout)["points"] if p["drop_um"] == 4 and p["tilt_mrad"] == 1)
+            self.assertEqual(float(data["life"][0, 1, 1]), life)
+
+    def test_page(self):
+        result = call("report", self.out)
+        if "matplotlib" in result.stderr:
+            self.skipTest("matplotlib is missing")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        page = (self.out / "report.html").read_text(encoding="utf-8")
+        for slug in ("crown-map", "crown-front", "crown-profiles", "roller-pressure", "crown-zone", "crown-speeds"):
+            self.assertIn(f'<section id="{slug}">', page)
+        self.assertNotIn('class="missing"', page)
+
+
+class Terminal(unittest.TestCase):
+    def test_table_and_quiet(self):
+        with tempfile.TemporaryDirectory() as folder:
+            few = ("--drops", "4 um", "--starts", "1")
+            shown = call("crown", REDUCER, "-o", pathlib.Path(folder) / "a", *few)
+            for text in ("drop [um]", "straight", "ISO/TS 16281", "optimum"):
+                self.assertIn(text, shown.stdout)
+            self.assertEqual(call("crown", REDUCER, "-o", pathlib.Path(folder) / "b", "--quiet", *few).stdout, "")
+
+    def test_help(self):
+        text = call("crown", "--help").stdout
+        for option in ("--profile", "--tilts", "--drops", "--spectrum", "--shares", "--tolerance", "--tilt-tolerance", "--life", "--of", "--starts"):
+            self.assertIn(option, text)
+        self.assertIn("crown", call("--help").stdout)
+
+
+if __name__ == "__main__":
+    sys.dont_write_bytecode = True
+    unittest.main()
