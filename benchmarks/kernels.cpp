@@ -11,6 +11,7 @@
 
 #include "bearing/dynamics/equations.hpp"
 #include "bearing/fast/equilibrium_batch.hpp"
+#include "bearing/laminae/lamina_bearing.hpp"
 #include "benchmarks/runs.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 
@@ -25,6 +26,9 @@ constexpr int kRepetitions = 5;
 constexpr double kLeastTime = 0.02;  // [s]  of each repetition
 constexpr int kStaticPoints = 1024;
 constexpr int kPlainStaticPoints = 32;
+constexpr int kLaminae = 40;
+constexpr int kLaminaContacts = 1000;
+constexpr int kLaminaPoints = 40;
 constexpr int kRollerFactors[] = {1, 2, 4, 8};
 
 using Body = std::function<void()>;
@@ -122,6 +126,29 @@ void add_static(const study::PlanetaryDrivetrain& drivetrain) {
   add("fast_static", [points, batch, results] { batch->solve(points, *results); });
 }
 
+// A combination as studies of profiles ask for it: profile, tilt and operating point are new each time.
+void add_laminae(const study::PlanetaryDrivetrain& drivetrain) {
+  using namespace bearing::laminae;
+  bearing::CylindricalRollerBearing bearing = drivetrain.bearing;
+  bearing.laminae = kLaminae;
+  bearing.roller_profile = bearing::profile::Iso16281{bearing.roller_length, bearing.roller_diameter, 1.0};
+  const auto cut = std::make_shared<LaminaBearing>(bearing);
+  add("lamina_contacts", [cut] {
+    for (int i = 0; i < kLaminaContacts; ++i)
+      benchmark::DoNotOptimize(cut->contact(bearing::Race::inner).evaluate(6e-6 + 1e-9 * i, 2e-6));
+  });
+  std::vector<bearing::OperatingPoint> points;
+  for (const auto& one : static_points(drivetrain)) points.push_back(one.point);
+  add("lamina_points", [points, bearing]() mutable {
+    for (int i = 0; i < kLaminaPoints; ++i) {
+      bearing::OperatingPoint point = points[static_cast<std::size_t>(i)];
+      point.bore_tilt = 0.5e-3 * (i % 5) * point.bore_load.normalized();
+      bearing.roller_profile = bearing::profile::CircularCrown{bearing.roller_length, 1e-6 * (i % 8)};
+      benchmark::DoNotOptimize(quasi_static_laminae(LaminaBearing(bearing), point, {}));
+    }
+  });
+}
+
 // Slope of the straight line through the logarithms.
 double fitted_exponent(const std::map<std::string, double>& times) {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
@@ -139,6 +166,7 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
   add_kernels(std::make_shared<Bench>(duty));
   for (const int factor : kRollerFactors) add_step(duty, factor);
   add_static(drivetrain);
+  add_laminae(drivetrain);
   int argc = 1;
   std::string program = "orbearing_bench";
   char* argv[] = {program.data(), nullptr};
@@ -155,7 +183,9 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
           .step = ns.at("step_1"),
           .exponent = fitted_exponent(ns),
           .plain_static = ns.at("plain_static") / kPlainStaticPoints,
-          .fast_static = ns.at("fast_static") / kStaticPoints};
+          .fast_static = ns.at("fast_static") / kStaticPoints,
+          .lamina = ns.at("lamina_contacts") / (kLaminaContacts * kLaminae),
+          .lamina_point = ns.at("lamina_points") / kLaminaPoints};
 }
 
 }  // namespace orbearing::bench

@@ -48,6 +48,8 @@ void put_kernels(const KernelTimes& times, Json& out) {
   out["rollers_exponent"] = times.exponent;
   out["static_points_per_s"] = 1e9 / times.fast_static;
   out["plain_static_points_per_s"] = 1e9 / times.plain_static;
+  out["laminae_per_s"] = 1e9 / times.lamina;
+  out["lamina_points_per_s"] = 1e9 / times.lamina_point;
 }
 
 // A reference that meets the accuracy at none of the tolerances has no ratio: null.

@@ -109,14 +109,26 @@ void add_distribution(PointContent& content, const study::LoadDistribution& load
 // Of a bearing cut into laminae, whose places are those of the distribution.
 void add_laminae(PointContent& content, const study::LaminaRecord& record) {
   content.dimensions.push_back({"lamina", record.lamina_place.size()});
-  content.arrays.push_back({"lamina_place", {"lamina"}, "m", "middle of a lamina, from the middle of the roller",
+  content.arrays.push_back({"lamina_place",
+                            {"lamina"},
+                            "m",
+                            "middle of a lamina, from the middle of the roller",
                             record.lamina_place});
-  content.arrays.push_back({"inner_lamina_load", {"place", "lamina"}, "N",
-                            "load of a lamina of a roller on the inner race", record.inner_load});
-  content.arrays.push_back({"outer_lamina_load", {"place", "lamina"}, "N",
-                            "load of a lamina of a roller on the outer race", record.outer_load});
-  content.arrays.push_back({"roller_tilt", {"place"}, "rad",
-                            "tilt of a roller, outward at positive lamina places", record.roller_tilt});
+  content.arrays.push_back({"inner_lamina_load",
+                            {"place", "lamina"},
+                            "N",
+                            "load of a lamina of a roller on the inner race",
+                            record.inner_load});
+  content.arrays.push_back({"outer_lamina_load",
+                            {"place", "lamina"},
+                            "N",
+                            "load of a lamina of a roller on the outer race",
+                            record.outer_load});
+  content.arrays.push_back({"roller_tilt",
+                            {"place"},
+                            "rad",
+                            "tilt of a roller, outward at positive lamina places",
+                            record.roller_tilt});
   const auto add_vector = [&](const std::string& name, const char* units, const std::string& meaning,
                               const Eigen::Vector2d& value) {
     content.arrays.push_back({name + "_x", {}, units, meaning + ", outward", {value.x()}});

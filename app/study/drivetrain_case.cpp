@@ -112,12 +112,6 @@ gearset::Drive drive_of(const ResolvedCase& in) {
           .speed = in.quantity("input.speed")};
 }
 
-study::Misalignment misalignment_of(const ResolvedCase& in) {
-  const auto angle = [&](const char* path) { return in.has(path) ? in.quantity(path) : 0.0; };
-  return {.planet_tilt = angle("bearing.misalignment.planet_tilt"),
-          .carrier_wind_up = angle("bearing.misalignment.carrier_wind_up")};
-}
-
 study::PlanetaryDrivetrain quasi_static_drivetrain(const ResolvedCase& in) {
   return {.set = set_of(in),
           .drive = drive_of(in),
@@ -131,7 +125,6 @@ study::PlanetaryDrivetrain quasi_static_drivetrain(const ResolvedCase& in) {
                         .pressure_viscosity = in.quantity("lubricant.pressure_viscosity")},
           .film_in_approach = in.flag("film.enabled"),
           .lambda = in.number("life.lambda"),
-          .misalignment = misalignment_of(in),
           .cage_positions = in.integer("numerics.cage_positions")};
 }
 

@@ -49,6 +49,12 @@ void add_lubrication(const ResolvedCase& in, bearing::dynamics::DynamicsParamete
       printed(in, "bearing.cage.reference_speed") ? ReferenceSpeed::as_printed : ReferenceSpeed::rolling;
 }
 
+study::Misalignment misalignment_of(const ResolvedCase& in) {
+  const auto angle = [&](const char* path) { return in.has(path) ? in.quantity(path) : 0.0; };
+  return {.planet_tilt = angle("bearing.misalignment.planet_tilt"),
+          .carrier_wind_up = angle("bearing.misalignment.carrier_wind_up")};
+}
+
 const std::string kAcceleration = "input.acceleration";
 
 [[noreturn]] void refuse(const ResolvedCase& in, const std::string& path, const std::string& found,
@@ -78,6 +84,7 @@ void add_refinements(const ResolvedCase& in, study::PlanetaryDrivetrain& drivetr
       printed(in, "film.approach") ? bearing::FilmApproach::as_printed : bearing::FilmApproach::added;
   drivetrain.run_up = {.acceleration = in.quantity(kAcceleration),
                        .duration = in.quantity("simulation.run_up_time")};
+  drivetrain.misalignment = misalignment_of(in);
   add_lubrication(in, drivetrain.dynamics);
 }
 

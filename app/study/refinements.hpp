@@ -8,8 +8,8 @@
 
 namespace orbearing::app {
 
-/// Puts forms of the races, unequal rollers, mixed lubrication, pocket films, printed variants and the run-up
-/// of a case into `drivetrain`.
+/// Puts forms of the races, unequal rollers, mixed lubrication, pocket films, printed variants, the
+/// misalignment and the run-up of a case into `drivetrain`.
 void add_refinements(const ResolvedCase& resolved, study::PlanetaryDrivetrain& drivetrain);
 
 /// Throws BadInput where the case holds what `fidelity` cannot compute, or what a sweep cannot.

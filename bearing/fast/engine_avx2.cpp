@@ -3,7 +3,6 @@
 #define ORBEARING_LANES lanes_avx2
 #include "bearing/fast/engines.hpp"
 #include "bearing/fast/lane_equilibrium.hpp"
-#include "bearing/fast/lane_laminae.hpp"
 #include "bearing/fast/lane_solve.hpp"
 
 namespace orbearing::bearing::fast {
@@ -14,10 +13,6 @@ Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers) 
 
 EquilibriumEngine* avx2_equilibrium(const EquilibriumConstants& constants) {
   return new lanes_avx2::LaneEquilibrium(constants);
-}
-
-const LaminaKernel& avx2_laminae() {
-  return lanes_avx2::kLaminaKernel;
 }
 
 }  // namespace orbearing::bearing::fast

@@ -3,7 +3,6 @@
 #define ORBEARING_LANES lanes_avx512
 #include "bearing/fast/engines.hpp"
 #include "bearing/fast/lane_equilibrium.hpp"
-#include "bearing/fast/lane_laminae.hpp"
 #include "bearing/fast/lane_solve.hpp"
 
 namespace orbearing::bearing::fast {
@@ -14,10 +13,6 @@ Engine* avx512_engine(const Constants& constants, const RollerConstants& rollers
 
 EquilibriumEngine* avx512_equilibrium(const EquilibriumConstants& constants) {
   return new lanes_avx512::LaneEquilibrium(constants);
-}
-
-const LaminaKernel& avx512_laminae() {
-  return lanes_avx512::kLaminaKernel;
 }
 
 }  // namespace orbearing::bearing::fast

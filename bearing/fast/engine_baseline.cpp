@@ -2,7 +2,6 @@
 #define ORBEARING_LANES lanes_baseline
 #include "bearing/fast/engines.hpp"
 #include "bearing/fast/lane_equilibrium.hpp"
-#include "bearing/fast/lane_laminae.hpp"
 #include "bearing/fast/lane_solve.hpp"
 
 namespace orbearing::bearing::fast {
@@ -13,10 +12,6 @@ Engine* baseline_engine(const Constants& constants, const RollerConstants& rolle
 
 EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants) {
   return new lanes_baseline::LaneEquilibrium(constants);
-}
-
-const LaminaKernel& baseline_laminae() {
-  return lanes_baseline::kLaminaKernel;
 }
 
 }  // namespace orbearing::bearing::fast

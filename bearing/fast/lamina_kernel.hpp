@@ -25,4 +25,11 @@ struct LaminaKernel {
                 double* root);
 };
 
+/// One for each instruction set. They stand in files of their own, so that the engines keep their bits.
+const LaminaKernel& baseline_laminae();
+#if defined(__x86_64__)
+const LaminaKernel& avx2_laminae();
+const LaminaKernel& avx512_laminae();
+#endif
+
 }  // namespace orbearing::bearing::fast

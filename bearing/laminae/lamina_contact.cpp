@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/fast/engines.hpp"
+#include "bearing/fast/lamina_kernel.hpp"
 
 namespace orbearing::bearing::laminae {
 

@@ -1,0 +1,15 @@
+// The lamina kernel for one instruction set: the same source as the others, compiled with its own options.
+#if defined(__x86_64__)
+#define ORBEARING_LANES lanes_avx512
+#include "bearing/fast/lamina_kernel.hpp"
+#include "bearing/fast/lane_laminae.hpp"
+
+namespace orbearing::bearing::fast {
+
+const LaminaKernel& avx512_laminae() {
+  return lanes_avx512::kLaminaKernel;
+}
+
+}  // namespace orbearing::bearing::fast
+
+#endif
