@@ -3,7 +3,7 @@
 // complement).
 #pragma once
 
-#include "bearing/fast/lanes.hpp"
+#include "bearing/fast/lane_sums.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 

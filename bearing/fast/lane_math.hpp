@@ -1,7 +1,7 @@
 // Elementary functions of a pack of numbers. Relative error below 4e-16 in the ranges named.
 #pragma once
 
-#include "bearing/fast/lanes.hpp"
+#include "bearing/fast/lane_sums.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 

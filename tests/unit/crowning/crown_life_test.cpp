@@ -79,8 +79,8 @@ TEST_P(CrownSlopes, AreCentralDifferences) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, CrownSlopes, testing::ValuesIn(family_names()), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(Families, CrownSlopes, testing::ValuesIn(family_names()), [](const auto& value) {
+  std::string name = value.param;
   name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
   return name;
 });
