@@ -16,7 +16,7 @@ namespace {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-// A wider strip is less stiff and takes more load, so widths come from one side: a longer step saves a third.
+// A wider strip is less stiff and takes more load, so widths come from one side: a longer step saves a fifth.
 constexpr double kOverRelaxation = 1.15;
 constexpr double kLeastGrowth = 1e-4;  // of a width squared in one step, where nothing is loaded near by
 

@@ -4,8 +4,9 @@
 //
 //   (1)  c/2 sum q_i W_ij(b) q_j  +  sum h q b^2/(8 R)  -  sum h q (approach + tilt x - relief)
 //
-// Its least value over q and b is a strict upper bound of that over all pressures, and exact for Hertz's line
-// and elliptical contacts. Over q it gives the balance of displacements,
+// Its least value over q and b lies above that over all pressures but for the common width of unlike strips
+// (strip_influence.hpp), and meets it in Hertz's line and elliptical contacts. Over q it gives the balance of
+// displacements,
 //
 //   (2)  c sum_j W_ij q_j = h_i (approach + tilt x_i - relief_i - b_i^2/(8 R))   where q_i > 0,
 //
