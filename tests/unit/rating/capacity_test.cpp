@@ -87,8 +87,8 @@ TEST(BallCapacity, WideGroovesTakeTheirOwnFactor) {
   EXPECT_LT(ratio, 0.95);
 }
 
-// The catalogue's C_0 of a bearing 6305 with seven balls of 11.5 mm is 11.6 kN; grooves differ between
-// makers.
+// A maker's C_0 of a bearing 6305, from memory, with seven balls of 11.5 mm is 11.6 kN; grooves differ
+// between makers.
 TEST(BallCapacity, StaticNearTheCatalogue) {
   constexpr double makers_differ = 0.05;
   EXPECT_NEAR(static_capacity(balls()) / 11.6e3, 1.0, makers_differ);

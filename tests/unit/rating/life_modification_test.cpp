@@ -82,8 +82,7 @@ TEST(Contamination, ByHandForALargeBearing) {
               0.0177 * std::pow(1000.0, 0.55) * (1.0 - 0.1677), kRoundOff);
 }
 
-// Every level is worse than the one before, baths no better than filters, and the values for bearings of less
-// than 100 mm lie below the largest of the standard's table of ranges for their level.
+// Every level is worse than the one before, and baths and greases are no better than filters.
 TEST(Contamination, WorseLevelBySmallerFactor) {
   for (const Lubrication lubrication :
        {Lubrication::circulating_oil, Lubrication::oil_bath, Lubrication::grease}) {
