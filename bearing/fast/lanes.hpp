@@ -8,10 +8,6 @@
 #error "ORBEARING_LANES must name the instruction set this file is compiled for"
 #endif
 
-#if defined(__AVX512F__)
-#include <immintrin.h>
-#endif
-
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 #if defined(__AVX512F__)
@@ -240,7 +236,7 @@ inline Both root(const Both& x) {
 /// 1/sqrt(x) of normal numbers x > 0.
 inline Register inverse_root(const Register& x) {
 #if defined(__AVX512F__)
-  Register y = (Register)_mm512_maskz_rsqrt14_pd(0xff, (__m512d)x);
+  Register y = __builtin_ia32_rsqrt14pd512_mask(x, Register{}, 0xff);
   const Register half = 0.5 * x;
   y = y * (1.5 - half * y * y);
   const Register miss = 1.0 - x * y * y;
