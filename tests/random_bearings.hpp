@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <ostream>
 #include <random>
 
@@ -29,6 +30,8 @@ inline std::ostream& operator<<(std::ostream& out, const Draw& draw) {
 
 class RandomBearings {
  public:
+  explicit RandomBearings(std::uint64_t seed = kSeed) : engine_(seed) {}
+
   Draw next() {
     Draw draw;
     draw.bearing = bearing();
@@ -73,7 +76,7 @@ class RandomBearings {
     return point;
   }
 
-  std::mt19937_64 engine_{kSeed};
+  std::mt19937_64 engine_;
 };
 
 }  // namespace orbearing::bearing

@@ -24,12 +24,14 @@ void add_rollers(std::vector<Field>& fields) {
                     .range = {3, 500}});
   fields.push_back(length("bearing.roller_diameter", "diameter of a roller", with_rollers));
   fields.push_back(length("bearing.roller_length", "effective contact length of a roller", with_rollers));
-  fields.push_back(
-      length("bearing.pitch_diameter", "diameter of the circle of roller centres", with_rollers));
+  fields.push_back(length("bearing.pitch_diameter", "diameter of the circle of centres of rollers or balls",
+                          with_rollers | ball_bearing));
+  fields.back().models = with_rollers | ball_bearing;
   fields.push_back({.path = "bearing.radial_clearance",
                     .kind = Kind::quantity,
                     .meaning = "internal clearance in diametral measure (ISO 5753); negative is interference",
-                    .required_by = with_rollers,
+                    .models = with_rollers | ball_bearing,
+                    .required_by = with_rollers | ball_bearing,
                     .dimension = dimension::small_length,
                     .range = {-100.0, 2000.0}});
 }

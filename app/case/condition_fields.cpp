@@ -6,20 +6,21 @@ namespace orbearing::app::table {
 namespace {
 
 constexpr unsigned drivetrain = planetary_drivetrain;
+constexpr unsigned single_bearing = roller_bearing | ball_bearing;
 
 void add_operation(std::vector<Field>& fields) {
   constexpr Range speeds{-1e6, 1e6};
   fields.push_back({.path = "load.radial",
                     .kind = Kind::quantity,
                     .meaning = "radial load on the bearing",
-                    .models = roller_bearing,
-                    .required_by = roller_bearing,
+                    .models = single_bearing,
+                    .required_by = single_bearing,
                     .dimension = dimension::force,
-                    .range = {.least = 0.0, .most = 1e9, .least_allowed = false}});
+                    .range = {0.0, 1e9}});
   fields.push_back({.path = "operation.shaft_speed",
                     .kind = Kind::quantity,
                     .meaning = "speed of the inner ring",
-                    .models = roller_bearing,
+                    .models = single_bearing,
                     .dimension = dimension::angular_speed,
                     .range = speeds,
                     .default_text = "0 rpm",
@@ -27,7 +28,7 @@ void add_operation(std::vector<Field>& fields) {
   fields.push_back({.path = "operation.outer_speed",
                     .kind = Kind::quantity,
                     .meaning = "speed of the outer ring",
-                    .models = roller_bearing,
+                    .models = single_bearing,
                     .dimension = dimension::angular_speed,
                     .range = speeds,
                     .default_text = "0 rpm",
@@ -35,7 +36,7 @@ void add_operation(std::vector<Field>& fields) {
   fields.push_back({.path = "operation.turning_race",
                     .kind = Kind::choice,
                     .meaning = "race that turns relative to the load",
-                    .models = roller_bearing,
+                    .models = single_bearing,
                     .choices = {"inner", "outer"},
                     .default_text = "inner",
                     .default_reason = "a load that stands still on a turning shaft"});

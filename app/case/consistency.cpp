@@ -11,6 +11,7 @@
 #include "app/case/refinement_consistency.hpp"
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
+#include "app/case/static_consistency.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
@@ -262,6 +263,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_widths(check);
   check_refinements(resolved, mistakes);
   check_profile(resolved, mistakes);
+  check_static_bearing(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }
 
@@ -282,7 +284,8 @@ void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mist
 
 bool takes_part_in_consistency(std::string_view path) {
   return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("sets.") ||
-         path.starts_with("shafts.") || path.starts_with("pair.") || path == "input.member";
+         path.starts_with("shafts.") || path.starts_with("pair.") || path.starts_with("load.") || path.starts_with("life.") ||
+         path.starts_with("lubricant.kinematic") || path == "input.member";
 }
 
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {

@@ -14,9 +14,15 @@ namespace orbearing::app {
 enum class Kind { quantity, integer, number, flag, choice, text, list };
 
 /// Models of this version, as bits, so that a field can name several.
-enum Model : unsigned { no_model = 0, planetary_drivetrain = 1, roller_bearing = 2, gear_pair = 4 };
+enum Model : unsigned {
+  no_model = 0,
+  planetary_drivetrain = 1,
+  roller_bearing = 2,
+  gear_pair = 4,
+  ball_bearing = 8
+};
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned every_model = with_rollers | gear_pair;
+inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;

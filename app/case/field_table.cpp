@@ -41,6 +41,7 @@ std::vector<Field> build_table() {
   table::add_dynamics_fields(fields);
   table::add_refinement_fields(fields);
   table::add_pair_fields(fields);
+  table::add_static_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -94,6 +95,8 @@ std::string_view model_name(Model model) {
       return "roller-bearing";
     case gear_pair:
       return "gear-pair";
+    case ball_bearing:
+      return "ball-bearing";
     case no_model:
       break;
   }
@@ -101,7 +104,7 @@ std::string_view model_name(Model model) {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, gear_pair};
+  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, ball_bearing, gear_pair};
   return all;
 }
 
@@ -112,7 +115,7 @@ Model model_of(std::string_view name) {
 }
 
 const std::vector<std::string>& planned_models() {
-  static const std::vector<std::string> names{"ball-bearing", "duplex-pair", "raceway-defect", "spin-film"};
+  static const std::vector<std::string> names{"duplex-pair", "raceway-defect", "spin-film"};
   return names;
 }
 

@@ -39,6 +39,7 @@ void add_dynamics_fields(std::vector<Field>& fields);
 void add_refinement_fields(std::vector<Field>& fields);
 void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_pair_fields(std::vector<Field>& fields);
+void add_static_fields(std::vector<Field>& fields);
 }  // namespace table
 
 }  // namespace orbearing::app

@@ -25,6 +25,9 @@ set(ORBEARING_CASE_SOURCES
   case/resolved_writer.cpp
   case/schema.cpp
   case/settings.cpp
+  case/static_case.cpp
+  case/static_consistency.cpp
+  case/static_fields.cpp
   case/sweep_axes.cpp
   case/sweep_consistency.cpp
   case/units.cpp

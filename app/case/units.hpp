@@ -55,6 +55,7 @@ inline constexpr Dimension time{"time", "s", "s", "0.5 s"};
 inline constexpr Dimension density{"density", "kg/m3", "kg/m3", "7850 kg/m3"};
 inline constexpr Dimension stress{"stress", "Pa", "GPa", "206 GPa"};
 inline constexpr Dimension viscosity{"dynamic viscosity", "Pa.s", "Pa.s", "0.01 Pa.s"};
+inline constexpr Dimension kinematic_viscosity{"kinematic viscosity", "m2/s", "mm2/s", "20 mm2/s"};
 inline constexpr Dimension pressure_viscosity{"pressure-viscosity coefficient", "Pa-1", "GPa-1", "15 GPa-1"};
 inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
 inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};

@@ -10,6 +10,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/power_table.hpp"
+#include "app/study/static_study.hpp"
 
 namespace orbearing::app {
 
@@ -26,6 +27,7 @@ Checked check(const ResolvedCase& resolved) {
     const MeshStudy meshes = mesh_study(resolved.without_sweep());
     return {pair_quantities(resolved, meshes), meshes.warnings};
   }
+  if (is_static_bearing(resolved)) return {static_quantities(resolved), {}, {}};
   if (resolved.model() != planetary_drivetrain) return {};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);

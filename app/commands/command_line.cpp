@@ -107,6 +107,9 @@ void add_commands(CommandTable table) {
       .add_option("--with", options.other,
                   "folder of the same sweep continued the other way: both branches are drawn")
       ->type_name("DIR2");
+  report.add_flag(
+      "--every-effect", options.every_effect,
+      "of a dynamic sweep: what each single effect is worth, not only the chief ones; takes minutes");
 }
 
 bool known(const CLI::App& program, const std::string& word) {

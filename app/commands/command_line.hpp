@@ -20,6 +20,7 @@ struct Options {
   std::optional<std::string> direction;  // sweep --continue: "up" or "down"
   std::string other;                     // report --with: folder of the branch to draw beside
   int jobs = 0;                          // 0: one for each core
+  bool every_effect = false;             // report: all ablations of the motion in time
   bool gears = false;                    // run: without the dynamics of bearings
   bool resume = false;
   bool json = false;

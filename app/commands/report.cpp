@@ -67,7 +67,7 @@ int report_command(const Options& options) {
     branches.push_back({options.other, read_results(options.other)});
     require_two_branches(branches.front(), branches.back());
   }
-  nlohmann::ordered_json data = report_data(resolved, manifest);
+  nlohmann::ordered_json data = report_data(resolved, manifest, options.every_effect);
   data["branches"] = branches_json(resolved, branches);
   write_data(folder / "report.json", data);
   if (draw(folder) != 0)

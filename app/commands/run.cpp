@@ -4,12 +4,15 @@
 #include "app/commands/command_line.hpp"
 #include "app/study/gear_study.hpp"
 #include "app/study/refinements.hpp"
+#include "app/study/static_run.hpp"
+#include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
 
 int run_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
+  if (is_static_bearing(resolved) && !options.gears) return run_static_case(resolved, options);
   if (options.gears || runs_gears_alone(resolved)) return run_gear_case(resolved, options);
   require_computable(resolved, options.fidelity, false);
   SweepRequest request = sweep_request(resolved, options.fidelity);

@@ -10,6 +10,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_study.hpp"
+#include "app/study/static_study.hpp"
 
 namespace orbearing::app {
 
@@ -95,9 +96,10 @@ LedgerRow judged(LedgerRow row, bool trend) {
 
 Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected) {
   if (resolved.model() == gear_pair) return study_ledger(resolved, expected, mesh_study, mesh_property);
+  if (is_static_bearing(resolved)) return study_ledger(resolved, expected, static_study, static_property);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; the ledger requires planetary-drivetrain or gear-pair");
+                   "; the ledger requires planetary-drivetrain, gear-pair, roller-bearing or ball-bearing");
   if (!resolved.shape().teeth) return study_ledger(resolved, expected, modes_of, mode_property);
   const LifeCurve base = life_curve(resolved);
   Ledger ledger{.case_name = resolved.text("name"), .worth = worth_of(resolved, base, expected.alternatives)};

@@ -55,11 +55,12 @@ Json fine_curve(const study::PlanetaryDrivetrain& drivetrain, const study::Drive
   return curve;
 }
 
-// Speeds of the sweep nearest to the lowest, the best and the highest: what the polar plots show.
-std::vector<double> shown_speeds(const LifeCurve& grid) {
-  const double peak = property(grid, "peak_speed_rpm");
+// Speeds of the sweep nearest to the lowest, the best and the highest: what the polar plots show. `peak`: the
+// best by another model too, where it is a number.
+std::vector<double> shown_speeds(const LifeCurve& grid, double peak = std::nan("")) {
   const auto [low, high] = std::minmax_element(grid.speed_rpm.begin(), grid.speed_rpm.end());
-  std::vector<double> speeds{*low, peak, *high};
+  std::vector<double> speeds{*low, property(grid, "peak_speed_rpm"), *high};
+  if (std::isfinite(peak)) speeds.push_back(peak);
   std::sort(speeds.begin(), speeds.end());
   speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
   return speeds;
@@ -141,16 +142,20 @@ Json ablation_curves(const study::PlanetaryDrivetrain& drivetrain, const std::ve
   return list;
 }
 
-Json dynamic_ablation(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm) {
+Json dynamic_ablation(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm,
+                      bool every_effect) {
   std::vector<double> speeds;
   for (const double rpm : speeds_rpm) speeds.push_back(rpm / kRpm);
-  const std::vector<study::Ablation> ablations = study::dynamic_ablations();
+  const std::vector<study::Ablation> ablations =
+      every_effect ? study::dynamic_ablations(drivetrain) : study::chief_dynamic_ablations(drivetrain);
   const std::vector<study::PointResult> points =
       study::evaluate_all(drivetrain, ablations, speeds, study::Fidelity::dynamic);
   Json list = Json::array();
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i % speeds.size() == 0)
-      list.push_back({{"name", ablations[i / speeds.size()].name}, {"points", Json::array()}});
+      list.push_back({{"name", ablations[i / speeds.size()].name},
+                      {"group", ablations[i / speeds.size()].group},
+                      {"points", Json::array()}});
     Json& row = list.back()["points"];
     row.push_back({{"speed_rpm", speeds_rpm[i % speeds.size()]}, {"status", points[i].status}});
     if (!points[i].dynamic) continue;
@@ -158,7 +163,9 @@ Json dynamic_ablation(const study::PlanetaryDrivetrain& drivetrain, const std::v
                        {"cage_slip", points[i].cage_slip},
                        {"roller_slip", points[i].dynamic->roller_slip},
                        {"power_loss_W", points[i].dynamic->loss.total()},
-                       {"outer_load_rms_N", points[i].outer.load_rms}});
+                       {"inner_load_rms_N", points[i].inner.load_rms},
+                       {"outer_load_rms_N", points[i].outer.load_rms},
+                       {"steady", points[i].dynamic->steady}});
   }
   return list;
 }
@@ -212,7 +219,8 @@ study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
 
 }  // namespace
 
-nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest) {
+nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest,
+                                   bool every_effect) {
   const SpeedSlice slice = speed_slice(resolved);
   const LifeCurve grid = life_curve(slice.at);
   const auto [set, drivetrain, geometry] = shown_set(slice.at, grid);
@@ -240,8 +248,9 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;
   if (outcome.header.fidelity == "dynamic")
-    data["dynamic"] = {{"ablation", dynamic_ablation(drivetrain, shown_speeds(grid))},
-                       {"quasi_static", {{"polar", data["polar"]}}}};
+    data["dynamic"] = {
+        {"ablation", dynamic_ablation(drivetrain, shown_speeds(grid), every_effect)},
+        {"quasi_static", {{"polar", polar(drivetrain, geometry, shown_speeds(grid, found.peak.speed_rpm))}}}};
   return data;
 }
 

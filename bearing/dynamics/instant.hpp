@@ -68,11 +68,44 @@ inline Vector2 pocket_direction(const BearingModel& model, const RingBodies& rin
   return own.x() * rings.cage_direction + own.y() * across(rings.cage_direction);
 }
 
+/// Motions of a roller in both its contacts, and their elastic loads.
+struct RollerContacts {
+  FormedContact inner;
+  FormedContact outer;
+  double inner_load = 0.0;  // [N]
+  double outer_load = 0.0;  // [N]
+};
+
+/// Elastic approach in the middle [m].
+inline double elastic_approach(const RaceModel& model, const ContactMotion& motion) {
+  return model.load.elastic_approach(motion.approach,
+                                     entrainment_speed(motion.rolling, model.entrainment_scale));
+}
+
+inline RollerContacts roller_contacts(const BearingModel& model, const RingBodies& rings,
+                                      const RollerBody& roller, Eigen::Index j) {
+  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  RollerContacts contacts{race_motion(model.inner, roller.motion, larger, rings.pin),
+                          race_motion(model.outer, roller.motion, larger, rings.bore)};
+  if (model.laminae) {
+    const LaminaRaceLoads loads =
+        model.laminae->loads(elastic_approach(model.inner, contacts.inner.contact),
+                             elastic_approach(model.outer, contacts.outer.contact), roller.outward);
+    contacts.inner_load = loads.inner;
+    contacts.outer_load = loads.outer;
+  } else {
+    contacts.inner_load = straight_load(model.inner, contacts.inner.contact);
+    contacts.outer_load = straight_load(model.outer, contacts.outer.contact);
+  }
+  return contacts;
+}
+
 inline RollerForces roller_forces(const BearingModel& model, const RingBodies& rings,
                                   const RollerBody& roller, Eigen::Index j) {
   const double larger = model.larger_by[static_cast<std::size_t>(j)];
-  return {.inner = race_forces(model.inner, roller.motion, rings.pin, larger),
-          .outer = race_forces(model.outer, roller.motion, rings.bore, larger),
+  const RollerContacts contacts = roller_contacts(model, rings, roller, j);
+  return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_load),
+          .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_load),
           .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j),
                                   larger),
           .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),

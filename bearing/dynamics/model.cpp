@@ -144,7 +144,20 @@ std::vector<double> larger_rollers(const CylindricalRollerBearing& bearing) {
 
 bool is_plain(const CylindricalRollerBearing& bearing, const BearingModel& model) {
   return bearing.inner_form.empty() && bearing.outer_form.empty() && !model.inner.mixed.on &&
-         bearing.roller_diameter_deviation.empty() && !model.pocket.with_film;
+         bearing.roller_diameter_deviation.empty() && !model.pocket.with_film && !model.laminae;
+}
+
+laminae::LaminaContact lamina_contact(const CylindricalRollerBearing& bearing, const RaceModel& race,
+                                      const profile::Profile& race_profile) {
+  const double length = bearing.roller_length;
+  return {laminae::lamina_law(race.load.elastic()), length,
+          laminae::lamina_drops(bearing.roller_profile, race_profile, length, bearing.laminae)};
+}
+
+std::optional<LaminaRaces> lamina_races(const CylindricalRollerBearing& bearing, const BearingModel& model) {
+  if (bearing.laminae == 0) return std::nullopt;
+  return LaminaRaces(lamina_contact(bearing, model.inner, bearing.inner_race_profile),
+                     lamina_contact(bearing, model.outer, bearing.outer_race_profile), model.point.bore_tilt);
 }
 
 // Eq. (8) of [Gai2025] has the minus sign of a turning inner race with the speed of the outer.
@@ -238,6 +251,7 @@ BearingModel bearing_model(const CylindricalRollerBearing& bearing, const Operat
       .bore_loads = {},
       .kinematic_cage_speed = reference_cage_speed(geometry, point, parameters.cage.reference_speed)};
   set_drag(bearing, parameters.drag, model);
+  model.laminae = lamina_races(bearing, model);
   model.plain = is_plain(bearing, model);
   if (model.driving.growth != 0.0) set_driving(parameters.inertia, model);
   return model;

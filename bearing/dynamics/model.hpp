@@ -8,11 +8,13 @@
 //
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/dynamics/cage_guidance.hpp"
 #include "bearing/dynamics/cage_pocket.hpp"
+#include "bearing/dynamics/lamina_races.hpp"
 #include "bearing/dynamics/layout.hpp"
 #include "bearing/dynamics/oil_drag.hpp"
 #include "bearing/dynamics/parameters.hpp"
@@ -47,6 +49,7 @@ struct BearingModel {
   double pin_mass = 0.0;   // [kg]
   RaceModel inner;
   RaceModel outer;
+  std::optional<LaminaRaces> laminae;  // none: line contacts of straight rollers
   FilmContact inner_film;
   FilmContact outer_film;
   PocketModel pocket;
@@ -60,8 +63,8 @@ struct BearingModel {
   QuadraticDrag cage_drag;   // churning by the cage
   MeshRipple ripple;
   Driving driving;
-  BoreLoads bore_loads;               // of a run-up
-  bool plain = true;                  // round races, equal rollers, full lubrication, pockets without film
+  BoreLoads bore_loads;  // of a run-up
+  bool plain = true;     // round races, equal straight rollers, full lubrication, pockets without film
   double kinematic_cage_speed = 0.0;  // [rad/s]  at which the cage starts, and to which its slip refers
 };
 

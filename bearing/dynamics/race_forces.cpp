@@ -12,7 +12,12 @@ FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, doub
 RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
                        double larger) {
   const FormedContact motion = race_motion(model, roller, larger, race);
-  return contact_forces(model, motion.contact, &motion.form, model.mixed.on, race.speed);
+  return race_forces(model, motion, race, straight_load(model, motion.contact));
+}
+
+RaceForces race_forces(const RaceModel& model, const FormedContact& motion, const BodyMotion& race,
+                       double elastic_load) {
+  return contact_forces(model, motion.contact, elastic_load, &motion.form, model.mixed.on, race.speed);
 }
 
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race, double larger) {

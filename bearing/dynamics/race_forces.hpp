@@ -53,15 +53,19 @@ struct FormedContact {
 FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, double larger,
                           const BodyMotion& race);
 
-/// All forces of a contact in the given motion; `form` is null on a round race. The tangential force of the
-/// rolling resistance on the roller makes the moments of both surfaces balance; it is what the tilted oil
-/// pressure leaves after the drag at the inlet.
-inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& motion, const FormSlope* form,
-                                 bool mixed, double race_speed) {
+/// Elastic load of a straight contact in the given motion [N].
+inline double straight_load(const RaceModel& model, const ContactMotion& motion) {
+  return model.load.load(motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
+}
+
+/// All forces of a contact under `elastic_load` [N] in the given motion; `form` is null on a round race. The
+/// tangential force of the rolling resistance on the roller makes the moments of both surfaces balance; it is
+/// what the tilted oil pressure leaves after the drag at the inlet.
+inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& motion, double elastic_load,
+                                 const FormSlope* form, bool mixed, double race_speed) {
   RaceForces forces;
   forces.sliding = motion.sliding;
   forces.entrainment = entrainment_speed(motion.rolling, model.entrainment_scale);
-  const double elastic_load = model.load.load(motion.approach, forces.entrainment);
   if (elastic_load <= 0.0) return forces;
   const DampedLoad normal = damped_load(elastic_load, model.damping, motion.approach_speed);
   const double film_traction = model.traction.force(normal.load, motion.sliding, forces.entrainment);
@@ -95,9 +99,13 @@ RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const B
 /// is absent, since most runs are such and spend their time here.
 inline RaceForces plain_race_forces(const RaceModel& model, const BodyMotion& roller,
                                     const BodyMotion& race) {
-  return contact_forces(model, contact_motion(roller, model.roller_radius, race, model.side), nullptr, false,
-                        race.speed);
+  const ContactMotion motion = contact_motion(roller, model.roller_radius, race, model.side);
+  return contact_forces(model, motion, straight_load(model, motion), nullptr, false, race.speed);
 }
+
+/// The same under a given elastic load [N], in a motion that is known already.
+RaceForces race_forces(const RaceModel& model, const FormedContact& motion, const BodyMotion& race,
+                       double elastic_load);
 
 /// Energy stored in the contact [J].
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,

@@ -60,14 +60,31 @@ double centrifugal(const CarrierFrame& frame, double mass, double orbit_radius, 
   return -0.5 * mass * frame.centrifugal * (position + Vector2(orbit_radius, 0.0)).squaredNorm();
 }
 
+double elastic_energy(const RaceModel& model, double elastic_approach) {
+  return elastic_approach > 0.0 ? model.load.elastic().energy(elastic_approach) : 0.0;
+}
+
+// Both contacts of a roller. What the film holds is that of the straight contact.
+double contact_energy(const BearingModel& model, const RingBodies& rings, const RollerBody& roller,
+                      Eigen::Index j) {
+  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  const double straight = race_energy(model.inner, roller.motion, rings.pin, larger) +
+                          race_energy(model.outer, roller.motion, rings.bore, larger);
+  if (!model.laminae) return straight;
+  const RollerContacts contacts = roller_contacts(model, rings, roller, j);
+  const double inner = elastic_approach(model.inner, contacts.inner.contact);
+  const double outer = elastic_approach(model.outer, contacts.outer.contact);
+  return straight - elastic_energy(model.inner, inner) - elastic_energy(model.outer, outer) +
+         model.laminae->energy(inner, outer, roller.outward);
+}
+
 void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, const RingBodies& rings,
                        const RollerBody& roller, Eigen::Index j, StoredEnergy& energy) {
   const double larger = model.larger_by[static_cast<std::size_t>(j)];
   const BodyMotion& motion = roller.motion;
   energy.kinetic += kinetic(model.roller, motion);
   energy.centrifugal += centrifugal(frame, model.roller.mass, frame.orbit_radius, motion.position);
-  energy.races += race_energy(model.inner, motion, rings.pin, larger) +
-                  race_energy(model.outer, motion, rings.bore, larger);
+  energy.races += contact_energy(model, rings, roller, j);
   energy.pockets += pocket_energy(model.pocket, motion.position, rings.cage.position,
                                   pocket_direction(model, rings, j), larger);
 }

@@ -17,13 +17,15 @@ struct RollerBlock {
   Pack own[kRollerUnknowns][kRollerUnknowns];
   Pack by_ring[kRollerUnknowns][kRingUnknowns];  // rows of the roller, columns of the rings
   Pack of_ring[kRingUnknowns][kRollerUnknowns];  // rows of the rings, columns of the roller
+  Pack rings[kRingUnknowns][kRingUnknowns];      // what the rollers add to each body's own block, else unset
   bool caged = false;
 
   int ring_end() const { return caged ? kRingUnknowns : kCage; }
 };
 
-/// Replaces `own` by its inverse and `by_ring` by own^-1 by_ring.
-inline void eliminate(RollerBlock& block) {
+/// Replaces `own` by its inverse and `by_ring` by own^-1 by_ring, of the first kEnd ring unknowns.
+template <int kEnd>
+void eliminate(RollerBlock& block) {
   Pack(&a)[3][3] = block.own;
   const Pack c00 = a[1][1] * a[2][2] - a[1][2] * a[2][1];
   const Pack c01 = a[1][2] * a[2][0] - a[1][0] * a[2][2];
@@ -37,24 +39,49 @@ inline void eliminate(RollerBlock& block) {
                                scale * (a[0][0] * a[1][1] - a[0][1] * a[1][0])}};
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) a[i][k] = inverse[i][k];
-  for (int k = 0; k < block.ring_end(); ++k) {
+#pragma GCC unroll 8
+  for (int k = 0; k < kEnd; ++k) {
     const Pack b0 = block.by_ring[0][k], b1 = block.by_ring[1][k], b2 = block.by_ring[2][k];
     for (int i = 0; i < 3; ++i) block.by_ring[i][k] = a[i][0] * b0 + a[i][1] * b1 + a[i][2] * b2;
   }
 }
 
-/// Adds -of_ring own^-1 by_ring of an eliminated block to sums over lanes.
-inline void subtract_schur(const RollerBlock& block, Pack (&sums)[kRingUnknowns][kRingUnknowns]) {
-  const int end = block.ring_end();
-  for (int i = 0; i < end; ++i)
-    for (int k = 0; k < end; ++k)
-      sums[i][k] -= block.of_ring[i][0] * block.by_ring[0][k] + block.of_ring[i][1] * block.by_ring[1][k] +
-                    block.of_ring[i][2] * block.by_ring[2][k];
+/// Whether two unknowns of the rings belong to one body, pin, bore or cage.
+constexpr bool same_body(int i, int k) {
+  return (i < kCage ? i / 2 : 2) == (k < kCage ? k / 2 : 2);
+}
+
+/// Length of a row of the rings' block, so that it fills registers.
+inline constexpr int kRingRow = 8;
+
+/// Adds rings - of_ring own^-1 by_ring of an eliminated block, summed over its rollers.
+template <int kEnd>
+void add_schur(const RollerBlock& block, double (&into)[kRingUnknowns][kRingRow]) {
+#pragma GCC unroll 8
+  for (int i = 0; i < kEnd; ++i) {
+#pragma GCC unroll 8
+    for (int first = 0; first < kEnd; first += kRegisterLanes) {
+      Register shares[kRegisterLanes];
+#pragma GCC unroll 8
+      for (int k = first; k < first + kRegisterLanes; ++k) {
+        Register& share = shares[k - first];
+        share = Register{};
+        if (k >= kEnd) continue;
+        const Pack product = block.of_ring[i][0] * block.by_ring[0][k] +
+                             block.of_ring[i][1] * block.by_ring[1][k] +
+                             block.of_ring[i][2] * block.by_ring[2][k];
+        share = -(product.low + product.high);
+        if (same_body(i, k)) share += block.rings[i][k].low + block.rings[i][k].high;
+      }
+      const Register all = sums(shares);
+      for (int n = 0; n < kRegisterLanes; ++n) into[i][first + n] += all[n];
+    }
+  }
 }
 
 /// Small dense matrix with its factors; no pivoting, since 1 - g J is close to a positive matrix.
 struct RingBlock {
-  double a[kRingUnknowns][kRingUnknowns] = {};
+  double a[kRingUnknowns][kRingRow] = {};
 
   bool factor() {
     for (int p = 0; p < kRingUnknowns; ++p) {

@@ -15,41 +15,58 @@ struct WaveConstants {
   bool turning = false;    // with the race
 };
 
-/// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp.
-struct RaceConstants {
-  double side = 1.0;               // [-]      -1 inner race, +1 outer race
-  double radius = 0.0;             // [m]
-  double speed = 0.0;              // [rad/s]  of the race
-  double stiffness = 0.0;          // [N/m^(10/9)]
-  double damping = 0.0;            // [s/m]
-  double entrainment_scale = 0.0;  // [m/s]
+/// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp. For one
+/// race Number is double; vectorised laws hold the numbers of both.
+template <class Number>
+struct RaceNumbers {
+  Number side{};               // [-]      -1 inner race, +1 outer race
+  Number radius{};             // [m]
+  Number speed{};              // [rad/s]  of the race
+  Number stiffness{};          // [N/m^(10/9)]
+  Number damping{};            // [s/m]
+  Number entrainment_scale{};  // [m/s]
 
-  bool film = false;               // the film adds to the elastic approach
-  double film_factor = 0.0;        // [m^(103/90)]  thinning film times approach^(13/90), at 1 m/s
-  double film_cap = 0.0;           // [m]  largest film at 1 m/s
-  double film_cap_approach = 0.0;  // [m]  elastic approach where the cap begins, at 1 m/s
+  bool film = false;           // the film adds to the elastic approach
+  Number film_factor{};        // [m^(103/90)]  thinning film times approach^(13/90), at 1 m/s
+  Number film_cap{};           // [m]  largest film at 1 m/s
+  Number film_cap_approach{};  // [m]  elastic approach where the cap begins, at 1 m/s
 
   bool limiting_shear = false;
-  double friction = 0.0;               // [-]    largest friction, or limiting stress over pressure
-  double sliding_scale = 0.0;          // [m/s]
-  double largest_exponent = 0.0;       // [-]    of the pressure-viscosity law
-  double pressure_factor = 0.0;        // [Pa/N^0.5]  mean pressure over the root of the load
-  double pressure_viscosity = 0.0;     // [1/Pa]
-  double viscosity = 0.0;              // [Pa s]
-  double central_film_factor = 0.0;    // [m N^0.13]  at 1 m/s
-  double central_film_cap_load = 0.0;  // [N]         at 1 m/s
+  Number friction{};               // [-]    largest friction, or limiting stress over pressure
+  Number sliding_scale{};          // [m/s]
+  Number largest_exponent{};       // [-]    of the pressure-viscosity law
+  Number pressure_factor{};        // [Pa/N^0.5]  mean pressure over the root of the load
+  Number pressure_viscosity{};     // [1/Pa]
+  Number viscosity{};              // [Pa s]
+  Number central_film_factor{};    // [m N^0.13]  at 1 m/s
+  Number central_film_cap_load{};  // [N]         at 1 m/s
 
-  bool mixed = false;              // asperities share load and friction with the film
-  double roughness = 0.0;          // [m]
-  double boundary_friction = 0.0;  // [-]
-  double boundary_scale = 0.0;     // [m/s]
-  double least_film_factor = 0.0;  // [m N^0.13]  at 1 m/s
-  double least_film_cap = 0.0;     // [m]  at 1 m/s
+  bool mixed = false;          // asperities share load and friction with the film
+  Number roughness{};          // [m]
+  Number boundary_friction{};  // [-]
+  Number boundary_scale{};     // [m/s]
+  Number least_film_factor{};  // [m N^0.13]  at 1 m/s
+  Number least_film_cap{};     // [m]  at 1 m/s
 
-  int waves = 0;                        // of the race's form; none: round
+  bool rolling_resistance = false;
+  Number rolling_factor{};  // [N]  at unit speed and load
+};
+
+/// One race: its laws and its form.
+struct RaceConstants : RaceNumbers<double> {
+  int waves = 0;                        // of the form; none: round
   const WaveConstants* wave = nullptr;  // (waves)
+};
 
-  double rolling_factor = 0.0;  // [N]  of the rolling resistance at unit speed and load; 0: none
+/// The contacts cut into laminae; see dynamics/lamina_races.hpp.
+struct LaminaConstants {
+  int count = 0;                       // 0: line contacts of straight rollers
+  const double* place = nullptr;       // (count)  -1 to 1
+  const double* inner_drop = nullptr;  // (count)  [m]
+  const double* outer_drop = nullptr;  // (count)  [m]
+  double bore_tip_x = 0.0;             // [m]
+  double bore_tip_y = 0.0;             // [m]
+  bool upright = true;                 // symmetric, and no roller ever tilts
 };
 
 /// The land that guides the cage; see dynamics/cage_guidance.hpp.
@@ -89,6 +106,7 @@ struct Constants {
 
   RaceConstants inner;
   RaceConstants outer;
+  LaminaConstants laminae;
 
   double half_clearance = 0.0;        // [m]  of a pocket
   double pocket_stiffness = 0.0;      // [N/m]

@@ -40,7 +40,8 @@ RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
   c.boundary_scale = race.mixed.sliding_scale;
   c.least_film_factor = race.mixed.film.factor;
   c.least_film_cap = race.mixed.film.cap;
-  if (race.with_rolling_resistance) c.rolling_factor = race.rolling.factor();
+  c.rolling_resistance = race.with_rolling_resistance;
+  if (c.rolling_resistance) c.rolling_factor = race.rolling.factor();
   return c;
 }
 

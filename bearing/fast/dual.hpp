@@ -5,11 +5,15 @@
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
-/// Value and slopes by `kVariables` variables.
+/// Eight numbers, in as many registers as they take.
+using SlopeVector = double __attribute__((vector_size(64)));
+
+/// Value and slopes by `kVariables` variables, eight at most.
 template <int kVariables>
 struct Dual {
+  static_assert(kVariables <= 8);
   double value = 0.0;
-  double slope[kVariables]{};
+  SlopeVector slope{};
 
   Dual() = default;
   explicit Dual(double number) : value(number) {}
@@ -25,14 +29,14 @@ struct Dual {
 template <int n>
 Dual<n> chained(const Dual<n>& x, double value, double by_x) {
   Dual<n> y(value);
-  for (int i = 0; i < n; ++i) y.slope[i] = by_x * x.slope[i];
+  y.slope = by_x * x.slope;
   return y;
 }
 
 template <int n>
 Dual<n> chained(const Dual<n>& x, const Dual<n>& y, double value, double by_x, double by_y) {
   Dual<n> z(value);
-  for (int i = 0; i < n; ++i) z.slope[i] = by_x * x.slope[i] + by_y * y.slope[i];
+  z.slope = by_x * x.slope + by_y * y.slope;
   return z;
 }
 

@@ -19,13 +19,20 @@ struct Pair {
   Pack x{}, y{};
 };
 
+/// Slopes of the accelerations of rollers that are not contact forces: inertia of the frame, drag, turning
+/// axes.
+struct FreeSlopes {
+  Pack radial_by_r, radial_by_theta, radial_by_orbital;
+  Pack orbital_by_r, orbital_by_theta, orbital_by_radial, orbital_by_orbital;
+  Pack spin_by_spin;
+};
+
 /// One pack of rollers at the last linearisation.
 struct RollerPack {
-  Pack r, radial, orbital, spin;  // [m], [m/s], [rad/s], [rad/s]
+  Pack r, per_r, radial, orbital;  // [m], [1/m], [m/s], [rad/s]
   Pack cosine, sine;
-  Pack f_r, f_t;    // all contact forces on the roller [N]
-  Pack orbit_rate;  // theta'' [rad/s^2]
-  ContactSlopes inner, outer;
+  FreeSlopes free;
+  ContactSlopes<Pack> inner, outer;
   PocketSlopes pocket;
   bool caged = false;
 };
@@ -40,6 +47,7 @@ class LaneEngine final : public Engine {
  public:
   LaneEngine(const Constants& constants, const RollerConstants& rollers)
       : c_(constants),
+        races_(both_races(c_.inner, c_.outer, c_.laminae)),
         given_(rollers),
         layout_{constants.rollers},
         packs_(layout_.lanes() / kLanes),
@@ -48,10 +56,10 @@ class LaneEngine final : public Engine {
         inner_load_(packs_),
         outer_load_(packs_) {}
 
-  void derivative(const double* x, double load_x, double load_y, double* dx) override {
+  [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
     evaluate<false>(x, load_x, load_y, dx);
   }
-  void linearise(const double* x, double load_x, double load_y, double* dx) override {
+  [[gnu::flatten]] void linearise(const double* x, double load_x, double load_y, double* dx) override {
     evaluate<true>(x, load_x, load_y, dx);
   }
   bool factor(double g) override;
@@ -70,7 +78,7 @@ class LaneEngine final : public Engine {
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
   template <bool WithSlopes>
   void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
-  void build_block(int p, double g, Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]);
+  void build_block(int p, double g);
   void add_rings(double g, RingBlock& rings) const;
 
   Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
@@ -80,6 +88,7 @@ class LaneEngine final : public Engine {
   double* entry(double* x, int group, int p) const { return x + group * layout_.lanes() + p * kLanes; }
 
   Constants c_;
+  BothRaces races_;
   RollerConstants given_;
   PaddedLayout layout_;
   int packs_;
@@ -95,19 +104,47 @@ class LaneEngine final : public Engine {
   double cage_sine_ = 0.0;
 };
 
+/// `f_r`, `f_t`: all contact forces on the rollers [N]; `orbit_rate`: theta'' [rad/s^2].
+inline FreeSlopes free_slopes(const Constants& c, const RollerPack& at, const Pack& f_r, const Pack& f_t,
+                              const Pack& spin, const Pack& orbit_rate) {
+  const double per_mass = 1.0 / c.roller_mass;
+  const Pack twice = 2.0 * c.own_orbit * at.orbital + 2.0 * c.coriolis_speed;
+  const Pack drag = (-2.0 * c.orbit_drag * per_mass) * absolute(at.r * at.orbital);
+  const double far = c.centrifugal * c.orbit_radius, late = c.euler * c.orbit_radius;
+  FreeSlopes s;
+  s.radial_by_r = at.orbital * (twice - c.own_orbit * at.orbital) + c.centrifugal;
+  s.radial_by_theta = f_t * per_mass - far * at.sine - late * at.cosine;
+  s.radial_by_orbital = at.r * twice;
+  s.orbital_by_r = (drag * at.orbital - orbit_rate - c.euler) * at.per_r;
+  s.orbital_by_theta = (late * at.sine - f_r * per_mass - far * at.cosine) * at.per_r;
+  s.orbital_by_radial = -2.0 * (c.coriolis_speed + at.orbital) * at.per_r;
+  s.orbital_by_orbital = drag - 2.0 * at.radial * at.per_r;
+  s.spin_by_spin = (-2.0 * c.spin_drag / c.roller_inertia) * absolute(spin);
+  return s;
+}
+
 /// Motion of the rollers relative to `body`, in their polar axes.
-inline RelativeMotion relative_motion(const Pack& r, const Pack& radial, const Pack& orbital,
-                                      const Pack& spin, const Pack& cosine, const Pack& sine,
-                                      const Body& body) {
+inline RelativeMotion<Pack> relative_motion(const Pack& r, const Pack& radial, const Pack& orbital,
+                                            const Pack& spin, const Pack& cosine, const Pack& sine,
+                                            const Body& body) {
   return {r - (body.x * cosine + body.y * sine), body.x * sine - body.y * cosine,
           radial - (body.v_x * cosine + body.v_y * sine), r * orbital + body.v_x * sine - body.v_y * cosine,
           spin};
 }
 
+/// Motions relative to the inner and to the outer race side by side.
+inline RelativeMotion<Both> joined(const RelativeMotion<Pack>& inner, const RelativeMotion<Pack>& outer) {
+  return {{inner.d_r, outer.d_r},
+          {inner.d_t, outer.d_t},
+          {inner.w_r, outer.w_r},
+          {inner.w_t, outer.w_t},
+          inner.spin};
+}
+
 /// Adds the opposite of a force in polar axes to a sum in x and y.
-inline void react(const ContactForce& force, const Pack& cosine, const Pack& sine, Pair& sum) {
-  sum.x -= force.f_r * cosine - force.f_t * sine;
-  sum.y -= force.f_r * sine + force.f_t * cosine;
+inline void react(const Pack& f_r, const Pack& f_t, const Pack& cosine, const Pack& sine, Pair& sum) {
+  sum.x -= f_r * cosine - f_t * sine;
+  sum.y -= f_r * sine + f_t * cosine;
 }
 
 template <bool WithSlopes>
@@ -126,11 +163,12 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   const auto motion_to = [&](const Body& body) {
     return relative_motion(r, radial, orbital, spin, cosine, sine, body);
   };
-  if constexpr (WithSlopes) linear.inner = linear.outer = ContactSlopes{};
-  const ContactForce inner = race_contact<WithSlopes>(
-      c_.inner, radius, here, cosine, sine, motion_to({pin[0], pin[1], pin[2], pin[3]}), linear.inner);
-  const ContactForce outer = race_contact<WithSlopes>(
-      c_.outer, radius, here, cosine, sine, motion_to({bore[0], bore[1], bore[2], bore[3]}), linear.outer);
+  ContactSlopes<Both> slopes;
+  const ContactForce<Both> races = race_contact<WithSlopes>(
+      races_, radius, here, cosine, sine,
+      joined(motion_to({pin[0], pin[1], pin[2], pin[3]}), motion_to({bore[0], bore[1], bore[2], bore[3]})),
+      slopes);
+  if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
   const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
              own_sine = load(given_.pocket_sine + p * kLanes);
   const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
@@ -138,26 +176,27 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   const PocketForce pocket =
       pocket_contact<WithSlopes>(c_, radius, here, e_x * cosine + e_y * sine, e_y * cosine - e_x * sine,
                                  cage[5], motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
-  inner_load_[p] = inner.load;
-  outer_load_[p] = outer.load;
-  react(inner, cosine, sine, sums.pin);
-  react(outer, cosine, sine, sums.bore);
-  if (pocket.touched) react(pocket.on_roller, cosine, sine, sums.cage);
+  inner_load_[p] = races.load.low;
+  outer_load_[p] = races.load.high;
+  react(races.f_r.low, races.f_t.low, cosine, sine, sums.pin);
+  react(races.f_r.high, races.f_t.high, cosine, sine, sums.bore);
+  if (pocket.touched) react(pocket.on_roller.f_r, pocket.on_roller.f_t, cosine, sine, sums.cage);
   sums.cage_moment += pocket.cage_moment;
 
-  const Pack f_r = inner.f_r + outer.f_r + pocket.on_roller.f_r;
-  const Pack f_t = inner.f_t + outer.f_t + pocket.on_roller.f_t;
-  const Pack moment = inner.moment + outer.moment + pocket.on_roller.moment;
+  const Pack f_r = races.f_r.low + races.f_r.high + pocket.on_roller.f_r;
+  const Pack f_t = races.f_t.low + races.f_t.high + pocket.on_roller.f_t;
+  const Pack moment = races.moment.low + races.moment.high + pocket.on_roller.moment;
   const Pack speed = r * orbital;
   const Pack drag = -c_.orbit_drag * speed * absolute(speed);
-  const Pack radial_rate = f_r / c_.roller_mass + c_.own_orbit * speed * orbital +
-                           2.0 * c_.coriolis_speed * speed + c_.centrifugal * (r + c_.orbit_radius * cosine) -
+  const double per_mass = 1.0 / c_.roller_mass, per_inertia = 1.0 / c_.roller_inertia;
+  const Pack radial_rate = f_r * per_mass + c_.own_orbit * speed * orbital + 2.0 * c_.coriolis_speed * speed +
+                           c_.centrifugal * (r + c_.orbit_radius * cosine) -
                            c_.euler * c_.orbit_radius * sine;
-  const Pack orbit_rate = ((f_t + drag) / c_.roller_mass - 2.0 * c_.coriolis_speed * radial -
-                           c_.centrifugal * c_.orbit_radius * sine -
-                           c_.euler * (r + c_.orbit_radius * cosine) - 2.0 * radial * orbital) /
-                          r;
-  const Pack spin_rate = (moment - c_.spin_drag * spin * absolute(spin)) / c_.roller_inertia - c_.euler;
+  const Pack orbit_rate =
+      ((f_t + drag) * per_mass - 2.0 * c_.coriolis_speed * radial - c_.centrifugal * c_.orbit_radius * sine -
+       c_.euler * (r + c_.orbit_radius * cosine) - 2.0 * radial * orbital) /
+      r;
+  const Pack spin_rate = (moment - c_.spin_drag * spin * absolute(spin)) * per_inertia - c_.euler;
   store(radial, entry(dx, 0, p));
   store(orbital, entry(dx, 1, p));
   store(only(here, radial_rate), entry(dx, 2, p));
@@ -165,14 +204,12 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   store(only(here, spin_rate), entry(dx, 4, p));
   if constexpr (WithSlopes) {
     linear.r = r;
+    linear.per_r = 1.0 / linear.r;
     linear.radial = radial;
     linear.orbital = orbital;
-    linear.spin = spin;
     linear.cosine = cosine;
     linear.sine = sine;
-    linear.f_r = f_r;
-    linear.f_t = f_t;
-    linear.orbit_rate = only(here, orbit_rate);
+    linear.free = free_slopes(c_, linear, f_r, f_t, spin, only(here, orbit_rate));
     linear.caged = pocket.touched;
   }
 }

@@ -15,8 +15,8 @@ inline Shift shift_of(const RollerPack& at, const Pack& dr, const Pack& dtheta, 
           -at.r * at.orbital * dtheta, at.radial * dtheta + at.orbital * dr};
 }
 
-inline ContactForce shifted(const ContactSlopes& slopes, const Shift& shift) {
-  ContactForce change;
+inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift& shift) {
+  ContactForce<Pack> change;
   Pack* into[3] = {&change.f_r, &change.f_t, &change.moment};
   for (int i = 0; i < 3; ++i)
     *into[i] = slopes.by_position[i][0] * shift.d_r + slopes.by_position[i][1] * shift.d_t +
@@ -24,29 +24,29 @@ inline ContactForce shifted(const ContactSlopes& slopes, const Shift& shift) {
   return change;
 }
 
-inline void LaneEngine::solve(const double* rhs, double* k) const {
+[[gnu::flatten]] inline void LaneEngine::solve(const double* rhs, double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();
-  const double g = g_;
+  const double g = g_, per_mass = 1.0 / c_.roller_mass;
   RingLoads loads;             // changes of force through the shifts of positions
   Pack sums[kRingUnknowns]{};  // of_ring own^-1 b
   for (int p = 0; p < packs_; ++p) {
     const RollerPack& at = linear_[p];
     const RollerBlock& block = block_[p];
     const Pack dr = load(entry(rhs, 0, p)), dtheta = load(entry(rhs, 1, p));
-    const ContactForce inner = shifted(at.inner, shift_of(at, dr, dtheta, pin[0], pin[1]));
-    const ContactForce outer = shifted(at.outer, shift_of(at, dr, dtheta, bore[0], bore[1]));
-    react(inner, at.cosine, at.sine, loads.pin);
-    react(outer, at.cosine, at.sine, loads.bore);
+    const ContactForce<Pack> inner = shifted(at.inner, shift_of(at, dr, dtheta, pin[0], pin[1]));
+    const ContactForce<Pack> outer = shifted(at.outer, shift_of(at, dr, dtheta, bore[0], bore[1]));
+    react(inner.f_r, inner.f_t, at.cosine, at.sine, loads.pin);
+    react(outer.f_r, outer.f_t, at.cosine, at.sine, loads.bore);
     Pack f_r = inner.f_r + outer.f_r, f_t = inner.f_t + outer.f_t, moment = inner.moment + outer.moment;
     if (at.caged) {
       const Shift shift = shift_of(at, dr, dtheta, cage[0], cage[1]);
-      ContactForce pocket = shifted(at.pocket.on_roller, shift);
+      ContactForce<Pack> pocket = shifted(at.pocket.on_roller, shift);
       pocket.f_r += at.pocket.by_angle[0] * cage[2];
       pocket.f_t += at.pocket.by_angle[1] * cage[2];
       pocket.moment += at.pocket.by_angle[2] * cage[2];
-      react(pocket, at.cosine, at.sine, loads.cage);
+      react(pocket.f_r, pocket.f_t, at.cosine, at.sine, loads.cage);
       loads.cage_moment += at.pocket.cage_by_position[0] * shift.d_r +
                            at.pocket.cage_by_position[1] * shift.d_t +
                            at.pocket.cage_by_velocity[0] * shift.w_r +
@@ -55,12 +55,12 @@ inline void LaneEngine::solve(const double* rhs, double* k) const {
       f_t += pocket.f_t;
       moment += pocket.moment;
     }
-    const FreeSlopes free = free_slopes(c_, at);
-    const Pack b[3] = {load(entry(rhs, 2, p)) +
-                           g * (f_r / c_.roller_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
-                       load(entry(rhs, 3, p)) + g * (f_t / (c_.roller_mass * at.r) + free.orbital_by_r * dr +
-                                                     free.orbital_by_theta * dtheta),
-                       load(entry(rhs, 4, p)) + g / c_.roller_inertia * moment};
+    const FreeSlopes& free = at.free;
+    const Pack b[3] = {
+        load(entry(rhs, 2, p)) + g * (f_r * per_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
+        load(entry(rhs, 3, p)) +
+            g * (f_t * at.per_r * per_mass + free.orbital_by_r * dr + free.orbital_by_theta * dtheta),
+        load(entry(rhs, 4, p)) + (g / c_.roller_inertia) * moment};
     Pack y[3];
     for (int i = 0; i < 3; ++i) {
       y[i] = block.own[i][0] * b[0] + block.own[i][1] * b[1] + block.own[i][2] * b[2];
@@ -101,14 +101,14 @@ inline void LaneEngine::solve(const double* rhs, double* k) const {
   double* k_pin = k + layout_.pin();
   for (int p = 0; p < packs_; ++p) {
     const RollerBlock& block = block_[p];
-    Pack y[3];
+    Pack rate[3];
     for (int i = 0; i < 3; ++i) {
-      y[i] = load(entry(k, 2 + i, p));
-      for (int m = 0; m < block.ring_end(); ++m) y[i] -= block.by_ring[i][m] * b[m];
-      store(y[i], entry(k, 2 + i, p));
+      rate[i] = load(entry(k, 2 + i, p));
+      for (int m = 0; m < block.ring_end(); ++m) rate[i] -= block.by_ring[i][m] * b[m];
+      store(rate[i], entry(k, 2 + i, p));
     }
-    store(load(entry(rhs, 0, p)) + g * y[0], entry(k, 0, p));
-    store(load(entry(rhs, 1, p)) + g * y[1], entry(k, 1, p));
+    store(load(entry(rhs, 0, p)) + g * rate[0], entry(k, 0, p));
+    store(load(entry(rhs, 1, p)) + g * rate[1], entry(k, 1, p));
   }
   for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;
   for (int i = 0; i < 2; ++i) {

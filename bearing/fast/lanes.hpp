@@ -8,6 +8,10 @@
 #error "ORBEARING_LANES must name the instruction set this file is compiled for"
 #endif
 
+#if defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 #if defined(__AVX512F__)
@@ -22,92 +26,152 @@ inline constexpr int kLanes = 2 * kRegisterLanes;
 using Register = double __attribute__((vector_size(8 * kRegisterLanes)));
 using BitRegister = long long __attribute__((vector_size(8 * kRegisterLanes)));
 
-/// kLanes whole numbers, or truth values with all bits set for true.
-struct Mask {
-  BitRegister low{}, high{};
+/// Two of a kind side by side: two registers, or the numbers of two races. Arithmetic goes part by part. Not
+/// set to zero unless asked, as in Both{}: there is much of it.
+template <class Part>
+struct Two {
+  Part low, high;
 };
 
-/// kLanes numbers.
-struct Pack {
-  Register low{}, high{};
+/// The same for whole numbers, and for truth values with all bits set for true.
+template <class Part>
+struct TwoBits {
+  Part low, high;
 };
 
-#define ORBEARING_OPERATOR(Type, op)                      \
-  inline Type operator op(const Type& x, const Type& y) { \
-    return {x.low op y.low, x.high op y.high};            \
+using Pack = Two<Register>;         // kLanes numbers, one of each roller
+using Mask = TwoBits<BitRegister>;  // and truth values
+using Both = Two<Pack>;             // one number of each roller at the inner race and one at the outer
+using BothMask = TwoBits<Mask>;
+using PerRace = Two<double>;  // one number of the inner race and one of the outer
+
+#define ORBEARING_OPERATOR(Kind, op)                                        \
+  template <class Part>                                                     \
+  inline Kind<Part> operator op(const Kind<Part>& x, const Kind<Part>& y) { \
+    return {x.low op y.low, x.high op y.high};                              \
   }
-ORBEARING_OPERATOR(Pack, +)
-ORBEARING_OPERATOR(Pack, -)
-ORBEARING_OPERATOR(Pack, *)
-ORBEARING_OPERATOR(Pack, /)
-ORBEARING_OPERATOR(Mask, +)
-ORBEARING_OPERATOR(Mask, -)
-ORBEARING_OPERATOR(Mask, &)
-ORBEARING_OPERATOR(Mask, |)
-ORBEARING_OPERATOR(Mask, ^)
+ORBEARING_OPERATOR(Two, +)
+ORBEARING_OPERATOR(Two, -)
+ORBEARING_OPERATOR(Two, *)
+ORBEARING_OPERATOR(Two, /)
+ORBEARING_OPERATOR(TwoBits, +)
+ORBEARING_OPERATOR(TwoBits, -)
+ORBEARING_OPERATOR(TwoBits, &)
+ORBEARING_OPERATOR(TwoBits, |)
+ORBEARING_OPERATOR(TwoBits, ^)
 #undef ORBEARING_OPERATOR
 
-#define ORBEARING_SCALAR_OPERATOR(op)                \
-  inline Pack operator op(const Pack& x, double y) { \
-    return {x.low op y, x.high op y};                \
-  }                                                  \
-  inline Pack operator op(double x, const Pack& y) { \
-    return {x op y.low, x op y.high};                \
+// With one number for all, one for each race, or one of each roller for both races.
+#define ORBEARING_MIXED_OPERATOR(op)                           \
+  template <class Part>                                        \
+  inline Two<Part> operator op(const Two<Part>& x, double y) { \
+    return {x.low op y, x.high op y};                          \
+  }                                                            \
+  template <class Part>                                        \
+  inline Two<Part> operator op(double x, const Two<Part>& y) { \
+    return {x op y.low, x op y.high};                          \
+  }                                                            \
+  inline Both operator op(const Both& x, const PerRace& y) {   \
+    return {x.low op y.low, x.high op y.high};                 \
+  }                                                            \
+  inline Both operator op(const PerRace& x, const Both& y) {   \
+    return {x.low op y.low, x.high op y.high};                 \
+  }                                                            \
+  inline Both operator op(const PerRace& x, const Pack& y) {   \
+    return {x.low op y, x.high op y};                          \
+  }                                                            \
+  inline Both operator op(const Both& x, const Pack& y) {      \
+    return {x.low op y, x.high op y};                          \
+  }                                                            \
+  inline Both operator op(const Pack& x, const Both& y) {      \
+    return {x op y.low, x op y.high};                          \
   }
-ORBEARING_SCALAR_OPERATOR(+)
-ORBEARING_SCALAR_OPERATOR(-)
-ORBEARING_SCALAR_OPERATOR(*)
-ORBEARING_SCALAR_OPERATOR(/)
-#undef ORBEARING_SCALAR_OPERATOR
+ORBEARING_MIXED_OPERATOR(+)
+ORBEARING_MIXED_OPERATOR(-)
+ORBEARING_MIXED_OPERATOR(*)
+ORBEARING_MIXED_OPERATOR(/)
+#undef ORBEARING_MIXED_OPERATOR
 
-inline Pack operator-(const Pack& x) {
+template <class Part>
+inline Two<Part> operator-(const Two<Part>& x) {
   return {-x.low, -x.high};
 }
-inline Pack& operator+=(Pack& x, const Pack& y) {
+template <class Part, class Other>
+inline Two<Part>& operator+=(Two<Part>& x, const Other& y) {
   return x = x + y;
 }
-inline Pack& operator-=(Pack& x, const Pack& y) {
+template <class Part, class Other>
+inline Two<Part>& operator-=(Two<Part>& x, const Other& y) {
   return x = x - y;
 }
-inline Mask operator~(const Mask& x) {
+template <class Part>
+inline TwoBits<Part> operator~(const TwoBits<Part>& x) {
   return {~x.low, ~x.high};
 }
-inline Mask operator-(const Mask& x) {
+template <class Part>
+inline TwoBits<Part> operator-(const TwoBits<Part>& x) {
   return {-x.low, -x.high};
 }
-inline Mask operator<<(const Mask& x, int by) {
+template <class Part>
+inline TwoBits<Part> operator<<(const TwoBits<Part>& x, int by) {
   return {x.low << by, x.high << by};
 }
-inline Mask operator>>(const Mask& x, int by) {
+template <class Part>
+inline TwoBits<Part> operator>>(const TwoBits<Part>& x, int by) {
   return {x.low >> by, x.high >> by};
 }
+
+/// The same number, or the same bits, everywhere.
+template <class Number = Pack>
+inline Number spread(double x) {
+  return Number{} + x;
+}
+inline Both spread(const PerRace& x) {
+  return {spread(x.low), spread(x.high)};
+}
+template <class Part>
+inline TwoBits<Part> plus_bits(const TwoBits<Part>& x, long long y) {
+  if constexpr (requires { x.low.low; })
+    return {plus_bits(x.low, y), plus_bits(x.high, y)};
+  else
+    return {x.low + y, x.high + y};
+}
+template <class Bits = Mask>
+inline Bits bits(long long x) {
+  return plus_bits(Bits{}, x);
+}
+
 inline Mask operator<(const Pack& x, const Pack& y) {
   return {(BitRegister)(x.low < y.low), (BitRegister)(x.high < y.high)};
 }
-inline Mask operator>(const Pack& x, const Pack& y) {
+inline BothMask operator<(const Both& x, const Both& y) {
+  return {x.low < y.low, x.high < y.high};
+}
+template <class Part>
+inline auto operator>(const Two<Part>& x, const Two<Part>& y) {
   return y < x;
 }
-
-inline Pack spread(double x) {
-  return {Register{} + x, Register{} + x};
+template <class Part>
+inline auto operator<(const Two<Part>& x, double y) {
+  return x < spread<Two<Part>>(y);
 }
-/// The same bits in every lane.
-inline Mask bits(long long x) {
-  return {BitRegister{} + x, BitRegister{} + x};
-}
-inline Mask operator<(const Pack& x, double y) {
-  return x < spread(y);
-}
-inline Mask operator>(const Pack& x, double y) {
-  return spread(y) < x;
+template <class Part>
+inline auto operator>(const Two<Part>& x, double y) {
+  return spread<Two<Part>>(y) < x;
 }
 
 /// The bits of numbers, and numbers from their bits.
 inline Mask bits_of(const Pack& x) {
   return {(BitRegister)x.low, (BitRegister)x.high};
 }
+inline BothMask bits_of(const Both& x) {
+  return {bits_of(x.low), bits_of(x.high)};
+}
 inline Pack from_bits(const Mask& x) {
   return {(Register)x.low, (Register)x.high};
+}
+inline Both from_bits(const BothMask& x) {
+  return {from_bits(x.low), from_bits(x.high)};
 }
 
 inline Pack load(const double* from) {
@@ -131,29 +195,35 @@ inline Mask first_lanes(int count) {
   return mask;
 }
 
-inline Pack select(const Mask& where, const Pack& yes, const Pack& no) {
+template <class Bits, class Part>
+inline Two<Part> select(const Bits& where, const Two<Part>& yes, const Two<Part>& no) {
   return from_bits((bits_of(yes) & where) | (bits_of(no) & ~where));
 }
 
 /// `x` where `where` holds, else zero.
-inline Pack only(const Mask& where, const Pack& x) {
+template <class Bits, class Part>
+inline Two<Part> only(const Bits& where, const Two<Part>& x) {
   return from_bits(bits_of(x) & where);
 }
 
-inline Pack absolute(const Pack& x) {
-  return from_bits(bits_of(x) & bits(0x7fffffffffffffffLL));
+template <class Part>
+inline Two<Part> absolute(const Two<Part>& x) {
+  return from_bits(bits_of(x) & bits<decltype(bits_of(x))>(0x7fffffffffffffffLL));
 }
 
-inline Pack with_sign_of(const Pack& size, const Pack& sign) {
-  const Mask bit = bits(static_cast<long long>(0x8000000000000000ULL));
+template <class Part>
+inline Two<Part> with_sign_of(const Two<Part>& size, const Two<Part>& sign) {
+  const auto bit = bits<decltype(bits_of(size))>(static_cast<long long>(0x8000000000000000ULL));
   return from_bits((bits_of(size) & ~bit) | (bits_of(sign) & bit));
 }
 
-inline Pack larger(const Pack& a, const Pack& b) {
+template <class Part>
+inline Two<Part> larger(const Two<Part>& a, const Two<Part>& b) {
   return select(a > b, a, b);
 }
 
-inline Pack smaller(const Pack& a, const Pack& b) {
+template <class Part>
+inline Two<Part> smaller(const Two<Part>& a, const Two<Part>& b) {
   return select(a < b, a, b);
 }
 
@@ -163,9 +233,31 @@ inline Pack root(const Pack& x) {
   for (int i = 0; i < kRegisterLanes; ++i) y.high[i] = __builtin_sqrt(x.high[i]);
   return y;
 }
+inline Both root(const Both& x) {
+  return {root(x.low), root(x.high)};
+}
+
+/// 1/sqrt(x) of normal numbers x > 0.
+inline Register inverse_root(const Register& x) {
+#if defined(__AVX512F__)
+  Register y = (Register)_mm512_maskz_rsqrt14_pd(0xff, (__m512d)x);
+  const Register half = 0.5 * x;
+  y = y * (1.5 - half * y * y);
+  const Register miss = 1.0 - x * y * y;
+  return y + y * miss * (0.5 + 0.375 * miss);
+#else
+  Register y;
+  for (int i = 0; i < kRegisterLanes; ++i) y[i] = __builtin_sqrt(x[i]);
+  return 1.0 / y;
+#endif
+}
+template <class Part>
+inline Two<Part> inverse_root(const Two<Part>& x) {
+  return {inverse_root(x.low), inverse_root(x.high)};
+}
 
 namespace detail {
-// The upper half over the lower one, then the upper quarter over the next: sums by halving.
+// Halves, quarters and neighbours changed over: sums by halving.
 #if defined(__AVX512F__)
 template <class Vector>
 Vector upper_half(const Vector& x) {
@@ -175,13 +267,48 @@ template <class Vector>
 Vector upper_quarter(const Vector& x) {
   return __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
 }
+// Sums of neighbours, then of pairs, then of halves; those of `y` beside those of `x`.
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14) +
+         __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
+}
+inline Register pairs(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 8, 9, 4, 5, 12, 13) +
+         __builtin_shufflevector(x, y, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+inline Register halves(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11) +
+         __builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15);
+}
 #elif defined(__AVX__)
 template <class Vector>
 Vector upper_quarter(const Vector& x) {
   return __builtin_shufflevector(x, x, 2, 3, 0, 1);
 }
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 4, 2, 6) + __builtin_shufflevector(x, y, 1, 5, 3, 7);
+}
+inline Register pairs(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 4, 5) + __builtin_shufflevector(x, y, 2, 3, 6, 7);
+}
+#else
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 2) + __builtin_shufflevector(x, y, 1, 3);
+}
 #endif
 }  // namespace detail
+
+/// The sums of as many registers as one has lanes, side by side.
+inline Register sums(const Register (&x)[kRegisterLanes]) {
+#if defined(__AVX512F__)
+  return detail::halves(detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3])),
+                        detail::pairs(detail::neighbours(x[4], x[5]), detail::neighbours(x[6], x[7])));
+#elif defined(__AVX__)
+  return detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3]));
+#else
+  return detail::neighbours(x[0], x[1]);
+#endif
+}
 
 inline bool any(const Mask& where) {
   BitRegister found = where.low | where.high;
@@ -192,6 +319,10 @@ inline bool any(const Mask& where) {
   found |= detail::upper_quarter(found);
 #endif
   return (found[0] | found[1]) != 0;
+}
+
+inline bool any(const BothMask& where) {
+  return any(where.low | where.high);
 }
 
 inline double sum(const Pack& x) {

@@ -8,18 +8,18 @@ namespace orbearing::bearing::fast::ORBEARING_LANES {
 /// What the pocket's slopes have beyond those by relative motion: those by the cage's rotation, and the
 /// moment on the cage.
 struct PocketSlopes {
-  ContactSlopes on_roller;     // by motion of the roller relative to the cage's centre
-  Pack by_angle[3]{};          // of (f_r, f_t, moment) by the cage angle
-  Pack by_speed[3]{};          // and by its speed
-  Pack cage_by_position[2]{};  // of the moment on the cage
-  Pack cage_by_velocity[2]{};
-  Pack cage_by_spin{};
-  Pack cage_by_angle{};
-  Pack cage_by_speed{};
+  ContactSlopes<Pack> on_roller;  // by motion of the roller relative to the cage's centre
+  Pack by_angle[3];               // of (f_r, f_t, moment) by the cage angle
+  Pack by_speed[3];               // and by its speed
+  Pack cage_by_position[2];       // of the moment on the cage
+  Pack cage_by_velocity[2];
+  Pack cage_by_spin;
+  Pack cage_by_angle;
+  Pack cage_by_speed;
 };
 
 struct PocketForce {
-  ContactForce on_roller;
+  ContactForce<Pack> on_roller;
   Pack cage_moment{};  // [N m]
   bool touched = false;
 };
@@ -27,7 +27,7 @@ struct PocketForce {
 /// `e_r`, `e_t`: direction of each pocket in polar axes of its roller.
 template <bool WithSlopes>
 PocketForce pocket_contact(const Constants& c, const Pack& radius, const Mask& present, const Pack& e_r,
-                           const Pack& e_t, double cage_speed, const RelativeMotion& motion,
+                           const Pack& e_t, double cage_speed, const RelativeMotion<Pack>& motion,
                            PocketSlopes& slopes) {
   const Pack a_r = -e_t, a_t = e_r;  // ahead
   const Pack offset = motion.d_r * a_r + motion.d_t * a_t;
@@ -60,43 +60,44 @@ PocketForce pocket_contact(const Constants& c, const Pack& radius, const Mask& p
     const Pack steep = only(pressed, bar * c.pocket_stiffness * growth);  // load by offset
     const Pack viscous =
         only(pressed, c.pocket_stiffness * depth * c.pocket_damping * bar);  // by w_a - speed along
-    // Slopes of (load, sliding) by a change of (offset, along, w_a, w_e, cage speed, spin).
-    const auto put = [&](const Pack& offset_rate, const Pack& along_rate, const Pack& wa_rate,
-                         const Pack& we_rate, const Pack& speed_rate, const Pack& spin_rate, Pack& out_a,
-                         Pack& out_e, Pack& out_m, Pack& out_cage) {
-      const Pack load_rate =
-          steep * offset_rate + viscous * (wa_rate - cage_speed * along_rate - along * speed_rate);
-      const Pack sliding_rate =
-          (spin_rate - speed_rate) * arm - we_rate - cage_speed * offset_rate - offset * speed_rate;
+    // What follows from a change of load and sliding speed: forces ahead and along e, moments.
+    struct Rate {
+      Pack a, e, moment, cage;
+    };
+    const auto follow = [&](const Pack& load_rate, const Pack& sliding_rate) {
       const Pack friction_rate = share * load_rate + by_sliding * sliding_rate;
-      out_a = -bar * load_rate;
-      out_e = friction_rate;
-      out_m = -arm * friction_rate;
-      out_cage = bar * (along_rate * load + along * load_rate) + offset_rate * friction +
-                 (offset + arm) * friction_rate;
+      return Rate{-bar * load_rate, friction_rate, -arm * friction_rate,
+                  bar * along * load_rate + (offset + arm) * friction_rate};
     };
-    const Pack zero{};
-    const auto to_polar = [&](const Pack& x_a, const Pack& x_e, Pack& x_r, Pack& x_t) {
-      x_r = x_a * a_r + x_e * e_r;
-      x_t = x_a * a_t + x_e * e_t;
+    const auto put = [&](const Rate& rate, Pack& out_r, Pack& out_t, Pack& out_moment, Pack& out_cage) {
+      out_r = rate.a * a_r + rate.e * e_r;
+      out_t = rate.a * a_t + rate.e * e_t;
+      out_moment = rate.moment;
+      out_cage = rate.cage;
     };
-    Pack x_a, x_e;
+    ContactSlopes<Pack>& roller = slopes.on_roller;
     for (int k = 0; k < 2; ++k) {  // polar component k of position, then of velocity
       const Pack d_a = k == 0 ? a_r : a_t, d_e = k == 0 ? e_r : e_t;
-      ContactSlopes& roller = slopes.on_roller;
-      put(d_a, d_e, zero, zero, zero, zero, x_a, x_e, roller.by_position[2][k], slopes.cage_by_position[k]);
-      to_polar(x_a, x_e, roller.by_position[0][k], roller.by_position[1][k]);
-      put(zero, zero, d_a, d_e, zero, zero, x_a, x_e, roller.by_velocity[2][k], slopes.cage_by_velocity[k]);
-      to_polar(x_a, x_e, roller.by_velocity[0][k], roller.by_velocity[1][k]);
+      Rate position = follow(steep * d_a - viscous * cage_speed * d_e, -cage_speed * d_a);
+      position.cage += bar * load * d_e + friction * d_a;
+      put(position, roller.by_position[0][k], roller.by_position[1][k], roller.by_position[2][k],
+          slopes.cage_by_position[k]);
+      put(follow(viscous * d_a, -d_e), roller.by_velocity[0][k], roller.by_velocity[1][k],
+          roller.by_velocity[2][k], slopes.cage_by_velocity[k]);
     }
-    put(zero, zero, zero, zero, zero, spread(1.0), x_a, x_e, slopes.on_roller.by_spin[2],
-        slopes.cage_by_spin);
-    to_polar(x_a, x_e, slopes.on_roller.by_spin[0], slopes.on_roller.by_spin[1]);
-    put(zero, zero, zero, zero, spread(1.0), zero, x_a, x_e, slopes.by_speed[2], slopes.cage_by_speed);
-    to_polar(x_a, x_e, slopes.by_speed[0], slopes.by_speed[1]);
+    const Pack by_spin = by_sliding * arm;
+    roller.by_spin[0] = by_spin * e_r;
+    roller.by_spin[1] = by_spin * e_t;
+    roller.by_spin[2] = -arm * by_spin;
+    slopes.cage_by_spin = (offset + arm) * by_spin;
+    put(follow(-viscous * along, -(arm + offset)), slopes.by_speed[0], slopes.by_speed[1], slopes.by_speed[2],
+        slopes.cage_by_speed);
     // The cage turns by an angle: e turns ahead, ahead turns against e.
-    put(-along, offset, -w_e, w_a, zero, zero, x_a, x_e, slopes.by_angle[2], slopes.cage_by_angle);
-    to_polar(x_a + friction, x_e - f_a, slopes.by_angle[0], slopes.by_angle[1]);
+    Rate angle = follow(-steep * along - viscous * (w_e + cage_speed * offset), cage_speed * along - w_a);
+    angle.a += friction;
+    angle.e -= f_a;
+    angle.cage += bar * load * offset - friction * along;
+    put(angle, slopes.by_angle[0], slopes.by_angle[1], slopes.by_angle[2], slopes.cage_by_angle);
   }
   return result;
 }

@@ -6,174 +6,237 @@
 #pragma once
 
 #include "bearing/fast/friction.hpp"
+#include "bearing/fast/lamina_load.hpp"
 #include "bearing/fast/race_form.hpp"
-#include "bearing/fast/race_load.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 /// Motion of a roller relative to the centre of a race (or of the cage), in polar axes.
+template <class Number>
 struct RelativeMotion {
-  Pack d_r;   // [m]      position
-  Pack d_t;   // [m]
-  Pack w_r;   // [m/s]    velocity
-  Pack w_t;   // [m/s]
-  Pack spin;  // [rad/s]  of the roller
+  Number d_r;  // [m]      position
+  Number d_t;  // [m]
+  Number w_r;  // [m/s]    velocity
+  Number w_t;  // [m/s]
+  Pack spin;   // [rad/s]  of the roller
 };
 
 /// Force on the roller through its centre and moment about it; the other body feels the opposite force.
+template <class Number>
 struct ContactForce {
-  Pack f_r{};     // [N]
-  Pack f_t{};     // [N]
-  Pack moment{};  // [N m]
-  Pack load{};    // [N]  normal
+  Number f_r{};     // [N]
+  Number f_t{};     // [N]
+  Number moment{};  // [N m]
+  Number load{};    // [N]  normal
 };
 
 /// Slopes of (f_r, f_t, moment): by relative position, by relative velocity, by spin. [row][column]
+template <class Number>
 struct ContactSlopes {
-  Pack by_position[3][2]{};
-  Pack by_velocity[3][2]{};
-  Pack by_spin[3]{};
+  Number by_position[3][2];
+  Number by_velocity[3][2];
+  Number by_spin[3];
 };
+
+/// The parts of slopes at both races.
+inline void split(const ContactSlopes<Both>& both, ContactSlopes<Pack>& inner, ContactSlopes<Pack>& outer) {
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 2; ++k) {
+      inner.by_position[i][k] = both.by_position[i][k].low;
+      outer.by_position[i][k] = both.by_position[i][k].high;
+      inner.by_velocity[i][k] = both.by_velocity[i][k].low;
+      outer.by_velocity[i][k] = both.by_velocity[i][k].high;
+    }
+    inner.by_spin[i] = both.by_spin[i].low;
+    outer.by_spin[i] = both.by_spin[i].high;
+  }
+}
 
 /// How rollers move against a race, dynamics/contact_motion.hpp; speeds along the tangent t = z x n.
 struct RaceMotion {
-  Pack n_r, n_t;              // [-]    normal, from the race's centre to the roller's
-  Pack inverse;               // [1/m]  1 / distance of both centres
-  Pack v_n, v_t;              // [m/s]  relative velocity of the centres
-  Pack line;                  // [rad/s]  at which the line of centres turns
-  Pack approach;              // [m]
-  Pack closing;               // [m/s]  rate of the approach
-  Pack race_arm, roller_arm;  // [m]
-  Pack sliding, rolling;      // [m/s]
-  Pack entrainment;           // [m/s]
-  FormSlopes form;
+  Both n_r, n_t;              // [-]    normal, from the race's centre to the roller's
+  Both inverse;               // [1/m]  1 / distance of both centres
+  Both v_n, v_t;              // [m/s]  relative velocity of the centres
+  Both line;                  // [rad/s]  at which the line of centres turns
+  Both approach;              // [m]
+  Both closing;               // [m/s]  rate of the approach
+  Both race_arm, roller_arm;  // [m]
+  Both sliding, rolling;      // [m/s]
+  Both entrainment;           // [m/s]
+  Both turn;                  // [-]    rolling over entrainment speed
+  FormSlopes<Both> form;
 };
 
-inline RaceMotion race_motion(const RaceConstants& race, const Pack& radius, const Mask& present,
-                              const Pack& cosine, const Pack& sine, const RelativeMotion& relative) {
+inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const Mask& present,
+                              const Pack& cosine, const Pack& sine, const RelativeMotion<Both>& relative) {
   RaceMotion m;
-  const Pack distance = root(relative.d_r * relative.d_r + relative.d_t * relative.d_t);
-  m.inverse = 1.0 / distance;
+  const Both square = relative.d_r * relative.d_r + relative.d_t * relative.d_t;
+  m.inverse = inverse_root(square);
+  const Both rough = square * m.inverse;
+  const Both distance = rough + 0.5 * m.inverse * (square - rough * rough);  // to the last bit but one
   m.n_r = relative.d_r * m.inverse;
   m.n_t = relative.d_t * m.inverse;
   m.v_n = relative.w_r * m.n_r + relative.w_t * m.n_t;
   m.v_t = relative.w_t * m.n_r - relative.w_r * m.n_t;
   m.line = m.v_t * m.inverse;
-  Pack gap = distance - race.radius;
-  Pack opening = m.v_n;
-  if (race.waves > 0) {
+  Both gap = distance - race.radius;
+  Both opening = m.v_n;
+  if (!race.round) {
     m.form = form_slopes(race, m.n_r * cosine - m.n_t * sine, m.n_r * sine + m.n_t * cosine);
     gap -= m.form.height;
     opening -= m.form.slope * m.line - m.form.turning_slope * race.speed;
   }
-  m.approach = select(present, race.side * gap + radius, spread(-1.0));
+  m.approach = select(BothMask{present, present}, race.side * gap + radius, spread<Both>(-1.0));
   m.closing = race.side * opening;
   m.roller_arm = race.side * radius;
   m.race_arm = distance + m.roller_arm;
-  const Pack race_surface = (race.speed - m.line) * m.race_arm;
-  const Pack roller_surface = (relative.spin - m.line) * m.roller_arm;
+  const Both race_surface = (race.speed - m.line) * m.race_arm;
+  const Both roller_surface = (relative.spin - m.line) * m.roller_arm;
   m.sliding = race_surface - roller_surface;
   m.rolling = 0.5 * (race_surface + roller_surface);
-  m.entrainment = root(m.rolling * m.rolling + race.entrainment_scale * race.entrainment_scale);
+  const Both entrainment = m.rolling * m.rolling + race.entrainment_scale * race.entrainment_scale;
+  const Both per_entrainment = inverse_root(entrainment);
+  m.turn = m.rolling * per_entrainment;
+  m.entrainment = entrainment * per_entrainment;
   return m;
 }
 
 /// What the laws give in a motion: dynamics/race_forces.hpp.
 struct RaceLoads {
   Slopes2 elastic;  // [N]  by approach and entrainment speed
-  Pack damped;      // [-]  factor of the damping, cut at zero
-  Pack load;        // [N]
+  Both damped;      // [-]  factor of the damping, cut at zero
+  Both load;        // [N]
   Friction friction;
-  Slopes2 inlet{};  // rolling resistance by load and rolling speed
-  Pack turn;        // [-]  rolling over entrainment speed
-  Pack tilt;        // [-]  arm of the oil pressure's tilt over the distance
+  Slopes2 inlet;  // rolling resistance by load and rolling speed
+  Both tilt;      // [-]  arm of the oil pressure's tilt over the distance
 };
 
 template <bool WithSlopes>
-RaceLoads race_loads(const RaceConstants& race, const RaceMotion& m) {
+RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine) {
   RaceLoads x;
-  const bool needs_log = race.film || race.limiting_shear || race.mixed || race.rolling_factor > 0.0;
-  const Pack log_entrainment = needs_log ? logarithm(m.entrainment) : Pack{};
-  x.elastic = elastic_load<WithSlopes>(race, m.approach, m.entrainment, log_entrainment);
-  x.damped = larger(1.0 + race.damping * m.closing, Pack{});
+  const bool needs_log = race.film || race.limiting_shear || race.mixed || race.rolling_resistance;
+  const Both log_entrainment = needs_log ? logarithm(m.entrainment) : Both{};
+  const ElasticApproach e = elastic_approach<WithSlopes>(race, m.approach, m.entrainment, log_entrainment);
+  const LoadSlope elastic =
+      race.laminae.count > 0 ? lamina_load(race, e, cosine, sine) : straight_load(race, e);
+  x.elastic = {elastic.load, elastic.slope * e.by_approach, elastic.slope * e.by_entrainment};
+  x.damped = larger(1.0 + race.damping * m.closing, Both{});
   x.load = x.elastic.value * x.damped;
-  x.turn = m.rolling / m.entrainment;
   x.friction = race.limiting_shear ? limiting_shear(race, x.load, m.sliding, m.entrainment, log_entrainment)
                                    : coulomb(race, x.load, m.sliding);
   if (race.mixed)
     x.friction = mixed_friction(race, x.friction, x.load, m.sliding, m.entrainment, log_entrainment);
-  if (race.rolling_factor > 0.0)
-    x.inlet = rolling_resistance(race, x.load, m.rolling, log_entrainment, x.turn);
+  x.inlet = race.rolling_resistance ? rolling_resistance(race, x.load, m.rolling, log_entrainment, m.turn)
+                                    : Slopes2{};
   x.tilt = (m.race_arm + m.roller_arm) * m.inverse;
   return x;
 }
 
-/// Slopes of a contact by one variable of its motion; what the laws see of it comes in, what the roller feels
-/// goes out.
-struct ContactRate {
-  Pack approach{}, closing{}, sliding{}, rolling{};
-  Pack normal{}, tangential{}, moment{};  // of the force along n, along t, of the moment on the roller
+/// How load, friction and rolling resistance of a contact change with one variable of its motion.
+struct LawRate {
+  Both load, friction, inlet;
 };
 
-inline void follow_laws(const RaceConstants& race, const RaceMotion& m, const RaceLoads& x,
-                        ContactRate& rate) {
-  const Pack by_closing = only(x.damped > 0.0, x.elastic.value * race.damping);
-  const Pack load =
-      x.damped * (x.elastic.by_first * rate.approach + x.elastic.by_second * x.turn * rate.rolling) +
-      by_closing * rate.closing;
-  const Pack friction = x.friction.by_load * load + x.friction.by_sliding * rate.sliding +
-                        x.friction.by_entrainment * x.turn * rate.rolling;
-  const Pack inlet = x.inlet.by_first * load + x.inlet.by_second * rate.rolling;
-  rate.normal = -race.side * load;
-  rate.tangential = friction + inlet * x.tilt;
-  rate.moment = (friction - inlet) * m.roller_arm;
-  if (race.waves > 0) rate.tangential += race.side * m.inverse * m.form.slope * load;
+inline LawRate operator+(const LawRate& x, const LawRate& y) {
+  return {x.load + y.load, x.friction + y.friction, x.inlet + y.inlet};
+}
+template <class Number>
+LawRate operator*(const Number& scale, const LawRate& x) {
+  return {scale * x.load, scale * x.friction, scale * x.inlet};
+}
+
+/// By what the laws see of a motion.
+struct LawSlopes {
+  LawRate approach, closing, rolling;
+  Both sliding;  // of the friction alone
+};
+
+inline LawSlopes law_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x) {
+  const auto by_load = [&](const Both& load) {
+    return LawRate{load, x.friction.by_load * load, x.inlet.by_first * load};
+  };
+  LawSlopes slopes{by_load(x.damped * x.elastic.by_first),
+                   by_load(only(x.damped > 0.0, x.elastic.value * race.damping)),
+                   by_load(x.damped * x.elastic.by_second * m.turn), x.friction.by_sliding};
+  slopes.rolling.friction += x.friction.by_entrainment * m.turn;
+  slopes.rolling.inlet += x.inlet.by_second;
+  return slopes;
+}
+
+/// Slopes of the force along n and along t and of the moment on the roller by one variable of its motion.
+struct ForceRate {
+  Both normal, tangential, moment;
+};
+
+inline ForceRate force_rate(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+                            const LawRate& rate) {
+  ForceRate force{-1.0 * race.side * rate.load, rate.friction + rate.inlet * x.tilt,
+                  (rate.friction - rate.inlet) * m.roller_arm};
+  if (!race.round) force.tangential += race.side * m.inverse * m.form.slope * rate.load;
+  return force;
+}
+
+/// Slopes along the normal and the tangent: by the distance and a shift across, by both velocities, by spin.
+struct NormalSlopes {
+  ForceRate distance, across, v_n, v_t, spin;
+};
+
+inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+                                  const Both& f_n, const Both& f_t) {
+  const PerRace side = race.side;
+  const LawSlopes laws = law_slopes(race, m, x);
+  const auto sliding_and_rolling = [&](const Both& sliding, const Both& rolling) {
+    LawRate rate = rolling * laws.rolling;
+    rate.friction += sliding * laws.sliding;
+    return rate;
+  };
+  const Both line_by_distance = -m.line * m.inverse;
+  const Both race_by_distance = race.speed - m.line - line_by_distance * m.race_arm;
+  const Both roller_by_distance = -line_by_distance * m.roller_arm;
+  LawRate distance = sliding_and_rolling(race_by_distance - roller_by_distance,
+                                         0.5 * (race_by_distance + roller_by_distance)) +
+                     side * laws.approach;
+  LawRate v_t = sliding_and_rolling((m.roller_arm - m.race_arm) * m.inverse,
+                                    -0.5 * (m.race_arm + m.roller_arm) * m.inverse);
+  if (!race.round) {
+    const Both steep = -1.0 * side * m.form.slope;
+    distance = distance + steep * line_by_distance * laws.closing;
+    v_t = v_t + steep * m.inverse * laws.closing;
+  }
+  NormalSlopes n;
+  n.distance = force_rate(race, m, x, distance);
+  n.v_n = force_rate(race, m, x, side * laws.closing);
+  n.v_t = force_rate(race, m, x, v_t);
+  n.spin = force_rate(race, m, x, sliding_and_rolling(-m.roller_arm, 0.5 * m.roller_arm));
+  n.distance.tangential += x.inlet.value * (1.0 - x.tilt) * m.inverse;
+  // A shift across turns the normal: with it v_n and v_t, and the force itself.
+  const Both up = m.v_t * m.inverse, down = m.v_n * m.inverse;
+  n.across = {n.v_n.normal * up - n.v_t.normal * down - f_t * m.inverse,
+              n.v_n.tangential * up - n.v_t.tangential * down + f_n * m.inverse,
+              n.v_n.moment * up - n.v_t.moment * down};
+  if (!race.round) {
+    const Both per_distance = side * m.inverse;
+    n.distance.tangential -= per_distance * x.load * m.form.slope * m.inverse;
+    const Both climb = -1.0 * m.form.slope * per_distance;
+    const Both gain = (m.form.turning_bend * race.speed - m.form.bend * m.line) * per_distance;
+    const ForceRate by_form = force_rate(race, m, x, climb * laws.approach + gain * laws.closing);
+    n.across.normal += by_form.normal;
+    n.across.tangential += by_form.tangential + per_distance * x.load * m.form.bend * m.inverse;
+    n.across.moment += by_form.moment;
+  }
+  return n;
 }
 
 /// Slopes in polar axes, `f_n` and `f_t` being the force along n and t.
-inline void race_slopes(const RaceConstants& race, const RaceMotion& m, const RaceLoads& x, const Pack& f_n,
-                        const Pack& f_t, ContactSlopes& slopes) {
-  const double side = race.side;
-  ContactRate distance, v_n, v_t, spin;
-  const Pack line_by_distance = -m.line * m.inverse;
-  const Pack race_by_distance = race.speed - m.line - line_by_distance * m.race_arm;
-  const Pack roller_by_distance = -line_by_distance * m.roller_arm;
-  distance.approach = spread(side);
-  distance.sliding = race_by_distance - roller_by_distance;
-  distance.rolling = 0.5 * (race_by_distance + roller_by_distance);
-  v_n.closing = spread(side);
-  v_t.sliding = (m.roller_arm - m.race_arm) * m.inverse;
-  v_t.rolling = -0.5 * (m.race_arm + m.roller_arm) * m.inverse;
-  spin.sliding = -m.roller_arm;
-  spin.rolling = 0.5 * m.roller_arm;
-  ContactRate across;  // a shift along t turns the normal
-  if (race.waves > 0) {
-    distance.closing = -side * m.form.slope * line_by_distance;
-    v_t.closing = -side * m.form.slope * m.inverse;
-    across.approach = -side * m.form.slope * m.inverse;
-    across.closing = -side * (m.form.bend * m.line - m.form.turning_bend * race.speed) * m.inverse;
-    follow_laws(race, m, x, across);
-    across.tangential += side * x.load * m.form.bend * m.inverse * m.inverse;
-  }
-  follow_laws(race, m, x, distance);
-  follow_laws(race, m, x, v_n);
-  follow_laws(race, m, x, v_t);
-  follow_laws(race, m, x, spin);
-  distance.tangential += x.inlet.value * (1.0 - x.tilt) * m.inverse;
-  if (race.waves > 0) distance.tangential -= side * x.load * m.form.slope * m.inverse * m.inverse;
-
-  // With the normal turn v_n and v_t, and the force itself.
-  const Pack up = m.v_t * m.inverse, down = m.v_n * m.inverse;
-  across.normal += v_n.normal * up - v_t.normal * down - f_t * m.inverse;
-  across.tangential += v_n.tangential * up - v_t.tangential * down + f_n * m.inverse;
-  across.moment += v_n.moment * up - v_t.moment * down;
-
+inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x, const Both& f_n,
+                        const Both& f_t, ContactSlopes<Both>& slopes) {
+  const NormalSlopes n = normal_slopes(race, m, x, f_n, f_t);
   // From (n, t) to polar axes: K' = R K R^T with R = [n_r -n_t; n_t n_r].
-  const auto turned = [&](const ContactRate& by_n, const ContactRate& by_t, Pack(&into)[3][2]) {
-    const Pack n_by_r = by_n.normal * m.n_r - by_t.normal * m.n_t;
-    const Pack n_by_t = by_n.normal * m.n_t + by_t.normal * m.n_r;
-    const Pack t_by_r = by_n.tangential * m.n_r - by_t.tangential * m.n_t;
-    const Pack t_by_t = by_n.tangential * m.n_t + by_t.tangential * m.n_r;
+  const auto turned = [&](const ForceRate& by_n, const ForceRate& by_t, Both(&into)[3][2]) {
+    const Both n_by_r = by_n.normal * m.n_r - by_t.normal * m.n_t;
+    const Both n_by_t = by_n.normal * m.n_t + by_t.normal * m.n_r;
+    const Both t_by_r = by_n.tangential * m.n_r - by_t.tangential * m.n_t;
+    const Both t_by_t = by_n.tangential * m.n_t + by_t.tangential * m.n_r;
     into[0][0] = m.n_r * n_by_r - m.n_t * t_by_r;
     into[0][1] = m.n_r * n_by_t - m.n_t * t_by_t;
     into[1][0] = m.n_t * n_by_r + m.n_r * t_by_r;
@@ -181,26 +244,29 @@ inline void race_slopes(const RaceConstants& race, const RaceMotion& m, const Ra
     into[2][0] = by_n.moment * m.n_r - by_t.moment * m.n_t;
     into[2][1] = by_n.moment * m.n_t + by_t.moment * m.n_r;
   };
-  turned(distance, across, slopes.by_position);
-  turned(v_n, v_t, slopes.by_velocity);
-  slopes.by_spin[0] = spin.normal * m.n_r - spin.tangential * m.n_t;
-  slopes.by_spin[1] = spin.normal * m.n_t + spin.tangential * m.n_r;
-  slopes.by_spin[2] = spin.moment;
+  turned(n.distance, n.across, slopes.by_position);
+  turned(n.v_n, n.v_t, slopes.by_velocity);
+  slopes.by_spin[0] = n.spin.normal * m.n_r - n.spin.tangential * m.n_t;
+  slopes.by_spin[1] = n.spin.normal * m.n_t + n.spin.tangential * m.n_r;
+  slopes.by_spin[2] = n.spin.moment;
 }
 
-/// Forces of one race on its rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
+/// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
 /// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' places.
 template <bool WithSlopes>
-ContactForce race_contact(const RaceConstants& race, const Pack& radius, const Mask& present,
-                          const Pack& cosine, const Pack& sine, const RelativeMotion& relative,
-                          ContactSlopes& slopes) {
+ContactForce<Both> race_contact(const BothRaces& race, const Pack& radius, const Mask& present,
+                                const Pack& cosine, const Pack& sine, const RelativeMotion<Both>& relative,
+                                ContactSlopes<Both>& slopes) {
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
-  const RaceLoads x = race_loads<WithSlopes>(race, m);
-  ContactForce result;
-  if (!any(x.elastic.value > 0.0)) return result;
-  const Pack f_n = -race.side * x.load;
-  Pack f_t = x.friction.force + x.inlet.value * x.tilt;
-  if (race.waves > 0) f_t += race.side * x.load * m.form.slope * m.inverse;
+  const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine);
+  ContactForce<Both> result;
+  if (!any(x.elastic.value > 0.0)) {
+    if constexpr (WithSlopes) slopes = ContactSlopes<Both>{};
+    return result;
+  }
+  const Both f_n = -race.side * x.load;
+  Both f_t = x.friction.force + x.inlet.value * x.tilt;
+  if (!race.round) f_t += race.side * x.load * m.form.slope * m.inverse;
   result.f_r = f_n * m.n_r - f_t * m.n_t;
   result.f_t = f_n * m.n_t + f_t * m.n_r;
   result.moment = (x.friction.force - x.inlet.value) * m.roller_arm;

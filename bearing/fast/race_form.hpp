@@ -1,23 +1,24 @@
 // Form of a race at the contacts: bearing/race_form.hpp for packs of contacts, with one derivative more.
 #pragma once
 
-#include "bearing/fast/constants.hpp"
+#include "bearing/fast/both_races.hpp"
 #include "bearing/fast/lane_math.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 /// Height and slopes by the angle of the normal; `turning` is the share of what turns with the race.
+template <class Number>
 struct FormSlopes {
-  Pack height{};  // [m]
-  Pack slope{};   // [m/rad]
-  Pack bend{};    // [m/rad^2]  second derivative
-  Pack turning_slope{};
-  Pack turning_bend{};
+  Number height;  // [m]
+  Number slope;   // [m/rad]
+  Number bend;    // [m/rad^2]  second derivative
+  Number turning_slope;
+  Number turning_bend;
 };
 
 /// `cosine`, `sine` of the normal's angle in the carrier frame.
-inline FormSlopes form_slopes(const RaceConstants& race, const Pack& cosine, const Pack& sine) {
-  FormSlopes sum;
+inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosine, const Pack& sine) {
+  FormSlopes<Pack> sum{};
   for (int i = 0; i < race.waves; ++i) {
     const WaveConstants& wave = race.wave[i];
     // (cosine + i sine)^order, by squaring.
@@ -46,6 +47,16 @@ inline FormSlopes form_slopes(const RaceConstants& race, const Pack& cosine, con
     }
   }
   return sum;
+}
+
+inline FormSlopes<Both> form_slopes(const BothRaces& race, const Both& cosine, const Both& sine) {
+  const FormSlopes<Pack> inner = form_slopes(*race.inner, cosine.low, sine.low);
+  const FormSlopes<Pack> outer = form_slopes(*race.outer, cosine.high, sine.high);
+  return {{inner.height, outer.height},
+          {inner.slope, outer.slope},
+          {inner.bend, outer.bend},
+          {inner.turning_slope, outer.turning_slope},
+          {inner.turning_bend, outer.turning_bend}};
 }
 
 }  // namespace orbearing::bearing::fast::ORBEARING_LANES

@@ -2,121 +2,118 @@
 // contacts.
 #pragma once
 
-#include "bearing/fast/constants.hpp"
-#include "bearing/fast/lane_math.hpp"
+#include "bearing/fast/both_races.hpp"
+#include "bearing/fast/lane_powers.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 /// A value and its slopes by two arguments.
 struct Slopes2 {
-  Pack value;
-  Pack by_first;
-  Pack by_second;
+  Both value;
+  Both by_first;
+  Both by_second;
 };
 
-/// x^(-13/90) to a few per cent, from the bits of `x` > 0, which are nearly its logarithm.
-inline Pack rough_film_power(const Pack& x) {
-  constexpr double m = 0.13 * 10.0 / 9.0;
-  constexpr long long kOne = 0x3ff0000000000000LL;
-  const Pack exponent = detail::whole_numbers(bits_of(x) - bits(kOne), 32);
-  return from_bits((detail::nearest(exponent * -m) << 32) + bits(kOne));
-}
-
-/// Binomial coefficients of a power.
-struct BinomialSeries {
-  double c[12];
-  constexpr explicit BinomialSeries(double power) : c{1.0} {
-    for (int k = 1; k < 12; ++k) c[k] = c[k - 1] * (power - (k - 1)) / k;
-  }
-};
-
-/// (1 + x)^power for |x| < 0.1, relative error below 1e-12; pairs of terms first, which keeps all units busy.
-inline Pack near_one_power(const Pack& x, const BinomialSeries& series) {
-  const double(&c)[12] = series.c;
-  const Pack x2 = x * x, x4 = x2 * x2;
-  const Pack low = (c[0] + c[1] * x) + x2 * (c[2] + c[3] * x);
-  const Pack middle = (c[4] + c[5] * x) + x2 * (c[6] + c[7] * x);
-  const Pack high = (c[8] + c[9] * x) + x2 * (c[10] + c[11] * x);
-  return low + x4 * (middle + x4 * high);
-}
-
-/// Root e of e - factor e^-m = approach, with film = factor e^-m and ninth = e^(1/9).
+/// Root e of e - factor e^(-13/90) = approach, with film = factor e^(-13/90) and ninth = e^(1/9).
 struct ThinnedFilm {
-  Pack approach;
-  Pack film;
-  Pack ninth;
+  Both approach;
+  Both film;
+  Both ninth;
 };
 
-/// A start within a few per cent, one step of Halley, one of Newton; powers are followed by their series.
-inline ThinnedFilm thinned_film(const Pack& approach, const Pack& factor, const Pack& beyond) {
-  constexpr double m = 0.13 * 10.0 / 9.0;
-  constexpr BinomialSeries kFilmSeries(-m), kNinthSeries(1.0 / 9.0);
-  Pack e = larger(approach + factor * rough_film_power(beyond), 0.1 * beyond);
-  e = larger(approach + factor * rough_film_power(e), 0.5 * e);
-  Pack film{}, ninth{}, ratio{};
-  for (int i = 0; i < 4; ++i) {
-    const Pack log_e = logarithm(e);
-    const Pack inverse = 1.0 / e;
-    film = factor * exponential(-m * log_e);
-    ninth = exponential(log_e * (1.0 / 9.0));
-    const Pack residual = e - film - approach;
-    const Pack share = m * film * inverse;
-    const Pack slope = 1.0 + share;
-    const Pack step = residual * slope / (slope * slope + residual * (0.5 * (m + 1.0)) * share * inverse);
-    ratio = -step * inverse;
-    if (!any(absolute(ratio) > 0.1)) break;
-    e = larger(e - step, 0.2 * e);  // a start far off: begin again from here
+/// The powers of x that thinned_film() needs, by multiplication.
+struct NinetiethPowers {
+  Both tenth;       // x^10
+  Both thirteenth;  // x^13
+  Both ninetieth;   // x^90
+
+  explicit NinetiethPowers(const Both& x) {
+    const Both x2 = x * x, x4 = x2 * x2;
+    tenth = (x4 * x) * (x4 * x);
+    thirteenth = tenth * (x2 * x);
+    const Both x20 = tenth * tenth, x40 = x20 * x20;
+    ninetieth = (x40 * x40) * tenth;
   }
-  const Pack near = e * (1.0 + ratio);
-  const Pack near_film = film * near_one_power(ratio, kFilmSeries);
-  const Pack last = (near - near_film - approach) / (1.0 + m * near_film / near);
-  const Pack small = -last / near;
-  return {near - last, near_film * (1.0 - m * small),
-          ninth * near_one_power(ratio, kNinthSeries) * (1.0 + small * (1.0 / 9.0))};
+};
+
+/// x with x^90 = e for 1e-12 < e < 1, to a few per cent of e.
+inline Both rough_ninetieth_root(const Both& e) {
+  constexpr double kLog2 = 0.6931471805599453 / 90.0, kMiddle = -0.16, kRoot = 0.85214378896621133;
+  const Both t = (rough_log2(e) + 0.043) * kLog2 - kMiddle;
+  return kRoot * (1.0 + t * (1.0 + t * (0.5 + t * (1.0 / 6))));
 }
 
-/// Elastic load [N] by approach [m] and entrainment speed [m/s], given with its logarithm; zero where there
-/// is no contact.
-template <bool WithSlopes>
-Slopes2 elastic_load(const RaceConstants& race, const Pack& approach, const Pack& entrainment,
-                     const Pack& log_entrainment) {
-  const Pack tiny = spread(1e-30);
-  if (!race.film) {
-    const Pack e = larger(approach, tiny);
-    const Pack stiffness = race.stiffness * exponential(logarithm(e) * (1.0 / 9.0));
-    const Mask touching = approach > 0.0;
-    return {only(touching, stiffness * e), only(touching, stiffness * (10.0 / 9.0)), Pack{}};
+/// With e = x^90 all powers are whole ones: x^90 - factor x^-13 = approach. A start within some per cent,
+/// then steps of Halley in x; `beyond` is a bound of e from above.
+inline ThinnedFilm thinned_film(const Both& approach, const Both& factor, const Both& beyond) {
+  constexpr double m = 13.0 / 90.0, kRough = 0.97;  // of a rough power, which is never too small
+  constexpr double kLargest = 0.02, kNear = 2e-6;   // of steps; after the latter round-off is left
+  Both e = larger(approach + factor * (kRough * rough_power(beyond, -m)), 0.1 * beyond);
+  e = larger(approach + factor * (kRough * rough_power(e, -m)), 0.5 * e);
+  Both x = rough_ninetieth_root(e);
+  for (int i = 0; i < 6; ++i) {
+    const NinetiethPowers powers(x);
+    // f = e - film - approach, x f' and x^2 f'' / 2, all times x^13.
+    const Both squeezed = powers.ninetieth * powers.thirteenth;
+    const Both value = squeezed - factor - approach * powers.thirteenth;
+    const Both slope = 90.0 * squeezed + 13.0 * factor;
+    const Both half_bend = 4005.0 * squeezed - 91.0 * factor;
+    const Both step = value * slope / (slope * slope - value * half_bend);
+    x = x * (1.0 - smaller(larger(step, spread<Both>(-kLargest)), spread<Both>(kLargest)));
+    if (i > 0 && !any(absolute(step) > kNear)) break;
   }
-  // Powers of the entrainment speed, dynamics/race_load.cpp: cap ~ u^(19/29), its approach ~ u^(9/29), factor
-  // ~ u^0.7.
+  const NinetiethPowers powers(x);
+  return {powers.ninetieth, powers.ninetieth - approach, powers.tenth};
+}
+
+/// Elastic approach of a contact in the middle and its slopes.
+struct ElasticApproach {
+  Both value;           // [m]  zero or negative without contact
+  Both ninth;           // [m^(1/9)]  its ninth root, where it is positive
+  Both by_approach;     // [-]
+  Both by_entrainment;  // [s]
+};
+
+/// By approach [m] and entrainment speed [m/s], given with its logarithm: dynamics/race_load.cpp.
+template <bool WithSlopes>
+ElasticApproach elastic_approach(const BothRaces& race, const Both& approach, const Both& entrainment,
+                                 const Both& log_entrainment) {
+  if (!race.film) return {approach, ninth_root(approach), spread<Both>(1.0), Both{}};
+  // Powers of the entrainment speed: cap ~ u^(19/29), its approach ~ u^(9/29), factor ~ u^0.7.
   constexpr double m = 0.13 * 10.0 / 9.0;
   constexpr double kFilmSpeed = 0.7, kCapSpeed = 19.0 / 29.0;
-  const Pack root29 = exponential(log_entrainment * (1.0 / 29.0));
-  const Pack p2 = root29 * root29, p4 = p2 * p2, p8 = p4 * p4;
-  const Pack cap = race.film_cap * (p8 * p8 * p2 * root29);
-  const Pack cap_approach = race.film_cap_approach * (p8 * root29);
-  const Pack beyond = larger(approach + cap, tiny);
-  const Mask touching = approach + cap > 0.0;
-  const Mask thinned = beyond > cap_approach;
-  Pack e = beyond, film = cap, ninth{};
-  if (any(thinned)) {
-    const Pack factor = race.film_factor * exponential(kFilmSpeed * log_entrainment);
-    const ThinnedFilm root = thinned_film(select(thinned, approach, cap_approach), factor,
-                                          select(thinned, beyond, cap_approach + cap));
-    e = select(thinned, root.approach, beyond);
-    film = select(thinned, root.film, cap);
-    ninth = root.ninth;
-  }
-  if (any(~thinned & touching)) ninth = select(thinned, ninth, exponential(logarithm(beyond) * (1.0 / 9.0)));
-  const Pack stiffness = race.stiffness * ninth;
-  Slopes2 result{only(touching, stiffness * e), Pack{}, Pack{}};
+  const Both root29 = exponential(log_entrainment * (1.0 / 29.0));
+  const Both p2 = root29 * root29, p4 = p2 * p2, p8 = p4 * p4;
+  const Both cap = race.film_cap * (p8 * p8 * p2 * root29);
+  const Both cap_approach = race.film_cap_approach * (p8 * root29);
+  const Both capped = approach + cap;
+  const BothMask touching = capped > 0.0;
+  const Both beyond = select(touching, capped, cap_approach);
+  const BothMask thinned = beyond > cap_approach;
+  // At the cap the elastic approach is known, and the same steps find its ninth root.
+  const Both factor = only(thinned, race.film_factor * exponential(kFilmSpeed * log_entrainment));
+  const ThinnedFilm root = thinned_film(select(thinned, approach, beyond), factor, beyond);
+  ElasticApproach e{select(touching, root.approach, capped), root.ninth, Both{}, Both{}};
   if constexpr (WithSlopes) {
-    const Pack yielding = only(thinned, m * film / e);
-    result.by_first = only(touching, (10.0 / 9.0) * stiffness / (1.0 + yielding));
-    result.by_second =
-        result.by_first * select(thinned, spread(kFilmSpeed), spread(kCapSpeed)) * film / entrainment;
+    const Both film = select(thinned, root.film, cap);
+    e.by_approach = 1.0 / (1.0 + only(thinned, m * film / root.approach));
+    e.by_entrainment = e.by_approach * select(thinned, spread<Both>(kFilmSpeed), spread<Both>(kCapSpeed)) *
+                       film / entrainment;
   }
-  return result;
+  return e;
+}
+
+/// A load [N] and its slope by the elastic approach [N/m].
+struct LoadSlope {
+  Both load;
+  Both slope;
+};
+
+/// Of a straight roller.
+inline LoadSlope straight_load(const BothRaces& race, const ElasticApproach& e) {
+  const BothMask touching = e.value > 0.0;
+  const Both stiffness = only(touching, race.stiffness * e.ninth);
+  return {stiffness * e.value, (10.0 / 9.0) * stiffness};
 }
 
 }  // namespace orbearing::bearing::fast::ORBEARING_LANES

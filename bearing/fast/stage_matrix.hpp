@@ -21,7 +21,7 @@ inline void by_roller(double g, const RollerPack& at, const Pack& position_r, co
       at.r * (g * position_t + velocity_t) + g * (at.radial * velocity_t - at.r * at.orbital * velocity_r);
 }
 
-inline StageSlopes stage_slopes(double g, const RollerPack& at, const ContactSlopes& slopes) {
+inline StageSlopes stage_slopes(double g, const RollerPack& at, const ContactSlopes<Pack>& slopes) {
   StageSlopes stage;
   for (int i = 0; i < 3; ++i) {
     const Pack(&position)[2] = slopes.by_position[i];
@@ -39,11 +39,10 @@ inline Pair to_plane(const RollerPack& at, const Pack& along_r, const Pack& alon
   return {along_r * at.cosine - along_t * at.sine, along_r * at.sine + along_t * at.cosine};
 }
 
-/// Puts one contact into the block of its rollers, whose rows have the factors `roller_scale`, and into the
-/// sums of the ring whose rows begin at `first`.
+/// Puts one contact into the block of its rollers, whose rows have the factors `roller_scale`; the ring's
+/// rows begin at `first`.
 inline void add_contact(double g, const Pack (&roller_scale)[3], double body_mass, int first,
-                        const RollerPack& at, const StageSlopes& stage, RollerBlock& block,
-                        Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]) {
+                        const RollerPack& at, const StageSlopes& stage, RollerBlock& block) {
   const double body_scale = g / body_mass;  // the body feels the opposite force
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) block.own[i][k] += roller_scale[i] * stage.roller[i][k];
@@ -59,24 +58,23 @@ inline void add_contact(double g, const Pack (&roller_scale)[3], double body_mas
   }
   const Pair by_x = to_plane(at, columns[0].x, columns[1].x);
   const Pair by_y = to_plane(at, columns[0].y, columns[1].y);
-  ring_sums[first][first] += body_scale * by_x.x;
-  ring_sums[first + 1][first] += body_scale * by_x.y;
-  ring_sums[first][first + 1] += body_scale * by_y.x;
-  ring_sums[first + 1][first + 1] += body_scale * by_y.y;
+  block.rings[first][first] = body_scale * by_x.x;
+  block.rings[first + 1][first] = body_scale * by_x.y;
+  block.rings[first][first + 1] = body_scale * by_y.x;
+  block.rings[first + 1][first + 1] = body_scale * by_y.y;
 }
 
 /// The cage's rotation and its moment, which the races do not have.
 inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Constants& c,
-                              const RollerPack& at, RollerBlock& block,
-                              Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]) {
+                              const RollerPack& at, RollerBlock& block) {
   constexpr int kTurn = kCage + 2;
   const PocketSlopes& slopes = at.pocket;
   Pack by_turn[3];
   for (int i = 0; i < 3; ++i) by_turn[i] = g * slopes.by_angle[i] + slopes.by_speed[i];
   for (int i = 0; i < 3; ++i) block.by_ring[i][kTurn] = roller_scale[i] * by_turn[i];
   const Pair force = to_plane(at, by_turn[0], by_turn[1]);
-  ring_sums[kCage][kTurn] += (g / c.cage_mass) * force.x;
-  ring_sums[kCage + 1][kTurn] += (g / c.cage_mass) * force.y;
+  block.rings[kCage][kTurn] = (g / c.cage_mass) * force.x;
+  block.rings[kCage + 1][kTurn] = (g / c.cage_mass) * force.y;
 
   const double scale = -g / c.cage_inertia;
   Pack radial, orbital;
@@ -87,39 +85,16 @@ inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Con
   block.of_ring[kTurn][2] = scale * slopes.cage_by_spin;
   const Pair shift = to_plane(at, g * slopes.cage_by_position[0] + slopes.cage_by_velocity[0],
                               g * slopes.cage_by_position[1] + slopes.cage_by_velocity[1]);
-  ring_sums[kTurn][kCage] -= scale * shift.x;
-  ring_sums[kTurn][kCage + 1] -= scale * shift.y;
-  ring_sums[kTurn][kTurn] += scale * (g * slopes.cage_by_angle + slopes.cage_by_speed);
+  block.rings[kTurn][kCage] = -scale * shift.x;
+  block.rings[kTurn][kCage + 1] = -scale * shift.y;
+  block.rings[kTurn][kTurn] = scale * (g * slopes.cage_by_angle + slopes.cage_by_speed);
 }
 
-/// Slopes of the accelerations of rollers that are not contact forces: inertia of the frame, drag, turning
-/// axes.
-struct FreeSlopes {
-  Pack radial_by_r, radial_by_theta, radial_by_orbital;
-  Pack orbital_by_r, orbital_by_theta, orbital_by_radial, orbital_by_orbital;
-  Pack spin_by_spin;
-};
-
-inline FreeSlopes free_slopes(const Constants& c, const RollerPack& at) {
-  const Pack twice = 2.0 * c.own_orbit * at.orbital + 2.0 * c.coriolis_speed;
-  const Pack drag = -2.0 * c.orbit_drag / c.roller_mass * absolute(at.r * at.orbital);
-  const Pack inverse = 1.0 / at.r;
-  const double far = c.centrifugal * c.orbit_radius, late = c.euler * c.orbit_radius;
-  return {.radial_by_r = at.orbital * (twice - c.own_orbit * at.orbital) + c.centrifugal,
-          .radial_by_theta = at.f_t / c.roller_mass - far * at.sine - late * at.cosine,
-          .radial_by_orbital = at.r * twice,
-          .orbital_by_r = (drag * at.orbital - at.orbit_rate - c.euler) * inverse,
-          .orbital_by_theta = (-at.f_r / c.roller_mass - far * at.cosine + late * at.sine) * inverse,
-          .orbital_by_radial = -2.0 * (c.coriolis_speed + at.orbital) * inverse,
-          .orbital_by_orbital = drag - 2.0 * at.radial * inverse,
-          .spin_by_spin = -2.0 * c.spin_drag / c.roller_inertia * absolute(at.spin)};
-}
-
-inline void LaneEngine::build_block(int p, double g, Pack (&ring_sums)[kRingUnknowns][kRingUnknowns]) {
+inline void LaneEngine::build_block(int p, double g) {
   const RollerPack& at = linear_[p];
   RollerBlock& block = block_[p];
   block.caged = at.caged;
-  const FreeSlopes free = free_slopes(c_, at);
+  const FreeSlopes& free = at.free;
   block.own[0][0] = 1.0 - g * g * free.radial_by_r;
   block.own[0][1] = -g * (g * free.radial_by_theta + free.radial_by_orbital);
   block.own[0][2] = Pack{};
@@ -128,14 +103,13 @@ inline void LaneEngine::build_block(int p, double g, Pack (&ring_sums)[kRingUnkn
   block.own[1][2] = Pack{};
   block.own[2][0] = block.own[2][1] = Pack{};
   block.own[2][2] = 1.0 - g * free.spin_by_spin;
-  const Pack roller_scale[3] = {spread(-g / c_.roller_mass), -g / (c_.roller_mass * at.r),
+  const Pack roller_scale[3] = {spread(-g / c_.roller_mass), (-g / c_.roller_mass) * at.per_r,
                                 spread(-g / c_.roller_inertia)};
-  add_contact(g, roller_scale, c_.pin_mass, kPin, at, stage_slopes(g, at, at.inner), block, ring_sums);
-  add_contact(g, roller_scale, c_.bore_mass, kBore, at, stage_slopes(g, at, at.outer), block, ring_sums);
+  add_contact(g, roller_scale, c_.pin_mass, kPin, at, stage_slopes(g, at, at.inner), block);
+  add_contact(g, roller_scale, c_.bore_mass, kBore, at, stage_slopes(g, at, at.outer), block);
   if (at.caged) {
-    add_contact(g, roller_scale, c_.cage_mass, kCage, at, stage_slopes(g, at, at.pocket.on_roller), block,
-                ring_sums);
-    add_cage_rotation(g, roller_scale, c_, at, block, ring_sums);
+    add_contact(g, roller_scale, c_.cage_mass, kCage, at, stage_slopes(g, at, at.pocket.on_roller), block);
+    add_cage_rotation(g, roller_scale, c_, at, block);
   }
 }
 
@@ -171,16 +145,22 @@ inline void LaneEngine::add_rings(double g, RingBlock& rings) const {
   }
 }
 
-inline bool LaneEngine::factor(double g) {
+template <int kEnd>
+void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingRow]) {
+  eliminate<kEnd>(block);
+  add_schur<kEnd>(block, rings);
+}
+
+[[gnu::flatten]] inline bool LaneEngine::factor(double g) {
   g_ = g;
-  Pack sums[kRingUnknowns][kRingUnknowns]{};
+  rings_ = RingBlock{};
   for (int p = 0; p < packs_; ++p) {
-    build_block(p, g, sums);
-    eliminate(block_[p]);
-    subtract_schur(block_[p], sums);
+    build_block(p, g);
+    if (block_[p].caged)
+      eliminate_and_add<kRingUnknowns>(block_[p], rings_.a);
+    else
+      eliminate_and_add<kCage>(block_[p], rings_.a);
   }
-  for (int i = 0; i < kRingUnknowns; ++i)
-    for (int k = 0; k < kRingUnknowns; ++k) rings_.a[i][k] = sum(sums[i][k]);
   add_rings(g, rings_);
   return rings_.factor();
 }

@@ -35,6 +35,17 @@ void put_waves(const std::vector<WaveConstants>& waves, RaceConstants& race) {
   race.wave = waves.data();
 }
 
+// The constants point into `races`.
+void put_laminae(const dynamics::LaminaRaces& races, LaminaConstants& constants) {
+  constants = {.count = races.inner().laminae(),
+               .place = races.inner().places().data(),
+               .inner_drop = races.inner().drops().data(),
+               .outer_drop = races.outer().drops().data(),
+               .bore_tip_x = races.bore_tip().x(),
+               .bore_tip_y = races.bore_tip().y(),
+               .upright = races.upright()};
+}
+
 void turn_waves(const std::vector<RaceHarmonic>& form, double race_angle, std::vector<WaveConstants>& waves) {
   for (std::size_t i = 0; i < waves.size(); ++i)
     if (waves[i].turning) waves[i].phase = form[i].phase - form[i].order * race_angle;
@@ -64,6 +75,7 @@ VectorBearing::VectorBearing(const dynamics::BearingModel& model, InstructionSet
   Constants constants = constants_of(model);
   put_waves(inner_waves_, constants.inner);
   put_waves(outer_waves_, constants.outer);
+  if (model_.laminae) put_laminae(*model_.laminae, constants.laminae);
   engine_ = make_engine(set, constants, {pocket_cosine_.data(), pocket_sine_.data(), roller_radius_.data()});
 }
 

@@ -77,6 +77,7 @@ class LaminaContact {
   double greatest_drop() const { return greatest_drop_; }  // [m]
   /// Fractions of half the length.
   Eigen::Map<const Eigen::ArrayXd> places() const { return {place_.data(), laminae_}; }
+  Eigen::Map<const Eigen::ArrayXd> drops() const { return {drop_.data(), laminae_}; }  // [m]
 
  private:
   double scale_;  // [N/m^(10/9)]  c/n

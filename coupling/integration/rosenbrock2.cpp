@@ -21,23 +21,28 @@ void second_stage(const double* k1, double g, const double* time_slope, double* 
   for (std::size_t i = 0; i < n; ++i) rhs[i] -= g * time_slope[i] + 2.0 * k1[i];
 }
 
+using Eight = double __attribute__((vector_size(64)));
+using EightBits = long long __attribute__((vector_size(64)));
+
 ORBEARING_EVERY_WIDTH
 double finish(const double* x, double h, const double* k1, const double* k2, const double* weight,
               double* next, std::size_t n) {
-  constexpr std::size_t kWidth = 8;
-  double largest[kWidth] = {};
-  double poison[kWidth] = {};  // zero unless a share is infinite or not a number
-  for (std::size_t i = 0; i < n; i += kWidth) {
-    for (std::size_t j = 0; j < kWidth; ++j) {
-      const double first = h * k1[i + j], second = h * k2[i + j];
-      next[i + j] = x[i + j] + (1.5 * first + 0.5 * second);
-      const double share = std::fabs(0.5 * (first + second)) * weight[i + j];
-      largest[j] = largest[j] > share ? largest[j] : share;
-      poison[j] += 0.0 * share;
-    }
+  Eight largest{}, poison{};  // the latter is zero unless a share is infinite or not a number
+  for (std::size_t i = 0; i < n; i += 8) {
+    Eight old, first, second, scale;
+    __builtin_memcpy(&old, x + i, sizeof old);
+    __builtin_memcpy(&first, k1 + i, sizeof first);
+    __builtin_memcpy(&second, k2 + i, sizeof second);
+    __builtin_memcpy(&scale, weight + i, sizeof scale);
+    const Eight state = old + h * (1.5 * first + 0.5 * second);
+    __builtin_memcpy(next + i, &state, sizeof state);
+    const Eight share = (0.5 * h) * (first + second) * scale;
+    const Eight size = (Eight)((EightBits)share & 0x7fffffffffffffffLL);
+    largest = size > largest ? size : largest;
+    poison += 0.0 * share;
   }
   double total = 0.0;
-  for (std::size_t j = 0; j < kWidth; ++j) {
+  for (int j = 0; j < 8; ++j) {
     if (poison[j] != 0.0) return INFINITY;
     total = total > largest[j] ? total : largest[j];
   }

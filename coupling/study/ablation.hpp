@@ -12,15 +12,20 @@ namespace orbearing::study {
 /// A change to the drivetrain, named for people.
 struct Ablation {
   std::string name;
-  std::string group;  // "inertia" or "clearance": which picture shows it
+  std::string group;  // which picture shows it, and beside which others it stands
   std::function<void(PlanetaryDrivetrain&)> change;
 };
 
 /// The drivetrain as it stands, then each effect switched in turn.
 std::vector<Ablation> ablations();
 
-/// What the motion in time is asked: the drivetrain as it stands, then each effect in turn.
-std::vector<Ablation> dynamic_ablations();
+/// The few that matter most and cost little: inertial terms, teeth, film, law of traction.
+std::vector<Ablation> chief_dynamic_ablations(const PlanetaryDrivetrain& base);
+
+/// All that the motion in time is asked: `base` as it stands, then each effect in turn, off where `base` has
+/// it and on where it has not; forms of races and rollers that it lacks; what a source prints otherwise. A
+/// constant speed has no Euler terms.
+std::vector<Ablation> dynamic_ablations(const PlanetaryDrivetrain& base);
 
 /// One point for each ablation and input speed [rad/s], ablation by ablation; computed in parallel. A point
 /// that fails holds its reason in `status`.

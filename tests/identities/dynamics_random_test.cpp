@@ -1,79 +1,126 @@
-// The motion of bearings drawn at random, RANDOM_BEARINGS of them: each run ends with sound numbers or a
-// reason.
+// The motion of bearings drawn at random, RANDOM_BEARINGS of them from number RANDOM_BEARINGS_FROM on: each
+// run ends with sound numbers or a reason. RANDOM_BEARINGS_STEPS: most steps of a run; RANDOM_BEARINGS_TABLE:
+// a file for one line about each.
 #include <gtest/gtest.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <cstdlib>
+#include <ctime>
+#include <fstream>
 #include <map>
 #include <string>
 
+#include "coupling/integration/integrate_bearing.hpp"
 #include "coupling/integration/steady_state.hpp"
-#include "tests/random_bearings.hpp"
+#include "tests/random_motions.hpp"
 
 namespace orbearing::bearing {
 namespace {
 
-// Loads in time are bounded by what the races stand: a pressure of some 4 GPa over the projected area of a
-// roller.
-constexpr double kLargestLoadPerArea = 2e8;  // [Pa]  of roller diameter times length
-constexpr long kStepBudget = 60'000;         // a run that is not done by then ends with that reason
+using integration::Method;
 
-Draw sensible(Draw draw, double share) {
-  const double area = draw.bearing.roller_diameter * draw.bearing.roller_length;
-  const double largest = kLargestLoadPerArea * area * draw.bearing.rollers / 4.0;
-  draw.point.bore_load *= share * largest / draw.point.bore_load.norm();
-  draw.point.carrier.acceleration = 0.0;
-  draw.bearing.radial_clearance = std::abs(draw.bearing.radial_clearance);
-  return draw;
+constexpr int kRevolutions = 2;        // of the cage: one to settle, one that is observed
+constexpr double kLongestRun = 120.0;  // [s]  of processor time: more is a hang
+// A run that is not done by then ends with that reason: what most need at a few metres per second, several
+// times.
+constexpr int kStepBudget = 400'000;
+
+int number(const char* variable, int otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::atoi(text);
 }
 
-integration::SteadyStateOptions short_run(integration::Method method) {
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+integration::SteadyStateOptions short_run(Method method, double first_roller) {
   integration::SteadyStateOptions options;
+  options.first_roller = first_roller;
   options.integration.method = method;
   options.least_windows = 1;
   options.most_windows = 1;
   options.observed_windows = 1;
   options.samples_per_window = 200;
   options.series_samples = 50;
-  options.integration.most_steps = kStepBudget;
+  options.integration.most_steps = number("RANDOM_BEARINGS_STEPS", kStepBudget);
   return options;
 }
 
 bool sound(const dynamics::WindowStatistics& means) {
   return std::isfinite(means.inner.load_rms) && std::isfinite(means.outer.load_max) &&
-         std::isfinite(means.cage_speed) && std::isfinite(means.loss.total());
+         std::isfinite(means.inner.least_film) && std::isfinite(means.cage_speed) &&
+         std::isfinite(means.mean_spin) && std::isfinite(means.loss.total());
 }
 
-class RandomDynamics : public testing::TestWithParam<integration::Method> {};
+// Without the time at which it happened.
+std::string reason(const integration::SteadyStateResult& run) {
+  return run.completed ? "completed" : run.message.substr(0, run.message.find(" at t ="));
+}
+
+// Steps of the longest length allowed over the cage revolutions of the run.
+double steps_of_longest_length(const MotionDraw& draw, const integration::SteadyStateResult& run) {
+  const auto model = dynamics::bearing_model(draw.bearing, draw.point, draw.parameters);
+  return kRevolutions * boost::math::double_constants::two_pi / std::abs(run.kinematic_cage_speed) /
+         integration::longest_step(model);
+}
+
+constexpr const char* kHead =
+    "number,rollers,roller_diameter_m,clearance_m,pitch_speed_m_per_s,load_per_area_Pa,film,limiting_shear,"
+    "mixed,"
+    "guidance_as_printed,guided,inner_guided,waves,unequal,viscosity_Pa_s,roughness_m,ripple,carrier_rad_per_"
+    "s,"
+    "longest_steps,steps,rejected,smallest_step_s,wall_s,cage_slip,ending";
+
+void write_line(std::ostream& out, int n, const MotionDraw& draw, const integration::SteadyStateResult& run) {
+  const auto& race = draw.parameters.race;
+  const double area = draw.bearing.roller_diameter * draw.bearing.roller_length * draw.bearing.rollers;
+  out << n << ',' << draw.bearing.rollers << ',' << draw.bearing.roller_diameter << ','
+      << draw.bearing.radial_clearance << ',' << draw.pitch_speed << ',' << draw.point.bore_load.norm() / area
+      << ',' << race.film_in_approach << ',' << (race.traction == dynamics::TractionLaw::limiting_shear)
+      << ',' << (race.lubrication == dynamics::Lubrication::mixed) << ','
+      << (draw.parameters.cage.guidance_film == dynamics::GuidanceFilm::as_printed) << ','
+      << (draw.parameters.cage.guide_diameter > 0.0) << ',' << (draw.bearing.cage.guidance == Race::inner)
+      << ',' << draw.bearing.inner_form.size() + draw.bearing.outer_form.size() << ','
+      << draw.bearing.roller_diameter_deviation.size() << ',' << draw.parameters.lubricant.viscosity << ','
+      << race.roughness << ',' << draw.parameters.ripple.harmonics.size() << ',' << draw.point.carrier.speed
+      << ',' << steps_of_longest_length(draw, run) << ',' << run.report.steps << ',' << run.report.rejected
+      << ',' << run.report.smallest_step << ',' << run.report.wall_seconds << ',' << run.cage_slip() << ','
+      << reason(run) << std::endl;
+}
+
+class RandomDynamics : public testing::TestWithParam<Method> {};
 
 TEST_P(RandomDynamics, EndsWithSoundNumbersOrAReason) {
-  const char* text = std::getenv("RANDOM_BEARINGS");
-  const int draws = text == nullptr ? 10 : std::atoi(text);
+  const int draws = number("RANDOM_BEARINGS", 10), first = number("RANDOM_BEARINGS_FROM", 0);
   ASSERT_GT(draws, 0) << "RANDOM_BEARINGS must be a positive number";
-  RandomBearings bearings;
-  std::mt19937_64 engine(kSeed);
-  std::uniform_real_distribution<double> exponent(-3.0, 0.0);
+  const char* table = std::getenv("RANDOM_BEARINGS_TABLE");
+  std::ofstream lines(table == nullptr ? "" : table);
+  lines << kHead << std::endl;
   std::map<std::string, int> endings;
-  for (int i = 0; i < draws; ++i) {
-    const Draw draw = sensible(bearings.next(), std::pow(10.0, exponent(engine)));
-    dynamics::DynamicsParameters parameters;
-    parameters.race.film_in_approach = draw.options.film.has_value();
-    const integration::SteadyStateResult run =
-        integration::run_to_steady_state(draw.bearing, draw.point, parameters, short_run(GetParam()));
-    ++endings[run.completed ? "completed" : run.message.substr(0, 40)];
+  for (int n = first; n < first + draws; ++n) {
+    const MotionDraw draw = RandomMotion(static_cast<unsigned>(n)).draw();
+    SCOPED_TRACE("draw " + std::to_string(n) + " of seed " + std::to_string(kSeed));
+    const double before = processor_seconds();
+    const integration::SteadyStateResult run = integration::run_to_steady_state(
+        draw.bearing, draw.point, draw.parameters, short_run(GetParam(), draw.first_roller));
+    ++endings[reason(run)];
+    if (lines.is_open()) write_line(lines, n, draw, run);
     if (run.completed) {
       EXPECT_TRUE(sound(run.statistics)) << draw;
     }
     EXPECT_TRUE(run.completed || !run.message.empty()) << draw;
     EXPECT_TRUE(run.final_state.allFinite()) << draw;
+    EXPECT_LT(processor_seconds() - before, kLongestRun) << draw;
   }
   for (const auto& [ending, count] : endings) RecordProperty(ending, count);
   for (const auto& [ending, count] : endings) std::printf("%6d  %s\n", count, ending.c_str());
 }
 
 INSTANTIATE_TEST_SUITE_P(Integrators, RandomDynamics,
-                         testing::Values(integration::Method::dopri5, integration::Method::linearly_implicit),
-                         [](const testing::TestParamInfo<integration::Method>& method) {
-                           return method.param == integration::Method::dopri5 ? "readable" : "vectorised";
+                         testing::Values(Method::dopri5, Method::linearly_implicit),
+                         [](const testing::TestParamInfo<Method>& method) {
+                           return method.param == Method::dopri5 ? "readable" : "vectorised";
                          });
 
 }  // namespace

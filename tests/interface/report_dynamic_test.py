@@ -26,7 +26,7 @@ sys.path[:0] = [str(ROOT / "python"), str(ROOT / "tests" / "interface")]
 import report_dynamic_fixture as dynamic  # noqa: E402
 import report_fixture as fixture  # noqa: E402
 from orbearing import report as command  # noqa: E402
-from orbearing import style  # noqa: E402
+from orbearing import effects_table, style  # noqa: E402
 from orbearing.figures import DYNAMIC_BLOCKS, cage_orbit, dynamic_ablation, dynamic_polar, power_loss, slip_traces  # noqa: E402
 from orbearing.page import page  # noqa: E402
 from orbearing.point_file import load_zone, one_roller, read_point  # noqa: E402
@@ -238,6 +238,13 @@ class Numbers(unittest.TestCase):
             change = dynamic_ablation.change_of_life(runs[name], reference, 1000.0)
             self.assertAlmostEqual(change, 100 * (worth - 1), delta=100 * worth * ROUND_OFF)
         self.assertTrue(np.isnan(dynamic_ablation.change_of_life({}, reference, 1000.0)))
+
+    def test_effects_as_a_table(self):
+        lines = effects_table.rows(self.report.record("dynamic")["ablation"])
+        self.assertEqual(len(lines), 3 * len(dynamic.EFFECTS))
+        self.assertEqual([line[:2] for line in lines[:2]], [("1000", "all effects"), ("1000", "no Coriolis")])
+        self.assertEqual([line[3] for line in lines[:4]], ["", "-0.4 %", "+3900.0 %", "+10.0 %"])
+        self.assertEqual(effects_table.rows([{"name": "one", "points": [{"speed_rpm": 1, "status": "no balance"}]}])[0][2], "no balance")
 
     def test_load_zone_is_where_the_inner_race_carries(self):
         point = read_point(self.report, 6000)

@@ -13,17 +13,19 @@ from orbearing.result_folder import Report, records
 
 SLUG, TITLE = "dynamic-ablation", "Worth of effects in motion"
 LINEAR = 1.0  # [%] changes of life up to this stand on a linear scale, larger ones on a logarithmic one
-GROUP = 0.8  # width of the bars of one speed over the distance between speeds
+SPREAD = 0.8  # of the bars of one effect over the distance between effects
+ROW, LEGEND = 0.42, 0.3  # [inch] of each effect, of the legend above all panels
 CAPTION = (
-    "The dynamic run repeated with one effect left out or one law exchanged. Above: change of life against all effects; the scale is "
-    "linear up to 1 % and logarithmic beyond where it has to be. Middle and below: slip of rollers and cage with each, to be held "
-    "against the bar of all effects. Effects that barely move life may still decide how rollers and cage move."
+    "The dynamic run repeated with one effect left out or added, or one law exchanged. Left: change of life against all effects. Middle "
+    "and right: slip of rollers and cage with each, to be held against the bars of all effects. Scales are linear up to 1 % and "
+    "logarithmic beyond where they have to be. Effects that barely move life may still decide how rollers and cage move. "
+    "orbearing report --every-effect adds those that are left out here."
 )
 Points = dict[float, dict]
 
 
 def block(report: Report) -> FigureBlock:
-    """Bars for each speed, and the numbers with power loss and load."""
+    """Bars for each effect and speed, and the numbers with power loss and load."""
     runs = {str(entry.get("name")): _points(entry) for entry in records(report.record("dynamic").get("ablation"))}
     runs = {name: points for name, points in runs.items() if points}
     if not runs or list(runs) == [REFERENCE]:
@@ -48,39 +50,42 @@ def _percent(points: Points, name: str, speed: float) -> float:
 
 
 def _draw(runs: dict[str, Points]) -> str:
-    figure = Figure(figsize=(5.6, 7.0))
-    life, roller, cage = figure.subplots(3, 1, sharex=True)
+    figure = Figure(figsize=(7.6, 1.7 + ROW * len(runs)))
+    panels = figure.subplots(1, 3, sharey=True)
     speeds, reference = sorted({speed for points in runs.values() for speed in points}), runs.get(REFERENCE, {})
-    for index, (name, points) in enumerate(runs.items()):
-        columns = ([change_of_life(points, reference, speed) if name != REFERENCE else np.nan for speed in speeds],
-                   [_percent(points, "roller_slip", speed) for speed in speeds],
-                   [_percent(points, "cage_slip", speed) for speed in speeds])
-        for axes, column in zip((life, roller, cage), columns):
-            _bars(axes, column, index, len(runs), style.legend_label(name))
-    _scale_changes(life)
-    for axes, label in ((life, "change of life (%)"), (roller, "roller slip (%)"), (cage, "cage slip (%)")):
-        axes.axhline(0, color=style.BLACK, linewidth=0.8)
-        axes.grid(False, axis="x")
-        axes.set_ylabel(label)
-        style.thousands(axes.yaxis)
-    cage.set_xticks(range(len(speeds)), [f"{format_number(speed)} rpm" for speed in speeds])
-    cage.set_xlabel("input speed")
-    style.legend_above(life)
+    for index, speed in enumerate(speeds):
+        places = np.arange(len(runs)) + SPREAD * ((index + 0.5) / len(speeds) - 0.5)
+        columns = ([change_of_life(points, reference, speed) if name != REFERENCE else np.nan for name, points in runs.items()],
+                   [_percent(points, "roller_slip", speed) for points in runs.values()],
+                   [_percent(points, "cage_slip", speed) for points in runs.values()])
+        for axes, column in zip(panels, columns):
+            axes.barh(places, np.nan_to_num(column), 0.9 * SPREAD / len(speeds), color=style.SERIES[(index + 1) % len(style.SERIES)],
+                      label=f"{format_number(speed)} rpm")
+    for axes, label in zip(panels, ("change of life (%)", "roller slip (%)", "cage slip (%)")):
+        _scale(axes)
+        axes.axvline(0, color=style.BLACK, linewidth=0.8)
+        axes.grid(False, axis="y")
+        axes.set_xlabel(label)
+        style.thousands(axes.xaxis)
+    panels[0].set_yticks(range(len(runs)), [style.legend_label(name) for name in runs])
+    panels[0].set_ylim(len(runs) - 0.5, -0.5)
+    figure.get_layout_engine().set(rect=(0, 0, 1, 1 - LEGEND / figure.get_figheight()))
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncol=len(speeds)).set_in_layout(False)
     return style.to_svg(figure, SLUG, "Change of life, roller slip and cage slip with single effects left out")
 
 
-def _bars(axes: Axes, values: list[float], index: int, count: int, label: str) -> None:
-    width = GROUP / count
-    places = np.arange(len(values)) + (index + 0.5) * width - GROUP / 2
-    axes.bar(places, np.nan_to_num(values), 0.9 * width, color=style.SERIES[index % len(style.SERIES)], label=label)
-
-
-def _scale_changes(axes: Axes) -> None:
-    heights = [abs(bar.get_height()) for bar in axes.patches]
-    if max(heights, default=0.0) > 30 * LINEAR:
-        axes.set_yscale("symlog", linthresh=LINEAR)
-        low, high = axes.get_ylim()
-        axes.set_ylim(max(low, -100.0), 2 * high)
+def _scale(axes: Axes) -> None:
+    """Logarithmic beyond LINEAR where effects of very unlike size meet, with few labels so that they stay apart."""
+    widths = [bar.get_width() for bar in axes.patches]
+    low, high = min(widths, default=0.0), max(widths, default=0.0)
+    if max(-low, high) <= 30 * LINEAR:
+        return
+    axes.set_xscale("symlog", linthresh=LINEAR)
+    axes.set_xlim(min(2 * low, -LINEAR), max(2 * high, LINEAR))
+    decades = [10.0**k for k in ((2, 5, 8) if max(-low, high) > 100 else (1,))]
+    ticks = [0.0, *decades, *(-decade for decade in decades)]
+    axes.set_xticks([tick for tick in ticks if 2 * low <= tick <= 2 * high or tick == 0], minor=False)
+    axes.minorticks_off()
 
 
 def _table(runs: dict[str, Points]) -> Table:
@@ -90,7 +95,8 @@ def _table(runs: dict[str, Points]) -> Table:
             point = points.get(speed, {})
             change = "reference" if name == REFERENCE else format_change(point.get("life_h"), reference.get(speed, {}).get("life_h"))
             rows.append((speed, name, point.get("life_h"), change, round(_percent(points, "roller_slip", speed), 3),
-                         round(_percent(points, "cage_slip", speed), 3), point.get("power_loss_W"), point.get("outer_load_rms_N")))
+                         round(_percent(points, "cage_slip", speed), 3), point.get("power_loss_W"), point.get("inner_load_rms_N"),
+                         point.get("outer_load_rms_N")))
     head = ("input speed (rpm)", "what is computed", "life (h)", "against all effects", "roller slip (%)", "cage slip (%)",
-            "power loss (W)", "rms load, outer race (N)")
+            "power loss (W)", "rms load, inner race (N)", "rms load, outer race (N)")
     return Table(head, rows)

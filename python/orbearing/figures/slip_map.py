@@ -15,6 +15,7 @@ from orbearing.result_folder import Report, lies_on, same
 SLUG, TITLE = "slip-map", "Slip over speed and load"
 SLIPS = (("cage_slip", "cage"), ("roller_slip", "rollers"))
 MOST_LABELLED = 80  # cells of a map that show their number
+CELL = 0.5  # [inch] wide, for a number of four letters
 CAPTION = (
     "Slip in per cent at each operating point of the sweep, over input speed and {axis}; {loads} the load on one bearing's bore in "
     "newtons, the carrier's centrifugal field included. {limits} Published measurements and models of cylindrical roller bearings with a "
@@ -93,7 +94,7 @@ def _limits(report: Report) -> str:
 
 
 def _draw(speeds: np.ndarray, values: np.ndarray, slip: np.ndarray, load: np.ndarray, column: str, title: str, slug: str) -> str:
-    figure, axes = style.panel((5.0, 4.2))
+    figure, axes = style.panel((max(5.0, 2.0 + CELL * len(speeds)) if slip.size <= MOST_LABELLED else 5.0, 4.2))
     x, y = np.arange(len(speeds)), np.arange(len(values))
     colours, scale = _colours(slip)
     mesh = axes.pcolormesh(x, y, np.ma.masked_invalid(slip), shading="nearest", cmap=colours, norm=scale, edgecolors="white", linewidth=0.4)

@@ -80,8 +80,9 @@ TEST(SpeedSlice, LiesNearestToTheCasesOwnValues) {
   EXPECT_EQ(slice.at.quantity("input.power"), 140e3);
 }
 
+// Constant mesh forces: means over a cage revolution then repeat, which holds no whole number of mesh periods.
 study::PlanetaryDrivetrain short_run() {
-  study::PlanetaryDrivetrain drivetrain = drivetrain_of(reducer({}));
+  study::PlanetaryDrivetrain drivetrain = drivetrain_of(reducer({"gearset.mesh_variation=false"}));
   drivetrain.steady_state.least_windows = 2;
   drivetrain.steady_state.most_windows = 6;
   drivetrain.steady_state.observed_windows = 1;

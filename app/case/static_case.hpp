@@ -1,0 +1,26 @@
+// From a resolved case of the models roller-bearing and ball-bearing to bearings under a static load.
+#pragma once
+
+#include "app/case/resolved_case.hpp"
+#include "bearing/rating/roller_capacity.hpp"
+#include "bearing/static_load/ball_bearing.hpp"
+#include "bearing/static_load/roller_bearing.hpp"
+
+namespace orbearing::app {
+
+/// Laminae where the case states none.
+inline constexpr int default_laminae = 40;
+
+/// Always cut into laminae. Throws std::invalid_argument where the profile has no meaning.
+bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& resolved);
+bearing::static_load::BallBearing ball_bearing_of(const ResolvedCase& resolved);
+
+bearing::static_load::RollerBearingLoad roller_load_of(const ResolvedCase& resolved);
+bearing::static_load::BallBearingLoad ball_load_of(const ResolvedCase& resolved);
+
+bearing::rating::RollerSet roller_set_of(const ResolvedCase& resolved);
+
+/// How the races move relative to the load.
+bearing::rating::RaceMotions race_motions_of(const ResolvedCase& resolved);
+
+}  // namespace orbearing::app

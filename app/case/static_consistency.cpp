@@ -1,0 +1,97 @@
+#include "app/case/static_consistency.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace orbearing::app {
+
+namespace {
+
+void object(const ResolvedCase& in, const std::string& path, std::string found, std::string required,
+            std::vector<Mistake>& mistakes) {
+  mistakes.push_back({in.place(path), path, {std::move(found), std::move(required)}});
+}
+
+bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
+  for (const char* path : paths)
+    if (!in.has(path)) return false;
+  return true;
+}
+
+// Two ways to state the same thing exclude each other.
+void check_either(const ResolvedCase& in, const char* one, const char* other,
+                  std::vector<Mistake>& mistakes) {
+  if (in.has(one) && in.has(other))
+    object(in, other, fmt::format("a value beside {}", one), "one of the two is required", mistakes);
+}
+
+void check_load(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (in.has("load.tilt") && in.has("load.moment") && in.quantity("load.moment") != 0.0)
+    object(in, "load.tilt", "a tilt beside load.moment",
+           "either the moment, with the tilt that follows, or the tilt is required", mistakes);
+  if (in.model() != roller_bearing || !in.has("load.radial")) return;
+  if (in.quantity("load.radial") <= 0.0)
+    object(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
+  const bool moment = in.has("load.moment") && in.quantity("load.moment") != 0.0;
+  if (moment && in.has("bearing.laminae") && in.integer("bearing.laminae") < 2)
+    object(in, "bearing.laminae", "a single lamina, which holds no moment",
+           "at least 2 laminae are required with load.moment", mistakes);
+}
+
+void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!has_all(
+          in, {"bearing.balls", "bearing.ball_diameter", "bearing.pitch_diameter", "bearing.inner_osculation",
+               "bearing.outer_osculation", "bearing.contact_angle", "bearing.radial_clearance"}))
+    return;
+  const double diameter = in.quantity("bearing.ball_diameter");
+  const double spacing =
+      in.quantity("bearing.pitch_diameter") * std::sin(std::numbers::pi / in.integer("bearing.balls"));
+  if (diameter >= spacing)
+    object(in, "bearing.balls",
+           fmt::format("{} balls do not fit around the pitch circle", in.integer("bearing.balls")),
+           fmt::format("a ball diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
+                       "required",
+                       1e3 * diameter, 1e3 * spacing),
+           mistakes);
+  const double openness = in.number("bearing.inner_osculation") + in.number("bearing.outer_osculation") - 1.0;
+  const double most = 2.0 * openness * diameter * std::cos(in.quantity("bearing.contact_angle"));
+  if (in.quantity("bearing.radial_clearance") >= most)
+    object(in, "bearing.radial_clearance", "a clearance in which the balls touch at no contact angle",
+           fmt::format("less than {:.4g} um is required by the grooves", 1e6 * most), mistakes);
+}
+
+void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  check_either(in, "life.viscosity_ratio", "lubricant.kinematic_viscosity", mistakes);
+  check_either(in, "life.contamination_factor", "life.cleanliness", mistakes);
+  const bool film = in.has("life.viscosity_ratio") || in.has("lubricant.kinematic_viscosity");
+  for (const char* path : {"life.contamination_factor", "life.cleanliness"})
+    if (in.has(path) && !film)
+      object(in, path, "cleanliness without a viscosity",
+             "life.viscosity_ratio or lubricant.kinematic_viscosity is required with it", mistakes);
+  for (const char* path : {"life.viscosity_ratio", "lubricant.kinematic_viscosity"})
+    if (in.has(path) && !in.has("life.contamination_factor") && !in.has("life.cleanliness"))
+      object(in, path, "a viscosity without cleanliness",
+             "life.contamination_factor or life.cleanliness is required with it", mistakes);
+  if (in.has("lubricant.kinematic_viscosity") && in.has("operation.shaft_speed") &&
+      in.has("operation.outer_speed") &&
+      in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
+    object(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not turn",
+           "operation.shaft_speed is required, from which the viscosity ratio follows", mistakes);
+  if (in.has("life.cleanliness") && in.has("life.lubrication") && in.choice("life.cleanliness") == "lowest" &&
+      in.choice("life.lubrication") == "circulating-oil")
+    object(in, "life.cleanliness", "'lowest' for circulating oil",
+           "one of highest, high, medium, low is required with a filter", mistakes);
+}
+
+}  // namespace
+
+void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  if (resolved.model() != roller_bearing && resolved.model() != ball_bearing) return;
+  check_load(resolved, mistakes);
+  check_life(resolved, mistakes);
+  check_balls(resolved, mistakes);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,13 @@
+// Do the values of one bearing under a static load fit each other?
+#pragma once
+
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::app {
+
+/// Adds what is wrong to `mistakes`; nothing for cases of other models.
+void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
+}  // namespace orbearing::app

@@ -1,0 +1,134 @@
+#include "app/study/static_output.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMillion = 1e-6;              // of revolutions
+constexpr double kDegree = 57.29577951308232;  // per rad
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json list(const Eigen::Ref<const Eigen::ArrayXd>& values, double unit = 1.0) {
+  Json array = Json::array();
+  for (const double value : values) array.push_back(unit * value);
+  return array;
+}
+
+// By roller, each a list over laminae.
+Json by_roller(const Eigen::ArrayXXd& loads) {
+  Json rollers = Json::array();
+  for (Eigen::Index j = 0; j < loads.cols(); ++j) rollers.push_back(list(loads.col(j)));
+  return rollers;
+}
+
+Json lives(const bearing::BearingLife& life) {
+  return {{"inner_Mrev", number(kMillion * life.inner)},
+          {"outer_Mrev", number(kMillion * life.outer)},
+          {"bearing_Mrev", number(kMillion * life.bearing)}};
+}
+
+Json ratings_json(const Ratings& ratings) {
+  return {{"f_c", ratings.capacity_factor},
+          {"C_r_N", ratings.dynamic_capacity},
+          {"C_0r_N", ratings.static_capacity},
+          {"C_u_N", ratings.fatigue_load_limit},
+          {"inner_contact_N", ratings.contacts.inner},
+          {"outer_contact_N", ratings.contacts.outer}};
+}
+
+Json factors_json(const StaticStudy& study) {
+  Json factors{{"a_1", study.reliability_factor},
+               {"a_ISO", study.film ? Json(study.film->life_modification) : Json(nullptr)}};
+  if (!study.film) return factors;
+  factors["kappa"] = study.film->viscosity_ratio;
+  factors["e_C"] = study.film->contamination_factor;
+  return factors;
+}
+
+NamedArray scalar(std::string name, std::string units, std::string meaning, double value) {
+  return {std::move(name), {}, std::move(units), std::move(meaning), {value}};
+}
+
+std::string life_row(const char* name, double life, const char* meaning) {
+  if (!std::isfinite(life)) return fmt::format("{:<22} {:>14}  {}\n", name, "-", meaning);
+  return fmt::format("{:<22} {:>14.6g}  {}\n", name, kMillion * life, meaning);
+}
+
+}  // namespace
+
+Json static_json(const StaticStudy& study) {
+  Json object{{"displacement", {{"radial_um", 1e6 * study.radial}, {"axial_um", 1e6 * study.axial}}},
+              {"tilt_mrad", 1e3 * study.tilt},
+              {"contact_load_max_N", study.contact_load.maxCoeff()},
+              {"contact_loads_N", list(study.contact_load)},
+              {"L10_Mrev", number(kMillion * study.basic_life)},
+              {"L10r_Mrev", number(kMillion * study.reference_life.bearing)},
+              {"life_Mrev", number(kMillion * study.life)},
+              {"moment_N_m", study.moment},
+              {"pressure_max_MPa", 1e-6 * study.largest_pressure},
+              {"equivalent_load_N", study.equivalent_load ? Json(*study.equivalent_load) : Json(nullptr)},
+              {"ratings", ratings_json(study.ratings)},
+              {"factors", factors_json(study)},
+              {"reference_life", lives(study.reference_life)}};
+  if (study.lundberg_palmgren) object["lundberg_palmgren"] = lives(*study.lundberg_palmgren);
+  if (study.contact_angle.size() > 0) object["contact_angles_deg"] = list(study.contact_angle, kDegree);
+  if (study.lamina_load.size() > 0) object["lamina_loads_N"] = by_roller(study.lamina_load);
+  return object;
+}
+
+std::string static_text(const StaticStudy& study) {
+  std::string text = fmt::format("displacement: radial {:.5g} um, axial {:.5g} um, tilt {:.5g} mrad\n",
+                                 1e6 * study.radial, 1e6 * study.axial, 1e3 * study.tilt);
+  text += fmt::format("largest contact load {:.6g} N, pressure {:.5g} MPa\n\n", study.contact_load.maxCoeff(),
+                      1e-6 * study.largest_pressure);
+  text += fmt::format("{:>8} {:>12}\n", "element", "load [N]");
+  for (Eigen::Index j = 0; j < study.contact_load.size(); ++j)
+    text += fmt::format("{:>8} {:>12.6g}\n", j, study.contact_load[j]);
+  text += fmt::format("\n{:<22} {:>14}\n", "life", "[Mrev]");
+  text += life_row("L10", study.basic_life, "ISO 281");
+  text += life_row("L10r", study.reference_life.bearing, "ISO/TS 16281");
+  if (study.lundberg_palmgren)
+    text += life_row("Lundberg-Palmgren", study.lundberg_palmgren->bearing, "from roller loads");
+  text += life_row("a_1 a_ISO L10r", study.life, study.film ? "with film and cleanliness" : "a_ISO = 1");
+  return text;
+}
+
+PointContent static_content(const StaticStudy& study) {
+  const auto elements = static_cast<std::size_t>(study.contact_load.size());
+  PointContent content{.dimensions = {{"element", elements}}, .arrays = {}, .attributes = {}};
+  content.arrays = {scalar("radial_displacement", "m", "inner ring along the radial load", study.radial),
+                    scalar("axial_displacement", "m", "inner ring along the axis", study.axial),
+                    scalar("tilt", "rad", "inner ring in the plane of the load", study.tilt),
+                    scalar("moment", "N m", "on the inner ring in the plane of the load", study.moment),
+                    scalar("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
+                    scalar("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
+                    scalar("basic_life", "1", "L10, revolutions", study.basic_life),
+                    scalar("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
+                    scalar("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
+                    {"contact_load",
+                     {"element"},
+                     "N",
+                     "load of each rolling element, the first on the load line",
+                     {study.contact_load.begin(), study.contact_load.end()}}};
+  for (NamedArray& array : content.arrays)
+    for (double& value : array.values)
+      if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
+  if (study.lamina_load.size() == 0) return content;
+  content.dimensions.push_back({"lamina", static_cast<std::size_t>(study.lamina_load.rows())});
+  NamedArray laminae{"lamina_load", {"element", "lamina"}, "N", "load of each lamina of each roller", {}};
+  laminae.values.assign(study.lamina_load.data(), study.lamina_load.data() + study.lamina_load.size());
+  content.arrays.push_back(std::move(laminae));
+  return content;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,165 @@
+#include "app/study/static_ratings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "app/case/static_case.hpp"
+#include "app/errors.hpp"
+#include "bearing/rating/life_modification.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace rating = bearing::rating;
+
+constexpr double kDegree = 57.29577951308232;  // per rad
+
+double given_or(const ResolvedCase& in, const char* path, double otherwise) {
+  return in.has(path) ? in.quantity(path) : otherwise;
+}
+
+rating::Lubrication lubrication_of(const ResolvedCase& in) {
+  const std::string& found = in.choice("life.lubrication");
+  if (found == "oil-bath") return rating::Lubrication::oil_bath;
+  return found == "grease" ? rating::Lubrication::grease : rating::Lubrication::circulating_oil;
+}
+
+rating::Cleanliness cleanliness_of(const ResolvedCase& in) {
+  const std::string& found = in.choice("life.cleanliness");
+  if (found == "highest") return rating::Cleanliness::highest;
+  if (found == "high") return rating::Cleanliness::high;
+  if (found == "medium") return rating::Cleanliness::medium;
+  return found == "low" ? rating::Cleanliness::low : rating::Cleanliness::lowest;
+}
+
+double viscosity_ratio_of(const ResolvedCase& in) {
+  if (in.has("life.viscosity_ratio")) return in.number("life.viscosity_ratio");
+  const double speed = in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed");
+  return rating::viscosity_ratio(in.quantity("lubricant.kinematic_viscosity"),
+                                 rating::required_viscosity(speed, in.quantity("bearing.pitch_diameter")));
+}
+
+double contamination_of(const ResolvedCase& in, double kappa) {
+  if (in.has("life.contamination_factor")) return in.number("life.contamination_factor");
+  return rating::contamination_factor(lubrication_of(in), cleanliness_of(in), kappa,
+                                      in.quantity("bearing.pitch_diameter"));
+}
+
+std::optional<FilmState> film_of(const ResolvedCase& in, rating::RollingElement element,
+                                 const StaticStudy& study) {
+  if (!in.has("life.viscosity_ratio") && !in.has("lubricant.kinematic_viscosity")) return {};
+  FilmState film{.viscosity_ratio = viscosity_ratio_of(in)};
+  film.contamination_factor = contamination_of(in, film.viscosity_ratio);
+  const double load =
+      rating::reference_load(element, study.ratings.dynamic_capacity, study.reference_life.bearing);
+  const double ratio = load > 0.0 ? film.contamination_factor * study.ratings.fatigue_load_limit / load
+                                  : std::numeric_limits<double>::infinity();
+  try {
+    film.life_modification = rating::life_modification_factor(element, film.viscosity_ratio, ratio);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(fmt::format("{}: lubricant.kinematic_viscosity: {}",
+                               in.origin("lubricant.kinematic_viscosity"), error.what()));
+  }
+  return film;
+}
+
+void warn(const ResolvedCase& in, StaticStudy& study) {
+  const Ratings& ratings = study.ratings;
+  if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
+    study.warnings.push_back(fmt::format(
+        "bearing: D cos(alpha)/d_m is {:.3g}; the table of f_c in ISO 281 ends at {:.2g}: its formula is "
+        "used beyond",
+        ratings.gamma, ratings.slenderness_limit));
+  if (!study.equivalent_load)
+    study.warnings.push_back(
+        "L10: the factors X and Y of ISO 281 are held for a nominal contact angle of zero; L10r has no need "
+        "of them");
+  if (in.model() == roller_bearing && !in.has("bearing.laminae"))
+    study.warnings.push_back(fmt::format(
+        "bearing.laminae: not given; {} are taken, and lives depend on their number", default_laminae));
+  if (study.lamina_load.rows() > 0 && study.lamina_load.rows() < 30)
+    study.warnings.push_back(fmt::format(
+        "bearing.laminae: {} laminae; ISO/TS 16281 asks for at least 30, and its stress riser depends on "
+        "their number",
+        study.lamina_load.rows()));
+  constexpr double permanent = 4000e6;  // [Pa]  of line contacts; 4200 MPa for points
+  if (study.largest_pressure > permanent)
+    study.warnings.push_back(
+        fmt::format("load: a contact pressure of {:.0f} MPa, which leaves permanent marks",
+                    1e-6 * study.largest_pressure));
+}
+
+Ratings roller_ratings(const ResolvedCase& in) {
+  const rating::RollerSet set = roller_set_of(in);
+  Ratings ratings{.gamma = rating::gamma(set), .slenderness_limit = 0.30};
+  ratings.capacity_factor = rating::roller_capacity_factor(ratings.gamma, set.lambda);
+  ratings.dynamic_capacity = given_or(in, "bearing.dynamic_capacity", rating::dynamic_capacity(set));
+  ratings.static_capacity = rating::static_capacity(set);
+  ratings.fatigue_load_limit =
+      given_or(in, "bearing.fatigue_load_limit",
+               rating::fatigue_load_limit(rating::RollingElement::roller, ratings.static_capacity,
+                                          set.pitch_diameter));
+  ratings.contacts = rating::contact_capacities(set, ratings.dynamic_capacity);
+  return ratings;
+}
+
+Ratings ball_ratings(const ResolvedCase& in) {
+  const rating::BallSet set = bearing::static_load::ball_set(ball_bearing_of(in));
+  Ratings ratings{.gamma = rating::gamma(set), .slenderness_limit = 0.40};
+  ratings.capacity_factor = rating::ball_capacity_factor(set);
+  ratings.dynamic_capacity = given_or(in, "bearing.dynamic_capacity", rating::dynamic_capacity(set));
+  ratings.static_capacity = rating::static_capacity(set);
+  ratings.fatigue_load_limit = given_or(
+      in, "bearing.fatigue_load_limit",
+      rating::fatigue_load_limit(rating::RollingElement::ball, ratings.static_capacity, set.pitch_diameter));
+  ratings.contacts = rating::contact_capacities(set, ratings.dynamic_capacity);
+  return ratings;
+}
+
+}  // namespace
+
+Ratings ratings_of(const ResolvedCase& resolved) {
+  return resolved.model() == ball_bearing ? ball_ratings(resolved) : roller_ratings(resolved);
+}
+
+void rate(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {
+  study.basic_life =
+      study.equivalent_load
+          ? rating::basic_rating_life(element, study.ratings.dynamic_capacity, *study.equivalent_load)
+          : std::numeric_limits<double>::quiet_NaN();
+  study.reliability_factor = rating::reliability_factor(in.number("life.reliability"));
+  study.film = film_of(in, element, study);
+  study.life = study.reliability_factor * (study.film ? study.film->life_modification : 1.0) *
+               study.reference_life.bearing;
+  warn(in, study);
+}
+
+std::vector<Derived> static_quantities(const ResolvedCase& in) {
+  const Ratings ratings = ratings_of(in);
+  std::vector<Derived> rows{
+      {"bearing.slenderness", ratings.gamma, "1", "D cos(alpha)/d_m"},
+      {"bearing.capacity_factor", ratings.capacity_factor, "1", "f_c of ISO 281, in N and mm"},
+      {"bearing.static_capacity", ratings.static_capacity, "N", "C_0r of ISO 76"},
+      {"bearing.inner_contact_capacity", ratings.contacts.inner, "N", "of one rolling element, ISO/TS 16281"},
+      {"bearing.outer_contact_capacity", ratings.contacts.outer, "N",
+       "of one rolling element, ISO/TS 16281"}};
+  if (!in.has("bearing.dynamic_capacity"))
+    rows.push_back({"bearing.dynamic_capacity", ratings.dynamic_capacity, "N", "C_r of ISO 281"});
+  if (!in.has("bearing.fatigue_load_limit"))
+    rows.push_back(
+        {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0r"});
+  if (in.model() != ball_bearing) return rows;
+  const bearing::static_load::BallBearingGeometry geometry =
+      bearing::static_load::geometry_of(ball_bearing_of(in));
+  rows.push_back(
+      {"bearing.groove_distance", 1e3 * geometry.groove_distance, "mm", "A, of the groove centres"});
+  const double cosine = std::min(1.0, geometry.radial_distance / geometry.groove_distance);
+  rows.push_back({"bearing.free_contact_angle", kDegree * std::acos(cosine), "deg", "without load"});
+  return rows;
+}
+
+}  // namespace orbearing::app

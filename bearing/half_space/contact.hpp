@@ -1,0 +1,63 @@
+// Normal contact of a finite roller with a race as elastic half-spaces: what is stated and what comes out.
+//
+//            pressure p(x, y)              x: along the roller from its middle, -l/2 to l/2
+//        .-''''''''''''''''''''-.          y: across, the way of rolling
+//   -----+----------|-----------+-----> x  approach(x) = approach + tilt x - relief(x) - y^2/(2 R)
+//      -l/2         0          l/2         tilt > 0 closes the contact at x > 0
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+
+#include "bearing/parameters.hpp"
+
+namespace orbearing::bearing::half_space {
+
+/// How a body ends at x = +-l/2.
+enum class EndSurface {
+  continuing,  // the body goes on: a half-space, as a race longer than the roller
+  mirrored,    // free of shear: the pressure mirrored at the end acts as well [Mul1986]
+  corrected,   // the mirrored pressure times a factor for the normal stress it leaves there [Guilbault2011]
+};
+
+/// A roller on a race.
+struct HalfSpaceContact {
+  double length = 0.0;             // [m]  l, of the contact at most
+  double equivalent_radius = 0.0;  // [m]  R across: convex on the inner race, concave on the outer
+  Material roller;
+  Material race;
+  EndSurface roller_ends = EndSurface::corrected;
+  EndSurface race_ends = EndSurface::continuing;
+};
+
+/// Sum of the drops of both bodies [m] at x [m] from the middle.
+using Relief = std::function<double(double)>;
+
+/// Solution along the roller; arrays over the elements of the length.
+struct RollerContactPressure {
+  Eigen::ArrayXd x;            // [m]    middles of the elements
+  Eigen::ArrayXd element;      // [m]    their lengths
+  Eigen::ArrayXd line_load;    // [N/m]  q
+  Eigen::ArrayXd half_width;   // [m]    b of the semi-ellipse across with the same load and second moment
+  Eigen::ArrayXd pressure;     // [Pa]   along the middle, y = 0
+  double load = 0.0;           // [N]
+  double approach = 0.0;       // [m]    of the bodies at x = 0; holds the far field of the half-spaces
+  double tilt = 0.0;           // [rad]
+  double moment = 0.0;         // [N m]  integral of q x: positive where x > 0 carries more
+  double energy = 0.0;         // [J]    strain energy: d(energy)/d(approach) = load, /d(tilt) = moment
+  double peak_pressure = 0.0;  // [Pa]  greatest mean of `pressure` over l/100, anywhere
+  double edge_pressure = 0.0;  // [Pa]  the same, within l/10 of an end
+  double edge_ratio = 0.0;     // [-]   edge_pressure over the pressure at x = 0
+  double element_peak = 0.0;   // [Pa]  greatest in one element: grows without bound at a sharp corner
+  int iterations = 0;          // [-]
+  double residual = 0.0;       // [-]   what the solver's criterion came to; see there
+};
+
+/// Pressure on all rectangles of the plane grid.
+struct RollerContactMap {
+  RollerContactPressure along;
+  Eigen::ArrayXd y;          // [m]   middles of the rows, from 0 outwards; the contact is symmetric in y
+  Eigen::ArrayXXd pressure;  // [Pa]  (elements of the length, rows)
+};
+
+}  // namespace orbearing::bearing::half_space

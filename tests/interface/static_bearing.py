@@ -1,0 +1,174 @@
+"""`orbearing run`, `check` and `validate` of single bearings under a static load, from outside."""
+
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
+HARRIS = CASES / "harris_209" / "case.yaml"
+PLANET = CASES / "planet_bearing_iso16281" / "case.yaml"
+BALL = CASES / "ball_6305_iso16281" / "case.yaml"
+SECONDS = 60
+
+
+def call(*arguments):
+    command = [os.environ["ORBEARING"], *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+def run(case, *settings):
+    """JSON of one run."""
+    with tempfile.TemporaryDirectory() as folder:
+        options = [part for setting in settings for part in ("--set", setting)]
+        result = call("run", case, "-o", pathlib.Path(folder) / "out", "--json", *options)
+        assert result.returncode == 0, result.stderr
+        return json.loads(result.stdout)
+
+
+def refusal(case, *settings):
+    """What is said of bad input."""
+    with tempfile.TemporaryDirectory() as folder:
+        options = [part for setting in settings for part in ("--set", setting)]
+        result = call("run", case, "-o", pathlib.Path(folder) / "out", *options)
+        assert result.returncode == 2, (result.returncode, result.stdout)
+        return result.stderr
+
+
+class Rollers(unittest.TestCase):
+    def test_keys_of_the_contract(self):
+        found = run(HARRIS)
+        self.assertEqual(set(found["displacement"]), {"radial_um", "axial_um"})
+        for key in ("tilt_mrad", "contact_load_max_N", "L10_Mrev", "L10r_Mrev", "life_Mrev"):
+            self.assertIsInstance(found[key], float, key)
+        self.assertEqual(len(found["contact_loads_N"]), 14)
+        self.assertEqual(max(found["contact_loads_N"]), found["contact_load_max_N"])
+        self.assertEqual(found["life_Mrev"], found["L10r_Mrev"])
+
+    def test_loads(self):
+        self.assertAlmostEqual(run(HARRIS)["contact_loads_N"][0], 1956.3, delta=0.05)
+        tight = run(HARRIS, "bearing.radial_clearance=0 um")
+        for ours, known in zip(tight["contact_loads_N"], (1298.8, 1156.7, 768.4, 244.6)):
+            self.assertAlmostEqual(ours, known, delta=0.05)
+
+    def test_number_of_laminae(self):
+        at_40 = run(PLANET)["L10r_Mrev"]
+        for laminae, change in ((30, -16), (50, 13), (100, 52)):
+            life = run(PLANET, f"bearing.laminae={laminae}")["L10r_Mrev"]
+            self.assertAlmostEqual(100.0 * (life / at_40 - 1.0), change, delta=0.5)
+
+    def test_every_profile_runs_and_carries_the_load(self):
+        table = ["bearing.profile.x=[-2.85 mm, 0 mm, 2.85 mm]", "bearing.profile.drops=[5 um, 0 um, 5 um]"]
+        kinds = "straight chamfer circular straight-circular lundberg johns-gohar iso16281 fujiwara-kawase table"
+        lives = {}
+        for kind in kinds.split():
+            found = run(PLANET, f"bearing.profile.kind={kind}", *(table if kind == "table" else []))
+            loads = found["lamina_loads_N"]
+            self.assertAlmostEqual(sum(loads[0]), found["contact_loads_N"][0], delta=1e-6)
+            self.assertEqual(len(loads[0]), 40)
+            lives[kind] = found["L10r_Mrev"]
+        self.assertEqual(len(set(lives.values())), len(lives))
+        self.assertIn("bearing.profile.kind", refusal(PLANET, "bearing.profile.kind=table"))
+
+    def test_tilt_given_or_by_its_moment(self):
+        held = run(PLANET, "load.tilt=1 mrad")
+        self.assertAlmostEqual(held["tilt_mrad"], 1.0, places=12)
+        free = run(PLANET, f"load.moment={held['moment_N_m']!r} N.m")
+        self.assertAlmostEqual(free["tilt_mrad"], 1.0, places=6)
+        self.assertAlmostEqual(free["L10r_Mrev"] / held["L10r_Mrev"], 1.0, places=6)
+        self.assertLess(held["L10r_Mrev"], run(PLANET)["L10r_Mrev"])
+
+    def test_race_that_turns(self):
+        outer = run(PLANET)
+        inner = run(PLANET, "operation.turning_race=inner")
+        self.assertNotEqual(outer["L10r_Mrev"], inner["L10r_Mrev"])
+        self.assertEqual(outer["L10_Mrev"], inner["L10_Mrev"])
+
+    def test_modified_life(self):
+        found = run(PLANET, "life.viscosity_ratio=1", "life.contamination_factor=0.5", "life.reliability=0.99")
+        self.assertAlmostEqual(
+            found["life_Mrev"] / (found["factors"]["a_1"] * found["factors"]["a_ISO"] * found["L10r_Mrev"]), 1.0
+        )
+        oil = ["lubricant.kinematic_viscosity=20 mm2/s", "operation.outer_speed=3000 rpm", "life.cleanliness=high"]
+        self.assertGreater(run(PLANET, *oil)["factors"]["kappa"], 1.0)
+
+
+class Balls(unittest.TestCase):
+    def test_rows(self):
+        radial = run(BALL)
+        self.assertAlmostEqual(radial["displacement"]["radial_um"] / 15.1101, 1.0, delta=0.002)
+        self.assertAlmostEqual(radial["L10r_Mrev"] / 13163.019, 1.0, delta=0.002)
+        axial = run(BALL, "load.radial=0 N", "load.axial=1000 N")
+        self.assertAlmostEqual(axial["displacement"]["axial_um"] / 133.5381, 1.0, delta=0.002)
+        self.assertAlmostEqual(axial["L10r_Mrev"] / 2222.7318, 1.0, delta=0.002)
+        loose = run(BALL, "bearing.radial_clearance=10 um")
+        self.assertAlmostEqual(loose["displacement"]["radial_um"] / 21.223, 1.0, delta=0.002)
+        self.assertAlmostEqual(loose["L10r_Mrev"] / 10795.7948, 1.0, delta=0.002)
+
+    def test_combined_load_balances(self):
+        found = run(BALL, "load.axial=1000 N")
+        self.assertLess(found["tilt_mrad"], 0.0)
+        self.assertAlmostEqual(found["moment_N_m"], 0.0, delta=1e-9)
+        self.assertLess(found["L10r_Mrev"], run(BALL)["L10r_Mrev"])
+
+    def test_other_balls_and_angles(self):
+        for setting in ("bearing.balls=9", "bearing.ball_diameter=9 mm", "bearing.contact_angle=25 deg"):
+            with self.subTest(setting):
+                found = run(BALL, setting, "load.axial=1500 N")
+                self.assertGreater(found["L10r_Mrev"], 0.0)
+        self.assertIsNone(run(BALL, "bearing.contact_angle=25 deg", "load.axial=1500 N")["L10_Mrev"])
+
+    def test_no_load_lives_for_ever(self):
+        found = run(BALL, "load.radial=0 N")
+        self.assertIsNone(found["L10r_Mrev"])
+        self.assertEqual(found["contact_load_max_N"], 0.0)
+
+
+class Commands(unittest.TestCase):
+    def test_check(self):
+        derived = json.loads(call("check", PLANET, "--json").stdout)["derived"]
+        (capacity,) = [row["value"] for row in derived if row["path"] == "bearing.dynamic_capacity"]
+        self.assertAlmostEqual(capacity / 16920.0, 1.0, delta=0.001)
+        self.assertIn("bearing.free_contact_angle", call("check", BALL).stdout)
+
+    def test_validate(self):
+        result = call("validate", CASES / "harris_209", CASES / "planet_bearing_iso16281",
+                      CASES / "ball_6305_iso16281", "--json")
+        rows = json.loads(result.stdout)["rows"]
+        self.assertEqual({row["verdict"] for row in rows}, {"reproduced"})
+        self.assertGreaterEqual(len(rows), 20)
+
+    def test_folder(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name) / "out"
+            self.assertIn("L10r", call("run", HARRIS, "-o", folder).stdout)
+            self.assertEqual(call("run", HARRIS, "-o", folder).returncode, 2)
+            self.assertEqual(call("run", HARRIS, "-o", folder, "--resume").returncode, 0)
+            again = call("run", folder / "case.resolved.yaml", "-o", pathlib.Path(name) / "again", "--json")
+            self.assertEqual(json.loads(again.stdout)["L10r_Mrev"], run(HARRIS)["L10r_Mrev"])
+
+    def test_refusals(self):
+        for case, settings, said in (
+            (HARRIS, ["load.radial=0 N"], "load.radial: no load"),
+            (HARRIS, ["load.tilt=1 mrad", "load.moment=1 N.m"], "load.tilt"),
+            (HARRIS, ["bearing.laminae=1", "load.moment=1 N.m"], "at least 2 laminae"),
+            (HARRIS, ["load.axial=5 N"], "a field that roller-bearing does not use"),
+            (BALL, ["bearing.balls=20"], "do not fit around the pitch circle"),
+            (BALL, ["bearing.radial_clearance=1500 um"], "touch at no contact angle"),
+            (BALL, ["bearing.inner_osculation=0.5"], "greater than 0.5"),
+            (BALL, ["life.viscosity_ratio=1"], "a viscosity without cleanliness"),
+            (BALL, ["life.contamination_factor=1"], "cleanliness without a viscosity"),
+            (PLANET, ["bearing.profile.kind=chamfer", "bearing.profile.chamfer_length=5 mm"], "bearing.profile.kind"),
+        ):
+            with self.subTest(settings):
+                self.assertIn(said, refusal(case, *settings))
+
+
+if __name__ == "__main__":
+    if "ORBEARING" not in os.environ:
+        print("skipped: ORBEARING does not name the program")
+        sys.exit(77)
+    unittest.main()

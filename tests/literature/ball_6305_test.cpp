@@ -1,0 +1,57 @@
+// Deep-groove ball bearing 6305 by [ISO16281]: displacements and lives of a commercial drivetrain program, as
+// printed in a public test-suite.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "bearing/rating/reference_life.hpp"
+#include "bearing/static_load/ball_bearing.hpp"
+
+namespace orbearing::bearing::static_load {
+namespace {
+
+constexpr double kDisplacement = 2e-5;  // half a unit of the last of five or six digits
+constexpr double kLife = 1e-3;          // two programs' constants carry four digits
+
+struct Row {
+  const char* name;
+  double radial, axial;                            // [N]
+  double clearance;                                // [um]
+  double radial_displacement, axial_displacement;  // [um]
+  double life;                                     // [Mrev]
+};
+
+BallBearing bearing_6305(double clearance_um) {
+  return {.balls = 7,
+          .ball_diameter = 11.5e-3,
+          .pitch_diameter = 43.5e-3,
+          .radial_clearance = 1e-6 * clearance_um,
+          .material = {.youngs_modulus = 210e9, .poisson_ratio = 0.3}};
+}
+
+TEST(Ball6305, DisplacementsAndLives) {
+  for (const Row& row : {Row{"radial", 1000.0, 0.0, 0.0, 15.1101, 0.0, 13163.019},
+                         Row{"axial", 0.0, 1000.0, 0.0, 0.0, 133.5381, 2222.7318},
+                         Row{"radial, 10 um", 1000.0, 0.0, 10.0, 21.223, 0.0, 10795.7948}}) {
+    SCOPED_TRACE(row.name);
+    const BallBearing bearing = bearing_6305(row.clearance);
+    const BallBearingState state = static_state(bearing, {.radial = row.radial, .axial = row.axial});
+    ASSERT_TRUE(state.report.converged) << state.report.message;
+    EXPECT_NEAR(1e6 * state.radial, row.radial_displacement, kDisplacement * 21.0);
+    EXPECT_NEAR(1e6 * state.axial, row.axial_displacement, kDisplacement * 134.0);
+    EXPECT_NEAR(state.tilt, 0.0, 1e-12);
+    const rating::ContactCapacities capacities = rating::contact_capacities(ball_set(bearing), 23400.0);
+    const BearingLife life = rating::ball_reference_life(capacities, state.ball_load, state.ball_load,
+                                                         rating::turning(Race::inner));
+    EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);
+  }
+}
+
+// With clearance the ring rests at A sin a0 from the middle under no more than a touch of axial load.
+TEST(Ball6305, AxialPlay) {
+  const BallBearingState state = static_state(bearing_6305(10.0), {.axial = 1e-6});
+  EXPECT_NEAR(1e6 * state.axial, 75.66, 0.005);
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::static_load
