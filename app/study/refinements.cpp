@@ -66,13 +66,6 @@ bool runs_up(const ResolvedCase& in) {
   return in.quantity(kAcceleration) != 0.0;
 }
 
-void refuse_laminae(const ResolvedCase& in) {
-  for (const Input& input : in.inputs())
-    if (input.path.ends_with("bearing.laminae") && in.has(input.path))
-      refuse(in, input.path, in.given(input.path),
-             "--fidelity quasi-static; the motion in time has whole contacts");
-}
-
 }  // namespace
 
 void add_refinements(const ResolvedCase& in, study::PlanetaryDrivetrain& drivetrain) {
@@ -95,10 +88,7 @@ void require_computable(const ResolvedCase& in, const std::string& fidelity, boo
   if (sweep && (swept || runs_up(in)))
     refuse(in, kAcceleration, swept ? "a sweep of it" : in.given(kAcceleration),
            "0 rpm/s in a sweep, whose points are steady; a run-up is a run with --fidelity dynamic");
-  if (fidelity == "dynamic") {
-    refuse_laminae(in);
-    return;
-  }
+  if (fidelity == "dynamic") return;
   const std::string dynamic = "--fidelity dynamic; the quasi-static bearing takes ";
   if (runs_up(in)) refuse(in, kAcceleration, in.given(kAcceleration), dynamic + "steady speeds");
   for (const char* path : {"bearing.inner_race.turning_form.order", "bearing.outer_race.turning_form.order"})

@@ -36,6 +36,20 @@ TEST(StudyDynamicPoint, CarriesTheQuasiStaticLoads) {
   EXPECT_GT(moving.dynamic->loss.total(), 0.0);
 }
 
+// The same on laminae, with crowned rollers and a bore that is tilted on its pin.
+TEST(StudyDynamicPoint, CarriesTheQuasiStaticLoadsOnLaminae) {
+  PlanetaryDrivetrain drivetrain = short_run();
+  drivetrain.bearing.laminae = 8;
+  drivetrain.bearing.roller_profile = bearing::profile::CircularCrown{drivetrain.bearing.roller_length, 8e-6};
+  const PointResult level = dynamic_point(drivetrain);
+  drivetrain.misalignment.planet_tilt = 1e-3;
+  const PointResult still = evaluate(drivetrain, derive(drivetrain));
+  const PointResult moving = dynamic_point(drivetrain);
+  EXPECT_NEAR(moving.inner.load_rms / still.inner.load_rms, 1.0, kSameLoads);
+  EXPECT_NEAR(moving.outer.load_rms / still.outer.load_rms, 1.0, kSameLoads);
+  EXPECT_NE(moving.inner.load_rms, level.inner.load_rms);
+}
+
 // Bodies and meshes of the reducer, as its case states them by default.
 gearset::dynamics::SetParameters gears_of(const PlanetaryDrivetrain& drivetrain) {
   const DrivetrainGeometry geometry = derive(drivetrain);

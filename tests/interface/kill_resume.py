@@ -19,7 +19,7 @@ SEED = int(os.environ.get("SEED", str(time.time_ns() % 1_000_000)))
 
 
 class FineSweep(unittest.TestCase):
-    """5501 points, so that a kill falls among them."""
+    """Points enough that a kill falls among them."""
 
     @classmethod
     def setUpClass(cls):

@@ -114,11 +114,10 @@ TEST(ProfileCase, WhatCannotBeMadeIsAMistake) {
   EXPECT_THAT(setting_mistakes({"bearing.laminae=0"}), ElementsAre(HasSubstr("laminae")));
 }
 
-TEST(ProfileCase, TheMotionInTimeRefusesLaminae) {
+TEST(ProfileCase, LaminaeServeBothFidelities) {
   const ResolvedCase cut = shipped({"bearing.laminae=40"});
-  EXPECT_THROW(require_computable(cut, "dynamic", true), BadInput);
   EXPECT_NO_THROW(require_computable(cut, "quasi-static", true));
-  EXPECT_NO_THROW(require_computable(shipped(), "dynamic", true));
+  EXPECT_NO_THROW(require_computable(cut, "dynamic", true));
 }
 
 }  // namespace
