@@ -64,15 +64,18 @@ void add_crown_choices(CLI::App& command, CrownOptions& crown) {
   command.add_option("--profile", crown.profiles,
                      "kinds of profile, comma between them: chamfer, circular, straight-circular, lundberg, "
                      "johns-gohar, iso16281, fujiwara-kawase; default: the case's, else iso16281");
-  command.add_option("--tilts", crown.tilts,
-                     "tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: \"0 mrad, 1 mrad, 2 "
-                     "mrad\"");
-  command.add_option("--drops", crown.drops,
-                     "relief of one roller at the outermost of 40 laminae: the same with lengths; default: 17 from 0 to "
-                     "about three times that of ISO/TS 16281");
+  command.add_option(
+      "--tilts", crown.tilts,
+      "tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: \"0 mrad, 1 mrad, 2 "
+      "mrad\"");
+  command.add_option(
+      "--drops", crown.drops,
+      "relief of one roller at the outermost of 40 laminae: the same with lengths; default: 17 from 0 to "
+      "about three times that of ISO/TS 16281");
   command.add_flag("--spectrum", crown.spectrum,
                    "all speeds that the case sweeps, for equal times, in place of its one speed");
-  command.add_option("--shares", crown.shares, "with --spectrum: shares of the time, one for each speed, comma between them");
+  command.add_option("--shares", crown.shares,
+                     "with --spectrum: shares of the time, one for each speed, comma between them");
 }
 
 void add_crown_aims(CLI::App& command, CrownOptions& crown) {
@@ -81,11 +84,13 @@ void add_crown_aims(CLI::App& command, CrownOptions& crown) {
   command.add_option("--tilt-tolerance", crown.tilt_tolerance,
                      "also the best crown where each tilt may miss by this, e.g. \"0.5 mrad\"");
   command
-      .add_option("--life", crown.life,
-                  "lundberg-palmgren (default; straight and untilted it is the life of a sweep) or iso16281 (with "
-                  "its stress riser at the ends)")
+      .add_option(
+          "--life", crown.life,
+          "lundberg-palmgren (default; straight and untilted it is the life of a sweep) or iso16281 (with "
+          "its stress riser at the ends)")
       ->check(CLI::IsMember({"lundberg-palmgren", "iso16281"}));
-  command.add_option("--of", crown.of_set, "of several sets, the one whose planet bearing is studied")->type_name("SET");
+  command.add_option("--of", crown.of_set, "of several sets, the one whose planet bearing is studied")
+      ->type_name("SET");
   command.add_option("--starts", crown.starts, "random starts of the search for the best; default: 10")
       ->check(CLI::Range(1, 1000));
 }
@@ -95,7 +100,8 @@ void add_crown(CLI::App& command, Options& options) {
   add_output(command, options);
   add_crown_choices(command, options.crown);
   add_crown_aims(command, options.crown);
-  command.add_option("--jobs", options.jobs, "threads; default: one for each core")->check(CLI::Range(1, 4096));
+  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
+      ->check(CLI::Range(1, 4096));
   command.add_flag("--resume", options.resume, "where DIR holds this very study, show it again");
 }
 
@@ -163,10 +169,10 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   const bool planned = std::string(" fmu ").find(" " + word + " ") != std::string::npos;
-  throw BadInput(
-      fmt::format("orbearing: found the command {}{}; required: check, run, sweep, merge, crown, mesh, modes, "
-                  "validate or report",
-                  word, planned ? ", which this version does not have yet" : ""));
+  throw BadInput(fmt::format(
+      "orbearing: found the command {}{}; required: check, run, sweep, merge, crown, mesh, modes, "
+      "validate or report",
+      word, planned ? ", which this version does not have yet" : ""));
 }
 
 int parse_and_run(int argc, char** argv) {

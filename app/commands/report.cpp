@@ -61,7 +61,8 @@ nlohmann::ordered_json crown_data(const ResolvedCase& resolved, const fs::path& 
   return {{"crown", stored.object}, {"figures", crown_figures(resolved, request, stored.object)}};
 }
 
-nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& manifest, const Options& options) {
+nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& manifest,
+                                  const Options& options) {
   const fs::path folder = options.folders.front();
   std::vector<Branch> branches{{folder, manifest}};
   if (!options.other.empty()) {

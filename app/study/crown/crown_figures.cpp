@@ -30,13 +30,14 @@ struct Stage {
   const CrownRequest& request;
   CrownProblem problem;
   RollerPressure pressure;
-  double best_drop;  // [m]
+  double best_drop;          // [m]
   std::vector<Named> chief;  // straight, the standard's, the best
 };
 
 Profile best_profile(const CrownProblem& problem, const ordered_json& optimum) {
   const ProfileFamily family = family_in(problem, optimum.at("profile"));
-  const double share = optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
+  const double share =
+      optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
   return profile_of(family, {1e-6 * optimum.at("drop_um").get<double>(), share});
 }
 
@@ -49,7 +50,8 @@ Stage stage_of(const CrownRequest& request, const ordered_json& result) {
           RollerPressure(problem),
           1e-6 * optimum.at("drop_um").get<double>(),
           {{"straight", bearing::profile::Straight{}},
-           {"ISO/TS 16281", bearing::profile::Iso16281{problem.bearing.roller_length, problem.bearing.roller_diameter, 1.0}},
+           {"ISO/TS 16281",
+            bearing::profile::Iso16281{problem.bearing.roller_length, problem.bearing.roller_diameter, 1.0}},
            {best + ", optimum", best_profile(problem, optimum)}}};
 }
 
@@ -91,7 +93,8 @@ std::vector<Named> all_kinds(const Stage& stage) {
 std::size_t heaviest(const CrownProblem& problem) {
   std::size_t heaviest = 0;
   for (std::size_t duty = 1; duty < problem.duties.size(); ++duty)
-    if (problem.duties[duty].point.bore_load.norm() > problem.duties[heaviest].point.bore_load.norm()) heaviest = duty;
+    if (problem.duties[duty].point.bore_load.norm() > problem.duties[heaviest].point.bore_load.norm())
+      heaviest = duty;
   return heaviest;
 }
 
@@ -129,7 +132,8 @@ ordered_json zone_of(const Stage& stage, const Named& profile, double tilt) {
       const auto& roller = loads.states[s].rollers[j];
       std::vector<double> pressure;
       if (roller.inner.load > 1.0) {
-        const auto found = stage.pressure.on(Race::inner, profile.made, roller.inner.load, roller.inner_tip / half);
+        const auto found =
+            stage.pressure.on(Race::inner, profile.made, roller.inner.load, roller.inner_tip / half);
         pressure = scaled(found.pressure, 1e-6);
         x = scaled(found.x, 1e3);
       }
@@ -158,7 +162,8 @@ ordered_json rows_of(const Eigen::ArrayXXd& values) {
 ordered_json life_map(const Stage& stage, const ordered_json& optimum) {
   const std::string name = optimum.at("profile");
   const ProfileFamily family = family_in(stage.problem, name);
-  const double share = optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
+  const double share =
+      optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
   const double most = std::max(1.25 * stage.request.tilts.back(), 1e-3);
   const std::vector<double> drops = even(0.0, stage.request.drops.back(), kMapDrops);
   const std::vector<double> tilts = even(0.0, most, kMapTilts);
@@ -203,23 +208,29 @@ ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds)
     for (const Named& profile : stage.chief) {
       std::vector<double> lives;
       for (const double speed : speeds)
-        lives.push_back(life_hours(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0}},
-                                                 stage.request.measure, stage.request.laminae),
-                                   profile.made, tilt));
-      all.push_back({{"profile", profile.name}, {"tilt_mrad", 1e3 * tilt}, {"speed_rpm", scaled(speeds, kRpm)}, {"life_h", lives}});
+        lives.push_back(
+            life_hours(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0}},
+                                     stage.request.measure, stage.request.laminae),
+                       profile.made, tilt));
+      all.push_back({{"profile", profile.name},
+                     {"tilt_mrad", 1e3 * tilt},
+                     {"speed_rpm", scaled(speeds, kRpm)},
+                     {"life_h", lives}});
     }
   return all;
 }
 
 }  // namespace
 
-ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& request, const ordered_json& result) {
+ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& request,
+                           const ordered_json& result) {
   const Stage stage = stage_of(request, result);
   ordered_json profiles = ordered_json::array();
   for (const Named& profile : stage.chief)
     profiles.push_back(drawn_profile(profile, stage.problem.bearing.roller_length));
   for (const Named& profile : all_kinds(stage))
-    if (profile.name != "straight") profiles.push_back(drawn_profile(profile, stage.problem.bearing.roller_length));
+    if (profile.name != "straight")
+      profiles.push_back(drawn_profile(profile, stage.problem.bearing.roller_length));
   return {{"roller_length_mm", 1e3 * stage.problem.bearing.roller_length},
           {"roller_diameter_mm", 1e3 * stage.problem.bearing.roller_diameter},
           {"profiles", profiles},

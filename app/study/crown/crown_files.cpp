@@ -8,7 +8,8 @@ namespace orbearing::app {
 namespace fs = std::filesystem;
 
 void write_crown(const fs::path& folder, const CrownResult& result) {
-  const nlohmann::ordered_json file{{"result", result.object}, {"text", result.text}, {"failed", result.failed}};
+  const nlohmann::ordered_json file{
+      {"result", result.object}, {"text", result.text}, {"failed", result.failed}};
   write_aside_and_rename(folder / crown_file_name, file.dump(1) + "\n");
   sync_folder(folder);
 }

@@ -19,8 +19,8 @@ namespace crowning = study::crowning;
 
 constexpr Dimension kTilt{"angle", "rad", "mrad", "1 mrad"};
 constexpr Dimension kDrop{"length", "m", "um", "5 um"};
-constexpr double kMostTilt = 0.1;       // [rad]  far beyond any mounting
-constexpr double kMostDrop = 1e-3;      // [m]
+constexpr double kMostTilt = 0.1;        // [rad]  far beyond any mounting
+constexpr double kMostDrop = 1e-3;       // [m]
 constexpr double kShareRoundOff = 1e-6;  // of a sum of shares that were rounded for typing
 const std::string kSpeedPath = "input.speed";
 
@@ -67,13 +67,14 @@ std::vector<double> drops_of(const CrownOptions& options, const bearing::Cylindr
   return drops;
 }
 
-double tolerance_of(const std::string& option, const std::string& text, const Dimension& dimension, double most,
-                    Mistakes& mistakes) {
+double tolerance_of(const std::string& option, const std::string& text, const Dimension& dimension,
+                    double most, Mistakes& mistakes) {
   if (text.empty()) return 0.0;
   const double value = option_quantity(option, text, dimension, mistakes);
   if (!(value >= 0.0 && value < most))
-    mistakes.push_back(fmt::format("{}: found {}; required: at least 0 and less than the greatest drop or 100 mrad",
-                                   option, quote(text)));
+    mistakes.push_back(
+        fmt::format("{}: found {}; required: at least 0 and less than the greatest drop or 100 mrad", option,
+                    quote(text)));
   return value;
 }
 
@@ -91,8 +92,8 @@ std::vector<double> shares_of(const CrownOptions& options, std::size_t speeds, M
     sum += *share.value;
   }
   if (shares.size() != speeds)
-    mistakes.push_back(fmt::format("--shares: found {} of them; required: {}, one for each speed of the sweep",
-                                   shares.size(), speeds));
+    mistakes.push_back(fmt::format(
+        "--shares: found {} of them; required: {}, one for each speed of the sweep", shares.size(), speeds));
   else if (std::abs(sum - 1.0) > kShareRoundOff)
     mistakes.push_back(fmt::format("--shares: found a sum of {:.6g}; required: 1", sum));
   for (double& share : shares) share /= sum;
@@ -104,18 +105,20 @@ std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, c
   if (!options.spectrum && options.shares.empty()) return {{resolved.quantity(kSpeedPath), 1.0}};
   const std::vector<SweepAxis>& axes = resolved.axes();
   if (std::none_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == kSpeedPath; })) {
-    mistakes.push_back("--spectrum: found a case without sweep.input.speed; required: the speeds of the spectrum there");
+    mistakes.push_back(
+        "--spectrum: found a case without sweep.input.speed; required: the speeds of the spectrum there");
     return {};
   }
   const std::vector<double> speeds = swept_speeds(resolved);
   const std::vector<double> shares = shares_of(options, speeds.size(), mistakes);
   std::vector<crowning::SpectrumPoint> spectrum;
-  for (std::size_t i = 0; i < speeds.size() && i < shares.size(); ++i) spectrum.push_back({speeds[i], shares[i]});
+  for (std::size_t i = 0; i < speeds.size() && i < shares.size(); ++i)
+    spectrum.push_back({speeds[i], shares[i]});
   return spectrum;
 }
 
-std::vector<std::string> profiles_of(const CrownOptions& options, const bearing::CylindricalRollerBearing& bearing,
-                                     Mistakes& mistakes) {
+std::vector<std::string> profiles_of(const CrownOptions& options,
+                                     const bearing::CylindricalRollerBearing& bearing, Mistakes& mistakes) {
   const std::vector<std::string> known = crowning::family_names();
   const auto is_known = [&](const std::string& name) {
     return std::find(known.begin(), known.end(), name) != known.end();
@@ -125,7 +128,8 @@ std::vector<std::string> profiles_of(const CrownOptions& options, const bearing:
   std::vector<std::string> names;
   for (const std::string& name : parts_of(options.profiles, ',')) {
     if (!is_known(name))
-      mistakes.push_back(fmt::format("--profile: found {}; required: {}", quote(name), fmt::join(known, ", ")));
+      mistakes.push_back(
+          fmt::format("--profile: found {}; required: {}", quote(name), fmt::join(known, ", ")));
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
@@ -134,7 +138,8 @@ std::vector<std::string> profiles_of(const CrownOptions& options, const bearing:
 crowning::LifeMeasure measure_of(const CrownOptions& options, Mistakes& mistakes) {
   if (options.life == "iso16281") return crowning::LifeMeasure::iso16281;
   if (options.life != "lundberg-palmgren")
-    mistakes.push_back(fmt::format("--life: found {}; required: lundberg-palmgren or iso16281", quote(options.life)));
+    mistakes.push_back(
+        fmt::format("--life: found {}; required: lundberg-palmgren or iso16281", quote(options.life)));
   return crowning::LifeMeasure::lundberg_palmgren;
 }
 
@@ -143,21 +148,24 @@ void require_bearing(const ResolvedCase& resolved) {
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; required: planetary-drivetrain, whose planet bearings crown studies");
   if (!resolved.shape().several && !resolved.shape().bearing)
-    throw BadInput(resolved.file() + ": bearing: missing; required: a planet bearing, whose rollers are crowned");
+    throw BadInput(resolved.file() +
+                   ": bearing: missing; required: a planet bearing, whose rollers are crowned");
 }
 
 study::NamedSet set_of(const ResolvedCase& resolved, const CrownOptions& options) {
   std::vector<study::NamedSet> sets = bearing_sets(resolved);
-  const auto named = std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == options.of_set; });
+  const auto named =
+      std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.name == options.of_set; });
   if (resolved.shape().several ? named != sets.end() : options.of_set.empty())
     return std::move(resolved.shape().several ? *named : sets.front());
   std::vector<std::string> names;
   for (const study::NamedSet& set : sets)
     if (!set.name.empty()) names.push_back(set.name);
-  throw BadInput(names.empty()
-                     ? fmt::format("--of: found {}; required: nothing, for the case has one set", quote(options.of_set))
-                     : fmt::format("--of: found {}; required: the set whose planet bearing is meant: {}",
-                                   options.of_set.empty() ? "nothing" : quote(options.of_set), fmt::join(names, ", ")));
+  throw BadInput(
+      names.empty()
+          ? fmt::format("--of: found {}; required: nothing, for the case has one set", quote(options.of_set))
+          : fmt::format("--of: found {}; required: the set whose planet bearing is meant: {}",
+                        options.of_set.empty() ? "nothing" : quote(options.of_set), fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -174,11 +182,16 @@ std::vector<double> swept_speeds(const ResolvedCase& resolved) {
 }
 
 nlohmann::ordered_json options_json(const CrownOptions& options) {
-  return {{"profile", options.profiles},     {"tilts", options.tilts},
-          {"drops", options.drops},          {"spectrum", options.spectrum},
-          {"shares", options.shares},        {"tolerance", options.tolerance},
-          {"tilt_tolerance", options.tilt_tolerance}, {"life", options.life},
-          {"of", options.of_set},            {"starts", options.starts}};
+  return {{"profile", options.profiles},
+          {"tilts", options.tilts},
+          {"drops", options.drops},
+          {"spectrum", options.spectrum},
+          {"shares", options.shares},
+          {"tolerance", options.tolerance},
+          {"tilt_tolerance", options.tilt_tolerance},
+          {"life", options.life},
+          {"of", options.of_set},
+          {"starts", options.starts}};
 }
 
 CrownOptions options_from(const nlohmann::ordered_json& object) {

@@ -39,7 +39,9 @@ ordered_json design_json(const CrownDesign& design, LifeMeasure measure) {
                       {"peak_pressure_MPa", number(kMega * design.peak_pressure)},
                       {"edge_ratio", number(design.edge_ratio)},
                       {"untilted_life_h", number(design.untilted_life_hours)},
-                      {other, number(design.other_life_hours)}};
+                      {other, number(design.other_life_hours)},
+                      {"half_space_life_h", number(design.pressure_life_hours)},
+                      {"untilted_half_space_life_h", number(design.untilted_pressure_life_hours)}};
   if (design.has_share) object["crowned_share"] = design.crown.share;
   if (std::isfinite(design.life_in_band)) object["life_in_band_h"] = design.life_in_band;
   return object;
@@ -78,20 +80,24 @@ ordered_json spectrum_json(const CrownStudy& study) {
 }
 
 std::string design_line(const char* name, const CrownDesign& design, double straight) {
-  std::string line = fmt::format("{:<12} {:<18} {:>8.3g} {:>10.0f} {:>8.3g} {:>10.0f} {:>10.0f} {:>6.2f}", name,
-                                 design.profile, kMicro * design.crown.drop, design.life_hours,
-                                 design.life_hours / straight, design.untilted_life_hours,
-                                 kMega * design.peak_pressure, design.edge_ratio);
+  std::string line =
+      fmt::format("{:<12} {:<18} {:>8.3g} {:>10.0f} {:>8.3g} {:>10.0f} {:>10.0f} {:>6.2f} {:>11.0f}", name,
+                  design.profile, kMicro * design.crown.drop, design.life_hours, design.life_hours / straight,
+                  design.untilted_life_hours, kMega * design.peak_pressure, design.edge_ratio,
+                  design.pressure_life_hours);
   if (design.has_share) line += fmt::format("  crowned over {:.3g} of each half", design.crown.share);
-  if (std::isfinite(design.life_in_band)) line += fmt::format("  {:.0f} h within the tolerances", design.life_in_band);
+  if (std::isfinite(design.life_in_band))
+    line += fmt::format("  {:.0f} h within the tolerances", design.life_in_band);
   return line + "\n";
 }
 
 std::string grid_text(const CrownStudy& study, std::size_t profile) {
   const std::vector<double>& tilts = study.request.tilts;
-  std::string text = fmt::format("profile {}: life [h], peak pressure [MPa], edge ratio at tilts of the bore\n{:>10}",
-                                 study.request.profiles[profile], "drop [um]");
-  for (const double tilt : tilts) text += fmt::format("  | {:>24}", fmt::format("{:.4g} mrad", kMilli * tilt));
+  std::string text =
+      fmt::format("profile {}: life [h], peak pressure [MPa], edge ratio at tilts of the bore\n{:>10}",
+                  study.request.profiles[profile], "drop [um]");
+  for (const double tilt : tilts)
+    text += fmt::format("  | {:>24}", fmt::format("{:.4g} mrad", kMilli * tilt));
   text += '\n';
   for (std::size_t i = 0; i < study.points[profile].size(); ++i) {
     const CrownPoint& point = study.points[profile][i];
@@ -106,10 +112,10 @@ std::string grid_text(const CrownStudy& study, std::size_t profile) {
 
 std::string where_text(const CrownStudy& study) {
   const auto& spectrum = study.request.spectrum;
-  const std::string where =
-      spectrum.size() == 1 ? fmt::format("input speed {:.6g} rpm", kRpm * spectrum.front().speed)
-                           : fmt::format("spectrum of {} speeds, {:.6g} to {:.6g} rpm", spectrum.size(),
-                                         kRpm * spectrum.front().speed, kRpm * spectrum.back().speed);
+  const std::string where = spectrum.size() == 1
+                                ? fmt::format("input speed {:.6g} rpm", kRpm * spectrum.front().speed)
+                                : fmt::format("spectrum of {} speeds, {:.6g} to {:.6g} rpm", spectrum.size(),
+                                              kRpm * spectrum.front().speed, kRpm * spectrum.back().speed);
   return fmt::format("{}; life by laminae after {}; worst of tilts {:.4g} to {:.4g} mrad\n", where,
                      name_of(study.request.measure), kMilli * study.request.tilts.front(),
                      kMilli * study.request.tilts.back());
@@ -150,10 +156,10 @@ std::string crown_text(const CrownStudy& study) {
   std::string text = where_text(study) + '\n';
   for (std::size_t profile = 0; profile < study.points.size(); ++profile) text += grid_text(study, profile);
   const double straight = study.straight.life_hours;
-  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6}\n", "worst tilt", "profile", "drop", "life",
-                      "times", "untilted", "peak", "edge");
-  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6}\n", "", "", "[um]", "[h]", "straight",
-                      "[h]", "[MPa]", "ratio");
+  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6} {:>11}\n", "worst tilt",
+                      "profile", "drop", "life", "times", "untilted", "peak", "edge", "life [h] of");
+  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6} {:>11}\n", "", "", "[um]", "[h]",
+                      "straight", "[h]", "[MPa]", "ratio", "half-space");
   text += design_line("straight", study.straight, straight);
   text += design_line("ISO/TS 16281", study.reference, straight);
   for (const CrownSearch& search : study.searches) text += design_line("optimum", search.best, straight);
@@ -164,12 +170,18 @@ std::string crown_text(const CrownStudy& study) {
 PointContent crown_content(const CrownStudy& study) {
   const CrownRequest& request = study.request;
   PointContent content;
-  content.dimensions = {{"profile", request.profiles.size()}, {"drop", request.drops.size()}, {"tilt", request.tilts.size()}};
+  content.dimensions = {
+      {"profile", request.profiles.size()}, {"drop", request.drops.size()}, {"tilt", request.tilts.size()}};
   content.arrays = {
       {"drop", {"drop"}, "m", "relief of one roller at the outermost of 40 laminae", request.drops},
-      {"tilt", {"tilt"}, "rad", "tilt of the planet's bore on its pin in the plane of the load", request.tilts},
+      {"tilt",
+       {"tilt"},
+       "rad",
+       "tilt of the planet's bore on its pin in the plane of the load",
+       request.tilts},
       grid_array(study, "life", "h", "life of one bearing", [](const CrownPoint& p) { return p.life_hours; }),
-      grid_array(study, "peak_pressure", "Pa", "greatest pressure of the most loaded roller, mean over a hundredth of its length",
+      grid_array(study, "peak_pressure", "Pa",
+                 "greatest pressure of the most loaded roller, mean over a hundredth of its length",
                  [](const CrownPoint& p) { return p.pressure.peak; }),
       grid_array(study, "edge_ratio", "1", "pressure near the ends over that in the middle",
                  [](const CrownPoint& p) { return p.pressure.edge_ratio; })};

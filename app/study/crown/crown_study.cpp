@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/errors.hpp"
+#include "coupling/study/crowning/pressure_life.hpp"
 
 namespace orbearing::app {
 
@@ -39,12 +40,13 @@ bool has_band(const CrownRequest& request) {
   return request.tolerance.drop > 0.0 || request.tolerance.tilt > 0.0;
 }
 
-std::vector<CrownPoint> grid_of(const Bench& bench, const ProfileFamily& family, const Progressed& progressed) {
+std::vector<CrownPoint> grid_of(const Bench& bench, const ProfileFamily& family,
+                                const Progressed& progressed) {
   std::vector<Profile> profiles;
   for (const double drop : bench.request.drops)
     profiles.push_back(profile_of(family, {drop, usual_share(family)}));
-  return crown_grid(bench.problem, bench.pressure, profiles, bench.request.drops, bench.request.tilts, bench.jobs,
-                    progressed);
+  return crown_grid(bench.problem, bench.pressure, profiles, bench.request.drops, bench.request.tilts,
+                    bench.jobs, progressed);
 }
 
 // Lives and pressures of one profile over the tilts.
@@ -63,11 +65,16 @@ CrownDesign design_of(const Bench& bench, const std::string& name, const Profile
   }
   design.untilted_life_hours =
       tilts.front() == 0.0 ? points.front().life_hours : life_hours(bench.problem, made, 0.0);
+  const std::vector<double> lives = pressure_lives(bench.problem, bench.pressure, made, tilts, bench.jobs);
+  design.pressure_life_hours = *std::min_element(lives.begin(), lives.end());
+  design.untilted_pressure_life_hours =
+      tilts.front() == 0.0 ? lives.front() : pressure_life_hours(bench.problem, bench.pressure, made, 0.0);
   design.life_in_band = kNone;
   return design;
 }
 
-CrownDesign crowned(const Bench& bench, const std::string& name, const ProfileFamily& family, const Crown& crown) {
+CrownDesign crowned(const Bench& bench, const std::string& name, const ProfileFamily& family,
+                    const Crown& crown) {
   CrownDesign design = design_of(bench, name, profile_of(family, crown), crown.drop);
   design.crown = crown;
   design.has_share = has_share(family);
@@ -83,7 +90,8 @@ CrownSearch search_of(const Bench& bench, const std::string& name, const Profile
                               .least_drop = tolerance.drop,
                               .starts = bench.request.starts,
                               .jobs = bench.jobs};
-  const CrownOptimum best = best_crown(bench.problem, family, members_of(bench.request.tilts, tolerance), options);
+  const CrownOptimum best =
+      best_crown(bench.problem, family, members_of(bench.request.tilts, tolerance), options);
   CrownSearch search{.best = crowned(bench, name, family, best.crown), .ends = best.ends};
   for (const SearchEnd& end : best.ends) search.in_best += is_same(end, best, options);
   search.at_end = best.crown.drop >= (1.0 - kAtEnd) * options.greatest_drop;
@@ -101,13 +109,15 @@ std::size_t longest(const std::vector<CrownSearch>& searches, Life&& life) {
 void add_warnings(CrownStudy& study) {
   for (const CrownSearch& search : study.searches) {
     if (search.at_end)
-      study.warnings.push_back(fmt::format(
-          "profile {}: the best drop is the greatest studied, {:.4g} um; a greater one in --drops may be better",
-          search.best.profile, 1e6 * search.best.crown.drop));
+      study.warnings.push_back(
+          fmt::format("profile {}: the best drop is the greatest studied, {:.4g} um; a greater one in "
+                      "--drops may be better",
+                      search.best.profile, 1e6 * search.best.crown.drop));
     if (search.in_best < static_cast<int>(search.ends.size()))
-      study.warnings.push_back(fmt::format("profile {}: {} of {} starts of the search ended in the best crown; "
-                                           "the others in lesser ones, listed under starts",
-                                           search.best.profile, search.in_best, search.ends.size()));
+      study.warnings.push_back(
+          fmt::format("profile {}: {} of {} starts of the search ended in the best crown; "
+                      "the others in lesser ones, listed under starts",
+                      search.best.profile, search.in_best, search.ends.size()));
   }
 }
 
@@ -128,7 +138,8 @@ void put_searches(const Bench& bench, CrownStudy& study) {
   for (const std::string& name : study.request.profiles) {
     const ProfileFamily family = family_in(bench.problem, name);
     study.searches.push_back(search_of(bench, name, family, {}));
-    if (has_band(study.request)) study.robust.push_back(search_of(bench, name, family, study.request.tolerance));
+    if (has_band(study.request))
+      study.robust.push_back(search_of(bench, name, family, study.request.tolerance));
   }
   study.best = longest(study.searches, [](const CrownDesign& design) { return design.life_hours; });
   study.best_robust = longest(study.robust, [](const CrownDesign& design) { return design.life_in_band; });
@@ -157,7 +168,8 @@ ProfileFamily family_in(const CrownProblem& problem, const std::string& name) {
 CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& progressed) {
   CrownStudy study{.request = request};
   const CrownProblem problem = problem_of(request);
-  const Bench bench{study.request, problem, rated(request, not_this(request.measure)), RollerPressure(problem), jobs};
+  const Bench bench{study.request, problem, rated(request, not_this(request.measure)),
+                    RollerPressure(problem), jobs};
   try {
     put_points(bench, progressed, study);
     put_searches(bench, study);

@@ -16,12 +16,14 @@ struct CrownDesign {
   study::crowning::Crown crown;  // share: of kinds with a straight middle
   bool has_share = false;
   bearing::profile::Profile made;
-  double life_hours = 0.0;           // [h]
-  double peak_pressure = 0.0;        // [Pa]
-  double edge_ratio = 0.0;           // [-]   at that pressure
-  double untilted_life_hours = 0.0;  // [h]
-  double other_life_hours = 0.0;     // [h]   worst, by the measure that is not optimised
-  double life_in_band = 0.0;         // [h]   worst within the tolerances; NaN without any
+  double life_hours = 0.0;                    // [h]
+  double peak_pressure = 0.0;                 // [Pa]
+  double edge_ratio = 0.0;                    // [-]   at that pressure
+  double untilted_life_hours = 0.0;           // [h]
+  double other_life_hours = 0.0;              // [h]   worst, by the measure that is not optimised
+  double pressure_life_hours = 0.0;           // [h]  worst, from half-space pressures
+  double untilted_pressure_life_hours = 0.0;  // [h]
+  double life_in_band = 0.0;                  // [h]   worst within the tolerances; NaN without any
 };
 
 /// Result of a search for one kind of profile.
@@ -34,16 +36,16 @@ struct CrownSearch {
 
 struct CrownStudy {
   CrownRequest request;
-  std::vector<std::vector<study::crowning::CrownPoint>> points;      // (profiles)(drops x tilts)
-  std::vector<std::vector<study::crowning::WorstOfTilts>> worst;     // (profiles)(drops)
-  std::vector<CrownSearch> searches;                                 // (profiles)
-  std::size_t best = 0;                                              // the profile that lives longest
+  std::vector<std::vector<study::crowning::CrownPoint>> points;   // (profiles)(drops x tilts)
+  std::vector<std::vector<study::crowning::WorstOfTilts>> worst;  // (profiles)(drops)
+  std::vector<CrownSearch> searches;                              // (profiles)
+  std::size_t best = 0;                                           // the profile that lives longest
   CrownDesign straight;
-  CrownDesign reference;                // profile of ISO/TS 16281 as it stands in the standard
-  std::vector<CrownSearch> robust;      // (profiles) best within the tolerances; empty without any
+  CrownDesign reference;            // profile of ISO/TS 16281 as it stands in the standard
+  std::vector<CrownSearch> robust;  // (profiles) best within the tolerances; empty without any
   std::size_t best_robust = 0;
   std::vector<std::string> warnings;
-  int failed = 0;                       // points without balance
+  int failed = 0;  // points without balance
 };
 
 /// Runs it on `jobs` threads (0: all); `progressed` is told of finished points of the grid. Throws
@@ -55,6 +57,7 @@ std::size_t grid_size(const CrownRequest& request);
 
 /// The parts it is made of, for pictures.
 study::crowning::CrownProblem problem_of(const CrownRequest& request);
-study::crowning::ProfileFamily family_in(const study::crowning::CrownProblem& problem, const std::string& name);
+study::crowning::ProfileFamily family_in(const study::crowning::CrownProblem& problem,
+                                         const std::string& name);
 
 }  // namespace orbearing::app

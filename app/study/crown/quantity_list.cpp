@@ -22,9 +22,10 @@ void append_range(const std::string& option, const std::string& text, const Dime
   if (mistakes.size() > before) return;
   const double steps = ends.size() == 3 ? (ends[1] - ends[0]) / ends[2] : -1.0;
   if (!(steps >= 0.0 && steps <= kMostSteps) || std::abs(steps - std::round(steps)) > kWhole) {
-    mistakes.push_back(fmt::format("{}: found {}; required: FROM : TO : STEP, where at most {} steps lead from "
-                                   "FROM to TO",
-                                   option, quote(text), kMostSteps));
+    mistakes.push_back(
+        fmt::format("{}: found {}; required: FROM : TO : STEP, where at most {} steps lead from "
+                    "FROM to TO",
+                    option, quote(text), kMostSteps));
     return;
   }
   for (int i = 0; i <= static_cast<int>(std::lround(steps)); ++i) values.push_back(ends[0] + i * ends[2]);

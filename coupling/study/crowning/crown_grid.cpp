@@ -89,8 +89,9 @@ std::vector<WorstOfTilts> worst_of_tilts(const std::vector<CrownPoint>& points, 
     all.push_back(worst);
   }
   for (WorstOfTilts& one : all)
-    one.efficient = std::isfinite(one.life_hours) &&
-                    std::none_of(all.begin(), all.end(), [&](const auto& other) { return dominates(other, one); });
+    one.efficient =
+        std::isfinite(one.life_hours) &&
+        std::none_of(all.begin(), all.end(), [&](const auto& other) { return dominates(other, one); });
   return all;
 }
 

@@ -14,11 +14,11 @@ namespace orbearing::study::crowning {
 
 namespace {
 
-constexpr double kStepEnd = 1e-8;       // relative, of the variables
-constexpr double kConstraint = 1e-10;   // of ln L
+constexpr double kStepEnd = 1e-8;      // relative, of the variables
+constexpr double kConstraint = 1e-10;  // of ln L
 constexpr int kMostEvaluations = 300;
 constexpr int kMostRuns = 12;
-constexpr double kLeastGain = 1e-9;     // of ln L
+constexpr double kLeastGain = 1e-9;  // of ln L
 
 // Variables: drop over the greatest, share, ln of the life that all members reach.
 struct Search {
@@ -142,7 +142,8 @@ std::vector<Member> members_of(const std::vector<double>& tilts, const Tolerance
     if (tolerance.tilt > 0.0) ends = {std::max(tilt - tolerance.tilt, 0.0), tilt + tolerance.tilt};
     for (const double end : ends) {
       if (tolerance.drop == 0.0) members.push_back({end, 0.0});
-      if (tolerance.drop > 0.0) members.insert(members.end(), {{end, -tolerance.drop}, {end, tolerance.drop}});
+      if (tolerance.drop > 0.0)
+        members.insert(members.end(), {{end, -tolerance.drop}, {end, tolerance.drop}});
     }
   }
   return members;
@@ -174,12 +175,14 @@ CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family
     tbb::parallel_for(std::size_t{0}, starts.size(),
                       [&](std::size_t i) { optimum.ends[i] = search_from(starts[i], search); });
   });
-  const auto best = std::max_element(optimum.ends.begin(), optimum.ends.end(), [](const auto& a, const auto& b) {
-    return (a.converged ? a.life_hours : 0.0) < (b.converged ? b.life_hours : 0.0);
-  });
+  const auto best =
+      std::max_element(optimum.ends.begin(), optimum.ends.end(), [](const auto& a, const auto& b) {
+        return (a.converged ? a.life_hours : 0.0) < (b.converged ? b.life_hours : 0.0);
+      });
   if (best == optimum.ends.end() || !best->converged)
-    throw std::runtime_error("no start of the search for the best crown came to an end; other tilts or a "
-                             "smaller greatest drop are required");
+    throw std::runtime_error(
+        "no start of the search for the best crown came to an end; other tilts or a "
+        "smaller greatest drop are required");
   optimum.crown = best->crown;
   optimum.life_hours = best->life_hours;
   optimum.unique = std::all_of(optimum.ends.begin(), optimum.ends.end(), [&](const SearchEnd& end) {

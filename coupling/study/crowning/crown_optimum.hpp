@@ -3,8 +3,8 @@
 //
 //   greatest z  with  z <= ln L(drop + e, share; tilt)  for all members (e, tilt)
 //
-// so that the worst of several lives has smooth constraints in place of a kink. Solved by sequential quadratic
-// programming [Kraft1988] [NLopt] with the derivatives of crown_life().
+// so that the worst of several lives has smooth constraints in place of a kink. Solved by sequential
+// quadratic programming [Kraft1988] [NLopt] with the derivatives of crown_life().
 #pragma once
 
 #include <vector>
@@ -25,8 +25,8 @@ struct Tolerance {
   double tilt = 0.0;  // [rad]
 };
 
-/// The tilts studied with the ends of their bands. Life falls monotonously away from the best drop, so that the
-/// ends of the drop's band are the worst; a band of tilt that holds zero has its least there.
+/// The tilts studied with the ends of their bands. Life falls monotonously away from the best drop, so that
+/// the ends of the drop's band are the worst; a band of tilt that holds zero has its least there.
 std::vector<Member> members_of(const std::vector<double>& tilts, const Tolerance& tolerance);
 
 /// Shortest life over the members, with each member's derivatives.

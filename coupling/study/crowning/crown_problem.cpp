@@ -40,11 +40,6 @@ LaminaResult balanced(const LaminaBearing& bearing, const CrownProblem& problem,
   return loads;
 }
 
-// Speed [rad/s] of the race that turns relative to the load.
-double turning_speed(const bearing::OperatingPoint& point) {
-  return point.outer_speed != 0.0 ? point.outer_speed : point.inner_speed;
-}
-
 // Of one duty.
 CrownLife duty_life(const CrownProblem& problem, const LaminaBearing& bearing,
                     const std::vector<DropSlope>& slopes, double tilt, std::size_t duty) {
@@ -111,6 +106,10 @@ LaminaResult loads_at(const CrownProblem& problem, const Profile& profile, doubl
   return balanced(lamina_bearing(problem, profile), problem, tilt, duty);
 }
 
+double turning_speed(const bearing::OperatingPoint& point) {
+  return point.outer_speed != 0.0 ? point.outer_speed : point.inner_speed;
+}
+
 double duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::size_t duty) {
   const double revolutions =
       lamina_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load).bearing;
@@ -121,8 +120,7 @@ double life_hours(const CrownProblem& problem, const Profile& profile, double ti
   const LaminaBearing bearing = lamina_bearing(problem, profile);
   double used = 0.0;  // [1/h]
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
-    used += problem.duties[duty].share /
-            duty_hours(problem, balanced(bearing, problem, tilt, duty), duty);
+    used += problem.duties[duty].share / duty_hours(problem, balanced(bearing, problem, tilt, duty), duty);
   return 1.0 / used;
 }
 

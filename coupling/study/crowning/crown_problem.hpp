@@ -50,6 +50,9 @@ bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
                                                const bearing::profile::Profile& profile);
 bearing::OperatingPoint tilted(const Duty& duty, double tilt);
 
+/// Speed [rad/s] of the race that turns relative to the load.
+double turning_speed(const bearing::OperatingPoint& point);
+
 /// Life [h] of one bearing at one duty alone, whose loads are known.
 double duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads, std::size_t duty);
 

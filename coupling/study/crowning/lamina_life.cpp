@@ -15,8 +15,8 @@ using Loads = Eigen::Ref<const Eigen::ArrayXXd>;
 constexpr double kWeibullSlope = 9.0 / 8.0;
 constexpr double kMillionRevolutions = 1e6;
 
-rating::ContactCapacities capacities_of(const bearing::CylindricalRollerBearing& bearing,
-                                        LifeMeasure measure, double lambda) {
+rating::ContactCapacities capacities_of(const bearing::CylindricalRollerBearing& bearing, LifeMeasure measure,
+                                        double lambda) {
   if (measure == LifeMeasure::lundberg_palmgren)
     return {bearing::contact_capacity(bearing, Race::inner, lambda),
             bearing::contact_capacity(bearing, Race::outer, lambda)};

@@ -15,11 +15,11 @@ namespace profile = bearing::profile;
 using profile::Profile;
 
 profile::DesignLoad design_of(const bearing::CylindricalRollerBearing& bearing, double load) {
-  return {.load = load,
-          .length = bearing.roller_length,
-          .equivalent_radius =
-              bearing::equivalent_radius(bearing::geometry_of(bearing), bearing::Race::inner),
-          .material = bearing.material};
+  return {
+      .load = load,
+      .length = bearing.roller_length,
+      .equivalent_radius = bearing::equivalent_radius(bearing::geometry_of(bearing), bearing::Race::inner),
+      .material = bearing.material};
 }
 
 [[noreturn]] void throw_no_drop(const std::string& kind) {
@@ -56,7 +56,6 @@ Profile with_share(Profile shape, double length, double share) {
     logarithmic->crowned_fraction = share;
   return shape;
 }
-
 
 // d(drop)/d(crowned length) [-] at `x` while the leading parameter is held: s = distance to where the crown
 // begins grows as fast as the crowned length c.

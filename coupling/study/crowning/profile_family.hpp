@@ -26,7 +26,8 @@ struct ProfileFamily {
 std::vector<std::string> family_names();
 
 /// The family `kind` for rollers of `bearing`. `load` [N] of one roller sets the width of the contact, which
-/// rounds the ends of johns-gohar, lundberg and fujiwara-kawase. Throws std::invalid_argument for other kinds.
+/// rounds the ends of johns-gohar, lundberg and fujiwara-kawase. Throws std::invalid_argument for other
+/// kinds.
 ProfileFamily family_of(const std::string& kind, const bearing::CylindricalRollerBearing& bearing,
                         double load);
 

@@ -42,8 +42,8 @@ WorstRoller worst_roller(const LaminaBearing& bearing, const LaminaResult& loads
   return worst;
 }
 
-PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
-                           const std::vector<LaminaResult>& loads) {
+PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
+                           const Profile& profile, const std::vector<LaminaResult>& loads) {
   const LaminaBearing bearing = lamina_bearing(problem, profile);
   PeakPressure worst;
   for (const Race race : {Race::inner, Race::outer}) {

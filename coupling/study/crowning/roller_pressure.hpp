@@ -12,9 +12,8 @@ class RollerPressure {
   explicit RollerPressure(const CrownProblem& problem);
 
   /// Under `load` [N] > 0 at `tilt` [rad] of the roller against the race. Roller profile `profile`.
-  bearing::half_space::RollerContactPressure on(bearing::Race race,
-                                                const bearing::profile::Profile& profile, double load,
-                                                double tilt) const;
+  bearing::half_space::RollerContactPressure on(bearing::Race race, const bearing::profile::Profile& profile,
+                                                double load, double tilt) const;
 
  private:
   bearing::CylindricalRollerBearing bearing_;
@@ -39,8 +38,8 @@ struct PeakPressure {
   bearing::Race race = bearing::Race::inner;
 };
 
-/// Of the most loaded roller on each race, at the duty that loads it most; `loads` are those of the duties, in
-/// their order. The roller's tilt is that of its balance on laminae.
+/// Of the most loaded roller on each race, at the duty that loads it most; `loads` are those of the duties,
+/// in their order. The roller's tilt is that of its balance on laminae.
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
                            const bearing::profile::Profile& profile,
                            const std::vector<bearing::laminae::LaminaResult>& loads);

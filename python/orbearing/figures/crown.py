@@ -42,7 +42,7 @@ def life_map(found: dict, crown: dict) -> FigureBlock:
     figure, axes = style.panel((6.0, 4.4))
     levels = np.geomspace(life.min(), life.max(), 15)
     filled = axes.contourf(drop, tilt, life.T, levels=levels, norm=LogNorm(levels[0], levels[-1]), cmap=LIFE_COLOURS)
-    axes.plot(drop[np.argmax(life, axis=0)], tilt, color="white", linewidth=1.2, linestyle="--", label="best drop at each tilt")
+    axes.plot(_ridge(drop, life), tilt, color=style.BLACK, linewidth=1.2, linestyle="--", label="best drop at each tilt")
     _mark_optima(axes, found, crown)
     bar = figure.colorbar(filled, ax=axes, pad=0.02, ticks=levels[::2])
     bar.set_label("life of one bearing (h)")
@@ -51,14 +51,25 @@ def life_map(found: dict, crown: dict) -> FigureBlock:
     axes.set_xlabel("drop of one roller at the outermost of 40 laminae (µm)")
     axes.set_ylabel("tilt of the bore on its pin (mrad)")
     axes.grid(False)
-    style.legend_above(axes)
-    for text in axes.get_legend().get_texts():
-        text.set_color(style.BLACK)
+    style.legend_above(axes, columns=1)
     caption = (f"Life of one bearing with the profile {found.get('profile')}, colours in steps of equal ratio. A crown costs life where the bore "
                "stands straight and saves it where the bore leans. The optimum is the crown under which the shortest life over the tilts studied "
                "is longest.")
     picture = style.to_svg(figure, "crown-map", "Contours of life over drop and tilt")
     return FigureBlock("crown-map", title, caption, (picture,), summary=_design_table(crown))
+
+
+def _ridge(drop: np.ndarray, life: np.ndarray) -> np.ndarray:
+    """The best drop at each tilt, between the drops of the grid by a parabola through three of them."""
+    best = []
+    for column in np.log(life).T:
+        i = int(np.argmax(column))
+        if 0 < i < len(drop) - 1:
+            low, middle, high = column[i - 1:i + 2]
+            best.append(drop[i] + 0.5 * (drop[1] - drop[0]) * (low - high) / (low - 2 * middle + high))
+        else:
+            best.append(drop[i])
+    return np.asarray(best)
 
 
 def _mark_optima(axes: Axes, found: dict, crown: dict) -> None:
@@ -83,9 +94,10 @@ def _design_table(crown: dict) -> Table:
         if one:
             ratio = one["life_h"] / straight if is_number(one.get("life_h")) and straight else None
             rows.append((name, one.get("profile"), one.get("drop_um"), one.get("life_h"), ratio, one.get("untilted_life_h"),
-                         one.get("peak_pressure_MPa"), one.get("edge_ratio"), one.get("life_in_band_h")))
+                         one.get("peak_pressure_MPa"), one.get("edge_ratio"), one.get("half_space_life_h"), one.get("life_in_band_h")))
     return Table(("rollers", "profile", "drop (µm)", "shortest life over the tilts (h)", "times straight", "life without tilt (h)",
-                  "greatest peak pressure (MPa)", "edge ratio there", "shortest life within the tolerances (h)"), rows)
+                  "greatest peak pressure (MPa)", "edge ratio there", "shortest life from half-space pressures (h)",
+                  "shortest life within the tolerances (h)"), rows)
 
 
 def fronts(found: list[dict], crown: dict) -> FigureBlock:
@@ -188,7 +200,8 @@ def zones(found: list[dict]) -> FigureBlock:
     panels = figure.subplots(2, 2, sharex=True, sharey=True)
     grids = [_zone_grid(zone) for zone in drawn]
     top = max(float(np.nanmax(grid[2][:, 2:-2])) for grid in grids)
-    levels = np.linspace(0.0, np.ceil(top / 100) * 100, 13)
+    step = 100.0 * np.ceil(top / 1200.0)
+    levels = np.arange(0.0, top + step, step)
     levels[0] = 1.0  # what carries nothing stays white
     rows = []
     for axes, zone, (angle, x, pressure) in zip(panels.flat, drawn, grids):
@@ -204,6 +217,7 @@ def zones(found: list[dict]) -> FigureBlock:
         axes.xaxis.set_major_locator(MaxNLocator(6))
     bar = figure.colorbar(filled, ax=list(panels.flat), pad=0.02, aspect=30)
     bar.set_label("pressure (MPa)")
+    bar.set_ticks(levels[1::2])
     style.thousands(bar.ax.yaxis)
     caption = ("Pressure on the pin's race along every loaded roller, at the operating point with the greatest load. Places count from outward, in the sense of the "
                "carrier's rotation. White: no contact. The two outermost of 64 elements at a sharp end lie beyond the colours.")

@@ -31,12 +31,14 @@ TEST(CrownLife, OfTheStandardIsThatOfTheRatings) {
   const auto loads = loads_at(problem, profile, 1e-3, 0);
   const auto set = bearing::rating::roller_set(problem.bearing);
   const auto expected = bearing::rating::lamina_life_gradient(
-      bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)), loads.inner_lamina_load,
-      loads.outer_lamina_load, bearing::rating::turning(bearing::Race::outer));
+      bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
+      loads.inner_lamina_load, loads.outer_lamina_load, bearing::rating::turning(bearing::Race::outer));
   const LogLife ours = log_life(problem.ratings[0], loads.inner_lamina_load, loads.outer_lamina_load);
   EXPECT_NEAR(ours.value, std::log(expected.life.bearing), kRoundOff);
-  EXPECT_LT((ours.by_inner_load - expected.inner).abs().maxCoeff(), kRoundOff * expected.inner.abs().maxCoeff());
-  EXPECT_LT((ours.by_outer_load - expected.outer).abs().maxCoeff(), kRoundOff * expected.outer.abs().maxCoeff());
+  EXPECT_LT((ours.by_inner_load - expected.inner).abs().maxCoeff(),
+            kRoundOff * expected.inner.abs().maxCoeff());
+  EXPECT_LT((ours.by_outer_load - expected.outer).abs().maxCoeff(),
+            kRoundOff * expected.outer.abs().maxCoeff());
 }
 
 TEST(CrownLife, OfASpectrumIsMinersSum) {
@@ -51,7 +53,8 @@ TEST(CrownLife, SharesMustAddUp) {
   EXPECT_THROW(problem_at({{100.0, 1.5}, {200.0, -0.5}}, LifeMeasure::iso16281), std::invalid_argument);
 }
 
-double log_life_at(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown, double tilt) {
+double log_life_at(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
+                   double tilt) {
   return std::log(life_hours(problem, profile_of(family, crown), tilt));
 }
 

@@ -13,11 +13,12 @@ namespace {
 
 const std::vector<double> kTilts{0.0, 1e-3, 2e-3};
 
-double best_of_grid(const CrownProblem& problem, const ProfileFamily& family, const std::vector<Member>& members,
-                    double least, double step, int steps) {
+double best_of_grid(const CrownProblem& problem, const ProfileFamily& family,
+                    const std::vector<Member>& members, double least, double step, int steps) {
   double best = 0.0;
   for (int i = 0; i <= steps; ++i)
-    best = std::max(best, worst_life_hours(problem, family, {least + step * i, usual_share(family)}, members));
+    best =
+        std::max(best, worst_life_hours(problem, family, {least + step * i, usual_share(family)}, members));
   return best;
 }
 

@@ -1,0 +1,51 @@
+#include "app/study/crown/quantity_list.hpp"
+
+#include <gmock/gmock.h>
+
+#include "app/study/crown/crown_options.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<double> lengths(const std::string& text, std::vector<std::string>& mistakes) {
+  return quantity_list("--drops", text, dimension::small_length, mistakes);
+}
+
+TEST(QuantityList, TakesSingleQuantitiesAndRanges) {
+  std::vector<std::string> mistakes;
+  const std::vector<double> found = lengths("2 um,0.01 mm , 0 um : 3 um : 1.5 um", mistakes);
+  EXPECT_THAT(mistakes, IsEmpty());
+  ASSERT_EQ(found.size(), 5u);
+  const std::vector<double> expected{2e-6, 10e-6, 0.0, 1.5e-6, 3e-6};
+  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-18);
+}
+
+TEST(QuantityList, TellsEveryMistake) {
+  std::vector<std::string> mistakes;
+  lengths("2, 3 kg, , 1 um : 2 um, 0 um : 1 um : 0.3 um, 1 um : 0 um : 1 um", mistakes);
+  EXPECT_THAT(mistakes, ElementsAre(HasSubstr("no unit"), HasSubstr("3 kg"), HasSubstr("--drops"),
+                                    HasSubstr("FROM : TO : STEP"), HasSubstr("FROM : TO : STEP"),
+                                    HasSubstr("FROM : TO : STEP")));
+}
+
+TEST(CrownOptions, GoThroughJsonUnchanged) {
+  const CrownOptions options{.profiles = "circular",
+                             .tilts = "1 mrad",
+                             .drops = "4 um",
+                             .shares = "0.5, 0.5",
+                             .tolerance = "1 um",
+                             .tilt_tolerance = "0.1 mrad",
+                             .life = "iso16281",
+                             .of_set = "second",
+                             .spectrum = true,
+                             .starts = 3};
+  EXPECT_EQ(options_json(options_from(options_json(options))), options_json(options));
+  EXPECT_EQ(options_text({}), "crown --life lundberg-palmgren --starts 10");
+}
+
+}  // namespace
+}  // namespace orbearing::app

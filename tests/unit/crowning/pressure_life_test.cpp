@@ -1,0 +1,59 @@
+// Life from half-space pressures: what it must feel, and that few cage angles are enough.
+#include "coupling/study/crowning/pressure_life.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/crowning/planet_bearing.hpp"
+
+namespace orbearing::study::crowning {
+namespace {
+
+constexpr double kFewAngles = 1e-3;  // of lives: power means over 30 places or 60
+
+TEST(PressureLife, TwoCageAnglesAreEnough) {
+  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const RollerPressure pressure(problem);
+  for (const double tilt : {0.0, 2e-3}) {
+    const double four = pressure_life_hours(problem, pressure, bearing::profile::Straight{}, tilt, 4);
+    EXPECT_NEAR(pressure_life_hours(problem, pressure, bearing::profile::Straight{}, tilt, 2), four,
+                kFewAngles * four);
+  }
+}
+
+// Away from sharp ends the laminae carry what the half-space presses: a profile that lets the pressure fall
+// towards the ends lives as its laminae without the stress riser say, to within what springs side by side
+// miss.
+TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
+  constexpr double kPressure = 0.05;  // of pressure, with whose ninth power the life goes
+  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const RollerPressure pressure(problem);
+  const bearing::profile::Profile deep = bearing::profile::CircularCrown{5.7e-3, 12e-6};
+  const auto loads = loads_at(problem, deep, 0.0, 0);
+  const auto set = bearing::rating::roller_set(problem.bearing);
+  const bearing::RaceMotion inner = problem.ratings[0].motions.inner,
+                            outer = problem.ratings[0].motions.outer;
+  const double revolutions =
+      bearing::rating::lamina_reference_life(
+          bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
+          {bearing::rating::equivalent_lamina_loads(loads.inner_lamina_load, inner),
+           bearing::rating::equivalent_lamina_loads(loads.outer_lamina_load, outer)})
+          .bearing;
+  const double expected = bearing::hours(revolutions, turning_speed(problem.duties[0].point));
+  const double ours = pressure_life_hours(problem, pressure, deep, 0.0);
+  EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
+}
+
+TEST(PressureLife, CrownSavesLifeUnderTiltAndCostsItWithout) {
+  const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
+  const RollerPressure pressure(problem);
+  const bearing::profile::Profile crowned = bearing::profile::Iso16281{5.7e-3, 5.24e-3, 1.0};
+  const auto straight = pressure_lives(problem, pressure, bearing::profile::Straight{}, {0.0, 2e-3}, 2);
+  const auto with_crown = pressure_lives(problem, pressure, crowned, {0.0, 2e-3}, 2);
+  EXPECT_LT(with_crown[0], straight[0]);
+  EXPECT_GT(with_crown[1], 1.5 * straight[1]);
+}
+
+}  // namespace
+}  // namespace orbearing::study::crowning
