@@ -1,6 +1,7 @@
 // Life of crowned rollers: against the lives it must equal, and its derivatives against differences.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "coupling/study/operating_point.hpp"
@@ -82,8 +83,8 @@ TEST_P(CrownSlopes, AreCentralDifferences) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, CrownSlopes, testing::ValuesIn(family_names()), [](const auto& value) {
-  std::string name = value.param;
+INSTANTIATE_TEST_SUITE_P(Families, CrownSlopes, testing::ValuesIn(family_names()), [](const auto& family) {
+  std::string name = family.param;
   name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
   return name;
 });
