@@ -32,7 +32,8 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
       bearing.cage.guidance = Race::inner;
       parameters.cage.guide_diameter = 33.1e-3;
     }
-    parameters.ripple = {.angular_frequency = 3e4, .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}}}};
+    parameters.ripple = {.angular_frequency = 3e4,
+                         .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}}}};
     refine();
   }
 
