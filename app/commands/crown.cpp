@@ -14,22 +14,12 @@
 #include "app/study/crown/crown_output.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/sweep_study.hpp"
-#include "app/version.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-ManifestHeader header_of(const ResolvedCase& resolved, const CrownOptions& options) {
-  return {.case_name = resolved.text("name"),
-          .case_hash = case_hash(resolved),
-          .program_version = std::string(program_version),
-          .instruction_set = std::string(instruction_set),
-          .fidelity = options_text(options),
-          .points = 1};
-}
 
 std::string netcdf_of(const ManifestHeader& header, const CrownStudy& study) {
   PointContent content = crown_content(study);
@@ -78,7 +68,7 @@ ResultRow done_row(const TableHead& head) {
 int crown_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
   const CrownRequest request = crown_request(resolved, options.crown);
-  const ManifestHeader header = header_of(resolved, options.crown);
+  const ManifestHeader header = manifest_header(resolved, options_text(options.crown));
   ResultFolder folder(options.output, header, write_resolved(resolved),
                       options.resume ? OpenMode::resume : OpenMode::fresh);
   const fs::path file = fs::path(options.output) / crown_file_name;

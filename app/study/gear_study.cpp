@@ -10,20 +10,10 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/sweep_study.hpp"
-#include "app/version.hpp"
 
 namespace orbearing::app {
 
 namespace {
-
-ManifestHeader header_of(const ResolvedCase& resolved) {
-  return {.case_name = resolved.text("name"),
-          .case_hash = case_hash(resolved),
-          .program_version = std::string(program_version),
-          .instruction_set = std::string(instruction_set),
-          .fidelity = "gears",
-          .points = 1};
-}
 
 // The table's columns are of bearings, so all but the speeds stay empty.
 ResultRow row_of(const TableHead& head, const gearset::dynamics::SetModel& model, double input_speed) {
@@ -81,7 +71,7 @@ int run_gear_case(const ResolvedCase& resolved, const Options& options) {
     throw BadInput(resolved.file() +
                    ": gearset.teeth: missing; required: teeth, which give loads and mesh frequency; "
                    "orbearing modes shows the natural frequencies of a set without");
-  const ManifestHeader header = header_of(resolved);
+  const ManifestHeader header = manifest_header(resolved, "gears");
   ResultFolder folder(options.output, header, write_resolved(resolved),
                       options.resume ? OpenMode::resume : OpenMode::fresh);
   const study::GearRunResult result = study::run_gears(model, gear_run_options(resolved));

@@ -11,20 +11,10 @@
 #include "app/results/result_folder.hpp"
 #include "app/study/static_output.hpp"
 #include "app/study/sweep_study.hpp"
-#include "app/version.hpp"
 
 namespace orbearing::app {
 
 namespace {
-
-ManifestHeader header_of(const ResolvedCase& resolved) {
-  return {.case_name = resolved.text("name"),
-          .case_hash = case_hash(resolved),
-          .program_version = std::string(program_version),
-          .instruction_set = std::string(instruction_set),
-          .fidelity = "static",
-          .points = 1};
-}
 
 // The columns of a sweep that a bearing under a static load can fill.
 ResultRow row_of(const TableHead& head, const StaticStudy& study) {
@@ -78,7 +68,7 @@ int run_static_case(const ResolvedCase& resolved, const Options& options) {
   if (options.fidelity != "quasi-static")
     throw BadInput("--fidelity: found " + options.fidelity +
                    "; required: quasi-static for a single bearing under a static load");
-  const ManifestHeader header = header_of(resolved);
+  const ManifestHeader header = manifest_header(resolved, "static");
   ResultFolder folder(options.output, header, write_resolved(resolved),
                       options.resume ? OpenMode::resume : OpenMode::fresh);
   const StaticStudy study = static_study(resolved);

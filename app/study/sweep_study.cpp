@@ -78,6 +78,16 @@ double axis_value(const ResolvedCase& resolved, const std::string& path) {
   }
 }
 
+ManifestHeader manifest_header(const ResolvedCase& resolved, const std::string& fidelity,
+                               std::size_t points) {
+  return {.case_name = resolved.text("name"),
+          .case_hash = case_hash(resolved),
+          .program_version = std::string(program_version),
+          .instruction_set = std::string(instruction_set),
+          .fidelity = fidelity,
+          .points = points};
+}
+
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity) {
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
@@ -92,12 +102,7 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
                    ": sets: found no set with a bearing; required: at least one, for its life");
   SweepRequest request;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i) request.points.push_back(point_of(resolved, i));
-  request.header = {.case_name = resolved.text("name"),
-                    .case_hash = case_hash(resolved),
-                    .program_version = std::string(program_version),
-                    .instruction_set = std::string(instruction_set),
-                    .fidelity = fidelity,
-                    .points = request.points.size()};
+  request.header = manifest_header(resolved, fidelity, request.points.size());
   for (const SweepAxis& axis : resolved.axes())
     if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
   request.header.sets = bearing_set_names(resolved);

@@ -15,6 +15,10 @@ namespace orbearing::app {
 /// are left to the caller. Throws BadInput where the case's model has no sweep.
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity);
 
+/// What the manifest of `resolved` says first, for `points` points computed as `fidelity` names.
+ManifestHeader manifest_header(const ResolvedCase& resolved, const std::string& fidelity,
+                               std::size_t points = 1);
+
 /// How a swept field other than input.speed stands in the table: in its customary unit, or as a plain number;
 /// and its value in the case.
 SweptAxis axis_column(const std::string& path);

@@ -59,13 +59,8 @@ inline Both contact_tips(const Pack& tip, const Pack& outer_tip) {
   constexpr double kBalance = 1e-12;  // of the loads
   constexpr double kNothing = 1e-9;   // [N]  tip loads that move no roller
   const LaminaConstants& laminae = race.laminae;
-  Pack reach = absolute(outer_tip) + larger(elastic.low, Pack{}) + larger(elastic.high, Pack{});
-  double deepest = 0.0;
-  for (int k = 0; k < laminae.count; ++k) {
-    const PerRace drop = drop_of(laminae, k);
-    deepest = __builtin_fmax(deepest, __builtin_fmax(drop.low, drop.high));
-  }
-  reach += spread(deepest);
+  const Pack reach =
+      absolute(outer_tip) + larger(elastic.low, Pack{}) + larger(elastic.high, Pack{}) + laminae.deepest;
   Pack low = -reach, high = reach;
   const Pack inner_only = only(~(elastic.high > 0.0), spread(1.0));
   const Pack outer_only = only(~(elastic.low > 0.0), spread(1.0));

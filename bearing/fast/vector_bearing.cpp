@@ -41,6 +41,7 @@ void put_laminae(const dynamics::LaminaRaces& races, LaminaConstants& constants)
                .place = races.inner().places().data(),
                .inner_drop = races.inner().drops().data(),
                .outer_drop = races.outer().drops().data(),
+               .deepest = std::max(races.inner().greatest_drop(), races.outer().greatest_drop()),
                .bore_tip_x = races.bore_tip().x(),
                .bore_tip_y = races.bore_tip().y(),
                .upright = races.upright()};

@@ -60,6 +60,17 @@ bool run_fixed(System system, Eigen::VectorXd& x, const OutputTimes& output,
 
 }  // namespace
 
+void append(const IntegrationReport& part, IntegrationReport& all) {
+  all.smallest_step = all.steps == 0 ? part.smallest_step : std::min(all.smallest_step, part.smallest_step);
+  all.steps += part.steps;
+  all.rejected += part.rejected;
+  all.rhs_calls += part.rhs_calls;
+  all.wall_seconds += part.wall_seconds;
+  all.reached = part.reached;
+  all.completed = part.completed;
+  all.message = part.message;
+}
+
 IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x, const OutputTimes& output,
                             const IntegrationOptions& options, const Observer& observe) {
   IntegrationReport report;

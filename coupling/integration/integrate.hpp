@@ -45,6 +45,9 @@ struct IntegrationReport {
   std::string message;         // empty when completed
 };
 
+/// Adds to `all` the part of a run that follows it.
+void append(const IntegrationReport& part, IntegrationReport& all);
+
 /// Output times start, start + interval, ..., `samples` intervals in all.
 struct OutputTimes {
   double start = 0.0;     // [s]

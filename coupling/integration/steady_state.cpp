@@ -200,14 +200,7 @@ class SteadyRun {
 
   void add_to_report(const IntegrationReport& part) {
     IntegrationReport& all = result_.report;
-    all.smallest_step = all.steps == 0 ? part.smallest_step : std::min(all.smallest_step, part.smallest_step);
-    all.steps += part.steps;
-    all.rejected += part.rejected;
-    all.rhs_calls += part.rhs_calls;
-    all.wall_seconds += part.wall_seconds;
-    all.reached = part.reached;
-    all.completed = part.completed;
-    all.message = part.message;
+    append(part, all);
     settings_.most_seconds = options_.integration.most_seconds - all.wall_seconds;
     settings_.most_steps = options_.integration.most_steps - all.steps;
   }

@@ -86,14 +86,7 @@ class GearRun {
     const integration::IntegrationReport part =
         integrate_pieces(derivative_, result_.final_state, output, jumps_, settings_, observer);
     integration::IntegrationReport& all = result_.report;
-    all.smallest_step = all.steps == 0 ? part.smallest_step : std::min(all.smallest_step, part.smallest_step);
-    all.steps += part.steps;
-    all.rejected += part.rejected;
-    all.rhs_calls += part.rhs_calls;
-    all.wall_seconds += part.wall_seconds;
-    all.reached = part.reached;
-    all.completed = part.completed;
-    all.message = part.message;
+    integration::append(part, all);
     settings_.most_seconds = options_.integration.most_seconds - all.wall_seconds;
     settings_.most_steps = options_.integration.most_steps - all.steps;
     time_ = output.time(output.samples);
