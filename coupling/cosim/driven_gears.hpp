@@ -1,0 +1,67 @@
+// A planetary set whose planet bearings are computed elsewhere: their forces in, motion at the pins out. The
+// core of the gear set as a participant and as an FMU.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "coupling/cosim/participant.hpp"
+#include "gearset/dynamics/parameters.hpp"
+
+namespace orbearing::cosim {
+
+/// All that is fixed before a run. `set.planet.coupled_bearing` shall be true; stiffness and damping of the
+/// planet's bearing serve to find the state in which the run begins.
+struct DrivenGearsSetup {
+  gearset::dynamics::SetParameters set;
+  gearset::dynamics::Operation operation;
+  double allowed_share = 1e-4;   // [-]  error of one step over the mean deflection of a mesh
+  long most_steps = 10'000'000;  // [-]  in one call of advance() before it gives up
+};
+
+/// Forces of the bearings on one planet over a window; reversed on its pin.
+struct PlanetForceCourse {
+  Course x, y;    // [N]    outward, and in the sense of carrier rotation
+  Course moment;  // [N m]  about the planet's axis, positive counterclockwise
+};
+
+/// Motion of one planet at the present time.
+struct PlanetMotion {
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    of its axis from that of its pin, (x, y)
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();      // [m/s]
+  double angle = 0.0;            // [rad]  beyond the nominal rotation, relative to the carrier
+  double speed = 0.0;            // [rad/s]  of the planet relative to the carrier, nominal speed included
+  double sun_mesh_force = 0.0;   // [N]
+  double ring_mesh_force = 0.0;  // [N]
+};
+
+struct DrivenGearsOutput {
+  std::vector<PlanetMotion> planets;
+  double carrier_speed = 0.0;         // [rad/s]   nominal: that of the frame
+  double carrier_acceleration = 0.0;  // [rad/s^2]
+};
+
+/// Not for use by two threads at once; any number of objects side by side.
+class DrivenGears {
+ public:
+  explicit DrivenGears(const DrivenGearsSetup& setup);
+  ~DrivenGears();
+  DrivenGears(DrivenGears&&) noexcept;
+  DrivenGears& operator=(DrivenGears&&) noexcept;
+
+  /// To the static state under mean loads on bearings of the stated stiffness.
+  void initialize(double time);
+  void advance(const Window& window, const std::vector<PlanetForceCourse>& forces);
+  DrivenGearsOutput output() const;
+
+  int planets() const;
+  void save(SavedState& state) const;
+  void restore(const SavedState& state);
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace orbearing::cosim

@@ -1,0 +1,50 @@
+// What takes part in a co-simulation: five verbs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/cosim/port.hpp"
+
+namespace orbearing::cosim {
+
+/// All that a participant's future depends on. Numbers only, whose meaning is the participant's own; equal
+/// bits give equal futures, in another process too.
+using SavedState = std::vector<double>;
+
+/// A window of time. Window k of length h begins at k h: times are multiplied, never added up.
+struct Window {
+  double begin = 0.0;  // [s]
+  double end = 0.0;    // [s]
+
+  double length() const { return end - begin; }
+};
+
+/// One side of a co-simulation. Order of calls: initialize, then for each window set_input, advance, output;
+/// save and restore at any time after initialize.
+///
+/// Errors are thrown as std::runtime_error with the reason; the participant is then in the state in which it
+/// began the window.
+class Participant {
+ public:
+  virtual ~Participant() = default;
+
+  virtual std::string name() const = 0;
+  /// Ports in a fixed order; inputs and outputs below have the same order and number.
+  virtual const std::vector<Port>& ports() const = 0;
+
+  /// To the state at `time` [s], with the inputs of that instant (constant courses).
+  virtual void initialize(double time, const std::vector<PortInput>& inputs) = 0;
+  /// Inputs over the window that is advanced next; courses count from its beginning.
+  virtual void set_input(const std::vector<PortInput>& inputs) = 0;
+  /// From the beginning of the window, where it stands, to its end.
+  virtual void advance(const Window& window) = 0;
+  /// At the present time, under the inputs of the last window.
+  virtual void output(std::vector<PortOutput>& outputs) const = 0;
+
+  /// Complete and exact: save, advance, restore, advance gives the same bits.
+  virtual void save(SavedState& state) const = 0;
+  virtual void restore(const SavedState& state) = 0;
+};
+
+}  // namespace orbearing::cosim
