@@ -54,6 +54,7 @@ struct DrivenBearingOutput {
 struct ForceSlopes {
   Eigen::Matrix2d by_displacement = Eigen::Matrix2d::Zero();
   Eigen::Matrix2d by_velocity = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d by_speed = Eigen::Vector2d::Zero();  // [N s]  of the bore
 };
 
 /// Not for use by two threads at once; any number of objects side by side.
