@@ -124,8 +124,7 @@ Eigen::VectorXd driven_start(const CylindricalRollerBearing& bearing, const Bear
   const double cage_speed = kinematic_cage_speed(model.geometry, 0.0, motion.speed);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(model.layout.size());
   const QuasiStaticOptions options = start_options(parameters);
-  place_bodies(model,
-               rolling_contacts(bearing, model.geometry, 0.0, motion.speed, added_film(options)),
+  place_bodies(model, rolling_contacts(bearing, model.geometry, 0.0, motion.speed, added_film(options)),
                balance.rollers, {balance.pin, motion.position, cage_speed, spin}, first_roller, x);
   return state_at(model, motion, x);
 }

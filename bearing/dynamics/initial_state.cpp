@@ -63,8 +63,9 @@ QuasiStaticOptions start_options(const DynamicsParameters& parameters) {
   return options;
 }
 
-void place_bodies(const BearingModel& model, const bearing::RollerContacts& contacts, const QuasiStaticState& balance,
-                  const StartMotion& start, double first_roller, Eigen::Ref<Eigen::VectorXd> x) {
+void place_bodies(const BearingModel& model, const bearing::RollerContacts& contacts,
+                  const QuasiStaticState& balance, const StartMotion& start, double first_roller,
+                  Eigen::Ref<Eigen::VectorXd> x) {
   MutableStateViews state = mutable_state_views(model.layout, x.data());
   state.pin_position = start.pin;
   state.bore_position = start.bore;
@@ -88,10 +89,10 @@ InitialState initial_state(const CylindricalRollerBearing& bearing, const Bearin
   InitialState start{Eigen::VectorXd::Zero(model.layout.size()), balance.report};
   const Vector2 pin = balance.report.converged ? pin_displacement(model, balance) : Vector2::Zero();
   const Vector2 bore = balance.report.converged ? Vector2(pin + balance.displacement) : Vector2::Zero();
-  place_bodies(model,
-               rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed,
-                                added_film(options)),
-               balance, {pin, bore, cage_speed, spin}, first_roller, start.x);
+  place_bodies(
+      model,
+      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, added_film(options)),
+      balance, {pin, bore, cage_speed, spin}, first_roller, start.x);
   return start;
 }
 

@@ -50,14 +50,14 @@ void set_rollers(const BearingModel& model, const CarrierFrame& frame, const Con
 }
 
 inline void set_cage(const BearingModel& model, const CarrierFrame& frame, const BodyMotion& cage,
-              const Wrench& wrench, MutableStateViews& rate) {
+                     const Wrench& wrench, MutableStateViews& rate) {
   rate.cage_velocity =
       wrench.force / model.cage.mass + inertial_acceleration(frame, cage.position, cage.velocity);
   rate.cage_speed = (wrench.moment + model.cage_drag.force(cage.speed)) / model.cage.inertia - frame.euler;
 }
 
 inline void set_pin(const BearingModel& model, const CarrierFrame& frame, const BodyMotion& pin,
-             const Vector2& force, MutableStateViews& rate) {
+                    const Vector2& force, MutableStateViews& rate) {
   rate.pin_velocity = (force + model.support.force(pin.position, pin.velocity)) / model.pin_mass +
                       inertial_acceleration(frame, pin.position, pin.velocity);
 }

@@ -7,7 +7,8 @@
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
 /// Unknowns of the rings in the order of their elimination.
-inline constexpr int kBoreLast[kRingUnknowns] = {kPin, kPin + 1, kCage, kCage + 1, kCage + 2, kBore, kBore + 1};
+inline constexpr int kBoreLast[kRingUnknowns] = {kPin,      kPin + 1, kCage,    kCage + 1,
+                                                 kCage + 2, kBore,    kBore + 1};
 inline constexpr int kInner = kRingUnknowns - 2;  // all but the bore
 
 [[gnu::flatten]] inline bool LaneEngine::factor_open(double g, PortMatrix& port) {

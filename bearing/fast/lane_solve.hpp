@@ -82,29 +82,30 @@ void LaneEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
     land[i] = force[i]->slope[0] * (cage[0] - guide[0]) + force[i]->slope[1] * (cage[1] - guide[1]);
   const double on_bore = c_.land.on_bore ? 1.0 : 0.0, on_pin = 1.0 - on_bore;
   b[0] = ring_rhs(0) + pin[2] +
-          g * ((sum(loads.pin.x) - on_pin * land[0] - c_.support_stiffness * pin[0]) / c_.pin_mass +
-               turn * pin[0] + late * pin[1]);
+         g * ((sum(loads.pin.x) - on_pin * land[0] - c_.support_stiffness * pin[0]) / c_.pin_mass +
+              turn * pin[0] + late * pin[1]);
   b[1] = ring_rhs(1) + pin[3] +
-          g * ((sum(loads.pin.y) - on_pin * land[1] - c_.support_stiffness * pin[1]) / c_.pin_mass +
-               turn * pin[1] - late * pin[0]);
+         g * ((sum(loads.pin.y) - on_pin * land[1] - c_.support_stiffness * pin[1]) / c_.pin_mass +
+              turn * pin[1] - late * pin[0]);
   if constexpr (OpenBore) {
     b[2] = ring_rhs(2) + g * (sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass;
     b[3] = ring_rhs(3) + g * (sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass;
   } else {
     b[2] = ring_rhs(2) + bore[2] +
-          g * ((sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass + turn * bore[0] + late * bore[1]);
+           g * ((sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass + turn * bore[0] + late * bore[1]);
     b[3] = ring_rhs(3) + bore[3] +
-          g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]);
+           g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]);
   }
   b[4] = ring_rhs(4) + cage[3] +
-          g * ((sum(loads.cage.x) + land[0]) / c_.cage_mass + turn * cage[0] + late * cage[1]);
+         g * ((sum(loads.cage.x) + land[0]) / c_.cage_mass + turn * cage[0] + late * cage[1]);
   b[5] = ring_rhs(5) + cage[4] +
-          g * ((sum(loads.cage.y) + land[1]) / c_.cage_mass + turn * cage[1] - late * cage[0]);
+         g * ((sum(loads.cage.y) + land[1]) / c_.cage_mass + turn * cage[1] - late * cage[0]);
   b[6] = ring_rhs(6) + cage[5] + g * (sum(loads.cage_moment) + land[2]) / c_.cage_inertia;
 }
 
 /// All rates, once those of the rings are known: `b`.
-inline void LaneEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const {
+inline void LaneEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns],
+                                         double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();
