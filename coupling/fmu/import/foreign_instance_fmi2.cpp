@@ -23,8 +23,12 @@ void log_fmi2(fmi2ComponentEnvironment messages, fmi2String, fmi2Status, fmi2Str
   va_end(arguments);
   if (messages != nullptr) static_cast<Messages*>(messages)->add(category, text);
 }
-void* allocate_fmi2(std::size_t number, std::size_t size) { return std::calloc(number, size); }
-void free_fmi2(void* memory) { std::free(memory); }
+void* allocate_fmi2(std::size_t number, std::size_t size) {
+  return std::calloc(number, size);
+}
+void free_fmi2(void* memory) {
+  std::free(memory);
+}
 }
 
 const char* status_name(fmi2Status status) {
@@ -32,10 +36,11 @@ const char* status_name(fmi2Status status) {
   return status >= fmi2OK && status <= fmi2Pending ? names[status] : "a status that the standard has not";
 }
 
-#define ORBEARING_ALWAYS(F)                                                                               \
-  F(GetTypesPlatform) F(GetVersion) F(Instantiate) F(FreeInstance) F(SetupExperiment)                     \
-  F(EnterInitializationMode) F(ExitInitializationMode) F(Terminate) F(SetReal) F(SetInteger)              \
-  F(SetBoolean) F(SetString) F(GetReal) F(DoStep) F(GetRealStatus)
+#define ORBEARING_ALWAYS(F)                                                                                 \
+  F(GetTypesPlatform)                                                                                       \
+  F(GetVersion) F(Instantiate) F(FreeInstance) F(SetupExperiment) F(EnterInitializationMode)                \
+      F(ExitInitializationMode) F(Terminate) F(SetReal) F(SetInteger) F(SetBoolean) F(SetString) F(GetReal) \
+          F(DoStep) F(GetRealStatus)
 #define ORBEARING_FOR_STATES(F) F(GetFMUstate) F(SetFMUstate) F(FreeFMUstate)
 #define ORBEARING_FOR_BYTES(F) F(SerializedFMUstateSize) F(SerializeFMUstate) F(DeSerializeFMUstate)
 #define ORBEARING_FOR_SLOPES(F) F(SetRealInputDerivatives)
@@ -51,9 +56,15 @@ struct Functions {
   Functions(const SharedLibrary& library, const ForeignDescription& description) {
 #define ORBEARING_LOOK_UP(name) name = library.function<fmi2##name##TYPE>("fmi2" #name);
     ORBEARING_ALWAYS(ORBEARING_LOOK_UP)
-    if (description.keeps_state) { ORBEARING_FOR_STATES(ORBEARING_LOOK_UP) }
-    if (description.serialises_state) { ORBEARING_FOR_BYTES(ORBEARING_LOOK_UP) }
-    if (description.interpolates_inputs) { ORBEARING_FOR_SLOPES(ORBEARING_LOOK_UP) }
+    if (description.keeps_state) {
+      ORBEARING_FOR_STATES(ORBEARING_LOOK_UP)
+    }
+    if (description.serialises_state) {
+      ORBEARING_FOR_BYTES(ORBEARING_LOOK_UP)
+    }
+    if (description.interpolates_inputs) {
+      ORBEARING_FOR_SLOPES(ORBEARING_LOOK_UP)
+    }
 #undef ORBEARING_LOOK_UP
   }
 };

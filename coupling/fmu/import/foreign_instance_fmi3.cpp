@@ -18,10 +18,10 @@ const char* status_name(fmi3Status status) {
   return status >= fmi3OK && status <= fmi3Fatal ? names[status] : "a status that the standard has not";
 }
 
-#define ORBEARING_ALWAYS(F)                                                                         \
-  F(GetVersion) F(InstantiateCoSimulation) F(FreeInstance) F(EnterInitializationMode)               \
-  F(ExitInitializationMode) F(Terminate) F(SetFloat64) F(SetInt32) F(SetInt64) F(SetBoolean)        \
-  F(SetString) F(GetFloat64) F(DoStep)
+#define ORBEARING_ALWAYS(F)                                                                       \
+  F(GetVersion)                                                                                   \
+  F(InstantiateCoSimulation) F(FreeInstance) F(EnterInitializationMode) F(ExitInitializationMode) \
+      F(Terminate) F(SetFloat64) F(SetInt32) F(SetInt64) F(SetBoolean) F(SetString) F(GetFloat64) F(DoStep)
 #define ORBEARING_FOR_STATES(F) F(GetFMUState) F(SetFMUState) F(FreeFMUState)
 #define ORBEARING_FOR_BYTES(F) F(SerializedFMUStateSize) F(SerializeFMUState) F(DeserializeFMUState)
 
@@ -35,8 +35,12 @@ struct Functions {
   Functions(const SharedLibrary& library, const ForeignDescription& description) {
 #define ORBEARING_LOOK_UP(name) name = library.function<fmi3##name##TYPE>("fmi3" #name);
     ORBEARING_ALWAYS(ORBEARING_LOOK_UP)
-    if (description.keeps_state) { ORBEARING_FOR_STATES(ORBEARING_LOOK_UP) }
-    if (description.serialises_state) { ORBEARING_FOR_BYTES(ORBEARING_LOOK_UP) }
+    if (description.keeps_state) {
+      ORBEARING_FOR_STATES(ORBEARING_LOOK_UP)
+    }
+    if (description.serialises_state) {
+      ORBEARING_FOR_BYTES(ORBEARING_LOOK_UP)
+    }
 #undef ORBEARING_LOOK_UP
   }
 };

@@ -55,7 +55,8 @@ class ForeignParticipant final : public cosim::Participant {
         loaded_{setup},
         start_variables_{find_start_values(description(), setup.values)},
         keeper_{description()} {
-    if (setup.steps_per_window < 1) throw ForeignFmuError("steps_per_window is below 1; required is 1 or more");
+    if (setup.steps_per_window < 1)
+      throw ForeignFmuError("steps_per_window is below 1; required is 1 or more");
     if (setup.slopes < 0 || setup.slopes > 3) throw ForeignFmuError("slopes shall be 0, 1, 2 or 3");
     for (const ForeignPort& port : setup.ports) ports_.push_back(port.port);
     const auto channels = find_channels(description(), setup.ports);
@@ -63,9 +64,7 @@ class ForeignParticipant final : public cosim::Participant {
     outputs_ = ForeignOutputs{ports_, channels};
   }
 
-  std::string name() const override {
-    return setup_.name.empty() ? description().model_name : setup_.name;
-  }
+  std::string name() const override { return setup_.name.empty() ? description().model_name : setup_.name; }
   const std::vector<cosim::Port>& ports() const override { return ports_; }
 
   void initialize(double time, const std::vector<PortInput>& inputs) override {

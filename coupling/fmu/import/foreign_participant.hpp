@@ -16,8 +16,8 @@
 
 namespace orbearing::fmu {
 
-/// Reads, unpacks and loads the FMU and checks the mapping; the instance is made by initialize(), anew at each
-/// call. All errors are ForeignFmuError and begin with the name of the file.
+/// Reads, unpacks and loads the FMU and checks the mapping; the instance is made by initialize(), anew at
+/// each call. All errors are ForeignFmuError and begin with the name of the file.
 ///
 /// Inputs over a window: FMUs of 2.0 that interpolate get the values at the beginning and the derivatives up
 /// to ForeignSetup::slopes. For all others they are held, see ForeignQuantity::held: a mean force gives the

@@ -15,18 +15,24 @@ using Dimension = std::array<int, 3>;
 Dimension dimension_of(cosim::PortKind kind, Quantity quantity) {
   const bool turns = kind == cosim::PortKind::rotation;
   switch (quantity) {
-    case Quantity::displacement: return {0, turns ? 0 : 1, 0};
-    case Quantity::velocity: return {0, turns ? 0 : 1, -1};
-    case Quantity::force: break;
+    case Quantity::displacement:
+      return {0, turns ? 0 : 1, 0};
+    case Quantity::velocity:
+      return {0, turns ? 0 : 1, -1};
+    case Quantity::force:
+      break;
   }
   return {1, turns ? 2 : 1, -2};
 }
 
 const char* unit_name(const cosim::Port& port, Quantity quantity) {
   switch (quantity) {
-    case Quantity::displacement: return port.displacement_unit();
-    case Quantity::velocity: return port.velocity_unit();
-    case Quantity::force: break;
+    case Quantity::displacement:
+      return port.displacement_unit();
+    case Quantity::velocity:
+      return port.velocity_unit();
+    case Quantity::force:
+      break;
   }
   return port.force_unit();
 }
@@ -64,8 +70,7 @@ const ForeignVariableInfo& find_variable(const Looked& looked, const ForeignQuan
   if (!variable->is_real()) {
     refuse(looked, quantity.variable,
            "is of type " + variable->type + (variable->array ? " (array)" : "") +
-               ", required is a scalar of type " +
-               (looked.description.version == 2 ? "Real" : "Float64"));
+               ", required is a scalar of type " + (looked.description.version == 2 ? "Real" : "Float64"));
   }
   return *variable;
 }
@@ -104,9 +109,10 @@ void require_all(const cosim::Port& port, const ForeignPortChannels& channels) {
   const bool enough = motion ? channels.displacement && channels.velocity && channels.force
                              : channels.force && (channels.displacement || channels.velocity);
   if (enough) return;
-  throw ForeignFmuError("port " + port.name +
-                        (motion ? " gives a motion: variables for displacement, velocity and force are required"
-                                : " gives a force: variables for the force and for displacement or velocity are required"));
+  throw ForeignFmuError(
+      "port " + port.name +
+      (motion ? " gives a motion: variables for displacement, velocity and force are required"
+              : " gives a force: variables for the force and for displacement or velocity are required"));
 }
 
 }  // namespace
@@ -131,17 +137,17 @@ std::vector<const ForeignVariableInfo*> find_start_values(const ForeignDescripti
   for (const auto& [name, value] : values) {
     const ForeignVariableInfo* variable = description.find(name);
     if (variable == nullptr) {
-      throw ForeignFmuError("no variable '" + name + "'; parameters of the FMU: " +
-                            names_of(description, "parameter"));
+      throw ForeignFmuError("no variable '" + name +
+                            "'; parameters of the FMU: " + names_of(description, "parameter"));
     }
     const std::string& type = variable->type;
     const bool number = type == "Real" || type == "Integer" || type == "Boolean" || type == "Enumeration" ||
                         type == "Float64" || type == "Int32" || type == "Int64";
     const bool matches = std::holds_alternative<double>(value) ? number : type == "String";
     if (!matches || variable->array) {
-      throw ForeignFmuError("variable '" + name + "' is of type " + type + (variable->array ? " (array)" : "") +
-                            ", to which " + (std::holds_alternative<double>(value) ? "a number" : "a text") +
-                            " cannot be set");
+      throw ForeignFmuError(
+          "variable '" + name + "' is of type " + type + (variable->array ? " (array)" : "") + ", to which " +
+          (std::holds_alternative<double>(value) ? "a number" : "a text") + " cannot be set");
     }
     found.push_back(variable);
   }

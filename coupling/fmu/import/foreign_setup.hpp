@@ -18,9 +18,9 @@ enum class Held { at_begin, mean, at_end };
 /// quantity of the port = factor x variable + offset, all in SI units: where the FMU states the base units of
 /// its variable, these are converted; where it states none, they are taken as SI.
 struct ForeignQuantity {
-  std::string variable;  // empty: the FMU has no such quantity
-  double factor = 1.0;   // [-]  e.g. -1 where the FMU counts the other way
-  double offset = 0.0;   // [unit of the quantity]
+  std::string variable;                     // empty: the FMU has no such quantity
+  double factor = 1.0;                      // [-]  e.g. -1 where the FMU counts the other way
+  double offset = 0.0;                      // [unit of the quantity]
   std::optional<Held> held = std::nullopt;  // where not stated: mean for forces, at_end for motions
 };
 

@@ -10,9 +10,12 @@ namespace {
 
 double held_value(const cosim::Course& course, Held held, double begin, double end) {
   switch (held) {
-    case Held::at_begin: return course.at(begin);
-    case Held::at_end: return course.at(end);
-    case Held::mean: break;
+    case Held::at_begin:
+      return course.at(begin);
+    case Held::at_end:
+      return course.at(end);
+    case Held::mean:
+      break;
   }
   return mean(course, begin, end);
 }

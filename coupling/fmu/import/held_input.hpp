@@ -47,7 +47,7 @@ class ForeignOutputs {
  private:
   struct Entry {
     std::size_t port;
-    double cosim::PortOutput::* value;
+    double cosim::PortOutput::*value;
     ForeignChannel channel;
   };
   std::vector<std::string> names_;

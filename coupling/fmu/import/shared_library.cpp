@@ -12,7 +12,9 @@ SharedLibrary::SharedLibrary(const std::filesystem::path& file, Symbols symbols)
   if (handle_ == nullptr) throw ForeignFmuError(std::string("library cannot be loaded: ") + dlerror());
 }
 
-SharedLibrary::~SharedLibrary() { dlclose(handle_); }
+SharedLibrary::~SharedLibrary() {
+  dlclose(handle_);
+}
 
 void* SharedLibrary::address(const std::string& name) const {
   void* found = dlsym(handle_, name.c_str());
