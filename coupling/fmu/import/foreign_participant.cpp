@@ -87,7 +87,11 @@ class ForeignParticipant final : public cosim::Participant {
   }
 
   void set_input(const std::vector<PortInput>& inputs) override {
-    guarded([&] { inputs_.take(inputs); });
+    guarded([&] {
+      require_instance();
+      inputs_.take(inputs);
+      if (setup_.answers_between_steps) inputs_.set(*instance_, 0.0, 0.0);
+    });
   }
 
   void advance(const Window& window) override {

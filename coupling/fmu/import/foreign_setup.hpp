@@ -42,6 +42,9 @@ struct ForeignSetup {
   int steps_per_window = 1;
   /// Highest order of the derivatives that an FMU gets which interpolates its inputs (FMI 2.0).
   int slopes = 1;
+  /// The FMU answers inputs that are set between two steps with outputs that belong to them. Many do; FMI 2.0
+  /// does not promise it. Where false, outputs after set_input() are still those of the last step.
+  bool answers_between_steps = false;
   /// Libraries that the FMU expects its host to have loaded, e.g. libpython3.11.so.1.0.
   std::vector<std::string> host_libraries;
 };

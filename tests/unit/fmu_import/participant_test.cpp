@@ -110,6 +110,18 @@ TEST_P(ForeignParticipants, GiveForcesWithoutDelay) {
   EXPECT_NEAR(spring.output().force, -100.0 * way.at(0.2) - 2.0 * slope.at(0.2), round_off);
 }
 
+// What is set after a step, before the next one: answered at once where the FMU does that.
+TEST_P(ForeignParticipants, AnswerBetweenStepsWhereTheyCan) {
+  for (const bool answers : {false, true}) {
+    ForeignSetup setup{.ports = {spring_port()}, .values = {{"spring.stiffness", 100.0}}};
+    setup.answers_between_steps = answers;
+    OneBody spring{{.version = GetParam()}, setup};
+    spring.participant->initialize(0.0, {{.displacement = Course::constant(0.1)}});
+    spring.participant->set_input({{.displacement = {{0.2, 1.0, 0.0, 0.0}}}});
+    EXPECT_NEAR(spring.output().force, answers ? -20.0 : -10.0, round_off);
+  }
+}
+
 TEST_P(ForeignParticipants, ComeBackToTheSameBits) {
   const ForeignSetup oscillator{.ports = {}, .values = {{"stiffness", 1e4}, {"damping", 3.0}}};
   OneBody body{{.version = GetParam()}, oscillator}, other{{.version = GetParam()}, oscillator};
