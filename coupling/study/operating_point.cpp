@@ -13,6 +13,7 @@
 #include "bearing/race_equilibrium.hpp"
 #include "coupling/integration/run_up.hpp"
 #include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/two_way.hpp"
 
 namespace orbearing::study {
 
@@ -170,6 +171,36 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDu
   return result;
 }
 
+// Bearings of which none may fail: the product law over unlike lives.
+double life_together(const std::vector<double>& lives) {
+  double together = lives.front();
+  for (std::size_t i = 1; i < lives.size(); ++i) together = bearing::combined_life(together, lives[i]);
+  return together;
+}
+
+PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const BearingDuty& duty, Fidelity fidelity) {
+  const bearing::OperatingPoint& point = duty.point;
+  const std::unique_ptr<cosim::CoupledMotion> motion = coupled_motion(drivetrain, geometry, duty, fidelity);
+  const TwoWayMeans run = run_two_way(
+      *motion, bearing::kinematic_cage_speed(geometry.bearing, point.inner_speed, point.outer_speed),
+      bearing::kinematic_roller_spin(geometry.bearing, point.inner_speed, point.outer_speed),
+      drivetrain.steady_state);
+  PointResult result = dynamic_point(drivetrain, duty, run.pooled);
+  TwoWayRecord record{.exchange = motion->report()};
+  for (const bearing::dynamics::WindowStatistics& one : run.bearings)
+    record.bearing_life_hours.push_back(bearing::hours(
+        bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, one).bearing,
+        point.outer_speed));
+  if (fidelity == Fidelity::co_simulated) {
+    record.energy_residual = record.exchange.energy_residual / record.exchange.energy_passed;
+    record.window = run.duration / static_cast<double>(record.exchange.windows);
+  }
+  result.system_life_hours = life_together(record.bearing_life_hours);
+  result.two_way = record;
+  return result;
+}
+
 // Of the duty, whatever the bearing's model: the total on the bore holds what reaches it through the cage.
 void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                const BearingDuty& duty, PointResult& result) {
@@ -230,6 +261,8 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   if (fidelity == Fidelity::quasi_static)
     return completed(drivetrain, geometry, duty, quasi_static_point(drivetrain, geometry, duty));
+  if (fidelity != Fidelity::dynamic)
+    return completed(drivetrain, geometry, duty, two_way_point(drivetrain, geometry, duty, fidelity));
   const integration::SteadyStateResult run = motion_of(drivetrain, geometry, duty);
   return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/cosim/coupled_motion.hpp"
 #include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::study {
@@ -53,6 +54,14 @@ struct DynamicRecord {
   Eigen::VectorXd final_state;         // where it ended; a neighbouring point may go on from here
 };
 
+/// What only gears and bearings that act on each other tell.
+struct TwoWayRecord {
+  std::vector<double> bearing_life_hours;  // [h]  (planets x bearings per planet), planet by planet
+  double energy_residual = 0.0;            // [-]  of all exchanges over the energy that passed the ports
+  double window = 0.0;                     // [s]  mean time between exchanges; 0: one system
+  cosim::CouplingReport exchange;
+};
+
 /// One of several sets at an operating point. Loads and life are those of one bearing.
 struct SetResult {
   std::string set;
@@ -82,6 +91,7 @@ struct PointResult {
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts
+  std::optional<TwoWayRecord> two_way;   // none where the bearings do not act back on the gears
   std::string limiting_set;              // of several sets, the one these numbers belong to
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed

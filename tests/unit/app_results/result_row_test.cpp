@@ -45,7 +45,10 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "power_loss_pockets_W",
                                            "power_loss_guidance_W",
                                            "power_loss_support_W",
-                                           "steady"};
+                                           "steady",
+                                           "shortest_life_h",
+                                           "interface_energy_residual",
+                                           "interface_window_us"};
 
 study::PointResult at_6000_rpm() {
   study::PointResult result = testing::fake_result(0);
