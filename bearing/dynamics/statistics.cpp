@@ -8,8 +8,6 @@
 
 namespace orbearing::bearing::dynamics {
 
-namespace {
-
 using boost::math::double_constants::two_pi;
 
 Eigen::Index place_of(double angle, Eigen::Index places) {
@@ -17,8 +15,6 @@ Eigen::Index place_of(double angle, Eigen::Index places) {
   const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(places));
   return std::min(place, places - 1);
 }
-
-}  // namespace
 
 PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other) {
   sum.race_damping += other.race_damping;
