@@ -242,17 +242,23 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
 
 }  // namespace
 
-bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
-                                                          const DrivetrainGeometry& geometry,
-                                                          const BearingDuty& duty) {
+bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                       const DrivetrainGeometry& geometry) {
   bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
-  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
   parameters.inertia = drivetrain.inertia;
   parameters.lubricant = drivetrain.lubricant;
   parameters.race.film_in_approach = drivetrain.film_in_approach;
   parameters.race.film_approach = drivetrain.film_approach;
-  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  return parameters;
+}
+
+bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
+                                                          const DrivetrainGeometry& geometry,
+                                                          const BearingDuty& duty) {
+  bearing::dynamics::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
+  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
+  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   return parameters;
 }
 

@@ -97,7 +97,11 @@ struct PointResult {
   std::string status = "ok";             // "ok" or why the point failed
 };
 
-/// What the bearing's motion in time needs at this duty.
+/// What the bearing's motion in time needs whatever drives it: no ripple of the meshes, no run-up.
+bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                       const DrivetrainGeometry& geometry);
+
+/// The same with what the gears give at this duty.
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                           const DrivetrainGeometry& geometry,
                                                           const BearingDuty& duty);
