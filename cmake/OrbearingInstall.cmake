@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(orbearing_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Orbearing")
 set(orbearing_data_dir "${CMAKE_INSTALL_DATADIR}/orbearing")
 
-install(TARGETS orbearing_gearset orbearing_bearing orbearing_coupling
+install(TARGETS orbearing_gearset orbearing_bearing orbearing_coupling orbearing_fmu_import
         EXPORT OrbearingTargets
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 foreach(folder IN ITEMS gearset bearing coupling)

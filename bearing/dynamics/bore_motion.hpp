@@ -12,8 +12,9 @@ struct BoreMotion {
   Vector2 velocity = Vector2::Zero();      // [m/s]
   Vector2 acceleration = Vector2::Zero();  // [m/s^2]  used by implicit integrators only
   double speed = 0.0;                      // [rad/s]  of the bore, relative to the carrier
-  double carrier_speed = 0.0;              // [rad/s]
-  double carrier_acceleration = 0.0;       // [rad/s^2]
+  double angle = 0.0;  // [rad]    turned by the bore since the start; asked of bores that are not round
+  double carrier_speed = 0.0;         // [rad/s]
+  double carrier_acceleration = 0.0;  // [rad/s^2]
 };
 
 /// What the bearing does to the planet: all that rollers, film and, where the outer ring guides it, the cage

@@ -40,11 +40,6 @@ Vector2 roller_centre(const BearingModel& model, const RollerContacts& contacts,
                     outward;
 }
 
-// The film that is part of the contacts; as printed it is part of the races' radii.
-std::optional<Lubricant> added_film(const QuasiStaticOptions& options) {
-  return options.film_approach == FilmApproach::added ? options.film : std::nullopt;
-}
-
 void set_roller(const Vector2& centre, double angle, double cage_speed, double spin, Eigen::Index j,
                 MutableStateViews& state) {
   const double off = cross(direction(angle), centre) / centre.norm();
@@ -56,32 +51,48 @@ void set_roller(const Vector2& centre, double angle, double cage_speed, double s
 
 }  // namespace
 
-InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
-                           const DynamicsParameters& parameters, double first_roller) {
-  OperatingPoint point = model.point;
-  if (model.driving.growth != 0.0) point.carrier.acceleration = 0.0;  // the load on the bore lacks its share
+std::optional<Lubricant> added_film(const QuasiStaticOptions& options) {
+  return options.film_approach == FilmApproach::added ? options.film : std::nullopt;
+}
+
+QuasiStaticOptions start_options(const DynamicsParameters& parameters) {
   QuasiStaticOptions options;
   options.inertia = parameters.inertia;
   if (parameters.race.film_in_approach) options.film = parameters.lubricant;
   options.film_approach = parameters.race.film_approach;
+  return options;
+}
+
+void place_bodies(const BearingModel& model, const bearing::RollerContacts& contacts,
+                  const QuasiStaticState& balance, const StartMotion& start, double first_roller,
+                  Eigen::Ref<Eigen::VectorXd> x) {
+  MutableStateViews state = mutable_state_views(model.layout, x.data());
+  state.pin_position = start.pin;
+  state.bore_position = start.bore;
+  state.cage_position = model.guiding_race == Race::outer ? start.bore : start.pin;
+  state.cage_angle = first_roller;
+  state.cage_speed = start.cage_speed;
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+    set_roller(roller_centre(model, contacts, balance, j, start.pin, start.bore), balance.angle[j],
+               start.cage_speed, start.spin, j, state);
+}
+
+InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
+                           const DynamicsParameters& parameters, double first_roller) {
+  OperatingPoint point = model.point;
+  if (model.driving.growth != 0.0) point.carrier.acceleration = 0.0;  // the load on the bore lacks its share
+  const QuasiStaticOptions options = start_options(parameters);
   const QuasiStaticState balance = quasi_static_state(bearing, point, options, first_roller);
-  const RollerContacts contacts =
-      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, added_film(options));
   const double cage_speed = model.kinematic_cage_speed;
   const double spin = kinematic_roller_spin(model.geometry, point.inner_speed, point.outer_speed);
 
   InitialState start{Eigen::VectorXd::Zero(model.layout.size()), balance.report};
-  MutableStateViews state = mutable_state_views(model.layout, start.x.data());
   const Vector2 pin = balance.report.converged ? pin_displacement(model, balance) : Vector2::Zero();
   const Vector2 bore = balance.report.converged ? Vector2(pin + balance.displacement) : Vector2::Zero();
-  state.pin_position = pin;
-  state.bore_position = bore;
-  state.cage_position = model.guiding_race == Race::outer ? bore : pin;
-  state.cage_angle = first_roller;
-  state.cage_speed = cage_speed;
-  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
-    set_roller(roller_centre(model, contacts, balance, j, pin, bore), balance.angle[j], cage_speed, spin, j,
-               state);
+  place_bodies(
+      model,
+      rolling_contacts(bearing, model.geometry, point.inner_speed, point.outer_speed, added_film(options)),
+      balance, {pin, bore, cage_speed, spin}, first_roller, start.x);
   return start;
 }
 

@@ -21,4 +21,23 @@ struct InitialState {
 InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller);
 
+/// Film and inertia of a quasi-static start.
+QuasiStaticOptions start_options(const DynamicsParameters& parameters);
+/// The film that is part of the contacts; as printed it is part of the races' radii.
+std::optional<Lubricant> added_film(const QuasiStaticOptions& options);
+
+/// Where the rings stand at the start, and how fast cage and rollers turn.
+struct StartMotion {
+  Vector2 pin;              // [m]
+  Vector2 bore;             // [m]
+  double cage_speed = 0.0;  // [rad/s]
+  double spin = 0.0;        // [rad/s]
+};
+
+/// Puts all bodies into the state `x`, which is zero before: rollers as `balance` has them between rings at
+/// `start`, with the approach that their loads need on `contacts`; the cage centred in its land.
+void place_bodies(const BearingModel& model, const bearing::RollerContacts& contacts,
+                  const QuasiStaticState& balance, const StartMotion& start, double first_roller,
+                  Eigen::Ref<Eigen::VectorXd> x);
+
 }  // namespace orbearing::bearing::dynamics

@@ -229,6 +229,7 @@ BearingModel bearing_model(const CylindricalRollerBearing& bearing, const Operat
       .geometry = geometry,
       .point = point,
       .frame = carrier_frame(point.carrier, parameters.inertia),
+      .inertia = parameters.inertia,
       .roller = {geometry.roller_mass, geometry.roller_inertia},
       .cage = {geometry.cage_mass, geometry.cage_inertia},
       .bore_mass = bore_mass,

@@ -43,6 +43,7 @@ struct BearingModel {
   RollerBearingGeometry geometry;
   OperatingPoint point;
   CarrierFrame frame;
+  InertiaSwitches inertia;  // what the frame was made with
   BodyInertia roller;
   BodyInertia cage;
   double bore_mass = 0.0;  // [kg]

@@ -34,13 +34,13 @@ PowerLoss divided(const PowerLoss& sum, double by) {
           .support = sum.support / by};
 }
 
+}  // namespace
+
 Eigen::Index place_of(double angle, Eigen::Index places) {
   const double turns = angle / two_pi + 0.5 / static_cast<double>(places);
   const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(places));
   return std::min(place, places - 1);
 }
-
-}  // namespace
 
 StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index places)
     : rollers_(rollers), places_(places) {}

@@ -35,6 +35,9 @@ struct WindowStatistics {
   PowerLoss loss;                                // [W]
 };
 
+/// The bin, of `places` on a race, in which `angle` [rad] lies.
+Eigen::Index place_of(double angle, Eigen::Index places);
+
 /// Gathers samples evenly spaced in time and turns them into means.
 class StatisticsCollector {
  public:

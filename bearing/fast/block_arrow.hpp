@@ -83,8 +83,10 @@ void add_schur(const RollerBlock& block, double (&into)[kRingUnknowns][kRingRow]
 struct RingBlock {
   double a[kRingUnknowns][kRingRow] = {};
 
+  /// Of the first kPivots unknowns; the block of the others is then what their elimination leaves.
+  template <int kPivots = kRingUnknowns>
   bool factor() {
-    for (int p = 0; p < kRingUnknowns; ++p) {
+    for (int p = 0; p < kPivots; ++p) {
       const double inverse = 1.0 / a[p][p];
       if (!(__builtin_fabs(inverse) < 1e300)) return false;
       a[p][p] = inverse;

@@ -3,7 +3,7 @@
 #define ORBEARING_LANES lanes_avx2
 #include "bearing/fast/engines.hpp"
 #include "bearing/fast/lane_equilibrium.hpp"
-#include "bearing/fast/lane_solve.hpp"
+#include "bearing/fast/lane_open.hpp"
 
 namespace orbearing::bearing::fast {
 

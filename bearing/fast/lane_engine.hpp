@@ -41,6 +41,7 @@ struct RollerPack {
 struct RingLoads {
   Pair pin, bore, cage;
   Pack cage_moment{};
+  Pack bore_moment{};  // about the origin
 };
 
 class LaneEngine final : public Engine {
@@ -68,6 +69,12 @@ class LaneEngine final : public Engine {
     return {reinterpret_cast<const double*>(&inner_load_[0]),
             reinterpret_cast<const double*>(&outer_load_[0])};
   }
+  void set_surroundings(const Surroundings& now) override;
+  BoreForces bore_forces() const override { return on_bore_; }
+  BoreSlopes bore_slopes() const override;
+  bool factor_open(double g, PortMatrix& port) override;
+  void reduce(const double* rhs, double* k, double (&force)[2]) override;
+  void complete(const double* rhs, const double (&rate)[2], double* k) const override;
 
  private:
   using GuidanceDual = Dual<5>;  // by offset x y, velocity x y, cage speed
@@ -79,7 +86,13 @@ class LaneEngine final : public Engine {
   template <bool WithSlopes>
   void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
   void build_block(int p, double g);
+  template <bool OpenBore>
+  void assemble(double g);
+  template <bool OpenBore>
   void add_rings(double g, RingBlock& rings) const;
+  template <bool OpenBore>
+  void reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const;
+  void complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const;
 
   Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
   const double* entry(const double* x, int group, int p) const {
@@ -102,6 +115,8 @@ class LaneEngine final : public Engine {
   double cage_speed_ = 0.0;
   double cage_cosine_ = 1.0;
   double cage_sine_ = 0.0;
+  BoreForces on_bore_;
+  double reduced_[kRingUnknowns]{};  // between reduce() and complete(), the bore last
 };
 
 /// `f_r`, `f_t`: all contact forces on the rollers [N]; `orbit_rate`: theta'' [rad/s^2].
@@ -182,6 +197,7 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   react(races.f_r.high, races.f_t.high, cosine, sine, sums.bore);
   if (pocket.touched) react(pocket.on_roller.f_r, pocket.on_roller.f_t, cosine, sine, sums.cage);
   sums.cage_moment += pocket.cage_moment;
+  sums.bore_moment -= races.moment.high + r * races.f_t.high;
 
   const Pack f_r = races.f_r.low + races.f_r.high + pocket.on_roller.f_r;
   const Pack f_t = races.f_t.low + races.f_t.high + pocket.on_roller.f_t;
@@ -212,76 +228,6 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     linear.free = free_slopes(c_, linear, f_r, f_t, spin, only(here, orbit_rate));
     linear.caged = pocket.touched;
   }
-}
-
-template <bool WithSlopes>
-void LaneEngine::evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums,
-                                double* dx) {
-  const double* cage = x + layout_.cage();
-  const double* bore = x + layout_.bore();
-  const double* pin = x + layout_.pin();
-  double* cage_rate = dx + layout_.cage();
-  double* bore_rate = dx + layout_.bore();
-  double* pin_rate = dx + layout_.pin();
-  const double* land = c_.land.on_bore ? bore : pin;
-  const double offset[5] = {cage[0] - land[0], cage[1] - land[1], cage[3] - land[2], cage[4] - land[3],
-                            cage[5]};
-  double land_x, land_y, land_moment;
-  if constexpr (WithSlopes) {
-    LandMotion<GuidanceDual> motion{
-        GuidanceDual::variable(offset[0], 0), GuidanceDual::variable(offset[1], 1),
-        GuidanceDual::variable(offset[2], 2), GuidanceDual::variable(offset[3], 3),
-        GuidanceDual::variable(offset[4], 4)};
-    const LandForce<GuidanceDual> force = land_force(c_.land, motion);
-    land_x_ = force.x;
-    land_y_ = force.y;
-    land_moment_ = force.moment;
-    cage_speed_ = cage[5];
-    land_x = force.x.value;
-    land_y = force.y.value;
-    land_moment = force.moment.value;
-  } else {
-    const LandForce<double> force =
-        land_force(c_.land, LandMotion<double>{offset[0], offset[1], offset[2], offset[3], offset[4]});
-    land_x = force.x;
-    land_y = force.y;
-    land_moment = force.moment;
-  }
-  const double on_bore = c_.land.on_bore ? 1.0 : 0.0;
-  const auto frame_x = [&](double px, double py, double vy, double orbit_radius) {
-    return 2.0 * c_.coriolis_speed * vy + c_.centrifugal * (px + orbit_radius) + c_.euler * py;
-  };
-  const auto frame_y = [&](double px, double py, double vx, double orbit_radius) {
-    return -2.0 * c_.coriolis_speed * vx + c_.centrifugal * py - c_.euler * (px + orbit_radius);
-  };
-  cage_rate[0] = cage[3];
-  cage_rate[1] = cage[4];
-  cage_rate[2] = cage[5];
-  cage_rate[3] =
-      (sum(sums.cage.x) + land_x) / c_.cage_mass + frame_x(cage[0], cage[1], cage[4], c_.orbit_radius);
-  cage_rate[4] =
-      (sum(sums.cage.y) + land_y) / c_.cage_mass + frame_y(cage[0], cage[1], cage[3], c_.orbit_radius);
-  cage_rate[5] = (sum(sums.cage_moment) + land_moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) /
-                     c_.cage_inertia -
-                 c_.euler;
-  // The load on the bore holds the planet's inertial load at the origin: here only what displacement adds.
-  bore_rate[0] = bore[2];
-  bore_rate[1] = bore[3];
-  bore_rate[2] =
-      (sum(sums.bore.x) - on_bore * land_x + load_x) / c_.bore_mass + frame_x(bore[0], bore[1], bore[3], 0.0);
-  bore_rate[3] =
-      (sum(sums.bore.y) - on_bore * land_y + load_y) / c_.bore_mass + frame_y(bore[0], bore[1], bore[2], 0.0);
-  const double on_pin = 1.0 - on_bore;
-  pin_rate[0] = pin[2];
-  pin_rate[1] = pin[3];
-  pin_rate[2] =
-      (sum(sums.pin.x) - on_pin * land_x - c_.support_stiffness * pin[0] - c_.support_damping * pin[2]) /
-          c_.pin_mass +
-      frame_x(pin[0], pin[1], pin[3], c_.orbit_radius);
-  pin_rate[3] =
-      (sum(sums.pin.y) - on_pin * land_y - c_.support_stiffness * pin[1] - c_.support_damping * pin[3]) /
-          c_.pin_mass +
-      frame_y(pin[0], pin[1], pin[2], c_.orbit_radius);
 }
 
 template <bool WithSlopes>

@@ -24,7 +24,10 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
   return change;
 }
 
-[[gnu::flatten]] inline void LaneEngine::solve(const double* rhs, double* k) const {
+/// Rollers: their share of `k`, and what they leave on the right-hand sides `b` of the rings. The rows of an
+/// open bore hold the force on it alone.
+template <bool OpenBore>
+void LaneEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();
@@ -56,14 +59,14 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
       moment += pocket.moment;
     }
     const FreeSlopes& free = at.free;
-    const Pack b[3] = {
+    const Pack own[3] = {
         load(entry(rhs, 2, p)) + g * (f_r * per_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
         load(entry(rhs, 3, p)) +
             g * (f_t * at.per_r * per_mass + free.orbital_by_r * dr + free.orbital_by_theta * dtheta),
         load(entry(rhs, 4, p)) + (g / c_.roller_inertia) * moment};
     Pack y[3];
     for (int i = 0; i < 3; ++i) {
-      y[i] = block.own[i][0] * b[0] + block.own[i][1] * b[1] + block.own[i][2] * b[2];
+      y[i] = block.own[i][0] * own[0] + block.own[i][1] * own[1] + block.own[i][2] * own[2];
       store(y[i], entry(k, 2 + i, p));
     }
     for (int i = 0; i < block.ring_end(); ++i)
@@ -78,24 +81,35 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
   for (int i = 0; i < 3 && c_.land.present; ++i)
     land[i] = force[i]->slope[0] * (cage[0] - guide[0]) + force[i]->slope[1] * (cage[1] - guide[1]);
   const double on_bore = c_.land.on_bore ? 1.0 : 0.0, on_pin = 1.0 - on_bore;
-  double b[kRingUnknowns] = {
-      ring_rhs(0) + pin[2] +
-          g * ((sum(loads.pin.x) - on_pin * land[0] - c_.support_stiffness * pin[0]) / c_.pin_mass +
-               turn * pin[0] + late * pin[1]),
-      ring_rhs(1) + pin[3] +
-          g * ((sum(loads.pin.y) - on_pin * land[1] - c_.support_stiffness * pin[1]) / c_.pin_mass +
-               turn * pin[1] - late * pin[0]),
-      ring_rhs(2) + bore[2] +
-          g * ((sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass + turn * bore[0] + late * bore[1]),
-      ring_rhs(3) + bore[3] +
-          g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]),
-      ring_rhs(4) + cage[3] +
-          g * ((sum(loads.cage.x) + land[0]) / c_.cage_mass + turn * cage[0] + late * cage[1]),
-      ring_rhs(5) + cage[4] +
-          g * ((sum(loads.cage.y) + land[1]) / c_.cage_mass + turn * cage[1] - late * cage[0]),
-      ring_rhs(6) + cage[5] + g * (sum(loads.cage_moment) + land[2]) / c_.cage_inertia};
-  rings_.solve(b);
+  b[0] = ring_rhs(0) + pin[2] +
+         g * ((sum(loads.pin.x) - on_pin * land[0] - c_.support_stiffness * pin[0]) / c_.pin_mass +
+              turn * pin[0] + late * pin[1]);
+  b[1] = ring_rhs(1) + pin[3] +
+         g * ((sum(loads.pin.y) - on_pin * land[1] - c_.support_stiffness * pin[1]) / c_.pin_mass +
+              turn * pin[1] - late * pin[0]);
+  if constexpr (OpenBore) {
+    b[2] = ring_rhs(2) + g * (sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass;
+    b[3] = ring_rhs(3) + g * (sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass;
+  } else {
+    b[2] = ring_rhs(2) + bore[2] +
+           g * ((sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass + turn * bore[0] + late * bore[1]);
+    b[3] = ring_rhs(3) + bore[3] +
+           g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]);
+  }
+  b[4] = ring_rhs(4) + cage[3] +
+         g * ((sum(loads.cage.x) + land[0]) / c_.cage_mass + turn * cage[0] + late * cage[1]);
+  b[5] = ring_rhs(5) + cage[4] +
+         g * ((sum(loads.cage.y) + land[1]) / c_.cage_mass + turn * cage[1] - late * cage[0]);
+  b[6] = ring_rhs(6) + cage[5] + g * (sum(loads.cage_moment) + land[2]) / c_.cage_inertia;
+}
 
+/// All rates, once those of the rings are known: `b`.
+inline void LaneEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns],
+                                         double* k) const {
+  const double* cage = rhs + layout_.cage();
+  const double* bore = rhs + layout_.bore();
+  const double* pin = rhs + layout_.pin();
+  const double g = g_;
   double* k_cage = k + layout_.cage();
   double* k_bore = k + layout_.bore();
   double* k_pin = k + layout_.pin();
@@ -121,6 +135,13 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
     k_cage[i] = cage[i] + g * b[kCage + i];
     k_cage[3 + i] = b[kCage + i];
   }
+}
+
+[[gnu::flatten]] inline void LaneEngine::solve(const double* rhs, double* k) const {
+  double b[kRingUnknowns];
+  reduce_rollers<false>(rhs, k, b);
+  rings_.solve(b);
+  complete_rollers(rhs, b, k);
 }
 
 }  // namespace orbearing::bearing::fast::ORBEARING_LANES

@@ -3,7 +3,7 @@
 // lane_solve.hpp only.
 #pragma once
 
-#include "bearing/fast/lane_engine.hpp"
+#include "bearing/fast/lane_rings.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_LANES {
 
@@ -113,8 +113,10 @@ inline void LaneEngine::build_block(int p, double g) {
   }
 }
 
-/// What the rings feel apart from rollers: frame, support, land, drag of the cage.
-inline void LaneEngine::add_rings(double g, RingBlock& rings) const {
+/// What the rings feel apart from rollers: frame, support, land, drag of the cage. The rows of an open bore
+/// hold the forces on it alone.
+template <bool OpenBore>
+void LaneEngine::add_rings(double g, RingBlock& rings) const {
   const auto frame = [&](int first) {
     rings.a[first][first] += 1.0 - g * g * c_.centrifugal;
     rings.a[first + 1][first + 1] += 1.0 - g * g * c_.centrifugal;
@@ -122,7 +124,7 @@ inline void LaneEngine::add_rings(double g, RingBlock& rings) const {
     rings.a[first + 1][first] += g * (2.0 * c_.coriolis_speed + g * c_.euler);
   };
   frame(kPin);
-  frame(kBore);
+  if constexpr (!OpenBore) frame(kBore);
   frame(kCage);
   rings.a[kCage + 2][kCage + 2] +=
       1.0 + 2.0 * g * c_.cage_drag / c_.cage_inertia * __builtin_fabs(cage_speed_);
@@ -151,7 +153,8 @@ void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingR
   add_schur<kEnd>(block, rings);
 }
 
-[[gnu::flatten]] inline bool LaneEngine::factor(double g) {
+template <bool OpenBore>
+void LaneEngine::assemble(double g) {
   g_ = g;
   rings_ = RingBlock{};
   for (int p = 0; p < packs_; ++p) {
@@ -161,7 +164,11 @@ void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingR
     else
       eliminate_and_add<kCage>(block_[p], rings_.a);
   }
-  add_rings(g, rings_);
+  add_rings<OpenBore>(g, rings_);
+}
+
+[[gnu::flatten]] inline bool LaneEngine::factor(double g) {
+  assemble<false>(g);
   return rings_.factor();
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "bearing/dynamics/driven_bore.hpp"
 #include "bearing/fast/constants_of.hpp"
 #include "bearing/fast/engines.hpp"
 
@@ -103,6 +104,29 @@ void VectorBearing::time_slope(double time, double* rate) {
   const dynamics::Vector2 slope = dynamics::bore_load_slope(model_, time);
   rate[layout_.bore() + 2] = slope.x() / model_.bore_mass;
   rate[layout_.bore() + 3] = slope.y() / model_.bore_mass;
+}
+
+void VectorBearing::set_motion(const dynamics::BoreMotion& motion) {
+  const CarrierFrame frame = dynamics::frame_of(model_, motion);
+  engine_->set_surroundings({frame.coriolis_speed, frame.centrifugal, frame.euler, motion.speed});
+  if (turning_waves_) turn_waves(model_.outer.form, motion.angle, outer_waves_);
+}
+
+void VectorBearing::derivative(const dynamics::BoreMotion& motion, const double* x, double* dx) {
+  set_motion(motion);
+  engine_->derivative(x, 0.0, 0.0, dx);
+  std::copy_n(motion.acceleration.data(), 2, dx + layout_.bore() + 2);
+}
+
+void VectorBearing::linearise(const dynamics::BoreMotion& motion, const double* x, double* dx) {
+  set_motion(motion);
+  engine_->linearise(x, 0.0, 0.0, dx);
+  std::copy_n(motion.acceleration.data(), 2, dx + layout_.bore() + 2);
+}
+
+dynamics::BoreReaction VectorBearing::reaction() const {
+  const BoreForces forces = engine_->bore_forces();
+  return {{forces.x, forces.y}, forces.moment};
 }
 
 std::vector<double> VectorBearing::padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const {

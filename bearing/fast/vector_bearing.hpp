@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "bearing/dynamics/bore_motion.hpp"
 #include "bearing/dynamics/model.hpp"
 #include "bearing/fast/engine.hpp"
 #include "bearing/fast/instruction_set.hpp"
@@ -38,11 +39,28 @@ class VectorBearing {
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
   ContactLoads loads() const { return engine_->loads(); }
 
+  /// As their namesakes, for a bore that is driven: it stands where its four entries of `x` say, and its
+  /// velocity changes at the acceleration of `motion`; place and velocity of `motion` are not used.
+  void derivative(const dynamics::BoreMotion& motion, const double* x, double* dx);
+  void linearise(const dynamics::BoreMotion& motion, const double* x, double* dx);
+  /// What the bearing does to the bore, at the last evaluation.
+  dynamics::BoreReaction reaction() const;
+  /// Slopes of its force, at the last linearisation.
+  BoreSlopes bore_slopes() const { return engine_->bore_slopes(); }
+  /// As factor() and solve() with the bore open: engine.hpp. The planet's row of a stage becomes
+  ///   (mass + port) rate = mass rhs + force,   rate: of the bore's velocity.
+  bool factor_open(double g, PortMatrix& port) { return engine_->factor_open(g, port); }
+  void reduce(const double* rhs, double* k, double (&force)[2]) { engine_->reduce(rhs, k, force); }
+  void complete(const double* rhs, const double (&rate)[2], double* k) const {
+    engine_->complete(rhs, rate, k);
+  }
+
   std::vector<double> padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const;
   void flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const;
 
  private:
   void set_time(double time);
+  void set_motion(const dynamics::BoreMotion& motion);
 
   dynamics::BearingModel model_;
   PaddedLayout layout_;

@@ -34,6 +34,7 @@ struct BoreCourse {
   Course carrier_speed;         // [rad/s]
   Course carrier_acceleration;  // [rad/s^2]
 
+  /// All but the angle of the bore, which the bearing itself sums up.
   bearing::dynamics::BoreMotion at(double since) const;
 };
 
@@ -72,6 +73,8 @@ class DrivenBearing {
   /// From `window.begin` to its end with `inputs`, whose courses count from the beginning. On an error
   /// (std::runtime_error) the state is that at the beginning.
   void advance(const Window& window, const BoreCourse& inputs);
+  /// What the bearing does to the bore under the motion at the present time: the cheap part of output().
+  bearing::dynamics::BoreReaction reaction(const bearing::dynamics::BoreMotion& motion) const;
   /// Under the motion at the present time.
   DrivenBearingOutput output(const bearing::dynamics::BoreMotion& motion) const;
   ForceSlopes slopes(const bearing::dynamics::BoreMotion& motion) const;

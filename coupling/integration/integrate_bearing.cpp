@@ -17,15 +17,6 @@ namespace odeint = boost::numeric::odeint;
 
 constexpr double kStepOfImpact = 1.5;  // [rad]  of the faster of both vibrations in the longest step
 
-State padded_errors(const VectorBearing& bearing, const IntegrationOptions& options) {
-  State allowed = bearing.padded(options.tolerance * kLinearlyImplicitErrorFactor * options.allowed_error);
-  const PaddedLayout& layout = bearing.layout();
-  for (int group = 0; group < 5; ++group)
-    std::fill(allowed.begin() + group * layout.lanes() + layout.rollers,
-              allowed.begin() + (group + 1) * layout.lanes(), 0.0);
-  return allowed;
-}
-
 // State between two steps: positions by Hermite's cubic from their velocities, velocities in a straight line,
 // which does not ring where they are stiff.
 class Interpolation {
@@ -77,7 +68,8 @@ class BearingRun {
         on_step_(on_step),
         run_(run),
         report_(report),
-        stepper_(padded_errors(bearing, options), longest_step(bearing.model())),
+        stepper_(linearly_implicit_errors(bearing, options.tolerance * options.allowed_error),
+                 longest_step(bearing.model())),
         between_(bearing.layout()) {}
 
   bool go(Eigen::VectorXd& x, const OutputTimes& output) {
@@ -145,6 +137,21 @@ class BearingRun {
 };
 
 }  // namespace
+
+State linearly_implicit_errors(const VectorBearing& bearing, const Eigen::VectorXd& allowed_error) {
+  State allowed = bearing.padded(kLinearlyImplicitErrorFactor * allowed_error);
+  const PaddedLayout& layout = bearing.layout();
+  for (int group = 0; group < 5; ++group)
+    std::fill(allowed.begin() + group * layout.lanes() + layout.rollers,
+              allowed.begin() + (group + 1) * layout.lanes(), 0.0);
+  return allowed;
+}
+
+double roller_frequency(const bearing::dynamics::BearingModel& model) {
+  constexpr double kTypicalApproach = 1e-6;  // [m]
+  const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
+  return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
+}
 
 double longest_step(const bearing::dynamics::BearingModel& model) {
   constexpr double kTypicalApproach = 1e-6;  // [m]

@@ -26,6 +26,14 @@ IntegrationReport integrate_bearing(bearing::fast::VectorBearing& bearing, Eigen
                                     const OutputTimes& output, const IntegrationOptions& options,
                                     const Observer& observe, const StepObserver& on_step);
 
+/// Allowed errors of linearly implicit steps of the padded state, from those of dopri5.
+std::vector<double> linearly_implicit_errors(const bearing::fast::VectorBearing& bearing,
+                                             const Eigen::VectorXd& allowed_error);
+
+/// Frequency of a roller between its races at a typical approach [rad/s]: ties the allowed errors of speeds
+/// to those of lengths.
+double roller_frequency(const bearing::dynamics::BearingModel& model);
+
 /// Longest step [s] that still resolves the impact of a roller on its pocket and the ring on its rollers.
 double longest_step(const bearing::dynamics::BearingModel& model);
 

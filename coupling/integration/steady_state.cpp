@@ -25,14 +25,6 @@ using boost::math::double_constants::two_pi;
 constexpr double kLongestWindow =
     4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
 
-// Frequency of a roller between its races at a typical approach [rad/s]: ties the allowed errors of speeds to
-// those of lengths.
-double roller_frequency(const BearingModel& model) {
-  constexpr double kTypicalApproach = 1e-6;  // [m]
-  const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
-  return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
-}
-
 }  // namespace
 
 void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {

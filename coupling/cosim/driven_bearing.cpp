@@ -1,0 +1,330 @@
+#include "coupling/cosim/driven_bearing.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "bearing/dynamics/driven_bore.hpp"
+#include "bearing/dynamics/driven_start.hpp"
+#include "coupling/cosim/driven_setup.hpp"
+#include "coupling/cosim/driven_system.hpp"
+#include "coupling/integration/in_place.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
+#include "coupling/integration/readable_window.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+
+namespace orbearing::cosim {
+
+namespace {
+
+using bearing::dynamics::BearingModel;
+using bearing::dynamics::BoreMotion;
+using bearing::dynamics::BoreReaction;
+using bearing::dynamics::Snapshot;
+using bearing::fast::VectorBearing;
+using boost::math::double_constants::two_pi;
+
+constexpr double kFirstStep = 1e-6;   // [s]
+constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
+constexpr double kStateVersion = 1.0;
+
+// Steps of central differences: far below what the laws see, far above round-off.
+constexpr double kSpeedStep = 1e-3;     // [rad/s]
+constexpr double kPlaceStep = 1e-10;    // [m]
+constexpr double kVelocityStep = 1e-6;  // [m/s]
+
+bool finite(const Course& course) {
+  return std::all_of(course.coefficient.begin(), course.coefficient.end(),
+                     [](double c) { return std::isfinite(c); });
+}
+
+void require_finite(const BoreCourse& inputs) {
+  const std::pair<const char*, const Course*> all[] = {
+      {"x [m]", &inputs.x},
+      {"y [m]", &inputs.y},
+      {"v_x [m/s]", &inputs.v_x},
+      {"v_y [m/s]", &inputs.v_y},
+      {"speed [rad/s]", &inputs.speed},
+      {"carrier speed [rad/s]", &inputs.carrier_speed},
+      {"carrier acceleration [rad/s^2]", &inputs.carrier_acceleration}};
+  for (const auto& [name, course] : all)
+    if (!finite(*course))
+      throw std::runtime_error(std::string("driven bearing: the input ") + name +
+                               " is not finite; required: finite numbers");
+}
+
+void require_finite(const BoreMotion& motion) {
+  const bool holds = motion.position.allFinite() && motion.velocity.allFinite() &&
+                     motion.acceleration.allFinite() && std::isfinite(motion.speed) &&
+                     std::isfinite(motion.carrier_speed) && std::isfinite(motion.carrier_acceleration);
+  if (!holds)
+    throw std::runtime_error(
+        "driven bearing: the motion of bore and carrier is not finite; required: finite numbers");
+}
+
+void require_length(const Window& window) {
+  if (std::isfinite(window.begin) && std::isfinite(window.end) && window.length() > 0.0) return;
+  std::ostringstream text;
+  text << "driven bearing: found a window from " << window.begin << " s to " << window.end
+       << " s; required: an end after the beginning";
+  throw std::runtime_error(text.str());
+}
+
+// All that the future depends on.
+struct State {
+  Eigen::VectorXd flat;      // of the readable equations
+  std::vector<double> x;     // padded, of the vectorised ones; one of both is in use
+  double step = kFirstStep;  // [s]    to try next
+  double angle = 0.0;        // [rad]  of the bore
+  double turned = 0.0;       // [rad]  there and back
+  double step_before = 0.0;  // [s]    half of it is not counted yet
+  LoadSums sums{0};
+
+  /// Every number in turn, for `visit(double* first, size)`.
+  template <class Visit>
+  void each(Visit visit) {
+    for (double* one : {&step, &angle, &turned, &step_before}) visit(one, 1);
+    visit(x.data(), static_cast<long>(x.size()));
+    for (Eigen::Ref<Eigen::VectorXd> part :
+         {Eigen::Ref<Eigen::VectorXd>(flat), Eigen::Ref<Eigen::VectorXd>(sums.passages.matrix()),
+          Eigen::Ref<Eigen::VectorXd>(sums.inner.matrix()), Eigen::Ref<Eigen::VectorXd>(sums.outer.matrix())})
+      visit(part.data(), static_cast<long>(part.size()));
+  }
+};
+
+}  // namespace
+
+BoreMotion BoreCourse::at(double since) const {
+  BoreMotion motion;
+  motion.position = {x.at(since), y.at(since)};
+  motion.velocity = {v_x.at(since), v_y.at(since)};
+  motion.acceleration = {v_x.slope(since), v_y.slope(since)};
+  motion.speed = speed.at(since);
+  motion.carrier_speed = carrier_speed.at(since);
+  motion.carrier_acceleration = carrier_acceleration.at(since);
+  return motion;
+}
+
+struct DrivenBearing::Inside {
+  DrivenBearingSetup setup;
+  BearingModel model;
+  std::optional<VectorBearing> fast;  // none where the readable equations alone know all of the model
+  Eigen::VectorXd allowed;
+  std::optional<integration::Rosenbrock2> stepper;
+  LoadsAtStep loads;
+  State state, backup;
+  std::vector<double> at_instant, rate;  // padded
+
+  explicit Inside(const DrivenBearingSetup& given)
+      : setup(given), model(driven_model(given)), loads(given.bearing.rollers) {
+    allowed = integration::bearing_allowed_errors(model.layout, setup.allowed_length_error,
+                                                  model.geometry.pitch_radius,
+                                                  integration::roller_frequency(model));
+    state.sums = LoadSums(setup.places);
+    state.flat = Eigen::VectorXd::Zero(model.layout.size());
+    if (!bearing::fast::supports(model)) return;
+    fast.emplace(model);
+    stepper.emplace(integration::linearly_implicit_errors(*fast, allowed), integration::longest_step(model));
+    at_instant.resize(static_cast<std::size_t>(fast->layout().size()));
+    rate = at_instant;
+    set(Eigen::VectorXd::Zero(model.layout.size()));
+  }
+
+  void set(const Eigen::VectorXd& x) {
+    if (fast) {
+      state.x = fast->padded(x);
+      state.flat.resize(0);
+    } else {
+      state.flat = x;
+    }
+  }
+  Eigen::VectorXd flat() const {
+    if (!fast) return state.flat;
+    Eigen::VectorXd x(model.layout.size());
+    fast->flatten(state.x.data(), x);
+    return x;
+  }
+
+  BoreMotion here(BoreMotion motion) const {
+    motion.angle = state.angle;
+    return motion;
+  }
+
+  void run(double length, const BoreCourse& inputs) {
+    const Course angle = integral(state.angle, inputs.speed);
+    const integration::WindowLimits limits{.most_steps = setup.most_steps};
+    loads.step_before = state.step_before;
+    if (fast)
+      run_fast(length, inputs, limits);
+    else
+      run_readable(length, inputs, angle, limits);
+    state.step_before = loads.step_before;
+    state.turned += std::abs(angle.at(length) - state.angle);
+    state.angle = angle.at(length);
+    const std::string reason = integration::out_of_place(model, flat());
+    if (!reason.empty()) throw std::runtime_error("driven bearing: " + reason);
+  }
+
+  void run_fast(double length, const BoreCourse& inputs, const integration::WindowLimits& limits) {
+    DrivenSystem system(*fast, inputs, state.angle, loads, state.sums);
+    system.settle(0.0, state.x);
+    integration::through_window(*stepper, system, state.x, length, limits, state.step);
+  }
+
+  void run_readable(double length, const BoreCourse& inputs, const Course& angle,
+                    const integration::WindowLimits& limits) {
+    const auto motion_at = [&](double time) {
+      BoreMotion motion = inputs.at(time);
+      motion.angle = angle.at(time);
+      return motion;
+    };
+    const auto derivative = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                                Eigen::Ref<Eigen::VectorXd> dx) {
+      driven_derivative(model, motion_at(time), x, dx);
+    };
+    const auto on_step = [&](double time, double step, const Eigen::Ref<const Eigen::VectorXd>& x) {
+      const Snapshot now = driven_snapshot(model, motion_at(time), x);
+      loads.take(now.angle.data(), {now.inner.load.data(), now.outer.load.data()});
+      loads.count(step, state.sums);
+    };
+    state.flat = state_at(model, motion_at(0.0), state.flat);
+    integration::through_window(derivative, state.flat, length, allowed, limits, state.step, on_step);
+    state.flat = state_at(model, motion_at(length), state.flat);
+  }
+
+  // The vectorised bearing with its bore where `motion` says; `linear` keeps slopes.
+  BoreReaction evaluate(const BoreMotion& motion, bool linear) {
+    at_instant = state.x;
+    double* bore = at_instant.data() + fast->layout().bore();
+    std::copy_n(motion.position.data(), 2, bore);
+    std::copy_n(motion.velocity.data(), 2, bore + 2);
+    if (linear)
+      fast->linearise(motion, at_instant.data(), rate.data());
+    else
+      fast->derivative(motion, at_instant.data(), rate.data());
+    return fast->reaction();
+  }
+  BoreReaction reaction(const BoreMotion& motion) {
+    return fast ? evaluate(motion, false) : bearing::dynamics::reaction(model, motion, state.flat);
+  }
+
+  // Central difference of the force by the number that `move` changes.
+  template <class Move>
+  Eigen::Vector2d slope(const BoreMotion& motion, double step, Move move) {
+    BoreMotion less = motion, more = motion;
+    move(less) -= step;
+    move(more) += step;
+    return (reaction(more).force - reaction(less).force) / (2.0 * step);
+  }
+};
+
+DrivenBearing::DrivenBearing(const DrivenBearingSetup& setup) : inside_(std::make_unique<Inside>(setup)) {}
+DrivenBearing::~DrivenBearing() = default;
+DrivenBearing::DrivenBearing(DrivenBearing&&) noexcept = default;
+DrivenBearing& DrivenBearing::operator=(DrivenBearing&&) noexcept = default;
+
+int DrivenBearing::rollers() const {
+  return inside_->setup.bearing.rollers;
+}
+
+void DrivenBearing::initialize(const BoreMotion& motion) {
+  require_finite(motion);
+  Inside& in = *inside_;
+  const Eigen::VectorXd start =
+      driven_start(in.setup.bearing, in.model, in.setup.dynamics, motion, in.setup.first_roller);
+  if (!start.allFinite()) throw std::runtime_error("driven bearing: the start is not finite");
+  in.state = {};
+  in.state.sums = LoadSums(in.setup.places);
+  in.set(start);
+}
+
+void DrivenBearing::advance(const Window& window, const BoreCourse& inputs) {
+  require_length(window);
+  require_finite(inputs);
+  inside_->backup = inside_->state;
+  try {
+    inside_->run(window.length(), inputs);
+  } catch (...) {
+    inside_->state = inside_->backup;
+    throw;
+  }
+}
+
+BoreReaction DrivenBearing::reaction(const BoreMotion& motion) const {
+  return inside_->reaction(inside_->here(motion));
+}
+
+DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
+  Inside& in = *inside_;
+  const BoreMotion here = in.here(motion);
+  const Snapshot now = driven_snapshot(in.model, here, in.flat());
+  const double kinematic = kinematic_cage_speed(in.model.geometry, 0.0, motion.speed);
+  DrivenBearingOutput output;
+  output.reaction = in.reaction(here);
+  output.cage_speed = now.cage_speed;
+  output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.cage_speed / kinematic : 0.0;
+  output.revolutions = in.state.turned / two_pi;
+  output.life_used = output.revolutions / in.state.sums.life(in.setup.bearing, in.setup.lambda).bearing;
+  output.friction_loss = now.loss.total();
+  output.inner_load.assign(now.inner.load.begin(), now.inner.load.end());
+  output.outer_load.assign(now.outer.load.begin(), now.outer.load.end());
+  output.roller_angle.assign(now.angle.begin(), now.angle.end());
+  return output;
+}
+
+ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
+  Inside& in = *inside_;
+  const BoreMotion here = in.here(motion);
+  ForceSlopes slopes;
+  if (in.fast) {
+    in.evaluate(here, true);
+    const bearing::fast::BoreSlopes exact = in.fast->bore_slopes();
+    for (int i = 0; i < 2; ++i)
+      for (int k = 0; k < 2; ++k) {
+        slopes.by_displacement(i, k) = exact.by_position[i][k];
+        slopes.by_velocity(i, k) = exact.by_velocity[i][k];
+      }
+  } else {
+    for (int k = 0; k < 2; ++k) {
+      slopes.by_displacement.col(k) =
+          in.slope(here, kPlaceStep, [k](BoreMotion& m) -> double& { return m.position[k]; });
+      slopes.by_velocity.col(k) =
+          in.slope(here, kVelocityStep, [k](BoreMotion& m) -> double& { return m.velocity[k]; });
+    }
+  }
+  slopes.by_speed = in.slope(here, kSpeedStep, [](BoreMotion& m) -> double& { return m.speed; });
+  return slopes;
+}
+
+void DrivenBearing::save(SavedState& state) const {
+  state = {kStateVersion, static_cast<double>(rollers()), static_cast<double>(inside_->setup.places),
+           inside_->fast ? 1.0 : 0.0};
+  inside_->state.each(
+      [&](const double* first, long size) { state.insert(state.end(), first, first + size); });
+}
+
+void DrivenBearing::restore(const SavedState& state) {
+  SavedState own;
+  save(own);
+  constexpr std::ptrdiff_t kHead = 4;
+  const bool fits = state.size() == own.size() && std::equal(own.begin(), own.begin() + kHead, state.begin());
+  if (!fits) {
+    std::ostringstream text;
+    text << "driven bearing: found a saved state of " << state.size() << " numbers";
+    if (!state.empty()) text << " and version " << state.front();
+    text << "; required: " << own.size() << " numbers of version " << kStateVersion << ", of a bearing with "
+         << rollers() << " rollers and " << inside_->setup.places << " places";
+    throw std::invalid_argument(text.str());
+  }
+  auto from = state.begin() + kHead;
+  inside_->state.each([&](double* first, long size) {
+    std::copy_n(from, size, first);
+    from += size;
+  });
+}
+
+}  // namespace orbearing::cosim

@@ -1,0 +1,53 @@
+#include "coupling/cosim/driven_setup.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace orbearing::cosim {
+
+namespace {
+
+void require(bool holds, const char* what, double found, const char* required) {
+  if (holds) return;
+  std::ostringstream text;
+  text << "driven bearing, " << what << ": found " << found << "; required: " << required;
+  throw std::invalid_argument(text.str());
+}
+
+void check_numbers(const DrivenBearingSetup& setup) {
+  require(std::isfinite(setup.orbit_radius) && setup.orbit_radius >= 0.0, "orbit radius [m]",
+          setup.orbit_radius, "0 or more");
+  require(std::isfinite(setup.first_roller), "place of the first roller [rad]", setup.first_roller,
+          "a finite number");
+  require(std::isfinite(setup.lambda) && setup.lambda > 0.0, "lambda of the life [-]", setup.lambda,
+          "more than 0");
+  require(std::isfinite(setup.allowed_length_error) && setup.allowed_length_error > 0.0,
+          "allowed length error [m]", setup.allowed_length_error, "more than 0");
+  require(setup.places >= 1, "places on the races", static_cast<double>(setup.places), "at least 1");
+  require(setup.most_steps >= 1, "largest number of steps", static_cast<double>(setup.most_steps),
+          "at least 1");
+}
+
+void check_effects(const bearing::dynamics::DynamicsParameters& dynamics) {
+  require(dynamics.driving.growth == 0.0, "growth of the speeds [1/s]", dynamics.driving.growth,
+          "0, since the speeds are inputs");
+  require(dynamics.ripple.harmonics.empty(), "harmonics of a mesh ripple",
+          static_cast<double>(dynamics.ripple.harmonics.size()), "none, since the motion is an input");
+  const bool printed =
+      dynamics.race.film_in_approach && dynamics.race.film_approach == bearing::FilmApproach::as_printed;
+  require(!printed, "film in the approach as printed", 1.0,
+          "a film that is added, since the printed one asks for the load beforehand");
+}
+
+}  // namespace
+
+bearing::dynamics::BearingModel driven_model(const DrivenBearingSetup& setup) {
+  check_numbers(setup);
+  check_effects(setup.dynamics);
+  bearing::OperatingPoint point;
+  point.carrier.orbit_radius = setup.orbit_radius;
+  return bearing_model(setup.bearing, point, setup.dynamics);
+}
+
+}  // namespace orbearing::cosim

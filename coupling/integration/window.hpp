@@ -1,0 +1,59 @@
+// Steps of a controlled stepper that end exactly at the end of a window, with a step size that outlives it.
+#pragma once
+
+#include <algorithm>
+#include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace orbearing::integration {
+
+/// How far a window may be cut.
+struct WindowLimits {
+  double smallest_step = 1e-13;  // [s]
+  long most_steps = 10'000'000;  // [-]  attempts
+};
+
+/// Advances `x` from time 0 to `length` [s]; times count from the beginning of the window. `step` [s] is that
+/// to try first and becomes that to try next; where the window's end cuts the last step short, it stays.
+/// `system` offers what the stepper asks of it (rosenbrock2.hpp), and
+///   begun(x)       after the linearisation at x, from which a step begins
+///   stepped(t, h)  after a step of length h from t
+///   settle(t, x)   then: puts into x what is known exactly
+/// @throws std::runtime_error where no step is small enough, where the state is not finite, or where the
+/// attempts are used up; `x` is then somewhere within the window
+template <class Stepper, class System>
+void through_window(Stepper& stepper, System& system, std::vector<double>& x, double length,
+                    const WindowLimits& limits, double& step) {
+  namespace odeint = boost::numeric::odeint;
+  const auto fail = [&](double time, const char* reason) {
+    std::ostringstream text;
+    text << reason << " " << time << " s into a window of " << length << " s";
+    throw std::runtime_error(text.str());
+  };
+  long attempts = 0;
+  for (double time = 0.0; time < length;) {
+    stepper.begin(system, x, time);
+    system.begun(x);
+    const double before = time;
+    bool last = false;
+    double attempt = step;
+    do {
+      if (++attempts > limits.most_steps) fail(before, "the largest number of steps was taken");
+      if (!(step >= limits.smallest_step))
+        fail(before, "no step was small enough, or the state is not finite,");
+      last = before + step >= length - limits.smallest_step;
+      attempt = last ? length - before : step;
+      if (stepper.try_step(system, x, time, attempt) == odeint::success) break;
+      step = attempt;
+    } while (true);
+    const double taken = last ? length - before : time - before;
+    if (last) time = length;
+    system.stepped(before, taken);
+    step = last ? std::max(step, attempt) : attempt;
+    system.settle(time, x);
+  }
+}
+
+}  // namespace orbearing::integration
