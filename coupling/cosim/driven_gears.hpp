@@ -45,6 +45,7 @@ struct DrivenGearsOutput {
 /// Not for use by two threads at once; any number of objects side by side.
 class DrivenGears {
  public:
+  /// Throws std::invalid_argument, with what was found and what is required.
   explicit DrivenGears(const DrivenGearsSetup& setup);
   ~DrivenGears();
   DrivenGears(DrivenGears&&) noexcept;
@@ -52,11 +53,17 @@ class DrivenGears {
 
   /// To the static state under mean loads on bearings of the stated stiffness.
   void initialize(double time);
+  /// Before the first window: to the static state on bearings that give `forces` at the present displacement
+  /// and the stated stiffness about it. Called in turn with the bearings' own answers it leads to the state
+  /// in which both are in balance. Moments are left to the motion.
+  void balance(const std::vector<PlanetForceCourse>& forces);
+  /// From `window.begin` to its end. On an error (std::runtime_error) the state is that at the beginning.
   void advance(const Window& window, const std::vector<PlanetForceCourse>& forces);
   DrivenGearsOutput output() const;
 
   int planets() const;
   void save(SavedState& state) const;
+  /// Throws std::invalid_argument where `state` is not one of such a set.
   void restore(const SavedState& state);
 
  private:

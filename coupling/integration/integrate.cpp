@@ -66,6 +66,7 @@ void append(const IntegrationReport& part, IntegrationReport& all) {
   all.rejected += part.rejected;
   all.rhs_calls += part.rhs_calls;
   all.wall_seconds += part.wall_seconds;
+  all.next_step = part.next_step;
   all.reached = part.reached;
   all.completed = part.completed;
   all.message = part.message;

@@ -35,6 +35,9 @@ class PiecesRun {
   /// How often the stepper was started, which costs one call of the right-hand side each.
   long starts() const { return starts_; }
 
+  /// That the error allows, whatever ends of pieces cut short [s].
+  double next_step() const { return wanted_step_; }
+
   /// From `begin` to `end`; false where the run was given up.
   bool advance(Eigen::VectorXd& x, double begin, double end, double margin) {
     const double inner = std::min(margin, 0.25 * (end - begin));
@@ -141,6 +144,7 @@ IntegrationReport integrate_pieces(const RightHandSide& derivative, Eigen::Vecto
   PiecesRun pieces(system, output, options, observe, run);
   report.completed = run_pieces(x, output, jumps, at_jump, pieces);
   report.rejected = std::max(0L, (report.rhs_calls - pieces.starts()) / kRhsPerAttempt - report.steps);
+  report.next_step = pieces.next_step();
   if (report.steps == 0) report.smallest_step = 0.0;
   report.wall_seconds = run.seconds();
   return report;

@@ -16,8 +16,6 @@ using gearset::dynamics::PlanetarySetEquations;
 using gearset::dynamics::SetModel;
 using gearset::dynamics::SetSnapshot;
 
-constexpr double kMargin = 1e-9;  // [mesh period]  kept off a jump: far above round-off, far below a step
-
 void resize(GearSeries& series, Eigen::Index planets, Eigen::Index samples) {
   series.time.setZero(samples);
   for (Eigen::ArrayXXd* matrix :
@@ -43,11 +41,11 @@ class GearRun {
       : equations_(model),
         options_(options),
         result_(result),
-        jumps_(jumps_of(model)),
+        jumps_(integration::jumps_of(model)),
         settings_(options.integration),
         derivative_([this](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                            Eigen::Ref<Eigen::VectorXd> dx) { equations_.derivative(time, x, dx); }) {
-    settings_.allowed_error = gear_allowed_errors(model, options.allowed_share);
+    settings_.allowed_error = integration::gear_allowed_errors(model, options.allowed_share);
     settings_.step = 0.02 / model.operation.mesh_frequency;
   }
 
@@ -133,32 +131,6 @@ bool settle(GearRun& run, const SetModel& model, const GearRunOptions& options, 
 }
 
 }  // namespace
-
-integration::Jumps jumps_of(const SetModel& model) {
-  const std::vector<double> places = jump_places(model);
-  const gearset::dynamics::Operation& operation = model.operation;
-  if (places.empty() || operation.mesh_frequency <= 0.0) return {};
-  const auto time = [places, operation](long index) {
-    const long count = static_cast<long>(places.size());
-    const double periods =
-        static_cast<double>(index / count) + places[static_cast<std::size_t>(index % count)];
-    return gearset::dynamics::time_of_periods(operation, periods);
-  };
-  return {time, kMargin / operation.mesh_frequency};
-}
-
-Eigen::VectorXd gear_allowed_errors(const SetModel& model, double share) {
-  constexpr double least_deflection = 1e-7;  // [m]  of a set that carries nothing
-  const gearset::dynamics::SetParameters& set = model.parameters;
-  const double force = std::abs(model.operation.torques.sun) / (set.planets * set.sun.radius);
-  const double sun = set.sun_mesh.stiffness.mean(), ring = set.ring_mesh.stiffness.mean();
-  const double length = share * std::max(least_deflection, force / std::min(sun, ring));
-  const double frequency = std::sqrt((sun + ring) / set.planet.mass);
-  Eigen::VectorXd allowed(model.layout.size());
-  allowed.head(model.layout.freedoms()).setConstant(length);
-  allowed.tail(model.layout.freedoms()).setConstant(length * frequency);
-  return allowed;
-}
 
 GearRunResult run_gears(const SetModel& model, const GearRunOptions& options) {
   return run_gears_from(static_state(model), model, options);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/integration/integrate_pieces.hpp"
+#include "coupling/integration/gear_steps.hpp"
 #include "gearset/dynamics/equations.hpp"
 
 namespace orbearing::study {
@@ -70,13 +70,6 @@ struct GearRunResult {
   int windows = 0;                        // until steady
   integration::IntegrationReport report;  // summed; smallest step of all
 };
-
-/// Jumps of the right-hand side of `model`, for integrate_pieces.
-integration::Jumps jumps_of(const gearset::dynamics::SetModel& model);
-
-/// Errors allowed in one step: of positions a share of the largest mean mesh deflection, of velocities that
-/// times the frequency of a planet between its meshes.
-Eigen::VectorXd gear_allowed_errors(const gearset::dynamics::SetModel& model, double share);
 
 /// Runs from the static state under mean loads (a run-up from its start), or from `start`. What goes wrong
 /// in the integration is in the result.

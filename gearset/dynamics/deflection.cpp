@@ -40,4 +40,8 @@ DeflectionVector tangential_bearing_deflection(double planet_angle) {
   return {{-std::sin(planet_angle), std::cos(planet_angle), 1.0}, {0.0, -1.0, 0.0}};
 }
 
+DeflectionVector planet_rotation(double carrier_radius, double planet_radius) {
+  return {{0.0, 0.0, -1.0 / carrier_radius}, {0.0, 0.0, 1.0 / planet_radius}};
+}
+
 }  // namespace orbearing::gearset::dynamics

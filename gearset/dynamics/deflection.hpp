@@ -32,4 +32,8 @@ DeflectionVector ring_mesh_deflection(double planet_angle, double pressure_angle
 DeflectionVector radial_bearing_deflection(double planet_angle);
 DeflectionVector tangential_bearing_deflection(double planet_angle);
 
+/// Rotation [rad] of the planet relative to the carrier, counterclockwise: coefficients in [1/m]. Eq. (15).
+/// @param carrier_radius, planet_radius [m] of their u
+DeflectionVector planet_rotation(double carrier_radius, double planet_radius);
+
 }  // namespace orbearing::gearset::dynamics

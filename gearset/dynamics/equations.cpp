@@ -30,6 +30,11 @@ void add_bearing(const PlanetBearing& bearing, const Eigen::Vector2d& on_planet,
       on_planet.x() * bearing.radial.planet + on_planet.y() * bearing.tangential.planet;
 }
 
+void add_moment(const PlanetBearing& bearing, double on_planet, Forces force) {
+  force.segment<3>(SetLayout::carrier()) += on_planet * bearing.rotation.central;
+  force.segment<3>(bearing.place) += on_planet * bearing.rotation.planet;
+}
+
 void add_planet_bearings(const SetModel& model, const Positions& q, const Positions& v, Forces force) {
   const PlanetMember& planet = model.parameters.planet;
   if (planet.coupled_bearing) return;
@@ -102,15 +107,17 @@ void PlanetarySetEquations::derivative(double time, const Eigen::Ref<const Eigen
 }
 
 void PlanetarySetEquations::derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
-                                       const Eigen::Ref<const Eigen::Matrix2Xd>& port_force,
-                                       Eigen::Ref<Eigen::VectorXd> dx) const {
+                                       const PortLoads& loads, Eigen::Ref<Eigen::VectorXd> dx) const {
   const Eigen::Index n = model_.layout.freedoms();
   dx.head(n) = x.tail(n);
   auto force = dx.tail(n);
   force.setZero();
   add_forces(model_, time, x, force);
-  for (Eigen::Index i = 0; i < model_.layout.planets; ++i)
-    add_bearing(model_.bearings[static_cast<std::size_t>(i)], port_force.col(i), force);
+  for (Eigen::Index i = 0; i < model_.layout.planets; ++i) {
+    const PlanetBearing& bearing = model_.bearings[static_cast<std::size_t>(i)];
+    add_bearing(bearing, loads.force.col(i), force);
+    add_moment(bearing, loads.moment[i], force);
+  }
   force.array() *= model_.mobility.array();
 }
 
@@ -121,6 +128,8 @@ void PlanetarySetEquations::motion_at_ports(const Eigen::Ref<const Eigen::Vector
   const auto v = x.tail(n);
   ports.displacement.resize(2, model_.layout.planets);
   ports.velocity.resize(2, model_.layout.planets);
+  ports.angle.resize(model_.layout.planets);
+  ports.speed.resize(model_.layout.planets);
   for (Eigen::Index i = 0; i < model_.layout.planets; ++i) {
     const PlanetBearing& bearing = model_.bearings[static_cast<std::size_t>(i)];
     const auto along = [&](const DeflectionVector& vector, const auto& motion) {
@@ -129,6 +138,8 @@ void PlanetarySetEquations::motion_at_ports(const Eigen::Ref<const Eigen::Vector
     ports.displacement.col(i) << along(bearing.radial, q) - bearing.pin_error.x(),
         along(bearing.tangential, q) - bearing.pin_error.y();
     ports.velocity.col(i) << along(bearing.radial, v), along(bearing.tangential, v);
+    ports.angle[i] = bearing.rotation.of(q, SetLayout::carrier(), bearing.place);
+    ports.speed[i] = bearing.rotation.of(v, SetLayout::carrier(), bearing.place);
   }
 }
 

@@ -9,10 +9,19 @@
 namespace orbearing::gearset::dynamics {
 
 /// What the gear set shows to bearings that are computed elsewhere: each planet's axis relative to its pin,
-/// outward and in the sense of rotation. Conjugate to the force of the bearing on the planet.
+/// outward and in the sense of rotation, and its rotation relative to the carrier, counterclockwise.
+/// Conjugate to force and moment of the bearing on the planet.
 struct BearingPorts {
-  Eigen::Matrix2Xd displacement;  // [m]    (2, planets)
-  Eigen::Matrix2Xd velocity;      // [m/s]  (2, planets)
+  Eigen::Matrix2Xd displacement;  // [m]      (2, planets)
+  Eigen::Matrix2Xd velocity;      // [m/s]    (2, planets)
+  Eigen::VectorXd angle;          // [rad]    (planets)  beyond the nominal rotation
+  Eigen::VectorXd speed;          // [rad/s]  (planets)  beyond the nominal rotation
+};
+
+/// What coupled bearings put on their planets; reversed on carrier and pins.
+struct PortLoads {
+  Eigen::Matrix2Xd force;  // [N]    (2, planets)  outward and in the sense of rotation
+  Eigen::VectorXd moment;  // [N m]  (planets)  about the planet's axis, counterclockwise
 };
 
 /// Right-hand side. Pure and free of allocation; one object may serve several threads.
@@ -25,10 +34,9 @@ class PlanetarySetEquations {
   void derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                   Eigen::Ref<Eigen::VectorXd> dx) const;
 
-  /// The same with forces that coupled bearings put on their planets, and reversed on the pins.
-  /// @param port_force [N] (2, planets) outward and in the sense of rotation
-  void derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
-                  const Eigen::Ref<const Eigen::Matrix2Xd>& port_force, Eigen::Ref<Eigen::VectorXd> dx) const;
+  /// The same with the loads of coupled bearings.
+  void derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x, const PortLoads& loads,
+                  Eigen::Ref<Eigen::VectorXd> dx) const;
 
   /// Motion at the ports; `ports` is resized where it has not the right size.
   void motion_at_ports(const Eigen::Ref<const Eigen::VectorXd>& x, BearingPorts& ports) const;

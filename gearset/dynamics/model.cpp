@@ -130,8 +130,9 @@ SetModel set_model(SetParameters parameters, const Operation& operation) {
   for (Eigen::Index n = 0; n < model.layout.planets; ++n) {
     const double angle = planet_angle(model, n);
     const Eigen::Vector2d error = errors.cols() == 0 ? Eigen::Vector2d::Zero().eval() : errors.col(n).eval();
-    model.bearings.push_back({SetLayout::planet(n), radial_bearing_deflection(angle),
-                              tangential_bearing_deflection(angle), error});
+    model.bearings.push_back(
+        {SetLayout::planet(n), radial_bearing_deflection(angle), tangential_bearing_deflection(angle), error,
+         planet_rotation(model.parameters.carrier.radius, model.parameters.planet.radius)});
   }
   return model;
 }

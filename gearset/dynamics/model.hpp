@@ -28,6 +28,7 @@ struct PlanetBearing {
   DeflectionVector radial;
   DeflectionVector tangential;
   Eigen::Vector2d pin_error = Eigen::Vector2d::Zero();  // [m]
+  DeflectionVector rotation;  // [1/m]  of the planet relative to the carrier, in radians
 };
 
 /// All constants of a run.

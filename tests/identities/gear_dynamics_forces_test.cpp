@@ -206,11 +206,52 @@ TEST(GearDynamicsPort, CarriesTheSpringsForce) {
   x << kDisplacement * random.vector(n), kVelocity * random.vector(n);
   BearingPorts ports;
   coupled.motion_at_ports(x, ports);
-  const Eigen::Matrix2Xd force = -parameters.planet.bearing_stiffness * ports.displacement -
-                                 parameters.planet.bearing_damping * ports.velocity;
+  const PortLoads loads{-parameters.planet.bearing_stiffness * ports.displacement -
+                            parameters.planet.bearing_damping * ports.velocity,
+                        VectorXd::Zero(parameters.planets)};
   PlanetarySetEquations(sprung).derivative(1e-3, x, dx);
-  coupled.derivative(1e-3, x, force, dx_coupled);
+  coupled.derivative(1e-3, x, loads, dx_coupled);
   EXPECT_LT((dx - dx_coupled).norm(), 1e-12 * dx.norm());
+}
+
+// What the port adds to the balance is force times velocity and moment times speed, in any state.
+TEST(GearDynamicsPort, PowerIsThatOfForceAndMoment) {
+  SetParameters parameters = full_set();
+  parameters.planet.coupled_bearing = true;
+  const PlanetarySetEquations equations(set_model(parameters, test::reducer_operation(628.0)));
+  test::Random random;
+  const Index n = equations.model().layout.freedoms(), planets = parameters.planets;
+  for (int k = 0; k < kStates; ++k) {
+    VectorXd x(2 * n), free(2 * n), loaded(2 * n);
+    x << kDisplacement * random.vector(n), kVelocity * random.vector(n);
+    const PortLoads loads{1e4 * Eigen::Matrix2Xd::NullaryExpr(2, planets, [&] { return random(); }),
+                          50.0 * random.vector(planets)};
+    BearingPorts ports;
+    equations.motion_at_ports(x, ports);
+    equations.derivative(1e-3, x, free);
+    equations.derivative(1e-3, x, loads, loaded);
+    const VectorXd force = equations.model().mass.cwiseProduct(loaded.tail(n) - free.tail(n));
+    const double power = loads.force.cwiseProduct(ports.velocity).sum() + loads.moment.dot(ports.speed);
+    // Ring and pin hold: what they would do there is no power, since their mobility is zero.
+    EXPECT_NEAR(force.dot(x.tail(n)), power, 1e-10 * force.norm() * x.tail(n).norm());
+  }
+}
+
+// Willis: with the ring held the planet turns by -z_r/z_p times the carrier, relative to it.
+TEST(GearDynamicsPort, RotationOfThePlanetFollowsWillis) {
+  const SetParameters parameters = test::reducer_dynamics();
+  const PlanetarySetEquations equations(set_model(parameters, test::reducer_operation(628.0)));
+  const double cos_ring = std::cos(working_geometry(reducer()).ring_mesh.working_pressure_angle);
+  VectorXd x = VectorXd::Zero(equations.model().layout.size());
+  const double radius = parameters.carrier.radius, turn = 1e-3;  // [m], [rad]
+  x[SetLayout::carrier() + 2] = turn * radius;
+  for (Index i = 0; i < 4; ++i)
+    x.segment<3>(SetLayout::planet(i)) << 0.0, turn * radius, -turn * radius * cos_ring;
+  BearingPorts ports;
+  equations.motion_at_ports(x, ports);
+  // The root finder's error of the centre distance.
+  EXPECT_LT((ports.angle.array() + turn * 79.0 / 22.0).abs().maxCoeff(), 1e-9 * turn);
+  EXPECT_LT(ports.displacement.cwiseAbs().maxCoeff(), 1e-12 * radius);
 }
 
 }  // namespace

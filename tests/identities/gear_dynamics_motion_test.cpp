@@ -57,7 +57,7 @@ Balance work_balance(const SetModel& model, double share, double periods) {
   IntegrationOptions options;
   options.step = 1e-7;
   options.allowed_error.resize(n + 3);
-  options.allowed_error << study::gear_allowed_errors(model, share), VectorXd::Constant(3, 1e-12);
+  options.allowed_error << integration::gear_allowed_errors(model, share), VectorXd::Constant(3, 1e-12);
   VectorXd all = works.start(x);
   double jumped = 0.0;
   Balance balance;
@@ -67,8 +67,8 @@ Balance work_balance(const SetModel& model, double share, double periods) {
     jumped += jump;
     balance.at_jumps += std::abs(jump);
   };
-  const integration::IntegrationReport report =
-      integrate_pieces(works.derivative(), all, {0.0, end, 1}, study::jumps_of(model), options, {}, at_jump);
+  const integration::IntegrationReport report = integrate_pieces(
+      works.derivative(), all, {0.0, end, 1}, integration::jumps_of(model), options, {}, at_jump);
   EXPECT_TRUE(report.completed) << report.message;
   const double after = energy(model, end + 1e-9 / model.operation.mesh_frequency, all.head(n)).total();
   balance.residual = after - before - (all[n] - all[n + 1] + jumped);
@@ -108,12 +108,13 @@ TEST(GearDynamicsMotion, ConvergesWithTheAllowedError) {
     VectorXd x = static_state(model);
     IntegrationOptions options;
     options.step = 1e-6;
-    options.allowed_error = study::gear_allowed_errors(model, share);
+    options.allowed_error = integration::gear_allowed_errors(model, share);
     const auto derivative = [&](double time, const Eigen::Ref<const VectorXd>& at, Eigen::Ref<VectorXd> dx) {
       equations.derivative(time, at, dx);
     };
-    const integration::IntegrationReport report = integrate_pieces(
-        derivative, x, {0.0, 20.2 / model.operation.mesh_frequency, 1}, study::jumps_of(model), options, {});
+    const integration::IntegrationReport report =
+        integrate_pieces(derivative, x, {0.0, 20.2 / model.operation.mesh_frequency, 1},
+                         integration::jumps_of(model), options, {});
     return std::pair(x, static_cast<double>(report.steps));
   };
   const auto [exact, most] = run(1e-11);

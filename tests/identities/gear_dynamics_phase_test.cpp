@@ -41,7 +41,7 @@ MatrixXcd harmonics(const SetModel& model) {
     equations.derivative(time, x, dx);
   };
   integration::IntegrationOptions stepping;
-  stepping.allowed_error = study::gear_allowed_errors(model, options.allowed_share);
+  stepping.allowed_error = integration::gear_allowed_errors(model, options.allowed_share);
   stepping.step = 1e-7;
   VectorXd x = settled.final_state;
   MatrixXcd amplitude = MatrixXcd::Zero(model.layout.freedoms(), kHarmonics);
@@ -51,7 +51,7 @@ MatrixXcd harmonics(const SetModel& model) {
       amplitude.col(l - 1) += weighted * std::polar(2.0 / kSamples, -2.0 * M_PI * l * time / period);
   };
   integrate_pieces(derivative, x, {settled.report.reached, period / kSamples, kSamples},
-                   study::jumps_of(model), stepping, observe);
+                   integration::jumps_of(model), stepping, observe);
   return amplitude;
 }
 
