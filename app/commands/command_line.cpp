@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/errors.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 
 namespace orbearing::app {
@@ -42,8 +43,11 @@ void add_output(CLI::App& command, Options& options) {
 void add_computing(CLI::App& command, Options& options) {
   add_case(command, options);
   add_output(command, options);
-  command.add_option("--fidelity", options.fidelity, "quasi-static (default) or dynamic")
-      ->check(CLI::IsMember({"quasi-static", "dynamic"}));
+  command
+      .add_option("--fidelity", options.fidelity,
+                  "quasi-static (default); dynamic: the gears drive the bearing; co-simulated or monolithic: "
+                  "gears and all bearings act on each other")
+      ->check(CLI::IsMember(fidelity_names()));
   command.add_flag("--resume", options.resume, "go on in DIR with the points that are missing");
 }
 

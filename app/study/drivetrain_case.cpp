@@ -212,7 +212,8 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   out.dynamics = dynamics_of(in);
   out.dynamics.cage = cage_dynamics_of(in);
   out.steady_state = steady_state_of(in);
-  if (in.flag("gearset.mesh_variation") && !in.shape().several && !out.in_arrangement)
+  out.mesh_variation = in.flag("gearset.mesh_variation");
+  if (!in.shape().several && !out.in_arrangement)
     out.gear_set = [in] { return gear_model_of(in).parameters; };
   add_refinements(in, out);
   return out;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/errors.hpp"
+#include "app/study/fidelity.hpp"
 
 namespace orbearing::app {
 
@@ -81,14 +82,30 @@ void add_refinements(const ResolvedCase& in, study::PlanetaryDrivetrain& drivetr
   add_lubrication(in, drivetrain.dynamics);
 }
 
+namespace {
+
+// Gears and bearings that act on each other: one set with teeth at steady speed.
+void require_two_way(const ResolvedCase& in, const std::string& fidelity) {
+  const std::string rung = "--fidelity " + fidelity;
+  if (in.shape().several)
+    throw BadInput(in.file() +
+                   ": sets: found several sets; required: one set, as gearset at the top of a case, for " +
+                   rung);
+  if (runs_up(in))
+    refuse(in, kAcceleration, in.given(kAcceleration), "0 rpm/s for " + rung + ", whose speeds are steady");
+}
+
+}  // namespace
+
 void require_computable(const ResolvedCase& in, const std::string& fidelity, bool sweep) {
   if (in.model() != planetary_drivetrain || !in.has(kAcceleration)) return;  // gears alone have none
+  if (two_way(fidelity_of(fidelity))) require_two_way(in, fidelity);
   const bool swept = std::any_of(in.axes().begin(), in.axes().end(),
                                  [](const SweepAxis& axis) { return axis.path == kAcceleration; });
   if (sweep && (swept || runs_up(in)))
     refuse(in, kAcceleration, swept ? "a sweep of it" : in.given(kAcceleration),
            "0 rpm/s in a sweep, whose points are steady; a run-up is a run with --fidelity dynamic");
-  if (fidelity == "dynamic") return;
+  if (in_time(fidelity_of(fidelity))) return;
   const std::string dynamic = "--fidelity dynamic; the quasi-static bearing takes ";
   if (runs_up(in)) refuse(in, kAcceleration, in.given(kAcceleration), dynamic + "steady speeds");
   for (const char* path : {"bearing.inner_race.turning_form.order", "bearing.outer_race.turning_form.order"})

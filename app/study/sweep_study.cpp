@@ -12,6 +12,7 @@
 #include "app/results/terminal_chart.hpp"
 #include "app/results/terminal_table.hpp"
 #include "app/study/drivetrain_case.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/power_table.hpp"
 #include "app/study/sweep_warnings.hpp"
@@ -107,8 +108,7 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
     if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
   request.header.sets = bearing_set_names(resolved);
   request.resolved_case = write_resolved(resolved);
-  const study::Fidelity level =
-      fidelity == "dynamic" ? study::Fidelity::dynamic : study::Fidelity::quasi_static;
+  const study::Fidelity level = fidelity_of(fidelity);
   request.evaluate = [resolved, level](std::size_t index) { return compute_point(resolved, index, level); };
   return request;
 }

@@ -149,8 +149,8 @@ void append(std::vector<Ablation>&& more, std::vector<Ablation>& list) {
 std::vector<Ablation> chief_dynamic_ablations(const PlanetaryDrivetrain& base) {
   std::vector<Ablation> list{{"all effects", "reference", [](Drivetrain&) {}}};
   append(inertia_in_motion(base), list);
-  if (base.gear_set)
-    list.push_back({"constant mesh stiffness", "gears", [](Drivetrain& d) { d.gear_set = nullptr; }});
+  if (base.gear_set && base.mesh_variation)
+    list.push_back({"constant mesh stiffness", "gears", [](Drivetrain& d) { d.mesh_variation = false; }});
   append(film_and_traction(base), list);
   return list;
 }

@@ -52,7 +52,8 @@ struct PlanetaryDrivetrain {
   /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes
   /// give their mean forces. Called once for each operating point that is computed in time.
   std::function<gearset::dynamics::SetParameters()> gear_set;
-  int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
+  bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
+  int cage_positions = 16;     // cage angles over one roller pitch that the quasi-static model averages
 };
 
 /// What follows from the parameters whatever the power and speed.

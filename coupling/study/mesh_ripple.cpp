@@ -32,7 +32,7 @@ Eigen::Array2Xd loads_of(const GearSeries& series, const PlanetaryDrivetrain& dr
 bearing::dynamics::MeshRipple mesh_ripple(const PlanetaryDrivetrain& drivetrain,
                                           const DrivetrainGeometry& geometry, const BearingDuty& duty) {
   bearing::dynamics::MeshRipple ripple;
-  if (!drivetrain.gear_set) return ripple;
+  if (!drivetrain.gear_set || !drivetrain.mesh_variation) return ripple;
   const gearset::dynamics::SetModel model = gearset::dynamics::set_model(
       drivetrain.gear_set(), gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
   const GearRunOptions options;

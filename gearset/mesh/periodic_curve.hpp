@@ -31,6 +31,11 @@ class PeriodicCurve {
 
   static PeriodicCurve constant(double value);
 
+  /// The curve as numbers, of which `from_numbers` makes the same again, bit by bit.
+  std::vector<double> numbers() const;
+  /// @throws std::invalid_argument where `numbers` are not those of a curve
+  static PeriodicCurve from_numbers(const std::vector<double>& numbers);
+
   /// Value and slope at any real fraction.
   CurvePoint at(double fraction) const {
     if (cubics_.size() == 1) return {mean_, 0.0};

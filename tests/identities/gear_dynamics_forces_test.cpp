@@ -8,6 +8,7 @@
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/matrices.hpp"
 #include "gearset/dynamics/modes.hpp"
+#include "gearset/dynamics/slopes.hpp"
 #include "tests/gear_sets.hpp"
 
 namespace orbearing::gearset::dynamics {
@@ -86,6 +87,32 @@ TEST_P(GearDynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
       // Energies of some joules; contacts that open within the step cost k step / 2.
       EXPECT_NEAR(force[i], -slope, 1e-3 + 1e9 * step) << "freedom " << i;
     }
+  }
+}
+
+// Slopes for implicit integrators are those of the forces, with whatever flanks touch.
+TEST_P(GearDynamicsIdentity, SlopesAreThoseOfTheForces) {
+  const SetModel model = set_model(parameters, operation);
+  const Index n = model.layout.freedoms();
+  for (int k = 0; k < kStates; ++k) {
+    const VectorXd x = random_state();
+    const double time = 2e-3 + 1e-3 * random();
+    ForceSlopes slopes;
+    force_slopes(model, time, x, slopes);
+    Eigen::MatrixXd exact(n, 2 * n), differences(n, 2 * n);
+    exact << slopes.by_position, slopes.by_velocity;
+    for (Index i = 0; i < 2 * n; ++i) {
+      const double step = i < n ? 1e-11 : 1e-7;  // [m], [m/s]  few contacts open within it
+      VectorXd left = x, right = x, at_left = VectorXd::Zero(n), at_right = VectorXd::Zero(n);
+      left[i] -= step;
+      right[i] += step;
+      add_forces(model, time, left, at_left);
+      add_forces(model, time, right, at_right);
+      differences.col(i) = (at_right - at_left) / (2.0 * step);
+    }
+    // Round-off of forces of 1e5 N over the step.
+    EXPECT_LT((exact - differences).leftCols(n).cwiseAbs().maxCoeff(), 100.0);  // [N/m]
+    EXPECT_LT((exact - differences).rightCols(n).cwiseAbs().maxCoeff(), 1e-2);  // [N s/m]
   }
 }
 

@@ -1,0 +1,27 @@
+// The rungs of the fidelity ladder as the command line names them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::app {
+
+/// In rising order: quasi-static, dynamic, co-simulated, monolithic.
+const std::vector<std::string>& fidelity_names();
+
+/// The rung called `name`. @throws std::out_of_range for any other name
+study::Fidelity fidelity_of(const std::string& name);
+
+/// Whether the bearing moves in time.
+inline bool in_time(study::Fidelity fidelity) {
+  return fidelity != study::Fidelity::quasi_static;
+}
+
+/// Whether the bearings act back on the gears.
+inline bool two_way(study::Fidelity fidelity) {
+  return fidelity == study::Fidelity::co_simulated || fidelity == study::Fidelity::monolithic;
+}
+
+}  // namespace orbearing::app

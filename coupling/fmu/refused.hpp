@@ -1,0 +1,19 @@
+// Why a call of the C interface was not carried out.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace orbearing::fmu {
+
+/// As both versions of FMI number them.
+enum class Status { ok, warning, discard, error, fatal };
+
+/// Discard: the step could not be computed, the instance stands where it stood. Error: the call was wrong.
+struct Refused : std::runtime_error {
+  Refused(Status how, const std::string& reason) : std::runtime_error(reason), status(how) {}
+  explicit Refused(const std::string& reason) : Refused(Status::error, reason) {}
+  Status status;
+};
+
+}  // namespace orbearing::fmu

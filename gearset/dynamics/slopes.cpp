@@ -1,0 +1,131 @@
+#include "gearset/dynamics/slopes.hpp"
+
+#include "gearset/dynamics/frame_force.hpp"
+#include "gearset/dynamics/mesh_force.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+// A spring or damper of the given stiffness along `along`: its force opposes the deflection.
+void add_spring(const DeflectionVector& along, Index central, Index planet, double stiffness,
+                MatrixXd& slopes) {
+  const Vector3d of_central = stiffness * along.central, of_planet = stiffness * along.planet;
+  slopes.block<3, 3>(central, central) -= of_central * along.central.transpose();
+  slopes.block<3, 3>(central, planet) -= of_central * along.planet.transpose();
+  slopes.block<3, 3>(planet, central) -= of_planet * along.central.transpose();
+  slopes.block<3, 3>(planet, planet) -= of_planet * along.planet.transpose();
+}
+
+// Slopes of flank_force() by approach and approach rate.
+struct FlankSlopes {
+  double stiffness = 0.0;  // [N/m]
+  double damping = 0.0;    // [N s/m]
+};
+
+FlankSlopes flank_slopes(const Mesh& mesh, bool separation, double stiffness, const FlankForce& force) {
+  const bool parted = separation && (force.approach <= 0.0 || force.total() <= 0.0);
+  return parted ? FlankSlopes{} : FlankSlopes{stiffness, mesh.damping};
+}
+
+void add_flank(const PlanetMesh& mesh, const DeflectionVector& along, const FlankSlopes& flank,
+               ForceSlopes& slopes) {
+  if (flank.stiffness == 0.0 && flank.damping == 0.0) return;
+  add_spring(along, mesh.central, mesh.place, flank.stiffness, slopes.by_position);
+  add_spring(along, mesh.central, mesh.place, flank.damping, slopes.by_velocity);
+}
+
+void add_meshes(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& q,
+                const Eigen::Ref<const Eigen::VectorXd>& v, ForceSlopes& slopes) {
+  const MeshClock clock = mesh_clock(model.operation, time);
+  const bool separation = model.parameters.separation;
+  for (const PlanetMesh& mesh : model.meshes) {
+    const Mesh& law = model.mesh(mesh.kind);
+    const MeshExcitation now = excitation(law, mesh.phase, clock);
+    const MeshForce both = mesh_force(model, mesh, now, q, v);
+    add_flank(mesh, mesh.loaded, flank_slopes(law, separation, now.stiffness, both.loaded), slopes);
+    if (separation)
+      add_flank(mesh, mesh.back, flank_slopes(law, separation, now.stiffness, both.back), slopes);
+  }
+}
+
+void add_planet_bearings(const SetModel& model, ForceSlopes& slopes) {
+  const PlanetMember& planet = model.parameters.planet;
+  if (planet.coupled_bearing) return;
+  for (const PlanetBearing& bearing : model.bearings)
+    for (const DeflectionVector* along : {&bearing.radial, &bearing.tangential}) {
+      add_spring(*along, SetLayout::carrier(), bearing.place, planet.bearing_stiffness, slopes.by_position);
+      add_spring(*along, SetLayout::carrier(), bearing.place, planet.bearing_damping, slopes.by_velocity);
+    }
+}
+
+// The force is `value` times the component y on x, and its opposite times x on y.
+void add_turn(Index place, double value, MatrixXd& slopes) {
+  slopes(place, place + 1) += value;
+  slopes(place + 1, place) -= value;
+}
+
+void add_support(const Support& support, const CarrierTurn& turn, Index place, ForceSlopes& slopes) {
+  slopes.by_position.diagonal().segment<3>(place) -=
+      Vector3d(support.stiffness, support.stiffness, support.torsional_stiffness);
+  slopes.by_velocity.diagonal().segment<3>(place) -=
+      Vector3d(support.damping, support.damping, support.torsional_damping);
+  add_turn(place, support.damping * turn.speed, slopes.by_position);
+}
+
+// Eqs. (8) and (9) of gearset/dynamics/README.md.
+void add_frame(const SetModel& model, const CarrierTurn& turn, ForceSlopes& slopes) {
+  for (Index place = 0; place < model.layout.freedoms(); place += 3) {
+    const double mass = model.mass[place];
+    const bool central = place < SetLayout::planet(0);
+    slopes.by_position(place, place) += mass * turn.centrifugal;
+    if (central) {
+      slopes.by_position(place + 1, place + 1) += mass * turn.centrifugal;
+      add_turn(place, mass * turn.euler, slopes.by_position);
+    } else {
+      slopes.by_position(place + 1, place) -= 2.0 * mass * turn.euler;
+    }
+    add_turn(place, 2.0 * mass * turn.coriolis, slopes.by_velocity);
+  }
+}
+
+// Constant power: the driving torque falls as the driven member gains speed.
+void add_drive(const SetModel& model, const SpeedState& speed, const Eigen::Ref<const Eigen::VectorXd>& v,
+               ForceSlopes& slopes) {
+  const Operation& operation = model.operation;
+  if (operation.power <= 0.0) return;
+  const SetParameters& set = model.parameters;
+  const Index place = SetLayout::central(operation.driven) + 2;
+  const CentralMember& driven = operation.driven == Member::sun    ? set.sun
+                                : operation.driven == Member::ring ? set.ring
+                                                                   : set.carrier;
+  const double nominal = operation.driven == Member::sun    ? operation.speeds.sun
+                         : operation.driven == Member::ring ? operation.speeds.ring
+                                                            : operation.speeds.carrier;
+  const double circumferential = nominal * speed.factor * driven.radius + v[place];
+  slopes.by_velocity(place, place) -= operation.power / (circumferential * circumferential);
+}
+
+}  // namespace
+
+void force_slopes(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                  ForceSlopes& slopes) {
+  const Index n = model.layout.freedoms();
+  slopes.by_position.setZero(n, n);
+  slopes.by_velocity.setZero(n, n);
+  const SpeedState speed = speed_at(model.operation, time);
+  const CarrierTurn turn = carrier_turn(model, speed);
+  add_meshes(model, time, x.head(n), x.tail(n), slopes);
+  add_planet_bearings(model, slopes);
+  add_support(model.parameters.sun.support, turn, SetLayout::sun(), slopes);
+  add_support(model.parameters.ring.support, turn, SetLayout::ring(), slopes);
+  add_support(model.parameters.carrier.support, turn, SetLayout::carrier(), slopes);
+  add_frame(model, turn, slopes);
+  add_drive(model, speed, x.tail(n), slopes);
+}
+
+}  // namespace orbearing::gearset::dynamics
