@@ -30,20 +30,21 @@ std::vector<OutputFacts> outputs_of(int planets) {
     const std::string planet = planet_name(i);
     const std::string along = ", in the sense of carrier rotation";
     outputs.push_back(
-        {planet + "displacement.x", "m", "of the planet's axis from that of its pin, outward", {}});
+        {planet + "displacement.x", "m", "of the planet's axis from that of its pin, outward", {}, {}});
     outputs.push_back(
-        {planet + "displacement.y", "m", "of the planet's axis from that of its pin" + along, {}});
-    outputs.push_back({planet + "velocity.x", "m/s", "slope of displacement.x by time", {}});
-    outputs.push_back({planet + "velocity.y", "m/s", "slope of displacement.y by time", {}});
+        {planet + "displacement.y", "m", "of the planet's axis from that of its pin" + along, {}, {}});
+    outputs.push_back({planet + "velocity.x", "m/s", "slope of displacement.x by time", {}, {}});
+    outputs.push_back({planet + "velocity.y", "m/s", "slope of displacement.y by time", {}, {}});
     outputs.push_back(
-        {planet + "speed", "rad/s", "of the planet about its axis, relative to the carrier", {}});
-    outputs.push_back({planet + "angle", "rad", "of the planet beyond its nominal rotation", {}});
-    outputs.push_back({planet + "sun_mesh_force", "N", "force of the sun mesh along its line of action", {}});
+        {planet + "speed", "rad/s", "of the planet about its axis, relative to the carrier", {}, {}});
+    outputs.push_back({planet + "angle", "rad", "of the planet beyond its nominal rotation", {}, {}});
     outputs.push_back(
-        {planet + "ring_mesh_force", "N", "force of the ring mesh along its line of action", {}});
+        {planet + "sun_mesh_force", "N", "force of the sun mesh along its line of action", {}, {}});
+    outputs.push_back(
+        {planet + "ring_mesh_force", "N", "force of the ring mesh along its line of action", {}, {}});
   }
-  outputs.push_back({"carrier.speed", "rad/s", "nominal speed of the carrier", {}});
-  outputs.push_back({"carrier.acceleration", "rad/s2", "slope of carrier.speed by time", {}});
+  outputs.push_back({"carrier.speed", "rad/s", "nominal speed of the carrier", {}, {}, false});
+  outputs.push_back({"carrier.acceleration", "rad/s2", "slope of carrier.speed by time", {}, {}, false});
   return outputs;
 }
 
@@ -88,8 +89,7 @@ class GearMachine : public Machine {
 ModelFacts gear_facts(const NumberTable& numbers) {
   const cosim::DrivenGearsSetup setup = gears_from(numbers);
   ModelFacts facts{.model = "gearset",
-                   .meaning = "A planetary gear set whose planet bearings are computed elsewhere",
-                   .starts_from_inputs = false};
+                   .meaning = "A planetary gear set whose planet bearings are computed elsewhere"};
   show_fields(gear_fields(), setup, facts);
   facts.inputs = inputs_of(setup.set.planets);
   facts.outputs = outputs_of(setup.set.planets);
