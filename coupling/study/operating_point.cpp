@@ -12,6 +12,7 @@
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
 #include "coupling/integration/run_up.hpp"
+#include "coupling/study/coupled_motion.hpp"
 #include "coupling/study/mesh_ripple.hpp"
 #include "coupling/study/two_way.hpp"
 
@@ -181,11 +182,14 @@ double life_together(const std::vector<double>& lives) {
 PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const BearingDuty& duty, Fidelity fidelity) {
   const bearing::OperatingPoint& point = duty.point;
-  const std::unique_ptr<cosim::CoupledMotion> motion = coupled_motion(drivetrain, geometry, duty, fidelity);
-  const TwoWayMeans run = run_two_way(
-      *motion, bearing::kinematic_cage_speed(geometry.bearing, point.inner_speed, point.outer_speed),
-      bearing::kinematic_roller_spin(geometry.bearing, point.inner_speed, point.outer_speed),
-      drivetrain.steady_state);
+  const double cage_speed =
+      bearing::kinematic_cage_speed(geometry.bearing, point.inner_speed, point.outer_speed);
+  const std::unique_ptr<cosim::CoupledMotion> motion =
+      coupled_motion(drivetrain, geometry, fidelity, sample_interval(cage_speed, drivetrain.steady_state));
+  const TwoWayMeans run =
+      run_two_way(*motion, cage_speed,
+                  bearing::kinematic_roller_spin(geometry.bearing, point.inner_speed, point.outer_speed),
+                  drivetrain.steady_state);
   PointResult result = dynamic_point(drivetrain, duty, run.pooled);
   TwoWayRecord record{.exchange = motion->report()};
   for (const bearing::dynamics::WindowStatistics& one : run.bearings)

@@ -19,10 +19,8 @@ constexpr long kStatesPerSample =
 // The run in progress.
 class TwoWayRun {
  public:
-  TwoWayRun(cosim::CoupledMotion& motion, double window, const integration::SteadyStateOptions& options)
-      : motion_(motion),
-        samples_(options.series_samples),
-        interval_(window / static_cast<double>(options.series_samples)) {
+  TwoWayRun(cosim::CoupledMotion& motion, double interval, const integration::SteadyStateOptions& options)
+      : motion_(motion), samples_(options.series_samples), interval_(interval) {
     motion_.take_snapshot(0, snapshot_);
     for (int b = 0; b < motion_.bearings(); ++b) {
       collectors_.emplace_back(snapshot_.angle.size(), options.places);
@@ -143,10 +141,14 @@ WindowStatistics pooled(const std::vector<WindowStatistics>& bearings) {
   return all;
 }
 
+double sample_interval(double kinematic_cage_speed, const integration::SteadyStateOptions& options) {
+  return two_pi / std::abs(kinematic_cage_speed) / static_cast<double>(options.series_samples);
+}
+
 TwoWayMeans run_two_way(cosim::CoupledMotion& motion, double kinematic_cage_speed, double kinematic_spin,
                         const integration::SteadyStateOptions& options) {
   const double window = two_pi / std::abs(kinematic_cage_speed);
-  TwoWayRun run(motion, window, options);
+  TwoWayRun run(motion, sample_interval(kinematic_cage_speed, options), options);
   TwoWayMeans result;
   integration::SteadyStateResult& all = result.pooled;
   all.kinematic_cage_speed = kinematic_cage_speed;

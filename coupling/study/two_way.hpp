@@ -1,7 +1,6 @@
 // Gears and all planet bearings that act on each other, run until their means stand still and then observed.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "coupling/cosim/coupled_motion.hpp"
@@ -27,11 +26,7 @@ bearing::dynamics::WindowStatistics pooled(const std::vector<bearing::dynamics::
 TwoWayMeans run_two_way(cosim::CoupledMotion& motion, double kinematic_cage_speed, double kinematic_spin,
                         const integration::SteadyStateOptions& options);
 
-/// Gears and bearings of the drivetrain at its power and speed, from rest in each other's forces. `fidelity`
-/// is co_simulated or monolithic. @throws std::invalid_argument where the drivetrain has no gears that can
-/// move
-std::unique_ptr<cosim::CoupledMotion> coupled_motion(const PlanetaryDrivetrain& drivetrain,
-                                                     const DrivetrainGeometry& geometry,
-                                                     const BearingDuty& duty, Fidelity fidelity);
+/// Time [s] between two samples of such a run: to multiples of it the motion is advanced.
+double sample_interval(double kinematic_cage_speed, const integration::SteadyStateOptions& options);
 
 }  // namespace orbearing::study
