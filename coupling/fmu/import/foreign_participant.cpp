@@ -115,7 +115,7 @@ class ForeignParticipant final : public cosim::Participant {
     });
   }
 
-  bool can_restore() const { return description().keeps_state; }
+  bool can_restore() const override { return description().keeps_state; }
 
   void save(SavedState& state) const override {
     guarded([&] {
