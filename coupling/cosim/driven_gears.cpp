@@ -33,8 +33,6 @@ constexpr std::size_t kSavedHead = 3;
 }
 
 SetParameters with_ports(const SetParameters& set) {
-  if (!set.planet.coupled_bearing)
-    throw std::invalid_argument("bearing of the planets: found springs; required: a coupled bearing");
   if (!(set.planet.bearing_stiffness > 0.0))
     refuse("stiffness of the planet's bearing", set.planet.bearing_stiffness,
            "a value greater than 0, to find the state in which the run begins");
@@ -157,6 +155,7 @@ DrivenGearsOutput DrivenGears::output() const {
                            .speed = nominal.planet_relative * speed.factor + ports.speed[i],
                            .sun_mesh_force = snapshot.sun_mesh_force[i],
                            .ring_mesh_force = snapshot.ring_mesh_force[i]});
+  out.planet_speed = nominal.planet_relative * speed.factor;
   out.carrier_speed = nominal.carrier * speed.factor;
   out.carrier_acceleration = nominal.carrier * speed.rate;
   return out;

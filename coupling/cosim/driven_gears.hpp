@@ -11,8 +11,9 @@
 
 namespace orbearing::cosim {
 
-/// All that is fixed before a run. `set.planet.coupled_bearing` shall be true; stiffness and damping of the
-/// planet's bearing serve to find the state in which the run begins.
+/// All that is fixed before a run. With `set.planet.coupled_bearing` stiffness and damping of the planet's
+/// bearing serve to find the state in which the run begins; without it they act beside the forces, so that
+/// the set holds itself while others only listen.
 struct DrivenGearsSetup {
   gearset::dynamics::SetParameters set;
   gearset::dynamics::Operation operation;
@@ -38,6 +39,7 @@ struct PlanetMotion {
 
 struct DrivenGearsOutput {
   std::vector<PlanetMotion> planets;
+  double planet_speed = 0.0;          // [rad/s]   nominal, relative to the carrier
   double carrier_speed = 0.0;         // [rad/s]   nominal: that of the frame
   double carrier_acceleration = 0.0;  // [rad/s^2]
 };

@@ -1,0 +1,93 @@
+// A co-simulation: participants that move over windows in turn, and what it took.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "coupling/cosim/acceleration.hpp"
+#include "coupling/cosim/exchange.hpp"
+#include "coupling/cosim/window_control.hpp"
+
+namespace orbearing::cosim {
+
+struct Iteration {
+  int most_passes = 1;           // [-]  1: explicit exchange
+  double allowed_change = 1e-6;  // [-]  between expectation and answer, over the largest value of its kind
+  Acceleration acceleration = Acceleration::quasi_newton;
+  int windows = 4;  // [-]  whose differences the quasi-Newton iteration goes on using
+};
+
+struct CoupledOptions {
+  ExchangeOrder order = ExchangeOrder::gauss_seidel;
+  int extrapolation = 1;  // [-]  degree, 0 to 2
+  Iteration iteration;
+  WindowControl window;
+  int balance_rounds = 30;        // [-]  at the start, at most
+  double balanced_change = 1e-9;  // [-]  of the largest force: good enough
+};
+
+/// One accepted window.
+struct WindowRecord {
+  Window window;
+  int passes = 0;                        // [-]
+  double residual = 0.0;                 // [J]  energy that the interface made or lost; Eq. (8) of README.md
+  double change = 0.0;                   // [-]  of the last pass, where there were several
+  const InterfaceValues* end = nullptr;  // valid while the observer is called
+};
+using WindowObserver = std::function<void(const WindowRecord&)>;
+
+struct CoupledReport {
+  bool completed = false;
+  double reached = 0.0;            // [s]
+  long windows = 0;                // [-]  accepted
+  long rejected = 0;               // [-]
+  long passes = 0;                 // [-]
+  long not_converged = 0;          // [-]  windows that were accepted after the most passes
+  double residual = 0.0;           // [J]  sum over all windows
+  double absolute_residual = 0.0;  // [J]  sum of absolute values
+  double shortest_window = 0.0;    // [s]
+  double wall_seconds = 0.0;       // [s]
+  std::string message;             // empty when completed
+};
+
+/// Goes on from where it stands with each call of advance().
+class CoupledRun {
+ public:
+  /// Keeps the participants, which must outlive it. Throws std::invalid_argument for options without meaning.
+  CoupledRun(const Participants& participants, const std::vector<Connection>& connections,
+             const CoupledOptions& options);
+
+  /// All participants to their balance at `time` [s].
+  void initialize(double time);
+  /// From the last values of `history`, where the participants stand already; up to two before them help the
+  /// first windows to their order.
+  void start_from(const InterfaceHistory& history);
+
+  /// Over so many of the longest windows. What goes wrong is in the report, which is of this call alone; the
+  /// run then stands at the last good window.
+  CoupledReport advance(long windows, const WindowObserver& observer = {});
+
+  const InterfaceValues& values() const { return history_.back(); }
+
+ private:
+  struct Solution;
+
+  Solution solve(const Window& window);
+  bool step(CoupledReport& report, const WindowObserver& observer);
+  void accept(Solution& solution, CoupledReport& report, const WindowObserver& observer);
+  int most_passes() const;
+  void save();
+  void restore();
+
+  CoupledOptions options_;
+  Exchange exchange_;
+  std::unique_ptr<Accelerator> accelerator_;
+  InterfaceHistory history_;
+  std::unique_ptr<WindowGrid> grid_;
+  bool can_restore_ = true;
+  std::vector<SavedState> saved_;
+};
+
+}  // namespace orbearing::cosim

@@ -1,0 +1,63 @@
+// One pass of all participants over a window: who hears of whom, and when.
+#pragma once
+
+#include "coupling/cosim/connection.hpp"
+#include "coupling/cosim/interface_course.hpp"
+
+namespace orbearing::cosim {
+
+enum class ExchangeOrder {
+  one_way,       // motion is handed over, forces are not: who gives the motion must hold itself
+  jacobi,        // all at once, each under what is expected of the others
+  gauss_seidel,  // in the order of the participants, each under what those before it have answered
+};
+
+/// What a pass gave.
+struct PassResult {
+  InterfaceValues end;    // what the participants answered
+  InterfaceValues input;  // what they had been told for the end of the window
+};
+
+/// The participants at their joints. Keeps references; works in place.
+class Exchange {
+ public:
+  Exchange(const Participants& participants, const std::vector<Connection>& connections, ExchangeOrder order);
+
+  /// All participants to the balance in which each is under the others' answers: `rounds` times in turn, less
+  /// where forces change by less than `allowed_change` of the largest of their kind. Returns the values
+  /// there.
+  InterfaceValues initialize(double time, int rounds, double allowed_change);
+
+  /// Over `window`, under courses that end with `expected` where nothing newer is known.
+  /// @param force_order degree of the force's polynomial less 1
+  PassResult pass(const InterfaceHistory& history, const InterfaceValues& expected, int force_order,
+                  const Window& window);
+
+  /// Forces that belong to the motion in `values`, into `values`: what was answered under expected motion is
+  /// taken anew under the true one. Changes no state.
+  void renew_forces(InterfaceValues& values);
+
+  /// Whether the motion, or the force, of a joint is used in a pass before it is answered.
+  bool motion_is_expected(std::size_t joint) const;
+  bool force_is_expected(std::size_t joint) const;
+
+  const Participants& participants() const { return participants_; }
+  const std::vector<Connection>& connections() const { return connections_; }
+  const Port& port(std::size_t joint) const;
+  std::size_t joints() const { return connections_.size(); }
+
+ private:
+  void read_motion(std::size_t participant, InterfaceValues& values);
+  void set_constant_motion(const InterfaceValues& values, std::size_t participant);
+  void read_forces(InterfaceValues& values);
+  void advance(std::size_t participant, const InterfaceHistory& history, const InterfaceValues& known,
+               int force_order, const Window& window);
+
+  Participants participants_;
+  std::vector<Connection> connections_;
+  ExchangeOrder order_;
+  std::vector<std::vector<PortInput>> inputs_;    // (participants)(ports)
+  std::vector<std::vector<PortOutput>> outputs_;  // (participants)(ports)
+};
+
+}  // namespace orbearing::cosim

@@ -1,0 +1,154 @@
+// The least co-simulation that has everything: a mass on a spring gives its motion, a second mass behind a
+// spring and a damper answers with a force. Both halves move exactly under any course, so that all that is
+// left of an error is the coupling's; the whole has a closed form.
+//
+//   |--k,c--( mass )--x--kc,cc--( behind )--ks--|        x: the joint; with `behind` = 0 the spring ends in
+//   the wall
+//
+#pragma once
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <unsupported/Eigen/MatrixFunctions>
+
+#include "coupling/cosim/coupled_run.hpp"
+
+namespace orbearing::cosim::test {
+
+struct LinearPair {
+  double mass = 1.0;              // [kg]
+  double stiffness = 0.4;         // [N/m]    of the first to the wall
+  double damping = 0.0;           // [N s/m]
+  double joint_stiffness = 1.0;   // [N/m]
+  double joint_damping = 0.3;     // [N s/m]
+  double behind = 0.5;            // [kg]     0: the joint's spring ends in the wall
+  double behind_stiffness = 2.0;  // [N/m]
+};
+
+/// State under a linear law with a polynomial of degree 3 as input, over `length` [s].
+/// @param inputs a course for each column of `by_input`
+inline Eigen::VectorXd moved(const Eigen::MatrixXd& law, const Eigen::MatrixXd& by_input,
+                             const std::vector<Course>& inputs, const Eigen::VectorXd& x, double length) {
+  constexpr Eigen::Index powers = 4;
+  const Eigen::Index n = x.size();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n + powers, n + powers);
+  all.topLeftCorner(n, n) = law;
+  for (Eigen::Index i = 0; i < by_input.cols(); ++i)
+    for (Eigen::Index k = 0; k < powers; ++k)
+      all.col(n + k).head(n) +=
+          by_input.col(i) * inputs[static_cast<std::size_t>(i)].coefficient[static_cast<std::size_t>(k)];
+  for (Eigen::Index k = 1; k < powers; ++k)
+    all(n + k, n + k - 1) = static_cast<double>(k);  // (s^k)' = k s^(k-1)
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(n + powers);
+  start.head(n) = x;
+  start[n] = 1.0;
+  return ((all * length).exp() * start).head(n);
+}
+
+/// One half: its laws, and what it gives from its state and its inputs.
+class LinearHalf : public Participant {
+ public:
+  LinearHalf(std::string name, Gives gives, Eigen::VectorXd start)
+      : name_(std::move(name)), ports_{{"x", PortKind::translation, gives}}, start_(std::move(start)) {}
+
+  std::string name() const override { return name_; }
+  const std::vector<Port>& ports() const override { return ports_; }
+  void initialize(double, const std::vector<PortInput>& inputs) override {
+    x_ = start_;
+    set_input(inputs);
+  }
+  void set_input(const std::vector<PortInput>& inputs) override {
+    input_ = inputs[0];
+    since_ = 0.0;
+  }
+  void save(SavedState& state) const override {
+    state = {since_};
+    state.insert(state.end(), x_.begin(), x_.end());
+  }
+  void restore(const SavedState& state) override {
+    since_ = state[0];
+    x_ = Eigen::Map<const Eigen::VectorXd>(state.data() + 1, x_.size());
+  }
+
+  const Eigen::VectorXd& state() const { return x_; }
+
+ protected:
+  std::string name_;
+  std::vector<Port> ports_;
+  Eigen::VectorXd start_, x_;
+  PortInput input_;
+  double since_ = 0.0;
+};
+
+/// Gives the motion of the first mass; state (x, x').
+class MassHalf : public LinearHalf {
+ public:
+  explicit MassHalf(const LinearPair& pair, double displacement = 1.0, double velocity = 0.0)
+      : LinearHalf("mass", Gives::motion, Eigen::Vector2d(displacement, velocity)), pair_(pair) {}
+
+  void advance(const Window& window) override {
+    Eigen::Matrix2d law;
+    law << 0.0, 1.0, -pair_.stiffness / pair_.mass, -pair_.damping / pair_.mass;
+    x_ = moved(law, Eigen::Vector2d(0.0, 1.0 / pair_.mass), {input_.force}, x_, window.length());
+    since_ = window.length();
+  }
+  void output(std::vector<PortOutput>& outputs) const override { outputs = {{x_[0], x_[1], 0.0}}; }
+
+ private:
+  LinearPair pair_;
+};
+
+/// Gives the force of the joint; state (z, z') of the mass behind it, at rest at first.
+class ForceHalf : public LinearHalf {
+ public:
+  explicit ForceHalf(const LinearPair& pair)
+      : LinearHalf("force", Gives::force, Eigen::Vector2d::Zero()), pair_(pair) {}
+
+  void advance(const Window& window) override {
+    since_ = window.length();
+    if (pair_.behind == 0.0) return;
+    Eigen::Matrix2d law, by_input;
+    law << 0.0, 1.0, -(pair_.joint_stiffness + pair_.behind_stiffness) / pair_.behind,
+        -pair_.joint_damping / pair_.behind;
+    by_input << 0.0, 0.0, pair_.joint_stiffness / pair_.behind, pair_.joint_damping / pair_.behind;
+    x_ = moved(law, by_input, {input_.displacement, input_.velocity}, x_, window.length());
+  }
+  void output(std::vector<PortOutput>& outputs) const override {
+    outputs = {{0.0, 0.0,
+                pair_.joint_stiffness * (x_[0] - input_.displacement.at(since_)) +
+                    pair_.joint_damping * (x_[1] - input_.velocity.at(since_))}};
+  }
+
+ private:
+  LinearPair pair_;
+};
+
+/// Both in one: (x, x', z, z') at `time` [s].
+inline Eigen::Vector4d exact(const LinearPair& p, double time, double displacement = 1.0) {
+  Eigen::Matrix4d law = Eigen::Matrix4d::Zero();
+  law(0, 1) = law(2, 3) = 1.0;
+  law.row(1) << -(p.stiffness + p.joint_stiffness) / p.mass, -(p.damping + p.joint_damping) / p.mass,
+      p.joint_stiffness / p.mass, p.joint_damping / p.mass;
+  law.row(3) << p.joint_stiffness / p.behind, p.joint_damping / p.behind,
+      -(p.joint_stiffness + p.behind_stiffness) / p.behind, -p.joint_damping / p.behind;
+  return (law * time).exp() * Eigen::Vector4d(displacement, 0.0, 0.0, 0.0);
+}
+
+/// A pair of halves and their run.
+struct LinearRun {
+  LinearRun(const LinearPair& pair, const CoupledOptions& options, bool force_first = false)
+      : mass(pair),
+        force(pair),
+        participants(force_first ? Participants{&force, &mass} : Participants{&mass, &force}),
+        run(participants, connect_by_name(participants), options) {
+    run.initialize(0.0);
+  }
+  LinearRun(const LinearRun&) = delete;
+
+  MassHalf mass;
+  ForceHalf force;
+  Participants participants;
+  CoupledRun run;
+};
+
+}  // namespace orbearing::cosim::test
