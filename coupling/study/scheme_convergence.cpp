@@ -16,7 +16,10 @@ namespace {
 using cosim::CoupledOptions;
 using cosim::ExchangeOrder;
 
-constexpr double kRunaway = 1.0;  // [-]  a force error beyond the forces themselves
+constexpr double kRunaway = 10.0;  // [-]  forces over the largest true one: the exchange has run away
+constexpr double kSound = 0.5;     // [-]  errors of the forces that may tell an order
+constexpr double kFalls = 1.5;     // [-]  ratio of errors of two windows that is more than a floor's scatter
+constexpr double kLonger = 7.0 / 6.0;
 
 // Forces on all planets [N] at each time of the comparison. (2 x planets, times)
 using Path = Eigen::MatrixXd;
@@ -46,8 +49,9 @@ struct Trial {
   double passed = 0.0;    // [J]
 };
 
+// Throws std::runtime_error where a force passes `largest_force`.
 Trial trial(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const Scheme& scheme,
-            double window, const ConvergenceOptions& options) {
+            double window, double largest_force, const ConvergenceOptions& options) {
   const cosim::PlanetaryCoupling parts = cosim::planetary_coupling(
       drivetrain, geometry,
       {.allowed_share = options.allowed_share, .allowed_length_error = options.allowed_length_error});
@@ -59,8 +63,10 @@ Trial trial(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geo
   Trial result{.path = Path::Zero(2 * planets, options.longest_windows)};
   const auto observe = [&](const cosim::WindowRecord& record) {
     result.residual += std::abs(record.residual);
-    for (const cosim::JointValue& joint : record.end->joints)
+    for (const cosim::JointValue& joint : record.end->joints) {
+      if (std::abs(joint.force) > largest_force) throw std::runtime_error("the exchange ran away");
       result.passed += std::abs(joint.force * joint.velocity) * record.window.length();
+    }
   };
   for (long i = 0; i < options.longest_windows; ++i) {
     const cosim::CoupledReport part = run.advance(std::lround(options.longest_window / window), observe);
@@ -74,11 +80,11 @@ Trial trial(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geo
 }
 
 SchemeError error_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                     const Scheme& scheme, double window, const Path& reference,
+                     const Scheme& scheme, double window, const Path& reference, double largest_force,
                      const ConvergenceOptions& options) {
   SchemeError error{.scheme = scheme.name, .window = window};
   try {
-    const Trial found = trial(drivetrain, geometry, scheme, window, options);
+    const Trial found = trial(drivetrain, geometry, scheme, window, largest_force, options);
     error.force_error = (found.path - reference).norm() / reference.norm();
     error.energy_residual = found.residual / found.passed;
   } catch (const std::runtime_error&) {
@@ -88,15 +94,32 @@ SchemeError error_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
   return error;
 }
 
-// Slope between the two shortest windows whose errors still fall by half or more.
-SchemeOrder order_of(const Scheme& scheme, const std::vector<SchemeError>& falling) {
-  SchemeOrder order{scheme.name, scheme.expected_order, std::numeric_limits<double>::quiet_NaN()};
+// Slope between the two shortest windows whose errors still fall.
+double measured_order(const std::vector<SchemeError>& falling) {
+  double order = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 1; i < falling.size(); ++i) {
     const double ratio = falling[i - 1].force_error / falling[i].force_error;
-    if (!(ratio > 1.5) || !(falling[i - 1].force_error < 0.5 * kRunaway)) continue;
-    order.measured = std::log(ratio) / std::log(falling[i - 1].window / falling[i].window);
+    if (!(ratio > kFalls) || !(falling[i - 1].force_error < kSound)) continue;
+    order = std::log(ratio) / std::log(falling[i - 1].window / falling[i].window);
   }
   return order;
+}
+
+double stability_limit(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                       const Scheme& scheme, double largest_force, const ConvergenceOptions& options) {
+  ConvergenceOptions rough;
+  rough.allowed_length_error = drivetrain.steady_state.allowed_length_error;
+  rough.allowed_share = cosim::PlanetaryCouplingOptions{}.allowed_share;
+  for (double window = options.shortest_limit; window <= options.longest_limit; window *= kLonger) {
+    rough.longest_window = window;
+    rough.longest_windows = std::lround(options.stability_path / window);
+    try {
+      trial(drivetrain, geometry, scheme, window, largest_force, rough);
+    } catch (const std::runtime_error&) {
+      return window;
+    }
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -120,13 +143,18 @@ SchemeConvergence scheme_convergence(const PlanetaryDrivetrain& drivetrain,
                                      const DrivetrainGeometry& geometry, const std::vector<Scheme>& schemes,
                                      const ConvergenceOptions& options) {
   const Path reference = reference_path(drivetrain, geometry, options);
+  const double largest_force = kRunaway * reference.cwiseAbs().maxCoeff();
   SchemeConvergence result{.path = options.longest_window * static_cast<double>(options.longest_windows)};
   for (const Scheme& scheme : schemes) {
     std::vector<SchemeError> errors;
     for (int halving = 0; halving <= options.halvings; ++halving)
       errors.push_back(error_of(drivetrain, geometry, scheme, std::ldexp(options.longest_window, -halving),
-                                reference, options));
-    result.orders.push_back(order_of(scheme, errors));
+                                reference, largest_force, options));
+    const bool explicit_exchange = scheme.options.iteration.most_passes == 1;
+    result.orders.push_back({scheme.name, scheme.expected_order, measured_order(errors),
+                             explicit_exchange
+                                 ? stability_limit(drivetrain, geometry, scheme, largest_force, options)
+                                 : std::numeric_limits<double>::quiet_NaN()});
     result.errors.insert(result.errors.end(), errors.begin(), errors.end());
   }
   return result;

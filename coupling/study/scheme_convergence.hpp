@@ -29,8 +29,11 @@ struct SchemeError {
 
 struct SchemeOrder {
   std::string scheme;
-  int expected = 1;       // [-]
-  double measured = 0.0;  // [-]  slope of the logarithms between the two shortest windows above the floor
+  int expected = 1;  // [-]
+  double measured =
+      0.0;  // [-]  slope of the logarithms between the two shortest windows whose error still falls
+  double stability_limit =
+      0.0;  // [s]  shortest window found at which forces run away; NaN: none up to the longest tried
 };
 
 struct SchemeConvergence {
@@ -48,6 +51,9 @@ struct ConvergenceOptions {
   double allowed_length_error = 2e-13;  // [m]  of a step of a bearing, so that what is seen is the exchange's
   double allowed_share = 1e-8;          // [-]  of the gears
   double reference_length_error = 5e-14;  // [m]  of the system solved as one
+  double shortest_limit = 1e-5;  // [s]  windows tried for stability, each by a sixth longer than the last
+  double longest_limit = 1e-4;   // [s]
+  double stability_path = 2e-3;  // [s]  in which an unstable exchange shall have run away
 };
 
 /// The drivetrain at its power and speed, from the balance of gears and bearings. Compared are the forces on
