@@ -112,8 +112,7 @@ bool CoupledSystem::factor(double g) {
     matrix_.row(i).setZero();
     matrix_(i, i) = 1.0;
   }
-  factors_.compute(matrix_);
-  return true;
+  return factors_.factor(matrix_);
 }
 
 void CoupledSystem::solve(const double* rhs, double* k) {
@@ -127,8 +126,8 @@ void CoupledSystem::solve(const double* rhs, double* k) {
     right_.segment<3>(SetLayout::carrier()) += port.of_carrier.transpose() * on_planet;
     right_.segment<3>(port.place) += port.of_planet.transpose() * on_planet;
   }
-  right_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
-  rate_ = factors_.solve(right_);
+  rate_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
+  factors_.solve(rate_);
   Eigen::Map<Eigen::VectorXd>(k + n, n) = rate_;
   Eigen::Map<Eigen::VectorXd>(k, n) = part(rhs, 0) + g_ * rate_;
   std::fill(k + 2 * n, k + gear_size_, 0.0);

@@ -4,12 +4,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <vector>
 
 #include "bearing/fast/vector_bearing.hpp"
 #include "coupling/cosim/coupled_model.hpp"
 #include "coupling/cosim/driven_system.hpp"
+#include "coupling/cosim/small_factors.hpp"
 #include "gearset/dynamics/slopes.hpp"
 
 namespace orbearing::cosim {
@@ -64,8 +64,8 @@ class CoupledSystem {
   std::vector<bearing::dynamics::BoreReaction> reactions_;
   gearset::dynamics::PortLoads port_loads_;
   gearset::dynamics::ForceSlopes slopes_;
-  Eigen::MatrixXd matrix_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  SmallFactors::Matrix matrix_;
+  SmallFactors factors_;
   Eigen::VectorXd right_, rate_;
   std::ptrdiff_t gear_size_ = 0;
   std::ptrdiff_t bearing_size_ = 0;

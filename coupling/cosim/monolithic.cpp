@@ -225,7 +225,7 @@ DrivenGearsOutput Monolithic::gears() const {
   const Inside& in = *inside_;
   Eigen::VectorXd workspace;
   gearset::dynamics::SetSnapshot snapshot;
-  take_snapshot(in.gears, in.time, in.gear_state(), workspace, snapshot);
+  gearset::dynamics::take_snapshot(in.gears, in.time, in.gear_state(), workspace, snapshot);
   DrivenGearsOutput out;
   for (int i = 0; i < planets(); ++i) {
     const BoreMotion motion = in.motion(i * in.model.per_planet);
@@ -262,6 +262,14 @@ DrivenBearingOutput Monolithic::bearing(int b) const {
   output.outer_load.assign(now.outer.load.begin(), now.outer.load.end());
   output.roller_angle.assign(now.angle.begin(), now.angle.end());
   return output;
+}
+
+void Monolithic::take_snapshot(int b, Snapshot& into) const {
+  into = driven_snapshot(inside_->model.bearing, inside_->motion(b), inside_->bearing_state(b));
+}
+
+void Monolithic::collect_loads(int b, bearing::dynamics::StatisticsCollector* collector) {
+  inside_->system.loads[static_cast<std::size_t>(b)].collector = collector;
 }
 
 bearing::BearingLife Monolithic::life(int b) const {

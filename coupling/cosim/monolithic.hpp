@@ -38,6 +38,9 @@ class Monolithic {
   /// What bearing `b` does to its planet.
   bearing::dynamics::BoreReaction reaction(int b) const;
   DrivenBearingOutput bearing(int b) const;
+  void take_snapshot(int b, bearing::dynamics::Snapshot& into) const;
+  /// As DrivenBearing::collect_loads, for bearing `b`.
+  void collect_loads(int b, bearing::dynamics::StatisticsCollector* collector);
   /// Life [rev] under the loads since the start, or since forget().
   bearing::BearingLife life(int b) const;
   /// States in the orders of SetLayout and StateLayout.

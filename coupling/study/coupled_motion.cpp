@@ -3,7 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "coupling/cosim/monolithic.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
+#include "coupling/study/driven_setups.hpp"
 
 namespace orbearing::study {
 
@@ -76,12 +78,33 @@ class CoSimulatedMotion final : public cosim::CoupledMotion {
   long done_ = 0;  // windows
 };
 
+class MonolithicMotion final : public cosim::CoupledMotion {
+ public:
+  explicit MonolithicMotion(const cosim::CoupledSetup& setup) : system_(setup) { system_.initialize(0.0); }
+
+  int planets() const override { return system_.planets(); }
+  int bearings_per_planet() const override { return system_.bearings() / system_.planets(); }
+  void advance(double time) override { system_.advance({system_.time(), time}); }
+  void take_snapshot(int b, Snapshot& into) const override { system_.take_snapshot(b, into); }
+  void collect_loads(const std::vector<StatisticsCollector*>& collectors) override {
+    for (std::size_t b = 0; b < collectors.size(); ++b)
+      system_.collect_loads(static_cast<int>(b), collectors[b]);
+  }
+  cosim::CouplingReport report() const override { return {.windows = system_.steps()}; }
+
+ private:
+  cosim::Monolithic system_;
+};
+
 }  // namespace
 
 std::unique_ptr<cosim::CoupledMotion> coupled_motion(const PlanetaryDrivetrain& drivetrain,
                                                      const DrivetrainGeometry& geometry, Fidelity fidelity,
                                                      double interval) {
-  if (fidelity == Fidelity::monolithic) throw std::runtime_error("one system is not joined yet");
+  if (fidelity == Fidelity::monolithic)
+    return std::make_unique<MonolithicMotion>(cosim::CoupledSetup{driven_gears_setup(drivetrain),
+                                                                  driven_bearing_setup(drivetrain, geometry),
+                                                                  drivetrain.bearings_per_planet});
   return std::make_unique<CoSimulatedMotion>(drivetrain, geometry, interval);
 }
 
