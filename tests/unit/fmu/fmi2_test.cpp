@@ -273,8 +273,12 @@ TEST(Fmi2Bearing, OutputsDependOnTheInputsOfTheTableAndOnNoOthers) {
     for (std::size_t i = 0; i < facts.outputs.size(); ++i) {
       const OutputFacts& output = facts.outputs[i];
       const bool listed = std::find(output.inputs.begin(), output.inputs.end(), input) != output.inputs.end();
-      if (!listed) EXPECT_EQ(instance.get(output.name), before[i]) << output.name << " by " << name;
-      if (listed && i < 3) EXPECT_NE(instance.get(output.name), before[i]) << output.name << " by " << name;
+      if (!listed) {
+        EXPECT_EQ(instance.get(output.name), before[i]) << output.name << " by " << name;
+      }
+      if (listed && i < 3) {
+        EXPECT_NE(instance.get(output.name), before[i]) << output.name << " by " << name;
+      }
     }
     instance.set(name, middle);
   }
