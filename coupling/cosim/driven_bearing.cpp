@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <iterator>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "bearing/dynamics/driven_bore.hpp"
 #include "bearing/dynamics/driven_start.hpp"
 #include "coupling/cosim/driven_setup.hpp"
+#include "coupling/cosim/driven_state.hpp"
 #include "coupling/cosim/driven_system.hpp"
 #include "coupling/integration/in_place.hpp"
 #include "coupling/integration/integrate_bearing.hpp"
@@ -28,73 +27,12 @@ using bearing::dynamics::Snapshot;
 using bearing::fast::VectorBearing;
 using boost::math::double_constants::two_pi;
 
-constexpr double kFirstStep = 1e-6;   // [s]
 constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
-constexpr double kStateVersion = 1.0;
 
 // Steps of central differences: far below what the laws see, far above round-off.
 constexpr double kSpeedStep = 1e-3;     // [rad/s]
 constexpr double kPlaceStep = 1e-10;    // [m]
 constexpr double kVelocityStep = 1e-6;  // [m/s]
-
-bool finite(const Course& course) {
-  return std::all_of(course.coefficient.begin(), course.coefficient.end(),
-                     [](double c) { return std::isfinite(c); });
-}
-
-void require_finite(const BoreCourse& inputs) {
-  const std::pair<const char*, const Course*> all[] = {
-      {"x [m]", &inputs.x},
-      {"y [m]", &inputs.y},
-      {"v_x [m/s]", &inputs.v_x},
-      {"v_y [m/s]", &inputs.v_y},
-      {"speed [rad/s]", &inputs.speed},
-      {"carrier speed [rad/s]", &inputs.carrier_speed},
-      {"carrier acceleration [rad/s^2]", &inputs.carrier_acceleration}};
-  for (const auto& [name, course] : all)
-    if (!finite(*course))
-      throw std::runtime_error(std::string("driven bearing: the input ") + name +
-                               " is not finite; required: finite numbers");
-}
-
-void require_finite(const BoreMotion& motion) {
-  const bool holds = motion.position.allFinite() && motion.velocity.allFinite() &&
-                     motion.acceleration.allFinite() && std::isfinite(motion.speed) &&
-                     std::isfinite(motion.carrier_speed) && std::isfinite(motion.carrier_acceleration);
-  if (!holds)
-    throw std::runtime_error(
-        "driven bearing: the motion of bore and carrier is not finite; required: finite numbers");
-}
-
-void require_length(const Window& window) {
-  if (std::isfinite(window.begin) && std::isfinite(window.end) && window.length() > 0.0) return;
-  std::ostringstream text;
-  text << "driven bearing: found a window from " << window.begin << " s to " << window.end
-       << " s; required: an end after the beginning";
-  throw std::runtime_error(text.str());
-}
-
-// All that the future depends on.
-struct State {
-  Eigen::VectorXd flat;      // of the readable equations
-  std::vector<double> x;     // padded, of the vectorised ones; one of both is in use
-  double step = kFirstStep;  // [s]    to try next
-  double angle = 0.0;        // [rad]  of the bore
-  double turned = 0.0;       // [rad]  there and back
-  double step_before = 0.0;  // [s]    half of it is not counted yet
-  LoadSums sums{0};
-
-  /// Every number in turn, for `visit(double* first, size)`.
-  template <class Visit>
-  void each(Visit visit) {
-    for (double* one : {&step, &angle, &turned, &step_before}) visit(one, 1);
-    visit(x.data(), static_cast<long>(x.size()));
-    for (Eigen::Ref<Eigen::VectorXd> part :
-         {Eigen::Ref<Eigen::VectorXd>(flat), Eigen::Ref<Eigen::VectorXd>(sums.passages.matrix()),
-          Eigen::Ref<Eigen::VectorXd>(sums.inner.matrix()), Eigen::Ref<Eigen::VectorXd>(sums.outer.matrix())})
-      visit(part.data(), static_cast<long>(part.size()));
-  }
-};
 
 }  // namespace
 
@@ -116,7 +54,7 @@ struct DrivenBearing::Inside {
   Eigen::VectorXd allowed;
   std::optional<integration::Rosenbrock2> stepper;
   LoadsAtStep loads;
-  State state, backup;
+  DrivenState state, backup;
   std::vector<double> at_instant, rate;  // padded
 
   explicit Inside(const DrivenBearingSetup& given)
@@ -276,6 +214,18 @@ DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
   return output;
 }
 
+void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) const {
+  into = driven_snapshot(inside_->model, inside_->here(motion), inside_->flat());
+}
+
+Eigen::VectorXd DrivenBearing::state() const {
+  return inside_->flat();
+}
+
+void DrivenBearing::collect_loads(bearing::dynamics::StatisticsCollector* collector) {
+  inside_->loads.collector = collector;
+}
+
 ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
   Inside& in = *inside_;
   const BoreMotion here = in.here(motion);
@@ -301,30 +251,13 @@ ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
 }
 
 void DrivenBearing::save(SavedState& state) const {
-  state = {kStateVersion, static_cast<double>(rollers()), static_cast<double>(inside_->setup.places),
-           inside_->fast ? 1.0 : 0.0};
-  inside_->state.each(
-      [&](const double* first, long size) { state.insert(state.end(), first, first + size); });
+  const double places = static_cast<double>(inside_->setup.places), path = inside_->fast ? 1.0 : 0.0;
+  write({static_cast<double>(rollers()), places, path}, inside_->state, state);
 }
 
 void DrivenBearing::restore(const SavedState& state) {
-  SavedState own;
-  save(own);
-  constexpr std::ptrdiff_t kHead = 4;
-  const bool fits = state.size() == own.size() && std::equal(own.begin(), own.begin() + kHead, state.begin());
-  if (!fits) {
-    std::ostringstream text;
-    text << "driven bearing: found a saved state of " << state.size() << " numbers";
-    if (!state.empty()) text << " and version " << state.front();
-    text << "; required: " << own.size() << " numbers of version " << kStateVersion << ", of a bearing with "
-         << rollers() << " rollers and " << inside_->setup.places << " places";
-    throw std::invalid_argument(text.str());
-  }
-  auto from = state.begin() + kHead;
-  inside_->state.each([&](double* first, long size) {
-    std::copy_n(from, size, first);
-    from += size;
-  });
+  const double places = static_cast<double>(inside_->setup.places), path = inside_->fast ? 1.0 : 0.0;
+  read(state, {static_cast<double>(rollers()), places, path}, inside_->state);
 }
 
 }  // namespace orbearing::cosim

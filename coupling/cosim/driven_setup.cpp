@@ -1,8 +1,11 @@
 #include "coupling/cosim/driven_setup.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace orbearing::cosim {
 
@@ -40,7 +43,44 @@ void check_effects(const bearing::dynamics::DynamicsParameters& dynamics) {
           "a film that is added, since the printed one asks for the load beforehand");
 }
 
+bool finite(const Course& course) {
+  return std::all_of(course.coefficient.begin(), course.coefficient.end(),
+                     [](double c) { return std::isfinite(c); });
+}
+
 }  // namespace
+
+void require_finite(const BoreCourse& inputs) {
+  const std::pair<const char*, const Course*> all[] = {
+      {"x [m]", &inputs.x},
+      {"y [m]", &inputs.y},
+      {"v_x [m/s]", &inputs.v_x},
+      {"v_y [m/s]", &inputs.v_y},
+      {"speed [rad/s]", &inputs.speed},
+      {"carrier speed [rad/s]", &inputs.carrier_speed},
+      {"carrier acceleration [rad/s^2]", &inputs.carrier_acceleration}};
+  for (const auto& [name, course] : all)
+    if (!finite(*course))
+      throw std::runtime_error(std::string("driven bearing: the input ") + name +
+                               " is not finite; required: finite numbers");
+}
+
+void require_finite(const bearing::dynamics::BoreMotion& motion) {
+  const bool holds = motion.position.allFinite() && motion.velocity.allFinite() &&
+                     motion.acceleration.allFinite() && std::isfinite(motion.speed) &&
+                     std::isfinite(motion.carrier_speed) && std::isfinite(motion.carrier_acceleration);
+  if (!holds)
+    throw std::runtime_error(
+        "driven bearing: the motion of bore and carrier is not finite; required: finite numbers");
+}
+
+void require_length(const Window& window) {
+  if (std::isfinite(window.begin) && std::isfinite(window.end) && window.length() > 0.0) return;
+  std::ostringstream text;
+  text << "driven bearing: found a window from " << window.begin << " s to " << window.end
+       << " s; required: an end after the beginning";
+  throw std::runtime_error(text.str());
+}
 
 bearing::dynamics::BearingModel driven_model(const DrivenBearingSetup& setup) {
   check_numbers(setup);

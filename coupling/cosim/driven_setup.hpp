@@ -10,4 +10,9 @@ namespace orbearing::cosim {
 /// before they are known: a run-up, a mesh ripple, the film as printed.
 bearing::dynamics::BearingModel driven_model(const DrivenBearingSetup& setup);
 
+/// Throw std::runtime_error with what was found where a number is not finite, or a window has no length.
+void require_finite(const BoreCourse& inputs);
+void require_finite(const bearing::dynamics::BoreMotion& motion);
+void require_length(const Window& window);
+
 }  // namespace orbearing::cosim

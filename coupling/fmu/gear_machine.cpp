@@ -13,13 +13,18 @@ std::string planet_name(int planet) {
   return "planet[" + std::to_string(planet) + "].";
 }
 
-std::vector<InputFacts> inputs_of(int planets) {
+std::vector<InputFacts> inputs_of(const GearModel& model) {
   std::vector<InputFacts> inputs;
-  for (int i = 1; i <= planets; ++i) {
+  const auto add = [&](const std::string& name, const char* unit, const std::string& meaning) {
+    const std::size_t place = inputs.size();
+    const double start = place < model.start_force.size() ? model.start_force[place] : 0.0;
+    inputs.push_back({name, unit, meaning, start});
+  };
+  for (int i = 1; i <= model.setup.set.planets; ++i) {
     const std::string planet = planet_name(i), all = "of all bearings on the planet, ";
-    inputs.push_back({planet + "force.x", "N", "force " + all + "outward"});
-    inputs.push_back({planet + "force.y", "N", "force " + all + "in the sense of carrier rotation"});
-    inputs.push_back({planet + "moment", "N.m", "moment " + all + "about its axis"});
+    add(planet + "force.x", "N", "force " + all + "outward");
+    add(planet + "force.y", "N", "force " + all + "in the sense of carrier rotation");
+    add(planet + "moment", "N.m", "moment " + all + "about its axis");
   }
   return inputs;
 }
@@ -50,7 +55,7 @@ std::vector<OutputFacts> outputs_of(int planets) {
 
 class GearMachine : public Machine {
  public:
-  explicit GearMachine(const cosim::DrivenGearsSetup& setup) : gears_(setup) {}
+  explicit GearMachine(const GearModel& model) : gears_(model.setup) {}
 
   void initialize(double time, const std::vector<double>&) override { gears_.initialize(time); }
 
@@ -87,12 +92,12 @@ class GearMachine : public Machine {
 }  // namespace
 
 ModelFacts gear_facts(const NumberTable& numbers) {
-  const cosim::DrivenGearsSetup setup = gears_from(numbers);
+  const GearModel model = gears_from(numbers);
   ModelFacts facts{.model = "gearset",
                    .meaning = "A planetary gear set whose planet bearings are computed elsewhere"};
-  show_fields(gear_fields(), setup, facts);
-  facts.inputs = inputs_of(setup.set.planets);
-  facts.outputs = outputs_of(setup.set.planets);
+  show_fields(gear_fields(), model, facts);
+  facts.inputs = inputs_of(model);
+  facts.outputs = outputs_of(model.setup.set.planets);
   return facts;
 }
 

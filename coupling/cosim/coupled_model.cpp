@@ -1,0 +1,122 @@
+#include "coupling/cosim/coupled_model.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "coupling/cosim/driven_setup.hpp"
+
+namespace orbearing::cosim {
+
+namespace {
+
+using bearing::dynamics::BoreMotion;
+using boost::math::double_constants::two_pi;
+using gearset::dynamics::PlanetBearing;
+
+PlanetPort port_of(const PlanetBearing& bearing) {
+  PlanetPort port;
+  port.place = bearing.place;
+  port.of_carrier << -bearing.radial.central.transpose(), -bearing.tangential.central.transpose();
+  port.of_planet << -bearing.radial.planet.transpose(), -bearing.tangential.planet.transpose();
+  port.turn_of_carrier = bearing.rotation.central.transpose();
+  port.turn_of_planet = bearing.rotation.planet.transpose();
+  port.pin_error = bearing.pin_error;
+  return port;
+}
+
+constexpr int kMostRounds = 30;
+constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good enough
+
+// Bearings under the motion of the gears at rest; what they do to each planet.
+std::vector<PlanetForceCourse> answer(const CoupledModel& model, const DrivenGearsOutput& gears,
+                                      std::vector<DrivenBearing>& bearings) {
+  std::vector<PlanetForceCourse> forces(model.ports.size());
+  for (std::size_t b = 0; b < bearings.size(); ++b) {
+    const std::size_t planet = b / static_cast<std::size_t>(model.per_planet);
+    BoreMotion motion;
+    motion.position = gears.planets[planet].displacement;
+    motion.speed = gears.planets[planet].speed;
+    motion.carrier_speed = gears.carrier_speed;
+    motion.carrier_acceleration = gears.carrier_acceleration;
+    bearings[b].initialize(motion);
+    const bearing::dynamics::BoreReaction reaction = bearings[b].reaction(motion);
+    forces[planet].x.coefficient[0] += reaction.force.x();
+    forces[planet].y.coefficient[0] += reaction.force.y();
+  }
+  return forces;
+}
+
+// Largest change of a force over the largest force.
+double change(const std::vector<PlanetForceCourse>& before, const std::vector<PlanetForceCourse>& now) {
+  double change = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (const auto axis : {&PlanetForceCourse::x, &PlanetForceCourse::y}) {
+      const double force = (now[i].*axis).coefficient[0];
+      change = std::max(change, std::abs(force - (before[i].*axis).coefficient[0]));
+      largest = std::max(largest, std::abs(force));
+    }
+  return change / largest;
+}
+
+}  // namespace
+
+CoupledModel coupled_model(const CoupledSetup& setup) {
+  const bool coupled = setup.gears.set.planet.coupled_bearing;
+  if (!coupled || setup.bearings_per_planet < 1) {
+    std::ostringstream text;
+    text << "coupled gears and bearings: found " << setup.bearings_per_planet << " bearings of a planet"
+         << (coupled ? "" : ", on springs") << "; required: at least 1, coupled";
+    throw std::invalid_argument(text.str());
+  }
+  CoupledModel model{gearset::dynamics::set_model(setup.gears.set, setup.gears.operation),
+                     driven_model(setup.bearing),
+                     {},
+                     setup.bearings_per_planet};
+  for (const PlanetBearing& bearing : model.gears.bearings) model.ports.push_back(port_of(bearing));
+  return model;
+}
+
+BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double time,
+                       const Eigen::Ref<const Eigen::VectorXd>& q,
+                       const Eigen::Ref<const Eigen::VectorXd>& v) {
+  const gearset::dynamics::Operation& operation = model.gears.operation;
+  const gearset::dynamics::SpeedState speed = speed_at(operation, time);
+  const double passed = operation.mesh_frequency > 0.0
+                            ? mesh_periods(operation, time) / operation.mesh_frequency
+                            : time;  // [s]  at nominal speed
+  BoreMotion motion;
+  motion.position = port.along(q) - port.pin_error;
+  motion.velocity = port.along(v);
+  motion.speed = operation.speeds.planet_relative * speed.factor + port.turn(v);
+  motion.angle = operation.speeds.planet_relative * passed + port.turn(q);
+  motion.carrier_speed = operation.speeds.carrier * speed.factor;
+  motion.carrier_acceleration = operation.speeds.carrier * speed.rate;
+  return motion;
+}
+
+CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time) {
+  DrivenGears gears(setup.gears);
+  std::vector<DrivenBearing> bearings;
+  const double pitch = two_pi / setup.bearing.bearing.rollers;
+  for (int b = 0; b < model.bearings(); ++b) {
+    DrivenBearingSetup own = setup.bearing;
+    own.first_roller += pitch * (b % model.per_planet) / model.per_planet;
+    bearings.emplace_back(own);
+  }
+  gears.initialize(time);
+  std::vector<PlanetForceCourse> forces = answer(model, gears.output(), bearings);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::vector<PlanetForceCourse> before = forces;
+    gears.balance(forces);
+    forces = answer(model, gears.output(), bearings);
+    if (change(before, forces) <= kBalancedChange) break;
+  }
+  CoupledStart start{gears.state(), {}};
+  for (const DrivenBearing& bearing : bearings) start.bearings.push_back(bearing.state());
+  return start;
+}
+
+}  // namespace orbearing::cosim

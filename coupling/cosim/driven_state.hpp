@@ -1,0 +1,40 @@
+// The state of a driven bearing, and the numbers in which it is saved.
+#pragma once
+
+#include <array>
+
+#include "coupling/cosim/load_sums.hpp"
+
+namespace orbearing::cosim {
+
+/// All that the future of a driven bearing depends on.
+struct DrivenState {
+  Eigen::VectorXd flat;      // of the readable equations
+  std::vector<double> x;     // padded, of the vectorised ones; one of both is in use
+  double step = 1e-6;        // [s]    to try next
+  double angle = 0.0;        // [rad]  of the bore
+  double turned = 0.0;       // [rad]  there and back
+  double step_before = 0.0;  // [s]    half of it is not counted yet
+  LoadSums sums{0};
+
+  /// Every number in turn, for `visit(double* first, size)`.
+  template <class Visit>
+  void each(Visit visit) {
+    for (double* one : {&step, &angle, &turned, &step_before}) visit(one, 1);
+    visit(x.data(), static_cast<long>(x.size()));
+    for (Eigen::Ref<Eigen::VectorXd> part :
+         {Eigen::Ref<Eigen::VectorXd>(flat), Eigen::Ref<Eigen::VectorXd>(sums.passages.matrix()),
+          Eigen::Ref<Eigen::VectorXd>(sums.inner.matrix()), Eigen::Ref<Eigen::VectorXd>(sums.outer.matrix())})
+      visit(part.data(), static_cast<long>(part.size()));
+  }
+};
+
+/// What a saved state must agree in: rollers, places, which equations.
+using StateKind = std::array<double, 3>;
+
+void write(const StateKind& kind, DrivenState& state, SavedState& into);
+/// Throws std::invalid_argument, with what was found and what is required, where `from` is of another kind,
+/// version or length than `state`, which then is as before.
+void read(const SavedState& from, const StateKind& kind, DrivenState& state);
+
+}  // namespace orbearing::cosim

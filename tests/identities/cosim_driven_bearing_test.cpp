@@ -1,0 +1,113 @@
+// A driven bearing in time: against the free bearing whose bore it follows, its order, its energy.
+#include <gtest/gtest.h>
+
+#include "bearing/dynamics/driven_bore.hpp"
+#include "bearing/dynamics/driven_start.hpp"
+#include "bearing/dynamics/equations.hpp"
+#include "coupling/cosim/driven_setup.hpp"
+#include "coupling/cosim/driven_system.hpp"
+#include "coupling/integration/integrate.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/window.hpp"
+#include "tests/unit/cosim/driven_reducer.hpp"
+
+namespace orbearing::cosim {
+namespace {
+
+using bearing::dynamics::BearingModel;
+using bearing::dynamics::BoreMotion;
+
+// Cubic through places and velocities at both ends; its slope as velocity.
+void join(double h, double from, double v_from, double to, double v_to, Course& place, Course& velocity) {
+  const double mean = (to - from) / h;
+  const double c2 = (3.0 * mean - 2.0 * v_from - v_to) / h, c3 = (v_from + v_to - 2.0 * mean) / (h * h);
+  place = {{from, v_from, c2, c3}};
+  velocity = {{v_from, 2.0 * c2, 3.0 * c3, 0.0}};
+}
+
+// The free bearing at tight tolerance records the path of its bore; a driven one follows it.
+TEST(DrivenBearingPath, FollowsTheFreeBearing) {
+  const DrivenBearingSetup setup = [] {
+    DrivenBearingSetup s = test::driven_reducer();
+    s.allowed_length_error = 1e-14;
+    return s;
+  }();
+  bearing::OperatingPoint point = test::reducer_point(6000.0);
+  const BearingModel model = bearing_model(setup.bearing, point, setup.dynamics);
+  BoreMotion motion = test::pressed_motion();
+  Eigen::VectorXd x = driven_start(setup.bearing, model, setup.dynamics, motion, setup.first_roller);
+  DrivenBearing driven(setup);
+  driven.initialize(motion);
+
+  constexpr double kStep = 0.5e-6;  // [s]
+  constexpr long kSteps = 600;      // 0.3 ms
+  const bearing::dynamics::PlanetBearingEquations equations(model);
+  integration::IntegrationOptions options;
+  options.step = 1e-8;
+  options.allowed_error = integration::bearing_allowed_errors(
+      model.layout, 1e-15, model.geometry.pitch_radius, integration::roller_frequency(model));
+  const auto derivative = [&](double t, const Eigen::Ref<const Eigen::VectorXd>& state,
+                              Eigen::Ref<Eigen::VectorXd> rate) { equations.derivative(t, state, rate); };
+  const Eigen::Index bore = model.layout.bore();
+  Eigen::VectorXd before = x;
+  double worst = 0.0, largest = 0.0;
+  const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& now) {
+    BoreCourse inputs = test::constant_course(motion);
+    join(kStep, before[bore], before[bore + 2], now[bore], now[bore + 2], inputs.x, inputs.v_x);
+    join(kStep, before[bore + 1], before[bore + 3], now[bore + 1], now[bore + 3], inputs.y, inputs.v_y);
+    driven.advance({time - kStep, time}, inputs);
+    BoreMotion here = inputs.at(kStep);
+    here.angle = point.outer_speed * time;
+    const Eigen::Vector2d expected = reaction(model, here, now).force;
+    worst = std::max(worst, (driven.reaction(here).force - expected).norm());
+    largest = std::max(largest, expected.norm());
+    before = now;
+  };
+  const auto report = integration::integrate(derivative, x, {0.0, kStep, kSteps}, options, observe);
+  ASSERT_TRUE(report.completed) << report.message;
+  EXPECT_GT((x.segment<2>(bore) - motion.position).norm(), 1e-6) << "the bore has moved [m]";
+  RecordProperty("worst_share", std::to_string(worst / largest));
+  EXPECT_LT(worst, 3e-4 * largest);  // found 3e-5
+}
+
+// Fixed steps on a path without touch-downs: halving them quarters the error.
+TEST(DrivenBearingPath, HasOrderTwo) {
+  const DrivenBearingSetup setup = test::driven_reducer();
+  const BearingModel model = driven_model(setup);
+  const BoreMotion about = test::pressed_motion();
+  const BoreCourse inputs = test::swinging_course(about, 0.5e-6, 1e4, 0.0);
+  bearing::fast::VectorBearing fast(model);
+  constexpr double kLength = 16e-6;  // [s]
+  const auto end_state = [&](int steps) {
+    const double h = kLength / steps;
+    std::vector<double> x =
+        fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
+    integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
+    LoadsAtStep loads(setup.bearing.rollers);
+    LoadSums sums(72);
+    DrivenSystem system(fast, inputs, 0.0, loads, sums);
+    double step = h;
+    integration::through_window(stepper, system, x, kLength, {}, step);
+    Eigen::VectorXd flat(model.layout.size());
+    fast.flatten(x.data(), flat);
+    return flat;
+  };
+  const Eigen::VectorXd scale =
+      integration::bearing_allowed_errors(model.layout, 1.0, model.geometry.pitch_radius,
+                                          integration::roller_frequency(model))
+          .cwiseInverse();
+  const Eigen::VectorXd exact = end_state(4096);
+  std::vector<double> errors;
+  for (const int steps : {32, 64, 128, 256})
+    errors.push_back((end_state(steps) - exact).cwiseProduct(scale).norm());
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    const double order = std::log2(errors[i - 1] / errors[i]);
+    RecordProperty("order_" + std::to_string(i), std::to_string(order));
+    EXPECT_GT(order, 1.8);
+    EXPECT_LT(order, 2.3);
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::cosim
