@@ -22,8 +22,8 @@ RESIDUAL_CAPTION = (
     "gears take there then differ; shown is the sum of the differences of all windows over the energy that passed the ports."
 )
 CONVERGENCE_CAPTION = (
-    "Error of the force on the first planet after {path} ms against the system solved as one, over the window between two exchanges "
-    "(left), and the energy residual of the ports (right). {orders}{limit} The meshes' stiffness jumps as teeth come and go, which holds degree 2 to order 2. "
+    "Error of the forces on all planets during {path} ms, rms over rms, against the system solved as one, over the window between two "
+    "exchanges (left), and the energy residual of the ports (right). {orders}{limit} The meshes' stiffness jumps as teeth come and go, which holds degree 2 to order 2. "
     "Longer paths say nothing about a scheme: rollers are chaotic."
 )
 
