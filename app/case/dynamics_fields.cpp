@@ -172,6 +172,32 @@ void add_run(std::vector<Field>& fields) {
                           "2e-7 mm", "coarser steps ring at contacts that close and then take longer"}));
 }
 
+// How gears and bearings hear of each other in a co-simulation.
+void add_exchange(std::vector<Field>& fields) {
+  fields.push_back({.path = "simulation.exchange.order",
+                    .kind = Kind::choice,
+                    .meaning =
+                        "who waits for whom in a window of the co-simulation: the bearings for the gears, or "
+                        "nobody",
+                    .models = drivetrain,
+                    .choices = {"gauss-seidel", "jacobi"},
+                    .default_text = "gauss-seidel",
+                    .default_reason = "stable in longer windows"});
+  fields.push_back(
+      quantity(dimension::time, {"simulation.exchange.window", "longest time between two exchanges",
+                                 positive(1e-3), "10 us", "a fraction of the stability limit"}));
+  fields.push_back(integer({"simulation.exchange.extrapolation",
+                            "degree of the polynomial by which forces and velocities go on in a window",
+                            {0, 2},
+                            "1",
+                            "order 2 without overshoot at impacts"}));
+  fields.push_back(integer({"simulation.exchange.passes",
+                            "passes over a window until both sides agree, at most; 1: none is repeated",
+                            {1, 100},
+                            "1",
+                            "short windows cost less than repeated ones"}));
+}
+
 }  // namespace
 
 void add_dynamics_fields(std::vector<Field>& fields) {
@@ -180,6 +206,7 @@ void add_dynamics_fields(std::vector<Field>& fields) {
   add_guidance_film(fields);
   add_surroundings(fields);
   add_run(fields);
+  add_exchange(fields);
 }
 
 }  // namespace orbearing::app::table

@@ -109,6 +109,20 @@ void add_crown(CLI::App& command, Options& options) {
   command.add_flag("--resume", options.resume, "where DIR holds this very study, show it again");
 }
 
+void add_fmu(CLI::App& command, Options& options) {
+  add_case(command, options);
+  command.add_option("-o,--output", options.output, "file of the FMU; replaced where it exists")
+      ->required()
+      ->type_name("FILE.fmu");
+  command.add_option("--fmi", options.fmi, "version of the interface: 2 (default) or 3")
+      ->check(CLI::IsMember({"2", "3"}));
+  command
+      .add_option(
+          "--model", options.model,
+          "bearing (default): one bearing of one planet; gearset: the gears without their planet bearings")
+      ->check(CLI::IsMember({"bearing", "gearset"}));
+}
+
 // Subcommands in the order in which they are shown.
 struct CommandTable {
   CLI::App& program;
@@ -147,6 +161,8 @@ void add_commands(CommandTable table) {
       "--speed", options.speed,
       "speed of the driven member (of the carrier where the set has no teeth), e.g. \"6000 rpm\"; "
       "default: at rest");
+  add_fmu(table.add("fmu", "the planet bearing or the gear set for other simulation tools", fmu_command),
+          options);
   CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
   add_settings(validate, options);
   validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
@@ -168,15 +184,14 @@ bool known(const CLI::App& program, const std::string& word) {
                      [&](const CLI::App* command) { return command->check_name(word); });
 }
 
-// The name of a command that does not exist, or is planned, is told as such and not as a missing command.
+// The name of a command that does not exist is told as such and not as a missing command.
 void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.front() == '-' || known(program, word)) return;
-  const bool planned = std::string(" fmu ").find(" " + word + " ") != std::string::npos;
   throw BadInput(fmt::format(
-      "orbearing: found the command {}{}; required: check, run, sweep, merge, crown, mesh, modes, "
+      "orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, fmu, "
       "validate or report",
-      word, planned ? ", which this version does not have yet" : ""));
+      word));
 }
 
 int parse_and_run(int argc, char** argv) {

@@ -24,6 +24,8 @@ struct Options {
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all ablations of the motion in time
   bool gears = false;                    // run: without the dynamics of bearings
+  std::string fmi = "2";                 // fmu: version of the interface
+  std::string model = "bearing";         // fmu: "bearing" or "gearset"
   CrownOptions crown;
   bool resume = false;
   bool json = false;
@@ -36,6 +38,7 @@ int run_command(const Options& options);
 int sweep_command(const Options& options);
 int merge_command(const Options& options);
 int crown_command(const Options& options);
+int fmu_command(const Options& options);
 int mesh_command(const Options& options);
 int modes_command(const Options& options);
 int validate_command(const Options& options);

@@ -15,6 +15,7 @@ constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr double rpm_per_rad_s = 9.549296585513721;  // 30 / pi
 constexpr double million_revolutions = 1e-6;
 constexpr double micrometres = 1e6;
+constexpr double microseconds = 1e6;
 constexpr double megapascals = 1e-6;
 
 /// Messages of libraries may hold line ends or bytes that are not UTF-8; tables and JSON need neither.
@@ -105,7 +106,19 @@ const std::vector<Column>& trailing_columns() {
       loss_column("_guidance", "in the cage guidance", [](const PowerLoss& l) { return l.guidance; }),
       loss_column("_support", "in the support of the pin", [](const PowerLoss& l) { return l.support; }),
       {"steady", "steady", "1", "1: the means stood still; 0: they drifted to the end", 1.0,
-       [](const PointResult& r) { return r.dynamic ? (r.dynamic->steady ? 1.0 : 0.0) : not_given; }}};
+       [](const PointResult& r) { return r.dynamic ? (r.dynamic->steady ? 1.0 : 0.0) : not_given; }},
+      {"shortest_life_h", "shortest_life", "h",
+       "life of the bearing that lives shortest, where bearings act back on the gears", 1.0,
+       [](const PointResult& r) {
+         return r.two_way ? *std::min_element(r.two_way->bearing_life_hours.begin(),
+                                              r.two_way->bearing_life_hours.end())
+                          : not_given;
+       }},
+      {"interface_energy_residual", "interface_energy_residual", "1",
+       "energy that the exchange of gears and bearings made or lost, over that which passed", 1.0,
+       [](const PointResult& r) { return r.two_way ? r.two_way->energy_residual : not_given; }},
+      {"interface_window_us", "interface_window", "s", "mean time between two exchanges; 0: one system",
+       microseconds, [](const PointResult& r) { return r.two_way ? r.two_way->window : not_given; }}};
   return columns;
 }
 

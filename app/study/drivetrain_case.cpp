@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 
-#include "app/study/gear_case.hpp"
-#include "app/study/refinements.hpp"
 #include "app/case/arrangement_case.hpp"
 #include "app/case/profile_case.hpp"
+#include "app/study/gear_case.hpp"
+#include "app/study/refinements.hpp"
 #include "bearing/profile/design.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -104,6 +104,14 @@ integration::SteadyStateOptions steady_state_of(const ResolvedCase& in) {
                                ? integration::Method::dopri5
                                : integration::Method::linearly_implicit;
   return out;
+}
+
+cosim::CoupledOptions exchange_of(const ResolvedCase& in) {
+  const bool jacobi = in.choice("simulation.exchange.order") == "jacobi";
+  return {.order = jacobi ? cosim::ExchangeOrder::jacobi : cosim::ExchangeOrder::gauss_seidel,
+          .extrapolation = in.integer("simulation.exchange.extrapolation"),
+          .iteration = {.most_passes = in.integer("simulation.exchange.passes")},
+          .window = {.longest = in.quantity("simulation.exchange.window")}};
 }
 
 gearset::Drive drive_of(const ResolvedCase& in) {
@@ -212,6 +220,7 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   out.dynamics = dynamics_of(in);
   out.dynamics.cage = cage_dynamics_of(in);
   out.steady_state = steady_state_of(in);
+  out.exchange = exchange_of(in);
   out.mesh_variation = in.flag("gearset.mesh_variation");
   if (!in.shape().several && !out.in_arrangement)
     out.gear_set = [in] { return gear_model_of(in).parameters; };

@@ -8,38 +8,35 @@
 
 namespace orbearing::bearing::dynamics {
 
-namespace {
-
 using boost::math::double_constants::two_pi;
-
-void add(const PowerLoss& sample, PowerLoss& sum) {
-  sum.race_damping += sample.race_damping;
-  sum.inner_traction += sample.inner_traction;
-  sum.outer_traction += sample.outer_traction;
-  sum.rolling += sample.rolling;
-  sum.drag += sample.drag;
-  sum.pockets += sample.pockets;
-  sum.guidance += sample.guidance;
-  sum.support += sample.support;
-}
-
-PowerLoss divided(const PowerLoss& sum, double by) {
-  return {.race_damping = sum.race_damping / by,
-          .inner_traction = sum.inner_traction / by,
-          .outer_traction = sum.outer_traction / by,
-          .rolling = sum.rolling / by,
-          .drag = sum.drag / by,
-          .pockets = sum.pockets / by,
-          .guidance = sum.guidance / by,
-          .support = sum.support / by};
-}
-
-}  // namespace
 
 Eigen::Index place_of(double angle, Eigen::Index places) {
   const double turns = angle / two_pi + 0.5 / static_cast<double>(places);
   const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(places));
   return std::min(place, places - 1);
+}
+
+PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other) {
+  sum.race_damping += other.race_damping;
+  sum.inner_traction += other.inner_traction;
+  sum.outer_traction += other.outer_traction;
+  sum.rolling += other.rolling;
+  sum.drag += other.drag;
+  sum.pockets += other.pockets;
+  sum.guidance += other.guidance;
+  sum.support += other.support;
+  return sum;
+}
+
+PowerLoss operator/(const PowerLoss& loss, double by) {
+  return {.race_damping = loss.race_damping / by,
+          .inner_traction = loss.inner_traction / by,
+          .outer_traction = loss.outer_traction / by,
+          .rolling = loss.rolling / by,
+          .drag = loss.drag / by,
+          .pockets = loss.pockets / by,
+          .guidance = loss.guidance / by,
+          .support = loss.support / by};
 }
 
 StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index places)
@@ -94,7 +91,7 @@ void StatisticsCollector::add_state(double time, const Snapshot& sample) {
   sums_.largest_cage_eccentricity = std::max(sums_.largest_cage_eccentricity, sample.cage_eccentricity);
   sums_.mean_cage_position += sample.cage_position;
   sums_.bore_friction_moment += sample.bore_friction_moment;
-  dynamics::add(sample.loss, sums_.loss);
+  sums_.loss += sample.loss;
 }
 
 void StatisticsCollector::add(double time, const Snapshot& sample) {
@@ -126,7 +123,7 @@ WindowStatistics StatisticsCollector::means() const {
   result.mean_cage_eccentricity /= samples;
   result.mean_cage_position /= samples;
   result.bore_friction_moment /= samples;
-  result.loss = divided(sums_.loss, samples);
+  result.loss = sums_.loss / samples;
   return result;
 }
 

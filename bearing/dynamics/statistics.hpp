@@ -8,6 +8,10 @@
 
 namespace orbearing::bearing::dynamics {
 
+/// Cause by cause.
+PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other);
+PowerLoss operator/(const PowerLoss& loss, double by);
+
 /// Loads of one race over a window. Places are evenly spaced bins on the race in the carrier frame, the first
 /// centred on the outward direction.
 struct RaceStatistics {

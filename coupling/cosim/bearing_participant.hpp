@@ -28,6 +28,8 @@ class BearingParticipant : public Participant {
   void restore(const SavedState& state) override;
 
   const DrivenBearing& bearing() const { return bearing_; }
+  void take_snapshot(bearing::dynamics::Snapshot& into) const { bearing_.take_snapshot(motion(), into); }
+  void collect_loads(bearing::dynamics::StatisticsCollector* collector) { bearing_.collect_loads(collector); }
   /// Motion of the bore at the present time.
   bearing::dynamics::BoreMotion motion() const { return course_.at(since_); }
 

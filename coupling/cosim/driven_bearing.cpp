@@ -214,6 +214,14 @@ DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
   return output;
 }
 
+void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) const {
+  into = driven_snapshot(inside_->model, inside_->here(motion), inside_->flat());
+}
+
+void DrivenBearing::collect_loads(bearing::dynamics::StatisticsCollector* collector) {
+  inside_->loads.collector = collector;
+}
+
 ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
   Inside& in = *inside_;
   const BoreMotion here = in.here(motion);

@@ -79,6 +79,12 @@ class DrivenBearing {
   DrivenBearingOutput output(const bearing::dynamics::BoreMotion& motion) const;
   ForceSlopes slopes(const bearing::dynamics::BoreMotion& motion) const;
 
+  /// All that can be read off at the present time.
+  void take_snapshot(const bearing::dynamics::BoreMotion& motion, bearing::dynamics::Snapshot& into) const;
+  /// From now on the loads of every step, weighted by its length, also go to `collector`, which outlives this
+  /// or is replaced; null: no longer. No part of the saved state.
+  void collect_loads(bearing::dynamics::StatisticsCollector* collector);
+
   int rollers() const;
   void save(SavedState& state) const;
   /// Throws std::invalid_argument where `state` is not one of such a bearing.

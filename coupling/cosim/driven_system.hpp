@@ -14,6 +14,7 @@ namespace orbearing::cosim {
 struct LoadsAtStep {
   std::vector<double> angle, inner, outer;  // [rad], [N]  (rollers)
   double step_before = 0.0;                 // [s]
+  bearing::dynamics::StatisticsCollector* collector = nullptr;  // gets them too, where there is one
 
   explicit LoadsAtStep(int rollers) : angle(static_cast<std::size_t>(rollers)), inner(angle), outer(angle) {}
 
@@ -23,8 +24,9 @@ struct LoadsAtStep {
     std::copy_n(loads.outer, outer.size(), outer.begin());
   }
   void count(double step, LoadSums& sums) {
-    sums.add(0.5 * (step_before + step), static_cast<Eigen::Index>(angle.size()), angle.data(), inner.data(),
-             outer.data());
+    const double time = 0.5 * (step_before + step);
+    sums.add(time, static_cast<Eigen::Index>(angle.size()), angle.data(), inner.data(), outer.data());
+    if (collector) collector->add_loads(time, angle.data(), inner.data(), outer.data());
     step_before = step;
   }
 };

@@ -39,25 +39,34 @@ std::vector<InputFacts> inputs_of(const BearingModel& model) {
       {"carrier.acceleration", "rad/s2", "slope of carrier.speed by time"}};
 }
 
+using Inputs = std::vector<std::size_t>;
+
 // What rolls on the bore feels its motion at once; the rest only through its own motion.
-const std::vector<std::size_t> kBore{x, y, velocity_x, velocity_y, planet_speed};
+Inputs bore() {
+  return {x, y, velocity_x, velocity_y, planet_speed};
+}
+Inputs all() {
+  return {x, y, velocity_x, velocity_y, planet_speed, carrier_speed, carrier_acceleration};
+}
 
 std::vector<OutputFacts> outputs_of(int rollers) {
+  const Inputs none, turning{planet_speed};
   std::vector<OutputFacts> outputs{
-      {"force.x", "N", "force of the bearing on the planet, outward", kBore},
-      {"force.y", "N", "force of the bearing on the planet, in the sense of carrier rotation", kBore},
-      {"moment", "N.m", "moment of the bearing on the planet about its axis", kBore},
-      {"life_used", "1", "revolutions so far over the life under the loads so far", {}},
-      {"cage.slip", "1", "1 - speed of the cage over that at pure rolling", {planet_speed}},
-      {"cage.speed", "rad/s", "speed of the cage relative to the carrier", {}},
-      {"revolutions", "1", "revolutions of the planet relative to the carrier since the start", {}},
-      {"friction_loss", "W", "power lost to friction", kBore}};
+      {"force.x", "N", "force of the bearing on the planet, outward", bore(), all()},
+      {"force.y", "N", "force of the bearing on the planet, in the sense of carrier rotation", bore(), all()},
+      {"moment", "N.m", "moment of the bearing on the planet about its axis", bore(), all()},
+      {"life_used", "1", "revolutions so far over the life under the loads so far", none, none, false},
+      {"cage.slip", "1", "1 - speed of the cage over that at pure rolling", turning, turning},
+      {"cage.speed", "rad/s", "speed of the cage relative to the carrier", none, turning},
+      {"revolutions", "1", "revolutions of the planet relative to the carrier since the start", none, none,
+       false},
+      {"friction_loss", "W", "power lost to friction", bore(), all()}};
   for (int i = 1; i <= rollers; ++i) {
     const std::string roller = "roller[" + std::to_string(i) + "].";
-    outputs.push_back({roller + "inner_load", "N", "load between roller and pin", {}});
-    outputs.push_back({roller + "outer_load", "N", "load between roller and planet", kBore});
+    outputs.push_back({roller + "inner_load", "N", "load between roller and pin", none, all()});
+    outputs.push_back({roller + "outer_load", "N", "load between roller and planet", bore(), all()});
     outputs.push_back(
-        {roller + "angle", "rad", "place of the roller from outward towards carrier rotation", {}});
+        {roller + "angle", "rad", "place of the roller, from outward towards carrier rotation", none, none});
   }
   return outputs;
 }

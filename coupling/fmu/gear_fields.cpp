@@ -4,7 +4,7 @@ namespace orbearing::fmu {
 
 namespace {
 
-using Setup = cosim::DrivenGearsSetup;
+using Setup = GearModel;
 using Fields = FieldList<Setup>;
 using enum Use;
 using enum Allowed;
@@ -52,26 +52,26 @@ void add_planet(Fields& f) {
   const std::string path = kBlock + "planet";
   f.number(
        {"gearset.planets", "1", "number of planets", constant, positive},
-       [](auto& s) -> auto& { return s.set.planets; })
+       [](auto& s) -> auto& { return s.setup.set.planets; })
       .number(
           {path + ".mass", "kg", "mass of a planet with the outer rings of its bearings", parameter,
            positive},
-          [](auto& s) -> auto& { return s.set.planet.mass; })
+          [](auto& s) -> auto& { return s.setup.set.planet.mass; })
       .number(
           {path + ".equivalent_mass", "kg", "moment of inertia of a planet over its base radius squared",
            parameter, positive},
-          [](auto& s) -> auto& { return s.set.planet.inertia; })
+          [](auto& s) -> auto& { return s.setup.set.planet.inertia; })
       .number(
-          {path + ".radius"}, [](auto& s) -> auto& { return s.set.planet.radius; })
+          {path + ".radius"}, [](auto& s) -> auto& { return s.setup.set.planet.radius; })
       .number(
           {path + ".bearing_stiffness", "N/m",
            "of all bearings of a planet; serves only to find the state in which the run begins", parameter,
            positive},
-          [](auto& s) -> auto& { return s.set.planet.bearing_stiffness; })
+          [](auto& s) -> auto& { return s.setup.set.planet.bearing_stiffness; })
       .number(
-          {path + ".bearing_damping"}, [](auto& s) -> auto& { return s.set.planet.bearing_damping; })
+          {path + ".bearing_damping"}, [](auto& s) -> auto& { return s.setup.set.planet.bearing_damping; })
       .number(
-          {path + ".coupled_bearing"}, [](auto& s) -> auto& { return s.set.planet.coupled_bearing; });
+          {path + ".coupled_bearing"}, [](auto& s) -> auto& { return s.setup.set.planet.coupled_bearing; });
 }
 
 template <class Member>
@@ -109,63 +109,69 @@ void add_list(Fields& f, const char* name, Member member) {
 
 void add_phases(Fields& f) {
   add_list(
-      f, "gearset.sun_phase", [](auto& s) -> auto& { return s.set.sun_phase; });
+      f, "gearset.sun_phase", [](auto& s) -> auto& { return s.setup.set.sun_phase; });
   add_list(
-      f, "gearset.ring_phase", [](auto& s) -> auto& { return s.set.ring_phase; });
+      f, "gearset.ring_phase", [](auto& s) -> auto& { return s.setup.set.ring_phase; });
   f.list(
       "gearset.dynamics.pin_error",
       [](const Setup& s) {
-        const Eigen::Matrix2Xd& error = s.set.pin_error;
+        const Eigen::Matrix2Xd& error = s.setup.set.pin_error;
         return std::vector<double>(error.data(), error.data() + error.size());
       },
       [](Setup& s, const std::vector<double>& numbers) {
-        s.set.pin_error = Eigen::Map<const Eigen::Matrix2Xd>(numbers.data(), 2,
-                                                             static_cast<Eigen::Index>(numbers.size() / 2));
+        s.setup.set.pin_error = Eigen::Map<const Eigen::Matrix2Xd>(
+            numbers.data(), 2, static_cast<Eigen::Index>(numbers.size() / 2));
       });
+}
+
+void add_start(Fields& f) {
+  add_list(
+      f, "operation.planet_force", [](auto& s) -> auto& { return s.start_force; });
 }
 
 void add_frame(Fields& f) {
   f.number(
-       {"inertia.coriolis"}, [](auto& s) -> auto& { return s.set.frame.coriolis; })
+       {"inertia.coriolis"}, [](auto& s) -> auto& { return s.setup.set.frame.coriolis; })
       .number(
-          {"inertia.carrier_centrifugal"}, [](auto& s) -> auto& { return s.set.frame.centrifugal; })
+          {"inertia.carrier_centrifugal"}, [](auto& s) -> auto& { return s.setup.set.frame.centrifugal; })
       .number(
-          {"inertia.euler"}, [](auto& s) -> auto& { return s.set.frame.euler; })
+          {"inertia.euler"}, [](auto& s) -> auto& { return s.setup.set.frame.euler; })
       .number(
-          {kBlock + "separation"}, [](auto& s) -> auto& { return s.set.separation; });
+          {kBlock + "separation"}, [](auto& s) -> auto& { return s.setup.set.separation; });
 }
 
 void add_operation(Fields& f) {
   f.number(
-       {"input.member"}, [](auto& s) -> auto& { return s.operation.driven; })
+       {"input.member"}, [](auto& s) -> auto& { return s.setup.operation.driven; })
       .number(
-          {"input.power"}, [](auto& s) -> auto& { return s.operation.power; })
+          {"input.power"}, [](auto& s) -> auto& { return s.setup.operation.power; })
       .number(
-          {"operation.sun_speed"}, [](auto& s) -> auto& { return s.operation.speeds.sun; })
+          {"operation.sun_speed"}, [](auto& s) -> auto& { return s.setup.operation.speeds.sun; })
       .number(
-          {"operation.ring_speed"}, [](auto& s) -> auto& { return s.operation.speeds.ring; })
+          {"operation.ring_speed"}, [](auto& s) -> auto& { return s.setup.operation.speeds.ring; })
       .number(
-          {"operation.carrier_speed"}, [](auto& s) -> auto& { return s.operation.speeds.carrier; })
+          {"operation.carrier_speed"}, [](auto& s) -> auto& { return s.setup.operation.speeds.carrier; })
       .number(
-          {"operation.planet_speed"}, [](auto& s) -> auto& { return s.operation.speeds.planet_relative; })
+          {"operation.planet_speed"},
+          [](auto& s) -> auto& { return s.setup.operation.speeds.planet_relative; })
       .number(
-          {"operation.sun_torque"}, [](auto& s) -> auto& { return s.operation.torques.sun; })
+          {"operation.sun_torque"}, [](auto& s) -> auto& { return s.setup.operation.torques.sun; })
       .number(
-          {"operation.ring_torque"}, [](auto& s) -> auto& { return s.operation.torques.ring; })
+          {"operation.ring_torque"}, [](auto& s) -> auto& { return s.setup.operation.torques.ring; })
       .number(
-          {"operation.carrier_torque"}, [](auto& s) -> auto& { return s.operation.torques.carrier; })
+          {"operation.carrier_torque"}, [](auto& s) -> auto& { return s.setup.operation.torques.carrier; })
       .number(
-          {"operation.mesh_frequency"}, [](auto& s) -> auto& { return s.operation.mesh_frequency; })
+          {"operation.mesh_frequency"}, [](auto& s) -> auto& { return s.setup.operation.mesh_frequency; })
       .number(
-          {kBlock + "run_up.from"}, [](auto& s) -> auto& { return s.operation.run_up.from; })
+          {kBlock + "run_up.from"}, [](auto& s) -> auto& { return s.setup.operation.run_up.from; })
       .number(
-          {kBlock + "run_up.duration"}, [](auto& s) -> auto& { return s.operation.run_up.duration; })
+          {kBlock + "run_up.duration"}, [](auto& s) -> auto& { return s.setup.operation.run_up.duration; })
       .number(
           {"simulation.error_share", "1", "allowed error of one internal step over the mean mesh deflection",
            parameter, positive},
-          [](auto& s) -> auto& { return s.allowed_share; })
+          [](auto& s) -> auto& { return s.setup.allowed_share; })
       .number(
-          {"simulation.most_steps"}, [](auto& s) -> auto& { return s.most_steps; });
+          {"simulation.most_steps"}, [](auto& s) -> auto& { return s.setup.most_steps; });
 }
 
 }  // namespace
@@ -174,26 +180,27 @@ std::vector<SetupField<Setup>> gear_fields() {
   Fields fields;
   add_planet(fields);
   add_central(
-      fields, "sun", [](auto& s) -> auto& { return s.set.sun; });
+      fields, "sun", [](auto& s) -> auto& { return s.setup.set.sun; });
   add_central(
-      fields, "ring", [](auto& s) -> auto& { return s.set.ring; });
+      fields, "ring", [](auto& s) -> auto& { return s.setup.set.ring; });
   add_central(
-      fields, "carrier", [](auto& s) -> auto& { return s.set.carrier; });
+      fields, "carrier", [](auto& s) -> auto& { return s.setup.set.carrier; });
   add_mesh(
-      fields, "sun", [](auto& s) -> auto& { return s.set.sun_mesh; });
+      fields, "sun", [](auto& s) -> auto& { return s.setup.set.sun_mesh; });
   add_mesh(
-      fields, "ring", [](auto& s) -> auto& { return s.set.ring_mesh; });
+      fields, "ring", [](auto& s) -> auto& { return s.setup.set.ring_mesh; });
   add_phases(fields);
   add_frame(fields);
   add_operation(fields);
+  add_start(fields);
   return fields.fields();
 }
 
-NumberTable numbers_of(const Setup& setup) {
-  return numbers_of_fields("gearset", gear_fields(), setup);
+NumberTable numbers_of(const GearModel& model) {
+  return numbers_of_fields("gearset", gear_fields(), model);
 }
 
-Setup gears_from(const NumberTable& numbers) {
+GearModel gears_from(const NumberTable& numbers) {
   return setup_from<Setup>(gear_fields(), numbers);
 }
 

@@ -7,12 +7,18 @@
 
 namespace orbearing::fmu {
 
-/// All that a gear set's future depends on beside its inputs, in a fixed order.
-std::vector<SetupField<cosim::DrivenGearsSetup>> gear_fields();
+/// A gear set and the forces on its planets with which an FMU of it starts.
+struct GearModel {
+  cosim::DrivenGearsSetup setup;
+  std::vector<double> start_force;  // [N], [N], [N m]  (planets)  outward, tangential, moment
+};
 
-NumberTable numbers_of(const cosim::DrivenGearsSetup& setup);
+/// All that a gear set's future depends on beside its inputs, in a fixed order.
+std::vector<SetupField<GearModel>> gear_fields();
+
+NumberTable numbers_of(const GearModel& model);
 
 /// Throws std::invalid_argument where a number is missing or makes no sense.
-cosim::DrivenGearsSetup gears_from(const NumberTable& numbers);
+GearModel gears_from(const NumberTable& numbers);
 
 }  // namespace orbearing::fmu

@@ -13,13 +13,18 @@ std::string planet_name(int planet) {
   return "planet[" + std::to_string(planet) + "].";
 }
 
-std::vector<InputFacts> inputs_of(int planets) {
+std::vector<InputFacts> inputs_of(const GearModel& model) {
   std::vector<InputFacts> inputs;
-  for (int i = 1; i <= planets; ++i) {
+  const auto add = [&](const std::string& name, const char* unit, const std::string& meaning) {
+    const std::size_t place = inputs.size();
+    const double start = place < model.start_force.size() ? model.start_force[place] : 0.0;
+    inputs.push_back({name, unit, meaning, start});
+  };
+  for (int i = 1; i <= model.setup.set.planets; ++i) {
     const std::string planet = planet_name(i), all = "of all bearings on the planet, ";
-    inputs.push_back({planet + "force.x", "N", "force " + all + "outward"});
-    inputs.push_back({planet + "force.y", "N", "force " + all + "in the sense of carrier rotation"});
-    inputs.push_back({planet + "moment", "N.m", "moment " + all + "about its axis"});
+    add(planet + "force.x", "N", "force " + all + "outward");
+    add(planet + "force.y", "N", "force " + all + "in the sense of carrier rotation");
+    add(planet + "moment", "N.m", "moment " + all + "about its axis");
   }
   return inputs;
 }
@@ -30,26 +35,27 @@ std::vector<OutputFacts> outputs_of(int planets) {
     const std::string planet = planet_name(i);
     const std::string along = ", in the sense of carrier rotation";
     outputs.push_back(
-        {planet + "displacement.x", "m", "of the planet's axis from that of its pin, outward", {}});
+        {planet + "displacement.x", "m", "of the planet's axis from that of its pin, outward", {}, {}});
     outputs.push_back(
-        {planet + "displacement.y", "m", "of the planet's axis from that of its pin" + along, {}});
-    outputs.push_back({planet + "velocity.x", "m/s", "slope of displacement.x by time", {}});
-    outputs.push_back({planet + "velocity.y", "m/s", "slope of displacement.y by time", {}});
+        {planet + "displacement.y", "m", "of the planet's axis from that of its pin" + along, {}, {}});
+    outputs.push_back({planet + "velocity.x", "m/s", "slope of displacement.x by time", {}, {}});
+    outputs.push_back({planet + "velocity.y", "m/s", "slope of displacement.y by time", {}, {}});
     outputs.push_back(
-        {planet + "speed", "rad/s", "of the planet about its axis, relative to the carrier", {}});
-    outputs.push_back({planet + "angle", "rad", "of the planet beyond its nominal rotation", {}});
-    outputs.push_back({planet + "sun_mesh_force", "N", "force of the sun mesh along its line of action", {}});
+        {planet + "speed", "rad/s", "of the planet about its axis, relative to the carrier", {}, {}});
+    outputs.push_back({planet + "angle", "rad", "of the planet beyond its nominal rotation", {}, {}});
     outputs.push_back(
-        {planet + "ring_mesh_force", "N", "force of the ring mesh along its line of action", {}});
+        {planet + "sun_mesh_force", "N", "force of the sun mesh along its line of action", {}, {}});
+    outputs.push_back(
+        {planet + "ring_mesh_force", "N", "force of the ring mesh along its line of action", {}, {}});
   }
-  outputs.push_back({"carrier.speed", "rad/s", "nominal speed of the carrier", {}});
-  outputs.push_back({"carrier.acceleration", "rad/s2", "slope of carrier.speed by time", {}});
+  outputs.push_back({"carrier.speed", "rad/s", "nominal speed of the carrier", {}, {}, false});
+  outputs.push_back({"carrier.acceleration", "rad/s2", "slope of carrier.speed by time", {}, {}, false});
   return outputs;
 }
 
 class GearMachine : public Machine {
  public:
-  explicit GearMachine(const cosim::DrivenGearsSetup& setup) : gears_(setup) {}
+  explicit GearMachine(const GearModel& model) : gears_(model.setup) {}
 
   void initialize(double time, const std::vector<double>&) override { gears_.initialize(time); }
 
@@ -86,13 +92,12 @@ class GearMachine : public Machine {
 }  // namespace
 
 ModelFacts gear_facts(const NumberTable& numbers) {
-  const cosim::DrivenGearsSetup setup = gears_from(numbers);
+  const GearModel model = gears_from(numbers);
   ModelFacts facts{.model = "gearset",
-                   .meaning = "A planetary gear set whose planet bearings are computed elsewhere",
-                   .starts_from_inputs = false};
-  show_fields(gear_fields(), setup, facts);
-  facts.inputs = inputs_of(setup.set.planets);
-  facts.outputs = outputs_of(setup.set.planets);
+                   .meaning = "A planetary gear set whose planet bearings are computed elsewhere"};
+  show_fields(gear_fields(), model, facts);
+  facts.inputs = inputs_of(model);
+  facts.outputs = outputs_of(model.setup.set.planets);
   return facts;
 }
 

@@ -30,7 +30,9 @@ struct OutputFacts {
   std::string name;
   std::string unit;
   std::string meaning;
-  std::vector<std::size_t> inputs;  // on which it depends at once, the state of the model held
+  std::vector<std::size_t> inputs;        // on which it depends at once, the state of the model held
+  std::vector<std::size_t> start_inputs;  // on which its value at the start depends
+  bool start_parameters = true;           // that value depends on parameters too
 };
 
 /// All that is known of a model before it runs.
@@ -41,7 +43,6 @@ struct ModelFacts {
   std::vector<ShownField> constants;
   std::vector<InputFacts> inputs;
   std::vector<OutputFacts> outputs;
-  bool starts_from_inputs = true;  // the outputs at the start depend on the inputs
 };
 
 /// Throws std::invalid_argument where `numbers` are those of no model.

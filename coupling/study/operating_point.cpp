@@ -12,7 +12,9 @@
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
 #include "coupling/integration/run_up.hpp"
+#include "coupling/study/coupled_motion.hpp"
 #include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/two_way.hpp"
 
 namespace orbearing::study {
 
@@ -170,6 +172,39 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDu
   return result;
 }
 
+// Bearings of which none may fail: the product law over unlike lives.
+double life_together(const std::vector<double>& lives) {
+  double together = lives.front();
+  for (std::size_t i = 1; i < lives.size(); ++i) together = bearing::combined_life(together, lives[i]);
+  return together;
+}
+
+PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const BearingDuty& duty, Fidelity fidelity) {
+  const bearing::OperatingPoint& point = duty.point;
+  const double cage_speed =
+      bearing::kinematic_cage_speed(geometry.bearing, point.inner_speed, point.outer_speed);
+  const std::unique_ptr<cosim::CoupledMotion> motion =
+      coupled_motion(drivetrain, geometry, fidelity, sample_interval(cage_speed, drivetrain.steady_state));
+  const TwoWayMeans run =
+      run_two_way(*motion, cage_speed,
+                  bearing::kinematic_roller_spin(geometry.bearing, point.inner_speed, point.outer_speed),
+                  drivetrain.steady_state);
+  PointResult result = dynamic_point(drivetrain, duty, run.pooled);
+  TwoWayRecord record{.exchange = motion->report()};
+  for (const bearing::dynamics::WindowStatistics& one : run.bearings)
+    record.bearing_life_hours.push_back(bearing::hours(
+        bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, one).bearing,
+        point.outer_speed));
+  if (fidelity == Fidelity::co_simulated) {
+    record.energy_residual = record.exchange.energy_residual / record.exchange.energy_passed;
+    record.window = run.duration / static_cast<double>(record.exchange.windows);
+  }
+  result.system_life_hours = life_together(record.bearing_life_hours);
+  result.two_way = record;
+  return result;
+}
+
 // Of the duty, whatever the bearing's model: the total on the bore holds what reaches it through the cage.
 void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                const BearingDuty& duty, PointResult& result) {
@@ -211,17 +246,23 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
 
 }  // namespace
 
-bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
-                                                          const DrivetrainGeometry& geometry,
-                                                          const BearingDuty& duty) {
+bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                       const DrivetrainGeometry& geometry) {
   bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
-  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
   parameters.inertia = drivetrain.inertia;
   parameters.lubricant = drivetrain.lubricant;
   parameters.race.film_in_approach = drivetrain.film_in_approach;
   parameters.race.film_approach = drivetrain.film_approach;
-  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  return parameters;
+}
+
+bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
+                                                          const DrivetrainGeometry& geometry,
+                                                          const BearingDuty& duty) {
+  bearing::dynamics::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
+  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
+  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   return parameters;
 }
 
@@ -230,6 +271,8 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   if (fidelity == Fidelity::quasi_static)
     return completed(drivetrain, geometry, duty, quasi_static_point(drivetrain, geometry, duty));
+  if (fidelity != Fidelity::dynamic)
+    return completed(drivetrain, geometry, duty, two_way_point(drivetrain, geometry, duty, fidelity));
   const integration::SteadyStateResult run = motion_of(drivetrain, geometry, duty);
   return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
 }

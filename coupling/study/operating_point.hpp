@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "coupling/cosim/coupled_motion.hpp"
 #include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::study {
@@ -53,6 +54,14 @@ struct DynamicRecord {
   Eigen::VectorXd final_state;         // where it ended; a neighbouring point may go on from here
 };
 
+/// What only gears and bearings that act on each other tell.
+struct TwoWayRecord {
+  std::vector<double> bearing_life_hours;  // [h]  (planets x bearings per planet), planet by planet
+  double energy_residual = 0.0;            // [-]  of all exchanges over the energy that passed the ports
+  double window = 0.0;                     // [s]  mean time between exchanges; 0: one system
+  cosim::CouplingReport exchange;
+};
+
 /// One of several sets at an operating point. Loads and life are those of one bearing.
 struct SetResult {
   std::string set;
@@ -82,12 +91,17 @@ struct PointResult {
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts
+  std::optional<TwoWayRecord> two_way;   // none where the bearings do not act back on the gears
   std::string limiting_set;              // of several sets, the one these numbers belong to
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed
 };
 
-/// What the bearing's motion in time needs at this duty.
+/// What the bearing's motion in time needs whatever drives it: no ripple of the meshes, no run-up.
+bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                       const DrivetrainGeometry& geometry);
+
+/// The same with what the gears give at this duty.
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                           const DrivetrainGeometry& geometry,
                                                           const BearingDuty& duty);

@@ -145,7 +145,7 @@ def _text(value: Any) -> str:
 
 
 def _reproduce(report: Report) -> str:
-    fidelity = f" --fidelity {report.fidelity}" if report.fidelity in ("quasi-static", "dynamic") else ""
+    fidelity = f" --fidelity {report.fidelity}" if report.fidelity in ("quasi-static", "dynamic", "co-simulated", "monolithic") else ""
     first = next(iter(records(report.record("branches").get("runs"))), {}).get("name")
     fidelity += f" --continue {first}" if first in ("up", "down") else ""
     commands = f"orbearing sweep case.resolved.yaml -o again{fidelity}\norbearing report again"

@@ -92,7 +92,13 @@ class Report:
 
     @property
     def is_dynamic(self) -> bool:
-        return self.fidelity == "dynamic"
+        """Whether the bearing moves in time."""
+        return self.fidelity == "dynamic" or self.is_two_way
+
+    @property
+    def is_two_way(self) -> bool:
+        """Whether the bearings act back on the gears."""
+        return self.fidelity in ("co-simulated", "monolithic")
 
     @property
     def peak_speed(self) -> float | None:

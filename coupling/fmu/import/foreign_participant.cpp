@@ -115,6 +115,8 @@ class ForeignParticipant final : public cosim::Participant {
     });
   }
 
+  bool can_restore() const override { return description().keeps_state; }
+
   void save(SavedState& state) const override {
     guarded([&] {
       require_instance();

@@ -3,7 +3,7 @@
 from orbearing.blocks import FigureBlock
 from orbearing.figures import (
     ablation, bearing_drawing, branches, cage_orbit, dynamic_ablation, dynamic_polar, gears, life_curve, planet_load, polar_loads, power_loss,
-    roller_history, roller_loads, roller_orbit, slip, slip_map, slip_traces,
+    roller_history, roller_loads, roller_orbit, slip, slip_map, slip_traces, two_way,
 )
 from orbearing.result_folder import Report
 
@@ -34,6 +34,8 @@ def blocks_of(report: Report) -> list[FigureBlock]:
     blocks = [block(line) for block in (*BLOCKS, *(DYNAMIC_BLOCKS if report.is_dynamic else ()))]
     if report.is_dynamic and report.records("axes"):
         blocks.append(slip_map.block(report))
+    if report.is_two_way:
+        blocks += two_way.blocks(line)
     blocks += gears.blocks(report)
     if report.record("branches"):
         blocks.append(branches.block(line))

@@ -109,7 +109,7 @@ def _published(report: Report) -> list[dict]:
 def _caption(report: Report) -> str:
     text = ("At constant power torque and tooth forces fall as speed rises, while the planet's centrifugal force grows with the "
             "square of speed: life climbs where the first rule and falls where the second does, and the peak lies between. ")
-    if report.content.get("fidelity") == "dynamic" and report.record("gears"):
+    if report.is_dynamic and report.record("gears"):
         text += ("Points are those in motion, shaken by the meshes unless the case leaves that out: they lie below the line most "
                  "where a mesh harmonic meets a mode of the gears (acceleration of the planets, below). ")
     if len(report.records("points")) == 1:

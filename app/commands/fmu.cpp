@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/case/case_file.hpp"
+#include "app/case/resolved_writer.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/errors.hpp"
+#include "app/results/durable_file.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/fmu_file.hpp"
+#include "app/study/fmu_model.hpp"
+#include "app/study/sweep_study.hpp"
+#include "coupling/fmu/variable_table.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_file_name(const fs::path& file) {
+  if (file.extension() != ".fmu" || fs::is_directory(file))
+    throw BadInput("--output: found '" + file.string() + "'; required: a file that ends with .fmu");
+}
+
+fmu::DescriptionOptions description_options(const ResolvedCase& resolved, const Options& options) {
+  fmu::DescriptionOptions out;
+  out.interface = options.fmi == "3" ? fmu::Interface::fmi3 : fmu::Interface::fmi2;
+  out.name = resolved.text("name") + (options.model == "gearset" ? ", gear set" : ", planet bearing");
+  return out;
+}
+
+std::vector<std::string> platforms_of(const std::vector<FmuLibrary>& libraries) {
+  std::vector<std::string> names;
+  for (const FmuLibrary& library : libraries) names.push_back(library.platform);
+  return names;
+}
+
+struct Outcome {
+  std::size_t inputs = 0;
+  std::size_t outputs = 0;
+  std::size_t parameters = 0;
+  std::size_t bytes = 0;
+  std::string token;
+  std::vector<std::string> platforms;
+  std::vector<std::string> warnings;
+};
+
+void present(const ResolvedCase& resolved, const Options& options, const Outcome& outcome) {
+  if (options.json) {
+    const nlohmann::ordered_json object{{"case", resolved.text("name")},
+                                        {"file", options.output},
+                                        {"fmi", options.fmi},
+                                        {"model", options.model},
+                                        {"token", outcome.token},
+                                        {"platforms", outcome.platforms},
+                                        {"inputs", outcome.inputs},
+                                        {"outputs", outcome.outputs},
+                                        {"parameters", outcome.parameters},
+                                        {"bytes", outcome.bytes},
+                                        {"assumptions", assumptions_json(resolved)},
+                                        {"warnings", outcome.warnings},
+                                        {"versions", versions_json()}};
+    fmt::print("{}\n", object.dump(2));
+    return;
+  }
+  if (options.quiet) return;
+  fmt::print("{}: FMI {}.0, model {}, {} inputs, {} outputs, {} parameters, for {}\n", options.output,
+             options.fmi, options.model, outcome.inputs, outcome.outputs, outcome.parameters,
+             fmt::join(outcome.platforms, " and "));
+  for (const std::string& warning : outcome.warnings) fmt::print("warning: {}\n", warning);
+}
+
+}  // namespace
+
+int fmu_command(const Options& options) {
+  const fs::path file = options.output;
+  require_file_name(file);
+  const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
+  const fmu::NumberTable numbers =
+      options.model == "gearset" ? gear_numbers(resolved) : bearing_numbers(resolved);
+  const fmu::DescriptionOptions description = description_options(resolved, options);
+  const FmuLibraries libraries = fmu_libraries(numbers, description.interface);
+  const std::string content = fmu_content(numbers, description, libraries.found);
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  write_aside_and_rename(file, content);
+  const fmu::ModelFacts facts = fmu::facts_of(numbers);
+  Outcome outcome{facts.inputs.size(),    facts.outputs.size(),   facts.parameters.size(),
+                  content.size(),         fmu::token_of(numbers), platforms_of(libraries.found),
+                  gear_warnings(resolved)};
+  outcome.warnings.insert(outcome.warnings.end(), libraries.missing.begin(), libraries.missing.end());
+  present(resolved, options, outcome);
+  return 0;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,96 @@
+#include "app/study/fmu_file.hpp"
+
+#include <fmt/core.h>
+
+#include "app/errors.hpp"
+#include "app/license.hpp"
+#include "app/results/durable_file.hpp"
+#include "coupling/fmu/export/archive.hpp"
+#include "coupling/fmu/model_file.hpp"
+#include "coupling/fmu/variable_table.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// "build/release/bin/orbearing" or "<prefix>/bin/orbearing": the libraries stand beside bin in both.
+fs::path libraries_folder() {
+  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" / "orbearing" / "fmu";
+}
+
+struct Platform {
+  const char* folder;  // beside the program, and in FMI 2.0
+  const char* fmi3;    // in FMI 3.0
+  const char* ending;
+  const char* remedy;
+};
+
+constexpr Platform kPlatforms[] = {
+    {"linux64", "x86_64-linux", ".so", "build the target orbearing_fmu_linux64"},
+    {"win64", "x86_64-windows", ".dll", "install g++-mingw-w64-x86-64-posix, configure and build again"}};
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else
+      out += c;
+  return out;
+}
+
+constexpr const char* kPage = R"(<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>{0}</title></head><body>
+<h1>{0}</h1>
+<p>{1}. Made by Orbearing {2} for co-simulation.</p>
+<p>Axes x and y turn with the carrier: x outward, y in the sense of carrier rotation. Forces and moments are those
+on the planet; reverse them on the carrier. The planet's inertia is not in the bearing, pin ring and pin support
+are. All communication steps greater than 0 are legal; inside a step a displacement goes on with the velocity given
+beside it, unless its own derivative by time was set, and it stands there afterwards until it is set again.</p>
+<table><tr><th>name</th><th>unit</th><th>meaning</th></tr>
+{3}</table></body></html>
+)";
+
+std::string page(const fmu::NumberTable& numbers, const std::string& name) {
+  const fmu::ModelFacts facts = fmu::facts_of(numbers);
+  std::string rows;
+  for (const fmu::Variable& one : fmu::variables_of(facts))
+    rows +=
+        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name, one.unit, escaped(one.meaning));
+  return fmt::format(fmt::runtime(kPage), escaped(name), facts.meaning, fmu::program_version(), rows);
+}
+
+}  // namespace
+
+FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface) {
+  FmuLibraries libraries;
+  for (const Platform& platform : kPlatforms) {
+    const fs::path file = libraries_folder() / platform.folder / (std::string("orbearing") + platform.ending);
+    if (!fs::exists(file)) {
+      libraries.missing.push_back(fmt::format("no library for {}: found no file {}; {}", platform.folder,
+                                              file.string(), platform.remedy));
+      continue;
+    }
+    libraries.found.push_back({interface == fmu::Interface::fmi3 ? platform.fmi3 : platform.folder,
+                               fmu::model_identifier(numbers) + platform.ending, read_file(file)});
+  }
+  if (libraries.found.empty()) throw ComputationFailed("fmu: " + libraries.missing.front());
+  return libraries;
+}
+
+std::string fmu_content(const fmu::NumberTable& numbers, const fmu::DescriptionOptions& options,
+                        const std::vector<FmuLibrary>& libraries) {
+  std::vector<fmu::ArchiveFile> files{{"modelDescription.xml", fmu::model_description(numbers, options)},
+                                      {std::string("resources/") + fmu::kModelFile, fmu::text_of(numbers)},
+                                      {"documentation/index.html", page(numbers, options.name)},
+                                      {"documentation/licenses/license.txt", license_text}};
+  for (const FmuLibrary& library : libraries)
+    files.push_back({"binaries/" + library.platform + "/" + library.file, library.content});
+  return fmu::archive_of(files);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,80 @@
+#include "app/study/fmu_model.hpp"
+
+#include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/gear_case.hpp"
+#include "coupling/cosim/driven_setup.hpp"
+#include "coupling/fmu/bearing_fields.hpp"
+#include "coupling/fmu/gear_fields.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+void require(bool good, const ResolvedCase& in, const std::string& key, const std::string& found,
+             const std::string& required) {
+  if (!good) throw BadInput(in.file() + ": " + key + ": found " + found + "; required: " + required);
+}
+
+void require_one_set(const ResolvedCase& in) {
+  require(in.model() == planetary_drivetrain, in, "model", in.choice("model"),
+          "planetary-drivetrain, whose parts can be driven");
+  require(!in.shape().several, in, "sets", "several sets", "one set, as gearset at the top of a case");
+}
+
+fmu::BearingModel bearing_model(const ResolvedCase& in) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+  const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
+  bearing::dynamics::DynamicsParameters dynamics = drivetrain.dynamics;
+  dynamics.inertia = drivetrain.inertia;
+  dynamics.lubricant = drivetrain.lubricant;
+  dynamics.race.film_in_approach = drivetrain.film_in_approach;
+  dynamics.race.film_approach = drivetrain.film_approach;
+  dynamics.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  return {.setup = {.bearing = drivetrain.bearing,
+                    .dynamics = dynamics,
+                    .orbit_radius = duty.point.carrier.orbit_radius,
+                    .lambda = drivetrain.lambda,
+                    .allowed_length_error = drivetrain.steady_state.allowed_length_error},
+          .planet_speed = duty.point.outer_speed,
+          .carrier_speed = duty.point.carrier.speed};
+}
+
+// The forces that linear bearings give in the static state, so that an unconnected set begins at rest.
+std::vector<double> start_forces(const cosim::DrivenGearsSetup& setup) {
+  cosim::DrivenGears gears(setup);
+  gears.initialize(0.0);
+  std::vector<double> forces;
+  for (const cosim::PlanetMotion& planet : gears.output().planets) {
+    const Eigen::Vector2d force = -setup.set.planet.bearing_stiffness * planet.displacement;
+    forces.insert(forces.end(), {force.x(), force.y(), 0.0});
+  }
+  return forces;
+}
+
+}  // namespace
+
+fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
+  require_one_set(in);
+  require(in.shape().bearing, in, "bearing", "no bearing", "a planet bearing, or --model gearset");
+  const fmu::BearingModel model = bearing_model(in);
+  try {
+    cosim::driven_model(model.setup);
+  } catch (const std::invalid_argument& unfit) {
+    throw BadInput(in.file() + ": " + unfit.what());
+  }
+  return fmu::numbers_of(model);
+}
+
+fmu::NumberTable gear_numbers(const ResolvedCase& in) {
+  require_one_set(in);
+  require(in.shape().teeth, in, "gearset", "no teeth", "tooth numbers, from which loads and speeds follow");
+  const gearset::dynamics::SetModel set = gear_model_of(in);
+  cosim::DrivenGearsSetup setup{.set = set.parameters, .operation = set.operation};
+  setup.set.planet.coupled_bearing = true;
+  const std::vector<double> forces = start_forces(setup);
+  return fmu::numbers_of(fmu::GearModel{std::move(setup), forces});
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,76 @@
+// Gear set and all its planet bearings as one system: what is fixed before a run, and where it begins.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bearing/dynamics/bore_motion.hpp"
+#include "bearing/dynamics/model.hpp"
+#include "coupling/cosim/driven_bearing.hpp"
+#include "coupling/cosim/driven_gears.hpp"
+#include "gearset/dynamics/equations.hpp"
+
+namespace orbearing::cosim {
+
+/// All that is fixed before a run. Bearings of one planet see the same motion; their first rollers stand
+/// evenly spaced over one pitch, so that they are no copies of each other.
+struct CoupledSetup {
+  DrivenGearsSetup gears;
+  DrivenBearingSetup bearing;  // of each; first_roller is that of the first bearing of a planet
+  int bearings_per_planet = 2;
+};
+
+/// How the bore of a planet follows the gear set: linear in (x, y, u) of carrier and planet, less the error
+/// of its pin.
+struct PlanetPort {
+  Eigen::Index place = 0;                  // of the planet in the layout
+  Eigen::Matrix<double, 2, 3> of_carrier;  // [-]
+  Eigen::Matrix<double, 2, 3> of_planet;   // [-]
+  Eigen::RowVector3d turn_of_carrier;      // [1/m]  of the planet's rotation relative to the carrier
+  Eigen::RowVector3d turn_of_planet;       // [1/m]
+  Eigen::Vector2d pin_error;               // [m]
+
+  Eigen::Vector2d along(const Eigen::Ref<const Eigen::VectorXd>& q) const {
+    return of_carrier * q.segment<3>(gearset::dynamics::SetLayout::carrier()) +
+           of_planet * q.segment<3>(place);
+  }
+  double turn(const Eigen::Ref<const Eigen::VectorXd>& q) const {
+    return turn_of_carrier.dot(q.segment<3>(gearset::dynamics::SetLayout::carrier())) +
+           turn_of_planet.dot(q.segment<3>(place));
+  }
+};
+
+/// All constants of a run. Bearing b belongs to planet b / per_planet.
+struct CoupledModel {
+  gearset::dynamics::SetModel gears;
+  bearing::dynamics::BearingModel bearing;
+  std::vector<PlanetPort> ports;  // (planets)
+  int per_planet = 1;
+
+  int bearings() const { return static_cast<int>(ports.size()) * per_planet; }
+  const PlanetPort& port_of(int b) const {
+    return ports[static_cast<std::size_t>(b / per_planet)];
+  }
+};
+
+/// Throws std::invalid_argument, with what was found and what is required.
+CoupledModel coupled_model(const CoupledSetup& setup);
+
+/// Motion of the bore at `port` at `time` [s] with positions `q` [m] and velocities `v` [m/s] of the gear
+/// set; without acceleration.
+bearing::dynamics::BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double time,
+                                          const Eigen::Ref<const Eigen::VectorXd>& q,
+                                          const Eigen::Ref<const Eigen::VectorXd>& v);
+
+/// A state to begin with.
+struct CoupledStart {
+  Eigen::VectorXd gears;                  // in the order of SetLayout
+  std::vector<Eigen::VectorXd> bearings;  // in the order of StateLayout
+};
+
+/// The gear set at rest under mean loads, its planets displaced as far as quasi-static bearings ask under the
+/// forces that the meshes leave; rollers of each bearing in balance at that place.
+/// @throws std::runtime_error where no balance is found
+CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time);
+
+}  // namespace orbearing::cosim

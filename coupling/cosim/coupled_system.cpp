@@ -1,0 +1,165 @@
+#include "coupling/cosim/coupled_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbearing::cosim {
+
+namespace {
+
+using bearing::dynamics::BoreMotion;
+using bearing::fast::VectorBearing;
+using gearset::dynamics::SetLayout;
+
+constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at once
+
+}  // namespace
+
+CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
+    : loads(static_cast<std::size_t>(model.bearings()),
+            LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
+      sums(static_cast<std::size_t>(model.bearings()), LoadSums(places)),
+      model_(model),
+      equations_(model.gears),
+      reactions_(static_cast<std::size_t>(model.bearings())) {
+  for (int b = 0; b < model.bearings(); ++b) bearings_.emplace_back(model.bearing);
+  gear_size_ = (model.gears.layout.size() + kEight - 1) / kEight * kEight;
+  bearing_size_ = bearings_.front().layout().size();
+  port_loads_.force.setZero(2, model.gears.layout.planets);
+  port_loads_.moment.setZero(model.gears.layout.planets);
+  right_.resize(freedoms());
+  rate_.resize(freedoms());
+}
+
+void CoupledSystem::set_piece(double begin, double first, double last) {
+  begin_ = begin;
+  first_ = first;
+  last_ = last;
+}
+
+double CoupledSystem::true_time(double time) const {
+  return std::clamp(begin_ + time, first_, last_);
+}
+
+template <bool WithSlopes>
+void CoupledSystem::evaluate(double time, const double* x, double* dx) {
+  const double now = true_time(time);
+  const Eigen::Index n = freedoms();
+  port_loads_.force.setZero();
+  port_loads_.moment.setZero();
+  BoreMotion motion;
+  for (int b = 0; b < bearings(); ++b) {
+    const PlanetPort& port = model_.port_of(b);
+    if (b % model_.per_planet == 0) motion = bore_motion(model_, port, now, part(x, 0), part(x, n));
+    VectorBearing& bearing = bearings_[static_cast<std::size_t>(b)];
+    if constexpr (WithSlopes)
+      bearing.linearise(motion, of_bearing(x, b), of_bearing(dx, b));
+    else
+      bearing.derivative(motion, of_bearing(x, b), of_bearing(dx, b));
+    const auto reaction = bearing.reaction();
+    port_loads_.force.col(b / model_.per_planet) += reaction.force;
+    port_loads_.moment[b / model_.per_planet] += reaction.moment;
+    reactions_[static_cast<std::size_t>(b)] = reaction;
+  }
+  Eigen::Map<Eigen::VectorXd> gears(dx, 2 * n);
+  equations_.derivative(now, Vector(x, 2 * n), port_loads_, gears);
+  std::fill(dx + 2 * n, dx + gear_size_, 0.0);
+  for (int b = 0; b < bearings(); ++b) {
+    double* bore = of_bearing(dx, b) + bearings_.front().layout().bore();
+    const Eigen::Vector2d acceleration = model_.port_of(b).along(gears.tail(n));
+    bore[2] = acceleration.x();
+    bore[3] = acceleration.y();
+  }
+}
+
+void CoupledSystem::derivative(double time, const double* x, double* dx) {
+  evaluate<false>(time, x, dx);
+}
+
+void CoupledSystem::linearise(double time, const double* x, double* dx) {
+  evaluate<true>(time, x, dx);
+  force_slopes(model_.gears, true_time(time), Vector(x, 2 * freedoms()), slopes_);
+}
+
+// What the meshes do by time alone is left out: the order does not ask for it.
+void CoupledSystem::time_slope(double, double* rate) const {
+  std::fill_n(rate, size(), 0.0);
+}
+
+void CoupledSystem::add_port(const PlanetPort& port, const Eigen::Matrix2d& matrix) {
+  const Eigen::Index carrier = SetLayout::carrier(), planet = port.place;
+  const Eigen::Matrix<double, 2, 3> by_carrier = matrix * port.of_carrier,
+                                    by_planet = matrix * port.of_planet;
+  matrix_.block<3, 3>(carrier, carrier) += port.of_carrier.transpose() * by_carrier;
+  matrix_.block<3, 3>(carrier, planet) += port.of_carrier.transpose() * by_planet;
+  matrix_.block<3, 3>(planet, carrier) += port.of_planet.transpose() * by_carrier;
+  matrix_.block<3, 3>(planet, planet) += port.of_planet.transpose() * by_planet;
+}
+
+bool CoupledSystem::factor(double g) {
+  g_ = g;
+  matrix_ = -g * slopes_.by_velocity - (g * g) * slopes_.by_position;
+  matrix_.diagonal() += model_.gears.mass;
+  for (int b = 0; b < bearings(); ++b) {
+    bearing::fast::PortMatrix port;
+    if (!bearings_[static_cast<std::size_t>(b)].factor_open(g, port)) return false;
+    Eigen::Matrix2d matrix;
+    matrix << port.a[0][0], port.a[0][1], port.a[1][0], port.a[1][1];
+    add_port(model_.port_of(b), matrix);
+  }
+  for (Eigen::Index i = 0; i < freedoms(); ++i) {
+    if (model_.gears.mobility[i] != 0.0) continue;
+    matrix_.row(i).setZero();
+    matrix_(i, i) = 1.0;
+  }
+  return factors_.factor(matrix_);
+}
+
+void CoupledSystem::solve(const double* rhs, double* k) {
+  const Eigen::Index n = freedoms();
+  right_ = model_.gears.mass.cwiseProduct(part(rhs, n)) + g_ * (slopes_.by_position * part(rhs, 0));
+  for (int b = 0; b < bearings(); ++b) {
+    double force[2];
+    bearings_[static_cast<std::size_t>(b)].reduce(of_bearing(rhs, b), of_bearing(k, b), force);
+    const PlanetPort& port = model_.port_of(b);
+    const Eigen::Vector2d on_planet(force[0], force[1]);
+    right_.segment<3>(SetLayout::carrier()) += port.of_carrier.transpose() * on_planet;
+    right_.segment<3>(port.place) += port.of_planet.transpose() * on_planet;
+  }
+  rate_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
+  factors_.solve(rate_);
+  Eigen::Map<Eigen::VectorXd>(k + n, n) = rate_;
+  Eigen::Map<Eigen::VectorXd>(k, n) = part(rhs, 0) + g_ * rate_;
+  std::fill(k + 2 * n, k + gear_size_, 0.0);
+  for (int b = 0; b < bearings(); ++b) {
+    const Eigen::Vector2d bore = model_.port_of(b).along(rate_);
+    const double rate[2] = {bore.x(), bore.y()};
+    bearings_[static_cast<std::size_t>(b)].complete(of_bearing(rhs, b), rate, of_bearing(k, b));
+  }
+}
+
+void CoupledSystem::begun(const std::vector<double>& x) {
+  for (int b = 0; b < bearings(); ++b)
+    loads[static_cast<std::size_t>(b)].take(of_bearing(x.data(), b) + bearing(b).layout().lanes(),
+                                            bearing(b).loads());
+}
+
+void CoupledSystem::stepped(double, double length) {
+  ++steps;
+  for (std::size_t b = 0; b < loads.size(); ++b) loads[b].count(length, sums[b]);
+}
+
+// The bores are where the gear set has them but for round-off, which shall not gather.
+void CoupledSystem::settle(double, std::vector<double>& x) const {
+  const Eigen::Index n = freedoms();
+  for (int b = 0; b < bearings(); ++b) {
+    const PlanetPort& port = model_.port_of(b);
+    const Eigen::Vector2d position = port.along(part(x.data(), 0)) - port.pin_error;
+    const Eigen::Vector2d velocity = port.along(part(x.data(), n));
+    double* bore = of_bearing(x.data(), b) + bearing(b).layout().bore();
+    std::copy_n(position.data(), 2, bore);
+    std::copy_n(velocity.data(), 2, bore + 2);
+  }
+}
+
+}  // namespace orbearing::cosim

@@ -1,0 +1,76 @@
+// Gear set and vectorised bearings as one system for the linearly implicit stepper: each bearing is reduced
+// to two freedoms at its bore, the gear set with these is solved as one dense matrix, and the bearings
+// follow.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bearing/fast/vector_bearing.hpp"
+#include "coupling/cosim/coupled_model.hpp"
+#include "coupling/cosim/driven_system.hpp"
+#include "coupling/cosim/small_factors.hpp"
+#include "gearset/dynamics/slopes.hpp"
+
+namespace orbearing::cosim {
+
+/// State: [ gears in the order of SetLayout, padded to a multiple of eight | bearing | bearing | ... ], each
+/// bearing in PaddedLayout with its bore where the gear set has it. `Rosenbrock2` and `through_window` run
+/// it. What the rotation of a planet does to its bearings, and their friction to it, is left out of the
+/// matrix.
+class CoupledSystem {
+ public:
+  CoupledSystem(const CoupledModel& model, long places);
+
+  std::size_t size() const { return static_cast<std::size_t>(gear_size_ + bearings() * bearing_size_); }
+  int bearings() const { return model_.bearings(); }
+  double* of_bearing(double* x, int b) const { return x + gear_size_ + b * bearing_size_; }
+  const double* of_bearing(const double* x, int b) const { return x + gear_size_ + b * bearing_size_; }
+  const bearing::fast::VectorBearing& bearing(int b) const { return bearings_[static_cast<std::size_t>(b)]; }
+
+  /// Times of the stepper count from `begin` [s]. The right-hand side is asked for no time outside
+  /// [first, last] [s], so that it answers for the inner side of jumps of the mesh stiffness.
+  void set_piece(double begin, double first, double last);
+
+  void linearise(double time, const double* x, double* dx);
+  void derivative(double time, const double* x, double* dx);
+  void time_slope(double time, double* rate) const;
+  bool factor(double g);
+  void solve(const double* rhs, double* k);
+  void begun(const std::vector<double>& x);
+  void stepped(double, double length);
+  void settle(double time, std::vector<double>& x) const;
+
+  std::vector<LoadsAtStep> loads;  // (bearings)
+  std::vector<LoadSums> sums;      // (bearings)
+  long steps = 0;                  // [-]  accepted since construction
+
+  /// What the bearings did to their planets at the last evaluation, one entry a bearing.
+  const std::vector<bearing::dynamics::BoreReaction>& reactions() const { return reactions_; }
+
+ private:
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+
+  template <bool WithSlopes>
+  void evaluate(double time, const double* x, double* dx);
+  double true_time(double time) const;
+  Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
+  Vector part(const double* x, Eigen::Index from) const { return {x + from, freedoms()}; }
+  void add_port(const PlanetPort& port, const Eigen::Matrix2d& matrix);
+
+  const CoupledModel& model_;
+  gearset::dynamics::PlanetarySetEquations equations_;
+  std::vector<bearing::fast::VectorBearing> bearings_;
+  std::vector<bearing::dynamics::BoreReaction> reactions_;
+  gearset::dynamics::PortLoads port_loads_;
+  gearset::dynamics::ForceSlopes slopes_;
+  SmallFactors::Matrix matrix_;
+  SmallFactors factors_;
+  Eigen::VectorXd right_, rate_;
+  std::ptrdiff_t gear_size_ = 0;
+  std::ptrdiff_t bearing_size_ = 0;
+  double g_ = 0.0;
+  double begin_ = 0.0, first_ = 0.0, last_ = 0.0;  // [s]
+};
+
+}  // namespace orbearing::cosim

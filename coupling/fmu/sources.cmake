@@ -1,0 +1,21 @@
+# What goes into an FMU's library beside gearset, bearing and the machines of coupling/cosim: Eigen, Boost
+# headers and the standard library, no more.
+set(ORBEARING_FMU_CORE
+  bearing_fields.cpp
+  bearing_machine.cpp
+  gear_fields.cpp
+  gear_machine.cpp
+  guard.cpp
+  instance.cpp
+  instance_keep.cpp
+  instance_state.cpp
+  instance_step.cpp
+  machine.cpp
+  model_file.cpp
+  number_table.cpp
+  profile_numbers.cpp
+  race_fields.cpp
+  setup_field.cpp
+  variable_table.cpp)
+# The C interfaces, whose names an importer of others in the same program must not meet.
+set(ORBEARING_FMU_INTERFACE fmi2.cpp fmi3.cpp fmi3_refusing.cpp)

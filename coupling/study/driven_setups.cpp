@@ -1,0 +1,34 @@
+#include "coupling/study/driven_setups.hpp"
+
+#include <stdexcept>
+
+#include "coupling/study/operating_point.hpp"
+#include "gearset/dynamics/model.hpp"
+
+namespace orbearing::study {
+
+cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
+                                               const DrivetrainGeometry& geometry) {
+  return {.bearing = drivetrain.bearing,
+          .dynamics = bearing_dynamics(drivetrain, geometry),
+          .orbit_radius = geometry.gears.centre_distance,
+          .first_roller = drivetrain.steady_state.first_roller,
+          .lambda = drivetrain.lambda,
+          .allowed_length_error = drivetrain.steady_state.allowed_length_error,
+          .places = drivetrain.steady_state.places};
+}
+
+cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain) {
+  if (!drivetrain.gear_set)
+    throw std::invalid_argument(
+        "gears that move: found none; required: one planetary set with teeth or with stated mesh stiffness");
+  const gearset::dynamics::Operation operation =
+      gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
+  cosim::DrivenGearsSetup setup{.set = drivetrain.gear_set(), .operation = operation};
+  if (!drivetrain.mesh_variation)
+    setup.set = gearset::dynamics::averaged(gearset::dynamics::set_model(setup.set, operation)).parameters;
+  setup.set.planet.coupled_bearing = true;
+  return setup;
+}
+
+}  // namespace orbearing::study

@@ -1,0 +1,20 @@
+// From a drivetrain to its gear set and its planet bearings as machines that others drive.
+#pragma once
+
+#include "coupling/cosim/driven_bearing.hpp"
+#include "coupling/cosim/driven_gears.hpp"
+#include "coupling/study/drivetrain.hpp"
+
+namespace orbearing::study {
+
+/// One bearing of one planet. The planet's mass belongs to the gears; the bearing knows its share only for
+/// the damping of the pin's support.
+cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
+                                               const DrivetrainGeometry& geometry);
+
+/// The set with all bearings left to others, at the drivetrain's power and speed; at mean mesh stiffness
+/// where the drivetrain has no mesh variation. @throws std::invalid_argument where the drivetrain has no
+/// gears that can move
+cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain);
+
+}  // namespace orbearing::study

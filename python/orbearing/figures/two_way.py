@@ -1,0 +1,124 @@
+"""Gears and bearings that act on each other: what that changes, and how close the exchange comes to one system."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from orbearing import style
+from orbearing.blocks import FigureBlock, Table, columns_table, format_change, format_number, is_number
+from orbearing.result_folder import Report, curve, record, records
+
+SLUG, TITLE = "two-way", "Gears and bearings: one way against two ways"
+RESIDUAL_SLUG, RESIDUAL_TITLE = "interface-energy", "Energy that the exchange makes or loses"
+CONVERGENCE_SLUG, CONVERGENCE_TITLE = "scheme-convergence", "How the schemes of exchange converge"
+RESIDUAL = "interface_energy_residual"
+CAPTION = (
+    "One way, the gears vibrate on springs in the bearings' place and their meshes shake the rollers; two ways, rollers, film and cage act "
+    "back on the gears. {change} Points of this sweep: {how}."
+)
+RESIDUAL_CAPTION = (
+    "Between two exchanges each side works with an estimate of the other's force or motion. What the bearings give at their ports and the "
+    "gears take there then differ; shown is the sum of the differences of all windows over the energy that passed the ports."
+)
+CONVERGENCE_CAPTION = (
+    "Error of the force on the first planet after {path} ms against the system solved as one, over the window between two exchanges "
+    "(left), and the energy residual of the ports (right). {orders}{limit} Longer paths say nothing about a scheme: rollers are chaotic."
+)
+
+
+def blocks(report: Report) -> list[FigureBlock]:
+    """All that a two-way sweep has to show."""
+    found = [_comparison(report)]
+    residual = report.point_column(RESIDUAL)
+    if np.any(np.isfinite(residual)):
+        found.append(_residual(report, residual))
+    if _rows(report):
+        found.append(_convergence(report))
+    return found
+
+
+def _comparison(report: Report) -> FigureBlock:
+    one_speed, one_life = curve(record(report.record("two_way").get("one_way")), "speed_rpm", "life_h")
+    speed, life = report.point_column("input_speed_rpm"), report.point_column("life_h")
+    if not np.any(life > 0):
+        return FigureBlock(SLUG, TITLE, missing="No point of this sweep has a life.")
+    figure, axes = style.panel()
+    axes.plot(one_speed, np.where(one_life > 0, one_life, np.nan), "s--", color=style.GREEN, markerfacecolor="white", label="one way")
+    axes.plot(speed, np.where(life > 0, life, np.nan), "o-", color=style.BLUE, label=f"two ways ({report.fidelity})")
+    style.speed_axis(axes)
+    style.life_axis(axes)
+    style.legend_above(axes, columns=2)
+    rows = [(s, one, two, format_change(two, one)) for s, one, two in _pairs(one_speed, one_life, speed, life)]
+    table = Table(("input speed (rpm)", "life, one way (h)", "life, two ways (h)", "change"), rows)
+    caption = CAPTION.format(change=_change(rows), how=report.record("two_way").get("how") or report.fidelity)
+    return FigureBlock(SLUG, TITLE, caption, (style.to_svg(figure, SLUG, "Life over speed, one way and two ways"),), summary=table)
+
+
+def _pairs(one_speed, one_life, speed, life) -> list[tuple]:
+    known = {round(float(s), 6): float(h) for s, h in zip(one_speed, one_life)}
+    return [(float(s), known.get(round(float(s), 6)), float(h) if h > 0 else None) for s, h in zip(speed, life)]
+
+
+def _change(rows: list[tuple]) -> str:
+    both = [(speed, two / one - 1) for speed, one, two, _ in rows if is_number(one) and is_number(two) and one > 0]
+    if not both:
+        return "No speed has both lives."
+    speed, most = max(both, key=lambda pair: abs(pair[1]))
+    sign = "longer" if most > 0 else "shorter"
+    return f"The largest change of life is at {format_number(speed)} rpm: {format_number(100 * abs(most), 3)} % {sign} than one way."
+
+
+def _residual(report: Report, residual: np.ndarray) -> FigureBlock:
+    speed = report.point_column("input_speed_rpm")
+    figure, axes = style.panel()
+    axes.plot(speed, np.abs(residual), "o-", color=style.BLUE)
+    axes.set_yscale("log")
+    axes.set_ylabel("energy residual / energy passed")
+    style.speed_axis(axes)
+    table = columns_table(("input speed (rpm)", "energy residual / energy passed"), speed, residual)
+    picture = style.to_svg(figure, RESIDUAL_SLUG, "Energy residual of the ports over speed")
+    return FigureBlock(RESIDUAL_SLUG, RESIDUAL_TITLE, RESIDUAL_CAPTION, (picture,), data=table)
+
+
+def _rows(report: Report) -> list[dict]:
+    return records(record(report.record("two_way").get("convergence")).get("rows"))
+
+
+def _convergence(report: Report) -> FigureBlock:
+    content = record(report.record("two_way").get("convergence"))
+    rows = _rows(report)
+    schemes = list(dict.fromkeys(str(row.get("scheme")) for row in rows))
+    pictures = (
+        _loglog(rows, schemes, "force_error", "error of the force / force", "convergence-force"),
+        _loglog(rows, schemes, "energy_residual", "energy residual / energy passed", "convergence-energy"),
+    )
+    orders = [o for o in records(content.get("orders")) if is_number(o.get("measured"))]
+    path, limit = content.get("path_ms"), content.get("stability_limit_us")
+    caption = CONVERGENCE_CAPTION.format(
+        path=format_number(path, 3),
+        orders="Orders found: " + ", ".join(f"{o.get('scheme')} {o['measured']:.2f}" for o in orders) + ". " if orders else "",
+        limit=f"Explicit exchange becomes unstable at windows of {format_number(limit, 3)} \u00b5s." if is_number(limit) else "")
+    summary = Table(("scheme", "order expected", "order found"),
+                    [(o.get("scheme"), o.get("expected"), round(o["measured"], 2)) for o in orders]) if orders else None
+    columns = ("scheme", "window_us", "force_error", "energy_residual")
+    data = Table(("scheme", "window (\u00b5s)", "error of the force / force", "energy residual / energy passed"),
+                 [tuple(row.get(name) for name in columns) for row in rows])
+    return FigureBlock(CONVERGENCE_SLUG, CONVERGENCE_TITLE, caption, pictures, summary=summary, data=data)
+
+
+def _loglog(rows: list[dict], schemes: list[str], column: str, label: str, slug: str) -> str:
+    figure = Figure(figsize=(4.6, 4.6))
+    axes = figure.add_subplot()
+    for index, scheme in enumerate(schemes):
+        points = sorted((r["window_us"], r[column]) for r in rows
+                        if str(r.get("scheme")) == scheme and is_number(r.get("window_us")) and is_number(r.get(column)) and r[column] > 0)
+        if points:
+            axes.plot(*zip(*points), color=style.SERIES[index % len(style.SERIES)], linestyle=style.DASHES[index % len(style.DASHES)],
+                      marker="o", markersize=4, label=scheme)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    axes.set_xlabel("window (\u00b5s)")
+    axes.set_ylabel(label)
+    style.legend_above(axes, columns=2)
+    return style.to_svg(figure, slug, f"{label} over the window between two exchanges")

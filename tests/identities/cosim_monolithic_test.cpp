@@ -1,0 +1,290 @@
+// Gears and bearings as one system: against the readable equations of both, its order, its energy, its state.
+#include "coupling/cosim/monolithic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "bearing/dynamics/driven_bore.hpp"
+#include "coupling/cosim/coupled_system.hpp"
+#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/integrate_bearing.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/window.hpp"
+#include "gearset/dynamics/energy.hpp"
+#include "tests/unit/cosim/coupled_reducer.hpp"
+
+namespace orbearing::cosim {
+namespace {
+
+using bearing::dynamics::BearingModel;
+using bearing::dynamics::BoreMotion;
+
+// The coupled equations from the readable side: [ gears | bearing | bearing | ... ].
+class ReadableSystem {
+ public:
+  explicit ReadableSystem(const CoupledModel& model) : model_(model), gears_(model.gears) {}
+
+  Eigen::Index gear_size() const { return model_.gears.layout.size(); }
+  Eigen::Index bearing_size() const { return model_.bearing.layout.size(); }
+
+  Eigen::VectorXd flat(const CoupledStart& start) const {
+    Eigen::VectorXd x(gear_size() + model_.bearings() * bearing_size());
+    x.head(gear_size()) = start.gears;
+    for (int b = 0; b < model_.bearings(); ++b)
+      x.segment(gear_size() + b * bearing_size(), bearing_size()) =
+          start.bearings[static_cast<std::size_t>(b)];
+    return x;
+  }
+
+  BoreMotion motion(int b, double time, const Eigen::Ref<const Eigen::VectorXd>& x) const {
+    const Eigen::Index n = gear_size() / 2;
+    return bore_motion(model_, model_.port_of(b), time, x.head(n), x.segment(n, n));
+  }
+
+  void operator()(double time, const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx) {
+    gearset::dynamics::PortLoads loads{Eigen::Matrix2Xd::Zero(2, model_.gears.layout.planets),
+                                       Eigen::VectorXd::Zero(model_.gears.layout.planets)};
+    for (int b = 0; b < model_.bearings(); ++b) {
+      const Eigen::Index from = gear_size() + b * bearing_size();
+      const auto reaction =
+          driven_derivative(model_.bearing, motion(b, time, x), x.segment(from, bearing_size()),
+                            dx.segment(from, bearing_size()));
+      loads.force.col(b / model_.per_planet) += reaction.force;
+      loads.moment[b / model_.per_planet] += reaction.moment;
+    }
+    gears_.derivative(time, x.head(gear_size()), loads, dx.head(gear_size()));
+  }
+
+ private:
+  const CoupledModel& model_;
+  gearset::dynamics::PlanetarySetEquations gears_;
+};
+
+Eigen::VectorXd allowed_errors(const CoupledSetup& setup, const CoupledModel& model) {
+  const ReadableSystem readable(model);
+  Eigen::VectorXd allowed(readable.gear_size() + model.bearings() * readable.bearing_size());
+  allowed.head(readable.gear_size()) =
+      integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
+  const Eigen::VectorXd bearing = integration::bearing_allowed_errors(
+      model.bearing.layout, setup.bearing.allowed_length_error, model.bearing.geometry.pitch_radius,
+      integration::roller_frequency(model.bearing));
+  for (int b = 0; b < model.bearings(); ++b)
+    allowed.segment(readable.gear_size() + b * readable.bearing_size(), readable.bearing_size()) = bearing;
+  return allowed;
+}
+
+// Everything but the bores, which the readable system does not carry along.
+double distance(const CoupledModel& model, const Eigen::VectorXd& one, const Eigen::VectorXd& other,
+                const Eigen::VectorXd& allowed) {
+  const ReadableSystem readable(model);
+  Eigen::VectorXd share = (one - other).cwiseQuotient(allowed).cwiseAbs();
+  for (int b = 0; b < model.bearings(); ++b)
+    share.segment<4>(readable.gear_size() + b * readable.bearing_size() + model.bearing.layout.bore())
+        .setZero();
+  return share.maxCoeff();
+}
+
+class MonolithicPath : public testing::Test {
+ protected:
+  CoupledSetup setup = test::coupled_reducer();
+  CoupledModel model = coupled_model(setup);
+
+  // From the same start by dopri5, far tighter.
+  Eigen::VectorXd reference(double length) {
+    ReadableSystem readable(model);
+    Eigen::VectorXd x = readable.flat(coupled_start(setup, model, 0.0));
+    integration::IntegrationOptions options;
+    options.allowed_error = 1e-4 * allowed_errors(setup, model);
+    options.step = 1e-8;
+    const auto report =
+        integration::integrate_pieces([&](double t, const Eigen::Ref<const Eigen::VectorXd>& s,
+                                          Eigen::Ref<Eigen::VectorXd> r) { readable(t, s, r); },
+                                      x, {0.0, length, 1}, integration::jumps_of(model.gears), options, {});
+    EXPECT_TRUE(report.completed) << report.message;
+    return x;
+  }
+
+  // By linearly implicit steps of length `h` at most.
+  Eigen::VectorXd fixed_steps(double length, double h) {
+    CoupledSystem system(model, 72);
+    const CoupledStart start = coupled_start(setup, model, 0.0);
+    std::vector<double> x(system.size(), 0.0);
+    std::copy(start.gears.begin(), start.gears.end(), x.begin());
+    for (int b = 0; b < system.bearings(); ++b) {
+      const auto padded = system.bearing(b).padded(start.bearings[static_cast<std::size_t>(b)]);
+      std::copy(padded.begin(), padded.end(), system.of_bearing(x.data(), b));
+    }
+    integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
+    const auto jumps = integration::jumps_of(model.gears);
+    double step = h;
+    for (double begin = 0.0; begin < length;) {
+      long jump = 0;
+      while (jumps.time(jump) <= begin + 1e-15) ++jump;
+      const double end = std::min(length, jumps.time(jump));
+      system.set_piece(begin, begin + jumps.margin, end - jumps.margin);
+      integration::through_window(stepper, system, x, end - begin, {}, step);
+      begin = end;
+    }
+    CoupledStart out{Eigen::Map<const Eigen::VectorXd>(x.data(), model.gears.layout.size()), {}};
+    for (int b = 0; b < system.bearings(); ++b) {
+      Eigen::VectorXd flat(model.bearing.layout.size());
+      system.bearing(b).flatten(system.of_bearing(x.data(), b), flat);
+      out.bearings.push_back(flat);
+    }
+    return ReadableSystem(model).flat(out);
+  }
+};
+
+TEST_F(MonolithicPath, ConvergesToTheReadableEquationsWithOrderTwo) {
+  constexpr double kLength = 30e-6;  // [s]
+  const Eigen::VectorXd exact = reference(kLength), allowed = allowed_errors(setup, model);
+  std::vector<double> errors;
+  for (const double h : {0.2e-6, 0.1e-6, 0.05e-6})
+    errors.push_back(distance(model, fixed_steps(kLength, h), exact, allowed));
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    const double order = std::log2(errors[i - 1] / errors[i]);
+    RecordProperty("order_" + std::to_string(i), std::to_string(order));
+    EXPECT_GT(order, 1.8);
+    EXPECT_LT(order, 2.3);
+  }
+}
+
+TEST_F(MonolithicPath, FollowsTheReadableEquations) {
+  constexpr double kLength = 0.2e-3;  // [s]
+  const Eigen::VectorXd exact = reference(kLength);
+  const Eigen::Index n = model.gears.layout.freedoms();
+  std::vector<double> errors;
+  for (const double tighter : {1.0, 1e-2, 1e-4}) {
+    CoupledSetup finer = setup;
+    finer.bearing.allowed_length_error *= tighter;
+    finer.gears.allowed_share *= tighter;
+    Monolithic system(finer);
+    system.initialize(0.0);
+    system.advance({0.0, kLength});
+    double worst = 0.0;  // [m]  of a planet
+    for (const PlanetPort& port : model.ports)
+      worst = std::max(worst, port.along(system.state().gears.head(n) - exact.head(n)).norm());
+    errors.push_back(worst);
+    RecordProperty("error_at_" + std::to_string(tighter), std::to_string(worst * 1e9) + " nm");
+  }
+  EXPECT_LT(errors[0], 50e-9);  // found 14e-9
+  EXPECT_LT(errors[1], 0.1 * errors[0]);
+  EXPECT_LT(errors[2], 0.1 * errors[1]);
+}
+
+// Meshes of constant stiffness, so that no energy jumps. What the moments of the bearings do at the nominal
+// rotations comes from outside, since the gears count their motion beyond those.
+TEST_F(MonolithicPath, KeepsItsEnergy) {
+  for (gearset::dynamics::Mesh* mesh : {&setup.gears.set.sun_mesh, &setup.gears.set.ring_mesh})
+    mesh->stiffness = gearset::PeriodicCurve::constant(4e8);
+  setup.bearing.allowed_length_error = 1e-14;
+  setup.gears.allowed_share = 1e-8;
+  Monolithic system(setup);
+  system.initialize(0.0);
+  CoupledModel here = coupled_model(setup);
+  BearingModel massless = here.bearing;
+  massless.bore_mass = 0.0;  // it belongs to the gears
+  ReadableSystem readable(here);
+  const Eigen::Index n = here.gears.layout.freedoms();
+
+  struct Balance {
+    double energy, power, turnover;
+  };
+  const auto balance = [&](double time) {
+    const CoupledStart now = system.state();
+    const Eigen::VectorXd x = readable.flat(now);
+    Eigen::VectorXd rate(x.size());
+    readable(time, x, rate);
+    const auto gears = power_flow(here.gears, time, now.gears);
+    Balance sum{energy(here.gears, time, now.gears).total(), gears.input() - gears.loss(),
+                std::abs(gears.input()) + gears.loss()};
+    for (int b = 0; b < here.bearings(); ++b) {
+      const BoreMotion motion = readable.motion(b, time, x);
+      const BearingModel at = model_at(massless, motion);
+      const Eigen::VectorXd state = state_at(at, motion, now.bearings[static_cast<std::size_t>(b)]);
+      Eigen::VectorXd dx(state.size());
+      BoreMotion moving = motion;
+      moving.acceleration = here.port_of(b).along(rate.segment(n, n));
+      const auto reaction = driven_derivative(massless, moving, state, dx);
+      const auto input = power_input(at, 0.0, state, dx);
+      const double nominal = motion.speed - here.port_of(b).turn(now.gears.tail(n));
+      const double loss = driven_snapshot(massless, motion, state).loss.total();
+      const double power = input.changing_film + input.euler - reaction.moment * nominal - loss;
+      sum.energy += stored_energy(at, state).total();
+      sum.power += power;
+      sum.turnover += std::abs(power) + loss;
+    }
+    return sum;
+  };
+  constexpr double kStep = 0.25e-6;  // [s]
+  Balance before = balance(0.0);
+  const double start = before.energy;
+  double work = 0.0, turnover = 0.0, swing = 0.0;
+  for (int k = 0; k < 400; ++k) {
+    system.advance({k * kStep, (k + 1) * kStep});
+    const Balance now = balance((k + 1) * kStep);
+    work += 0.5 * kStep * (before.power + now.power);
+    turnover += 0.5 * kStep * (before.turnover + now.turnover);
+    swing = std::max(swing, std::abs(now.energy - start));
+    before = now;
+  }
+  RecordProperty("missing_share", std::to_string((before.energy - start - work) / (turnover + swing)));
+  EXPECT_NEAR(before.energy - start, work, 1e-4 * (turnover + swing));  // found 4e-6
+}
+
+TEST(Monolithic, ComesBackToTheSameBits) {
+  const CoupledSetup setup = test::coupled_reducer();
+  Monolithic system(setup), other(setup);
+  system.initialize(0.0);
+  system.advance({0.0, 0.3e-3});
+  SavedState saved, first, again, elsewhere;
+  system.save(saved);
+  const Window window{0.3e-3, 0.9e-3};
+  system.advance(window);
+  system.save(first);
+  system.restore(saved);
+  system.advance(window);
+  system.save(again);
+  other.restore(saved);
+  other.advance(window);
+  other.save(elsewhere);
+  EXPECT_NE(saved, first);
+  EXPECT_EQ(first, again);
+  EXPECT_EQ(first, elsewhere);
+  saved.pop_back();
+  EXPECT_THROW(system.restore(saved), std::invalid_argument);
+}
+
+TEST(Monolithic, BearingsCarryWhatTheMeshesLeave) {
+  const CoupledSetup setup = test::coupled_reducer();
+  Monolithic system(setup);
+  system.initialize(0.0);
+  system.advance({0.0, 5e-3});
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  constexpr int kSamples = 400;
+  for (int k = 0; k < kSamples; ++k) {
+    system.advance({5e-3 + k * 20e-6, 5e-3 + (k + 1) * 20e-6});
+    for (int b = 0; b < 8; ++b) mean += system.reaction(b).force / kSamples;
+  }
+  const double carrier_torque = -4.0 * setup.gears.set.carrier.radius * mean.y() / 4.0;
+  EXPECT_NEAR(carrier_torque, std::abs(setup.gears.operation.torques.carrier),
+              0.02 * std::abs(carrier_torque));
+  for (int b = 0; b < 8; ++b) EXPECT_GT(system.bearing(b).life_used, 0.0);
+  EXPECT_NE(system.bearing(0).inner_load, system.bearing(1).inner_load) << "no copies of each other";
+}
+
+TEST(Monolithic, RefusesWhatItDoesNotKnow) {
+  CoupledSetup setup = test::coupled_reducer();
+  setup.bearing.dynamics.cage.pocket_film = bearing::dynamics::PocketFilm::hydrodynamic;
+  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
+  setup = test::coupled_reducer();
+  setup.gears.set.planet.coupled_bearing = false;
+  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
+  setup = test::coupled_reducer();
+  setup.bearings_per_planet = 0;
+  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace orbearing::cosim

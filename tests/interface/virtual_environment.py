@@ -1,0 +1,74 @@
+"""Python packages that tests want and Debian does not have, in an environment below the build folder."""
+
+import hashlib
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import sysconfig
+
+SKIPPED = 77
+SECONDS = 300  # for the packages to come
+
+
+def skip(reason):
+    print(f"skipped: {reason}")
+    sys.exit(SKIPPED)
+
+
+def build_folder():
+    """The folder in which the program was built: build/release/bin/orbearing -> build/release."""
+    return pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1]
+
+
+def installed(interpreter, packages):
+    folder = interpreter.parents[1]
+    mark = folder / "installed.txt"
+    if mark.exists() and mark.read_text() == "\n".join(packages):
+        return None
+    shutil.rmtree(folder, ignore_errors=True)
+    calls = (
+        [sys.executable, "-m", "venv", str(folder)],
+        [str(interpreter), "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--only-binary=:all:",
+         *packages],
+    )
+    for call in calls:
+        try:
+            done = subprocess.run(call, capture_output=True, text=True, timeout=SECONDS)
+        except subprocess.TimeoutExpired:
+            return f"{' '.join(packages)} did not come within {SECONDS} s"
+        if done.returncode:
+            text = (done.stderr.strip() or done.stdout.strip()).splitlines()
+            return f"{' '.join(call[1:3])} failed: {text[-1] if text else 'no message'}"
+    mark.write_text("\n".join(packages))
+    return None
+
+
+def interpreter_with(*packages):
+    """Interpreter of an environment that has `packages` (kept for the next time); ends the test as skipped where
+    there is none, e.g. without a network."""
+    name = hashlib.sha256("\n".join((sys.version, *packages)).encode()).hexdigest()[:12]
+    interpreter = build_folder() / "venv" / name / "bin" / "python"
+    reason = installed(interpreter, packages)
+    if reason:
+        skip(reason)
+    return interpreter
+
+
+def python_library():
+    """The shared library of this interpreter, or of another of the same version on the path; None without one."""
+    version = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    name = f"libpython{version}.so.1.0"
+    folders = [sysconfig.get_config_var("LIBDIR"), f"/usr/lib/{sysconfig.get_config_var('MULTIARCH') or ''}"]
+    for python in (f"python{version}", "python3"):
+        found = shutil.which(python)
+        if found:
+            asked = subprocess.run([found, "-c", "import sysconfig; print(sysconfig.get_config_var('LIBDIR'))"],
+                                   capture_output=True, text=True)
+            folders.append(asked.stdout.strip())
+    for folder in filter(None, folders):
+        library = pathlib.Path(folder) / name
+        if library.exists():
+            return library
+    return None
