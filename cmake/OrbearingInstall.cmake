@@ -26,6 +26,9 @@ install(FILES "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
 
 if(TARGET orbearing)
   install(TARGETS orbearing RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  # Beside bin, where the command fmu looks for them.
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION lib/orbearing
+          FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
           FILES_MATCHING PATTERN "*.py" PATTERN "*.css" PATTERN "*.js")

@@ -37,11 +37,14 @@ inline Eigen::VectorXd moved(const Eigen::MatrixXd& law, const Eigen::MatrixXd& 
     for (Eigen::Index k = 0; k < powers; ++k)
       all.col(n + k).head(n) +=
           by_input.col(i) * inputs[static_cast<std::size_t>(i)].coefficient[static_cast<std::size_t>(k)];
+  // Large inputs stand in the start, since the exponential loses digits where columns differ in size.
+  const double size = std::max(1.0, all.rightCols(powers).cwiseAbs().maxCoeff());
+  all.rightCols(powers) /= size;
   for (Eigen::Index k = 1; k < powers; ++k)
     all(n + k, n + k - 1) = static_cast<double>(k);  // (s^k)' = k s^(k-1)
   Eigen::VectorXd start = Eigen::VectorXd::Zero(n + powers);
   start.head(n) = x;
-  start[n] = 1.0;
+  start[n] = size;
   return ((all * length).exp() * start).head(n);
 }
 

@@ -17,6 +17,9 @@ libcli11-dev: command line
 libfmt-dev: formatting
 nlohmann-json3-dev: JSON output
 libnetcdf-dev: result files
+libzip-dev: archives of FMUs
+libpugixml-dev: model descriptions of FMUs
+g++-mingw-w64-x86-64-posix: Windows library inside FMUs
 '
 
 report_packages='
@@ -44,5 +47,6 @@ clang: second compiler and the fuzzer
 libclang-rt-14-dev: run-time part of the fuzzer and of clang'"'"'s sanitizers
 clang-tidy: static analysis
 gcovr: line coverage
+wine64: runs the Windows library of the FMUs
 libsundials-dev: CVODE, whose runs the tests compare with ours
 '

@@ -1,5 +1,5 @@
 // The engines for one instruction set: the same source as the others, compiled with their own options.
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(_WIN32)
 #define ORBEARING_LANES lanes_avx512
 #include "bearing/fast/engines.hpp"
 #include "bearing/fast/lane_equilibrium.hpp"

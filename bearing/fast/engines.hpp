@@ -8,7 +8,7 @@ namespace orbearing::bearing::fast {
 
 Engine* baseline_engine(const Constants& constants, const RollerConstants& rollers);
 EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants);
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(_WIN32)
 Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers);
 EquilibriumEngine* avx2_equilibrium(const EquilibriumConstants& constants);
 Engine* avx512_engine(const Constants& constants, const RollerConstants& rollers);

@@ -1,5 +1,5 @@
 // The lamina kernel for one instruction set: the same source as the others, compiled with its own options.
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(_WIN32)
 #define ORBEARING_LANES lanes_avx512
 #include "bearing/fast/lamina_kernel.hpp"
 #include "bearing/fast/lane_laminae.hpp"

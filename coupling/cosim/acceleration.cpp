@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 class FixedPoint : public Accelerator {
  public:
   void begin() override {}
-  VectorXd next(const VectorXd&, const VectorXd& answer) override { return answer; }
+  VectorXd next(const VectorXd&, const VectorXd& answer, const VectorXd&) override { return answer; }
 };
 
 // Eq. (9) of coupling/cosim/README.md.
@@ -24,13 +24,14 @@ class Aitken : public Accelerator {
  public:
   void begin() override { residual_.resize(0); }
 
-  VectorXd next(const VectorXd& expected, const VectorXd& answer) override {
+  VectorXd next(const VectorXd& expected, const VectorXd& answer, const VectorXd& weight) override {
     const VectorXd residual = answer - expected;
     if (residual_.size() == residual.size()) {
-      const VectorXd change = residual - residual_;
+      const VectorXd change = weight.cwiseProduct(residual - residual_);
       const double square = change.squaredNorm();
       if (square > 0.0)
-        share_ = std::clamp(-share_ * residual_.dot(change) / square, -kLargestShare, kLargestShare);
+        share_ = std::clamp(-share_ * weight.cwiseProduct(residual_).dot(change) / square, -kLargestShare,
+                            kLargestShare);
     } else {
       share_ = 1.0;
     }
@@ -56,13 +57,13 @@ class QuasiNewton : public Accelerator {
     residual_.resize(0);
   }
 
-  VectorXd next(const VectorXd& expected, const VectorXd& answer) override {
+  VectorXd next(const VectorXd& expected, const VectorXd& answer, const VectorXd& weight) override {
     const VectorXd residual = answer - expected;
     if (residual_.size() == residual.size())
       columns_.front().insert(columns_.front().begin(), {residual - residual_, answer - answer_});
     residual_ = residual;
     answer_ = answer;
-    return answer + correction(residual);
+    return answer + correction(residual, weight);
   }
 
  private:
@@ -73,22 +74,23 @@ class QuasiNewton : public Accelerator {
   using Columns = std::vector<Column>;
 
   // The newest first, no more than unknowns.
-  VectorXd correction(const VectorXd& residual) const {
+  VectorXd correction(const VectorXd& residual, const VectorXd& weight) const {
     const Index n = residual.size();
     Eigen::MatrixXd differences(n, n), answers(n, n);
     Index count = 0;
     for (const Columns& window : columns_)
       for (const Column& column : window) {
-        const double size = column.residual.norm();
+        const VectorXd difference = weight.cwiseProduct(column.residual);
+        const double size = difference.norm();
         if (count == n || !(size > 0.0)) continue;
-        differences.col(count) = column.residual / size;
+        differences.col(count) = difference / size;
         answers.col(count++) = column.answer / size;
       }
     if (count == 0) return VectorXd::Zero(n);
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors;
     factors.setThreshold(kLeastPivot);
     factors.compute(differences.leftCols(count));
-    return -answers.leftCols(count) * factors.solve(residual);
+    return -answers.leftCols(count) * factors.solve(weight.cwiseProduct(residual));
   }
 
   static constexpr double kLeastPivot = 1e-6;  // differences that are nearly dependent are left out

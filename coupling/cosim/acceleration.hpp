@@ -12,14 +12,17 @@ enum class Acceleration {
   quasi_newton,  // IQN-ILS: least squares over all answers of this window and the last ones [Degroote2009]
 };
 
-/// State of an iteration. All values are weighted, so that 1 is the size of a typical value.
+/// State of an iteration.
 class Accelerator {
  public:
   virtual ~Accelerator() = default;
   /// A new window begins.
   virtual void begin() = 0;
   /// The next expectation, from the last and what it was answered by.
-  virtual Eigen::VectorXd next(const Eigen::VectorXd& expected, const Eigen::VectorXd& answer) = 0;
+  /// @param weight one over the size of a typical value: makes values of different units comparable; may
+  /// change from call to call
+  virtual Eigen::VectorXd next(const Eigen::VectorXd& expected, const Eigen::VectorXd& answer,
+                               const Eigen::VectorXd& weight) = 0;
 };
 
 /// @param windows whose differences quasi_newton goes on using

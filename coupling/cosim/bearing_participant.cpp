@@ -46,7 +46,7 @@ void BearingParticipant::advance(const Window& window) {
 }
 
 void BearingParticipant::output(std::vector<PortOutput>& outputs) const {
-  const bearing::dynamics::BoreReaction reaction = bearing_.output(motion()).reaction;
+  const bearing::dynamics::BoreReaction reaction = bearing_.reaction(motion());
   outputs.assign(ports_.size(), {});
   outputs[0].force = reaction.force.x();
   outputs[1].force = reaction.force.y();

@@ -20,6 +20,10 @@ std::vector<NamedPlace> all_ports(const Participants& participants) {
   return out;
 }
 
+bool is_same(const PortPlace& a, const PortPlace& b) {
+  return a.participant == b.participant && a.port == b.port;
+}
+
 [[noreturn]] void refuse(const std::string& name, const char* problem) {
   throw std::invalid_argument("port " + name + ": found " + problem +
                               "; required: one participant that gives its motion, others that give forces");
@@ -28,7 +32,7 @@ std::vector<NamedPlace> all_ports(const Participants& participants) {
 Connection joined(const NamedPlace& motion, const std::vector<NamedPlace>& ports) {
   Connection out{motion.place, {}};
   for (const NamedPlace& other : ports) {
-    if (other.port.name != motion.port.name || &other.port == &motion.port) continue;
+    if (other.port.name != motion.port.name || is_same(other.place, motion.place)) continue;
     if (other.port.kind != motion.port.kind) refuse(motion.port.name, "a translation and a rotation");
     if (other.port.gives == Gives::motion) refuse(motion.port.name, "two that give its motion");
     out.forces.push_back(other.place);

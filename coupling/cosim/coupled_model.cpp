@@ -1,14 +1,12 @@
 #include "coupling/cosim/coupled_model.hpp"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/dynamics/driven_start.hpp"
-#include "bearing/quasi_static.hpp"
 #include "coupling/cosim/driven_setup.hpp"
-#include "gearset/dynamics/bearing_force.hpp"
-#include "gearset/dynamics/static_state.hpp"
 
 namespace orbearing::cosim {
 
@@ -17,7 +15,6 @@ namespace {
 using bearing::dynamics::BoreMotion;
 using boost::math::double_constants::two_pi;
 using gearset::dynamics::PlanetBearing;
-using gearset::dynamics::SetModel;
 
 PlanetPort port_of(const PlanetBearing& bearing) {
   PlanetPort port;
@@ -30,28 +27,38 @@ PlanetPort port_of(const PlanetBearing& bearing) {
   return port;
 }
 
-SetModel on_springs(const CoupledSetup& setup) {
-  gearset::dynamics::SetParameters set = setup.gears.set;
-  set.planet.coupled_bearing = false;
-  return gearset::dynamics::set_model(set, setup.gears.operation);
+constexpr int kMostRounds = 30;
+constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good enough
+
+// Bearings under the motion of the gears at rest; what they do to each planet.
+std::vector<PlanetForceCourse> answer(const CoupledModel& model, const DrivenGearsOutput& gears,
+                                      std::vector<DrivenBearing>& bearings) {
+  std::vector<PlanetForceCourse> forces(model.ports.size());
+  for (std::size_t b = 0; b < bearings.size(); ++b) {
+    const std::size_t planet = b / static_cast<std::size_t>(model.per_planet);
+    BoreMotion motion;
+    motion.position = gears.planets[planet].displacement;
+    motion.speed = gears.planets[planet].speed;
+    motion.carrier_speed = gears.carrier_speed;
+    motion.carrier_acceleration = gears.carrier_acceleration;
+    bearings[b].initialize(motion);
+    const bearing::dynamics::BoreReaction reaction = bearings[b].reaction(motion);
+    forces[planet].x.coefficient[0] += reaction.force.x();
+    forces[planet].y.coefficient[0] += reaction.force.y();
+  }
+  return forces;
 }
 
-// Displacement of a planet's bore [m] under the force `on_planet` [N] of all its bearings.
-Eigen::Vector2d displacement_under(const CoupledSetup& setup, const CoupledModel& model,
-                                   const BoreMotion& motion, const Eigen::Vector2d& on_planet) {
-  bearing::OperatingPoint point;
-  point.carrier = {motion.carrier_speed, motion.carrier_acceleration, model.bearing.frame.orbit_radius};
-  point.outer_speed = motion.speed;
-  point.bore_load = -on_planet / model.per_planet;
-  const bearing::QuasiStaticState balance = quasi_static_state(
-      setup.bearing.bearing, point, bearing::dynamics::start_options(setup.bearing.dynamics),
-      setup.bearing.first_roller);
-  if (!balance.report.converged) throw std::runtime_error(balance.report.message);
-  const Eigen::Vector2d none = Eigen::Vector2d::Zero();
-  const Eigen::Vector2d pin =
-      (model.bearing.pin_mass * inertial_acceleration(model.bearing.frame, none, none) + point.bore_load) /
-      model.bearing.support.stiffness;
-  return pin + balance.displacement;
+// Largest change of a force over the largest force.
+double change(const std::vector<PlanetForceCourse>& before, const std::vector<PlanetForceCourse>& now) {
+  double change = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (const auto axis : {&PlanetForceCourse::x, &PlanetForceCourse::y}) {
+      const double force = (now[i].*axis).coefficient[0];
+      change = std::max(change, std::abs(force - (before[i].*axis).coefficient[0]));
+      largest = std::max(largest, std::abs(force));
+    }
+  return change / largest;
 }
 
 }  // namespace
@@ -91,28 +98,24 @@ BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double
 }
 
 CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time) {
-  SetModel springs = on_springs(setup);
-  const Eigen::Index n = springs.layout.freedoms();
-  CoupledStart start;
-  start.gears = static_state(springs);
-  const double stiffness = springs.parameters.planet.bearing_stiffness;
-  for (PlanetBearing& bearing : springs.bearings) {
-    const auto q = start.gears.head(n);
-    const Eigen::Vector2d force = bearing_force(springs.parameters.planet, bearing, q, start.gears.tail(n));
-    const PlanetPort port = port_of(bearing);
-    const BoreMotion motion = bore_motion(model, port, time, q, start.gears.tail(n));
-    // A spring that gives the force F at the displacement d has the deflection F / k there.
-    bearing.pin_error += displacement_under(setup, model, motion, force) + force / stiffness;
-  }
-  start.gears = static_state(springs);
+  DrivenGears gears(setup.gears);
+  std::vector<DrivenBearing> bearings;
   const double pitch = two_pi / setup.bearing.bearing.rollers;
   for (int b = 0; b < model.bearings(); ++b) {
-    const BoreMotion motion =
-        bore_motion(model, model.port_of(b), time, start.gears.head(n), start.gears.tail(n));
-    const double first = setup.bearing.first_roller + pitch * (b % model.per_planet) / model.per_planet;
-    start.bearings.push_back(
-        driven_start(setup.bearing.bearing, model.bearing, setup.bearing.dynamics, motion, first));
+    DrivenBearingSetup own = setup.bearing;
+    own.first_roller += pitch * (b % model.per_planet) / model.per_planet;
+    bearings.emplace_back(own);
   }
+  gears.initialize(time);
+  std::vector<PlanetForceCourse> forces = answer(model, gears.output(), bearings);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::vector<PlanetForceCourse> before = forces;
+    gears.balance(forces);
+    forces = answer(model, gears.output(), bearings);
+    if (change(before, forces) <= kBalancedChange) break;
+  }
+  CoupledStart start{gears.state(), {}};
+  for (const DrivenBearing& bearing : bearings) start.bearings.push_back(bearing.state());
   return start;
 }
 

@@ -67,8 +67,8 @@ struct CoupledStart {
   std::vector<Eigen::VectorXd> bearings;  // in the order of StateLayout
 };
 
-/// The gear set at rest under mean loads, its planets displaced as far as quasi-static bearings ask under the
-/// forces that the meshes leave; rollers of each bearing in balance at that place.
+/// Gears and bearings at rest in each other's forces, as a co-simulation begins: the gear set in its static
+/// state under mean loads, the rollers of each bearing in balance at the place of its planet.
 /// @throws std::runtime_error where no balance is found
 CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time);
 

@@ -104,13 +104,15 @@ CoupledRun::Solution CoupledRun::solve(const Window& window) {
     require_finite(solution.result.end);
     ++solution.record.passes;
     if (most == 1) return solution;
-    const JointScales scales = scales_of(exchange_, solution.result.end, history_.back(), window.length());
-    const Eigen::VectorXd told = packed(exchange_, scales, expected);
-    const Eigen::VectorXd answer = packed(exchange_, scales, solution.result.end);
-    solution.record.change = told.size() == 0 ? 0.0 : (answer - told).cwiseAbs().maxCoeff();
+    const Eigen::VectorXd weight =
+        weights(exchange_, scales_of(exchange_, solution.result.end, history_.back(), window.length()));
+    const Eigen::VectorXd told = packed(exchange_, expected);
+    const Eigen::VectorXd answer = packed(exchange_, solution.result.end);
+    solution.record.change =
+        told.size() == 0 ? 0.0 : weight.cwiseProduct(answer - told).cwiseAbs().maxCoeff();
     solution.converged = solution.record.change <= options_.iteration.allowed_change;
     if (solution.converged || solution.record.passes == most) return solution;
-    unpack(exchange_, scales, accelerator_->next(told, answer), expected);
+    unpack(exchange_, accelerator_->next(told, answer, weight), expected);
     restore();
   }
 }

@@ -218,6 +218,10 @@ void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) cons
   into = driven_snapshot(inside_->model, inside_->here(motion), inside_->flat());
 }
 
+Eigen::VectorXd DrivenBearing::state() const {
+  return inside_->flat();
+}
+
 void DrivenBearing::collect_loads(bearing::dynamics::StatisticsCollector* collector) {
   inside_->loads.collector = collector;
 }

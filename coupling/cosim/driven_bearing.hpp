@@ -85,6 +85,9 @@ class DrivenBearing {
   /// or is replaced; null: no longer. No part of the saved state.
   void collect_loads(bearing::dynamics::StatisticsCollector* collector);
 
+  /// In the order of StateLayout, the bore where it was last.
+  Eigen::VectorXd state() const;
+
   int rollers() const;
   void save(SavedState& state) const;
   /// Throws std::invalid_argument where `state` is not one of such a bearing.

@@ -139,6 +139,10 @@ void DrivenGears::advance(const Window& window, const std::vector<PlanetForceCou
   inside_->options.step = report.next_step;
 }
 
+const Eigen::VectorXd& DrivenGears::state() const {
+  return inside_->x;
+}
+
 DrivenGearsOutput DrivenGears::output() const {
   BearingPorts ports;
   inside_->equations.motion_at_ports(inside_->x, ports);

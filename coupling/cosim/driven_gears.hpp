@@ -62,6 +62,8 @@ class DrivenGears {
   /// From `window.begin` to its end. On an error (std::runtime_error) the state is that at the beginning.
   void advance(const Window& window, const std::vector<PlanetForceCourse>& forces);
   DrivenGearsOutput output() const;
+  /// In the order of SetLayout.
+  const Eigen::VectorXd& state() const;
 
   int planets() const;
   void save(SavedState& state) const;

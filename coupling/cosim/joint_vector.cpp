@@ -21,19 +21,16 @@ void complete(JointValue& scale, double length) {
     if (*value == 0.0) *value = 1.0;
 }
 
-// Calls `function` with each value that belongs to the vector and its scale.
+// Calls `function` with each value that belongs to the vector.
 template <class Values, class Function>
-void for_each_expected(const Exchange& exchange, const JointScales& scales, Values& values,
-                       const Function& function) {
+void for_each_expected(const Exchange& exchange, Values& values, const Function& function) {
   for (std::size_t joint = 0; joint < exchange.joints(); ++joint) {
-    const JointValue& scale =
-        exchange.port(joint).kind == PortKind::translation ? scales.translation : scales.rotation;
     auto& value = values.joints[joint];
     if (exchange.motion_is_expected(joint)) {
-      function(value.displacement, scale.displacement);
-      function(value.velocity, scale.velocity);
+      function(value.displacement);
+      function(value.velocity);
     }
-    if (exchange.force_is_expected(joint)) function(value.force, scale.force);
+    if (exchange.force_is_expected(joint)) function(value.force);
   }
 }
 
@@ -53,18 +50,23 @@ JointScales scales_of(const Exchange& exchange, const InterfaceValues& a, const 
   return scales;
 }
 
-Eigen::VectorXd packed(const Exchange& exchange, const JointScales& scales, const InterfaceValues& values) {
+Eigen::VectorXd packed(const Exchange& exchange, const InterfaceValues& values) {
   std::vector<double> list;
-  for_each_expected(exchange, scales, values,
-                    [&](const double& value, double scale) { list.push_back(value / scale); });
+  for_each_expected(exchange, values, [&](double value) { list.push_back(value); });
   return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Eigen::Index>(list.size()));
 }
 
-void unpack(const Exchange& exchange, const JointScales& scales, const Eigen::VectorXd& vector,
-            InterfaceValues& values) {
+void unpack(const Exchange& exchange, const Eigen::VectorXd& vector, InterfaceValues& values) {
   Eigen::Index place = 0;
-  for_each_expected(exchange, scales, values,
-                    [&](double& value, double scale) { value = vector[place++] * scale; });
+  for_each_expected(exchange, values, [&](double& value) { value = vector[place++]; });
+}
+
+Eigen::VectorXd weights(const Exchange& exchange, const JointScales& scales) {
+  InterfaceValues sizes;
+  for (std::size_t joint = 0; joint < exchange.joints(); ++joint)
+    sizes.joints.push_back(exchange.port(joint).kind == PortKind::translation ? scales.translation
+                                                                              : scales.rotation);
+  return packed(exchange, sizes).cwiseInverse();
 }
 
 }  // namespace orbearing::cosim

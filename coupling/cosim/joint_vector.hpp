@@ -1,5 +1,5 @@
 // What an iteration works on: all that is expected of the end of a window before it is answered, in one
-// weighted vector.
+// vector.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace orbearing::cosim {
 
-/// Sizes of typical values, by which all are divided.
+/// Sizes of typical values, one over which is their weight.
 struct JointScales {
   JointValue translation;
   JointValue rotation;
@@ -21,9 +21,10 @@ JointScales scales_of(const Exchange& exchange, const InterfaceValues& a, const 
                       double length);
 
 /// Of each joint displacement and velocity where its motion is expected, the force where that is.
-Eigen::VectorXd packed(const Exchange& exchange, const JointScales& scales, const InterfaceValues& values);
+Eigen::VectorXd packed(const Exchange& exchange, const InterfaceValues& values);
 /// The inverse; writes into `values` what the vector holds.
-void unpack(const Exchange& exchange, const JointScales& scales, const Eigen::VectorXd& vector,
-            InterfaceValues& values);
+void unpack(const Exchange& exchange, const Eigen::VectorXd& vector, InterfaceValues& values);
+/// One over the size of each of them.
+Eigen::VectorXd weights(const Exchange& exchange, const JointScales& scales);
 
 }  // namespace orbearing::cosim

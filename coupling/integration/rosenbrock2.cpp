@@ -3,7 +3,7 @@
 #include <cmath>
 
 // Loops over the state, in the widest instructions of the machine.
-#if defined(__x86_64__)
+#if defined(__x86_64__) && defined(__linux__)
 #define ORBEARING_EVERY_WIDTH __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define ORBEARING_EVERY_WIDTH

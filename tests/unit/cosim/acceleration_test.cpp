@@ -17,7 +17,7 @@ int passes(Accelerator& accelerator, const MatrixXd& law, const VectorXd& offset
   for (int pass = 1; pass <= most; ++pass) {
     const VectorXd answer = law * expected + offset;
     if ((answer - expected).norm() < 1e-9) return pass;  // far above round-off, far below the offset
-    expected = accelerator.next(expected, answer);
+    expected = accelerator.next(expected, answer, VectorXd::Ones(offset.size()));
   }
   return most + 1;
 }
@@ -58,13 +58,28 @@ TEST(Acceleration, QuasiNewtonRemembersWindows) {
   EXPECT_GT(passes(*forgetful, law, other, 50), 5);
 }
 
+// Units do not matter: what is expected in other ones is the same.
+TEST(Acceleration, IsTheSameInOtherUnits) {
+  const VectorXd unit = VectorXd::LinSpaced(4, 1.0, 1e6);
+  for (const Acceleration kind : {Acceleration::aitken, Acceleration::quasi_newton}) {
+    const auto plain = make_accelerator(kind, 2), scaled = make_accelerator(kind, 2);
+    VectorXd expected = VectorXd::Zero(4), other = VectorXd::Zero(4);
+    for (int pass = 0; pass < 4; ++pass) {
+      expected = plain->next(expected, expanding(4) * expected + VectorXd::Ones(4), VectorXd::Ones(4));
+      const VectorXd answer = unit.cwiseProduct(expanding(4) * other.cwiseQuotient(unit) + VectorXd::Ones(4));
+      other = scaled->next(other, answer, unit.cwiseInverse());
+    }
+    EXPECT_LT((other.cwiseQuotient(unit) - expected).norm(), 1e-9 * expected.norm());
+  }
+}
+
 // A difference twice over must not blow up the least squares.
 TEST(Acceleration, QuasiNewtonBearsAnAnswerThatDoesNotChange) {
   const auto secants = make_accelerator(Acceleration::quasi_newton, 2);
   secants->begin();
   const VectorXd expected = VectorXd::Zero(3), answer = VectorXd::Ones(3);
   for (int pass = 0; pass < 4; ++pass) {
-    const VectorXd next = secants->next(expected, answer);
+    const VectorXd next = secants->next(expected, answer, VectorXd::Ones(3));
     EXPECT_TRUE(next.allFinite());
     EXPECT_LT(next.norm(), 10.0);
   }

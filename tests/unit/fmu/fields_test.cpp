@@ -1,0 +1,138 @@
+// Setups as numbers and back.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "coupling/fmu/profile_numbers.hpp"
+#include "tests/unit/fmu/fmu_model.hpp"
+
+namespace orbearing::fmu {
+namespace {
+
+// Values that each kind of member can hold, all different: 0 and 1 for flags are left to the text's test.
+template <class Setup>
+void expect_every_field_has_its_own_place(std::vector<SetupField<Setup>> fields, const Setup& setup) {
+  for (const auto& changed : fields) {
+    if (!changed.single) continue;
+    Setup other = setup;
+    const double before = changed.get(setup).at(0);
+    changed.set(other, {before == 0.0 ? 1.0 : 0.0});
+    EXPECT_NE(changed.get(other).at(0), before) << changed.facts.name;
+    for (const auto& field : fields) {
+      if (&field != &changed) {
+        EXPECT_EQ(field.get(other), field.get(setup)) << changed.facts.name;
+      }
+    }
+  }
+}
+
+TEST(FmuFields, EveryFieldHasItsOwnPlaceInTheSetup) {
+  expect_every_field_has_its_own_place(bearing_fields(), test::bearing_model());
+  expect_every_field_has_its_own_place(gear_fields(), test::gear_model());
+}
+
+TEST(FmuFields, NamesAreUnique) {
+  std::set<std::string> names;
+  for (const auto& field : bearing_fields())
+    EXPECT_TRUE(names.insert(field.facts.name).second) << field.facts.name;
+  names.clear();
+  for (const auto& field : gear_fields())
+    EXPECT_TRUE(names.insert(field.facts.name).second) << field.facts.name;
+}
+
+// The size of the structures: a member that is added to one of them needs a row in the table of fields.
+TEST(FmuFields, StructuresAreThoseTheTableWasWrittenFor) {
+  EXPECT_EQ(sizeof(bearing::dynamics::RaceContactParameters), 96u);
+  EXPECT_EQ(sizeof(bearing::dynamics::CageParameters), 112u);
+  EXPECT_EQ(sizeof(bearing::dynamics::OilDragParameters), 40u);
+  EXPECT_EQ(sizeof(bearing::CylindricalRollerBearing), 408u);
+  EXPECT_EQ(sizeof(gearset::dynamics::CentralMember), 64u);
+  EXPECT_EQ(sizeof(gearset::dynamics::PlanetMember), 48u);
+  EXPECT_EQ(sizeof(gearset::dynamics::Operation), 96u);
+}
+
+TEST(FmuFields, TextKeepsEveryBit) {
+  BearingModel model = test::bearing_model();
+  model.setup.bearing.radial_clearance = 0.1e-6 / 3.0;
+  model.setup.bearing.inner_form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
+  model.setup.bearing.roller_diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
+  const std::string text = text_of(numbers_of(model));
+  const BearingModel again = bearing_from(table_from(text));
+  EXPECT_EQ(text_of(numbers_of(again)), text);
+  EXPECT_EQ(again.setup.bearing.radial_clearance, model.setup.bearing.radial_clearance);
+  EXPECT_EQ(again.setup.bearing.roller_diameter_deviation, model.setup.bearing.roller_diameter_deviation);
+  EXPECT_EQ(again.setup.bearing.inner_form[0].turning, true);
+  EXPECT_EQ(again.setup.bearing.inner_form[1].amplitude, -1e-6);
+}
+
+TEST(FmuFields, MeshCurvesAreTheSameCurves) {
+  const GearModel model = test::gear_model();
+  const GearModel again = gears_from(table_from(text_of(numbers_of(model))));
+  const gearset::PeriodicCurve& curve = model.setup.set.sun_mesh.stiffness;
+  ASSERT_EQ(again.setup.set.sun_mesh.stiffness.jumps(), curve.jumps());
+  for (double fraction = -1.0; fraction < 2.0; fraction += 0.00731) {
+    EXPECT_EQ(again.setup.set.sun_mesh.stiffness.at(fraction).value, curve.at(fraction).value);
+    EXPECT_EQ(again.setup.set.sun_mesh.stiffness.at(fraction).slope, curve.at(fraction).slope);
+  }
+}
+
+TEST(FmuFields, BrokenCurvesAreRefused) {
+  const std::vector<double> numbers = test::gear_model().setup.set.sun_mesh.stiffness.numbers();
+  for (std::size_t length = 0; length < std::min<std::size_t>(numbers.size(), 40); ++length)
+    EXPECT_THROW(
+        gearset::PeriodicCurve::from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)}),
+        std::invalid_argument);
+  std::vector<double> longer = numbers;
+  longer.push_back(0.0);
+  EXPECT_THROW(gearset::PeriodicCurve::from_numbers(longer), std::invalid_argument);
+}
+
+TEST(FmuFields, ProfilesOfEveryKindComeBack) {
+  using namespace bearing::profile;
+  const std::vector<Profile> profiles{Straight{},
+                                      Chamfer{1, 2, 3},
+                                      CircularCrown{1, 2},
+                                      StraightCircular{1, 2, 3},
+                                      Lundberg{1, 2, 3},
+                                      JohnsGohar{1, 2, 3},
+                                      Iso16281{1, 2, 3},
+                                      FujiwaraKawase{1, 2, 3, 4},
+                                      Table{{1, 2, 3}, {4, 5, 6}, 7}};
+  ASSERT_EQ(profiles.size(), std::variant_size_v<Profile>);
+  for (const Profile& profile : profiles) {
+    const std::vector<double> numbers = profile_numbers(profile);
+    const Profile again = profile_from(numbers);
+    EXPECT_EQ(again.index(), profile.index());
+    EXPECT_EQ(profile_numbers(again), numbers);
+    std::vector<double> shorter(numbers.begin(), numbers.end() - 1);
+    EXPECT_THROW(profile_from(shorter), std::invalid_argument);
+  }
+  EXPECT_EQ(std::get<Table>(profile_from(profile_numbers(profiles.back()))).drop,
+            (std::vector<double>{4, 5, 6}));
+  EXPECT_THROW(profile_from({9.0}), std::invalid_argument);
+  EXPECT_THROW(profile_from({-1.0}), std::invalid_argument);
+}
+
+TEST(FmuModelText, SaysWhatIsWrong) {
+  const std::string text = text_of(numbers_of(test::bearing_model()));
+  EXPECT_NO_THROW(table_from(text));
+  for (const std::size_t length : {0ul, 5ul, 30ul, text.size() / 2, text.size() - 1})
+    EXPECT_THROW(table_from(text.substr(0, length)), std::invalid_argument) << length;
+  const std::string head = "orbearing-fmu-model 1 bearing\n";
+  for (const char* row : {"a 1 nan", "a 1 inf", "a 1 zz", "a 2 1p+0", "a 1 1p+0 1p+0", "a x", "a", " 1 1p+0",
+                          "a 99999999999999999999 1p+0", "a 1 1p+5000"})
+    EXPECT_THROW(table_from(head + row + "\nend\n"), std::invalid_argument) << row;
+  EXPECT_EQ(table_from(head + "a 1 -1.8p-1\nend\n").at("a"), std::vector<double>{-0.75});
+}
+
+TEST(FmuModelText, NumbersThatMakeNoSenseAreRefused) {
+  NumberTable numbers = numbers_of(test::bearing_model());
+  for (NumberRow& row : numbers.rows)
+    if (row.name == "bearing.width") row.values = {-1.0};
+  EXPECT_THROW(bearing_from(numbers), std::invalid_argument);
+  EXPECT_THROW(bearing_from(NumberTable{"bearing", {}}), std::invalid_argument);
+  EXPECT_THROW(facts_of(NumberTable{"engine", {}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace orbearing::fmu

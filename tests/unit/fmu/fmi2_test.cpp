@@ -1,0 +1,317 @@
+// The C interface of FMI 2.0: runs, states, derivatives.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "coupling/cosim/driven_gears.hpp"
+#include "tests/unit/fmu/fmu_model.hpp"
+
+namespace orbearing::fmu {
+namespace {
+
+using test::bearing_model;
+using test::Instance2;
+using test::press;
+using test::Resources;
+
+constexpr double kStep = 1e-5;  // [s]
+
+const Resources& bearing_resources() {
+  static const Resources resources(numbers_of(bearing_model()));
+  return resources;
+}
+
+std::vector<double> forces(Instance2& instance) {
+  return {instance.get("force.x"), instance.get("force.y"), instance.get("moment"), instance.get("life_used"),
+          instance.get("roller[3].inner_load")};
+}
+
+void run(Instance2& instance, int first, int last) {
+  for (int i = first; i < last; ++i)
+    ASSERT_EQ(instance.step(i * kStep, kStep), fmi2OK) << instance.messages.last();
+}
+
+// The same run by the machine without any interface.
+cosim::DrivenBearing direct(const bearing::dynamics::BoreMotion& motion, int steps) {
+  cosim::DrivenBearing bearing(bearing_model().setup);
+  bearing.initialize(motion);
+  const cosim::BoreCourse inputs = orbearing::test::constant_course(motion);
+  double time = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    bearing.advance({time, i * kStep + kStep}, inputs);
+    time = i * kStep + kStep;
+  }
+  return bearing;
+}
+
+TEST(Fmi2Bearing, RunsAsTheMachineDoes) {
+  Instance2 instance(bearing_resources());
+  ASSERT_NE(instance.component, nullptr);
+  press(instance);
+  ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
+  run(instance, 0, 30);
+  const bearing::dynamics::BoreMotion motion = orbearing::test::pressed_motion();
+  const cosim::DrivenBearingOutput now = direct(motion, 30).output(motion);
+  EXPECT_EQ(instance.get("force.x"), now.reaction.force.x());
+  EXPECT_EQ(instance.get("force.y"), now.reaction.force.y());
+  EXPECT_EQ(instance.get("moment"), now.reaction.moment);
+  EXPECT_EQ(instance.get("life_used"), now.life_used);
+  EXPECT_EQ(instance.get("cage.slip"), now.cage_slip);
+  EXPECT_EQ(instance.get("roller[15].outer_load"), now.outer_load[14]);
+  EXPECT_LT(instance.get("force.y"), -100.0) << "a planet pushed forward is pushed back";
+  EXPECT_TRUE(instance.messages.list.empty());
+}
+
+TEST(Fmi2Bearing, AllInputsZeroIsLegal) {
+  Instance2 instance(bearing_resources());
+  instance.set("planet.speed", 0.0);
+  instance.set("carrier.speed", 0.0);
+  ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
+  run(instance, 0, 20);
+  EXPECT_TRUE(std::isfinite(instance.get("force.x")));
+  EXPECT_EQ(instance.get("cage.slip"), 0.0);
+  EXPECT_EQ(instance.get("revolutions"), 0.0);
+}
+
+TEST(Fmi2Bearing, StepsOfAnySizeLeadTheSameWay) {
+  Instance2 coarse(bearing_resources()), fine(bearing_resources());
+  for (Instance2* one : {&coarse, &fine}) {
+    press(*one);
+    one->set("simulation.length_error", 1e-13);
+    ASSERT_EQ(one->begin(), fmi2OK);
+  }
+  ASSERT_EQ(coarse.step(0.0, 5e-5), fmi2OK);
+  double time = 0.0;
+  for (const double size : {1e-9, 3e-6, 4.6999e-5}) {
+    ASSERT_EQ(fine.step(time, size), fmi2OK) << fine.messages.last();
+    time += size;
+  }
+  // Both follow the same path, each with its own internal steps: their error is that of 1e-13 m at a
+  // stiffness of the contacts of some 1e8 N/m, many steps long.
+  EXPECT_NEAR(coarse.get("force.y"), fine.get("force.y"), 1e-3 * std::fabs(fine.get("force.y")));
+}
+
+TEST(Fmi2Bearing, DisplacementGoesOnWithItsVelocity) {
+  Instance2 instance(bearing_resources());
+  press(instance);
+  ASSERT_EQ(instance.begin(), fmi2OK);
+  instance.set("planet.velocity.y", 0.01);
+  instance.set("carrier.acceleration", 100.0);
+  const double speed = instance.get("carrier.speed");
+  ASSERT_EQ(instance.step(0.0, kStep), fmi2OK);
+  EXPECT_DOUBLE_EQ(instance.get("planet.displacement.y"), 25e-6 + 0.01 * kStep);
+  EXPECT_EQ(instance.get("planet.displacement.x"), 2e-6);
+  EXPECT_DOUBLE_EQ(instance.get("carrier.speed"), speed + 100.0 * kStep);
+}
+
+TEST(Fmi2Bearing, DerivativesOfInputsHoldForOneStep) {
+  Instance2 instance(bearing_resources());
+  press(instance);
+  ASSERT_EQ(instance.begin(), fmi2OK);
+  const fmi2ValueReference references[] = {instance.reference("planet.velocity.y"),
+                                           instance.reference("planet.velocity.y"),
+                                           instance.reference("planet.speed")};
+  const int orders[] = {1, 2, 1};
+  const double values[] = {3.0, 2e5, 50.0};
+  ASSERT_EQ(fmi2SetRealInputDerivatives(instance.component, references, 3, orders, values), fmi2OK);
+  const double speed = instance.get("planet.speed"), h = kStep;
+  ASSERT_EQ(instance.step(0.0, h), fmi2OK) << instance.messages.last();
+  EXPECT_DOUBLE_EQ(instance.get("planet.velocity.y"), 3.0 * h + 1e5 * h * h);
+  EXPECT_DOUBLE_EQ(instance.get("planet.displacement.y"), 25e-6 + 1.5 * h * h + 1e5 * h * h * h / 3.0);
+  EXPECT_DOUBLE_EQ(instance.get("planet.speed"), speed + 50.0 * h);
+  const double velocity = instance.get("planet.velocity.y");
+  ASSERT_EQ(instance.step(h, h), fmi2OK);
+  EXPECT_EQ(instance.get("planet.velocity.y"), velocity);
+}
+
+TEST(Fmi2Bearing, TwoInstancesDoNotFeelEachOther) {
+  Instance2 alone(bearing_resources());
+  press(alone);
+  ASSERT_EQ(alone.begin(), fmi2OK);
+  run(alone, 0, 10);
+  Instance2 first(bearing_resources()), second(bearing_resources());
+  press(first);
+  second.set("planet.displacement.x", -20e-6);
+  second.set("bearing.radial_clearance", 10e-6);
+  ASSERT_EQ(first.begin(), fmi2OK);
+  ASSERT_EQ(second.begin(), fmi2OK);
+  for (int i = 0; i < 10; ++i) {
+    run(first, i, i + 1);
+    run(second, i, i + 1);
+  }
+  EXPECT_EQ(forces(first), forces(alone));
+  EXPECT_NE(forces(second), forces(alone));
+}
+
+TEST(Fmi2Bearing, ResetAndANewInstanceBeginAfresh) {
+  Instance2 instance(bearing_resources());
+  std::vector<std::vector<double>> results;
+  for (int round = 0; round < 2; ++round) {
+    press(instance);
+    ASSERT_EQ(instance.begin(), fmi2OK);
+    run(instance, 0, 8);
+    results.push_back(forces(instance));
+    ASSERT_EQ(fmi2Terminate(instance.component), fmi2OK);
+    ASSERT_EQ(fmi2Reset(instance.component), fmi2OK);
+    EXPECT_EQ(instance.get("planet.displacement.y"), 0.0);
+  }
+  EXPECT_EQ(results[0], results[1]);
+  Instance2 other(bearing_resources());
+  press(other);
+  ASSERT_EQ(other.begin(), fmi2OK);
+  run(other, 0, 8);
+  EXPECT_EQ(forces(other), results[0]);
+}
+
+TEST(Fmi2Bearing, OutputsDuringInitializationFollowInputsAndParameters) {
+  Instance2 instance(bearing_resources());
+  ASSERT_EQ(fmi2SetupExperiment(instance.component, fmi2False, 0.0, 0.0, fmi2False, 0.0), fmi2OK);
+  ASSERT_EQ(fmi2EnterInitializationMode(instance.component), fmi2OK);
+  press(instance);
+  const double pressed = instance.get("force.y");
+  instance.set("bearing.radial_clearance", 20e-6);
+  const double loose = instance.get("force.y");
+  EXPECT_LT(pressed, loose);
+  press(instance);
+  instance.set("bearing.radial_clearance", bearing_model().setup.bearing.radial_clearance);
+  EXPECT_EQ(instance.get("force.y"), pressed);
+}
+
+TEST(Fmi2Bearing, SaveAdvanceRestoreAdvanceGivesTheSameBits) {
+  Instance2 instance(bearing_resources());
+  press(instance);
+  ASSERT_EQ(instance.begin(), fmi2OK);
+  run(instance, 0, 5);
+  instance.set("planet.velocity.x", 1e-3);
+  fmi2FMUstate state = nullptr;
+  ASSERT_EQ(fmi2GetFMUstate(instance.component, &state), fmi2OK);
+  run(instance, 5, 12);
+  const std::vector<double> first = forces(instance);
+  ASSERT_EQ(fmi2SetFMUstate(instance.component, state), fmi2OK);
+  EXPECT_EQ(instance.get("time"), 5 * kStep);
+  run(instance, 5, 12);
+  EXPECT_EQ(forces(instance), first);
+
+  size_t size = 0;
+  ASSERT_EQ(fmi2SerializedFMUstateSize(instance.component, state, &size), fmi2OK);
+  std::vector<char> bytes(size);
+  ASSERT_EQ(fmi2SerializeFMUstate(instance.component, state, bytes.data(), size), fmi2OK);
+  Instance2 other(bearing_resources());
+  fmi2FMUstate moved = nullptr;
+  ASSERT_EQ(fmi2DeSerializeFMUstate(other.component, bytes.data(), size, &moved), fmi2OK)
+      << other.messages.last();
+  ASSERT_EQ(fmi2SetFMUstate(other.component, moved), fmi2OK) << other.messages.last();
+  run(other, 5, 12);
+  EXPECT_EQ(forces(other), first);
+  ASSERT_EQ(fmi2FreeFMUstate(instance.component, &state), fmi2OK);
+  EXPECT_EQ(state, nullptr);
+}
+
+TEST(Fmi2Bearing, AStateBringsItsParametersBack) {
+  Instance2 instance(bearing_resources());
+  fmi2FMUstate fresh = nullptr;
+  ASSERT_EQ(fmi2GetFMUstate(instance.component, &fresh), fmi2OK);
+  press(instance);
+  instance.set("bearing.radial_clearance", 30e-6);
+  ASSERT_EQ(instance.begin(), fmi2OK);
+  run(instance, 0, 3);
+  ASSERT_EQ(fmi2SetFMUstate(instance.component, fresh), fmi2OK);
+  EXPECT_EQ(instance.get("bearing.radial_clearance"), bearing_model().setup.bearing.radial_clearance);
+  press(instance);
+  ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
+  run(instance, 0, 3);
+  Instance2 other(bearing_resources());
+  press(other);
+  ASSERT_EQ(other.begin(), fmi2OK);
+  run(other, 0, 3);
+  EXPECT_EQ(forces(instance), forces(other));
+}
+
+TEST(Fmi2Bearing, DirectionalDerivativesAreSlopesOfTheOutputs) {
+  Instance2 instance(bearing_resources());
+  press(instance);
+  ASSERT_EQ(instance.begin(), fmi2OK);
+  run(instance, 0, 10);
+  const fmi2ValueReference unknowns[] = {instance.reference("force.x"), instance.reference("force.y"),
+                                         instance.reference("moment")};
+  const std::pair<const char*, double> knowns[] = {{"planet.displacement.x", 1e-10},
+                                                   {"planet.displacement.y", 1e-10},
+                                                   {"planet.velocity.y", 1e-6},
+                                                   {"planet.speed", 1e-4}};
+  for (const auto& [name, step] : knowns) {
+    const fmi2ValueReference known = instance.reference(name);
+    const double seed = 2.0, middle = instance.get(name);
+    double found[3];
+    ASSERT_EQ(fmi2GetDirectionalDerivative(instance.component, unknowns, 3, &known, 1, &seed, found), fmi2OK)
+        << instance.messages.last();
+    std::vector<double> ends[2];
+    for (const int sign : {-1, 1}) {
+      instance.set(name, middle + sign * step);
+      ends[sign > 0] = forces(instance);
+    }
+    instance.set(name, middle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double slope = seed * (ends[1][i] - ends[0][i]) / (2.0 * step);
+      // Round-off of forces of 1e4 N over the step, and curvature of the contacts.
+      EXPECT_NEAR(found[i], slope, 1e-4 * std::fabs(slope) + 1e-11 * 1e4 / step) << name << " " << i;
+    }
+  }
+}
+
+TEST(Fmi2Bearing, OutputsDependOnTheInputsOfTheTableAndOnNoOthers) {
+  Instance2 instance(bearing_resources());
+  press(instance);
+  ASSERT_EQ(instance.begin(), fmi2OK);
+  run(instance, 0, 20);
+  const ModelFacts facts = facts_of(bearing_resources().numbers());
+  for (std::size_t input = 0; input < facts.inputs.size(); ++input) {
+    const std::string& name = facts.inputs[input].name;
+    const double middle = instance.get(name);
+    std::vector<double> before;
+    for (const OutputFacts& output : facts.outputs) before.push_back(instance.get(output.name));
+    instance.set(name, middle + (input < 2 ? 1e-6 : input < 4 ? 1e-2 : 10.0));
+    for (std::size_t i = 0; i < facts.outputs.size(); ++i) {
+      const OutputFacts& output = facts.outputs[i];
+      const bool listed = std::find(output.inputs.begin(), output.inputs.end(), input) != output.inputs.end();
+      if (!listed) {
+        EXPECT_EQ(instance.get(output.name), before[i]) << output.name << " by " << name;
+      }
+      if (listed && i < 3) {
+        EXPECT_NE(instance.get(output.name), before[i]) << output.name << " by " << name;
+      }
+    }
+    instance.set(name, middle);
+  }
+}
+
+TEST(Fmi2Gears, RunsAsTheMachineDoes) {
+  const Resources resources(numbers_of(test::gear_model()));
+  Instance2 instance(resources);
+  ASSERT_NE(instance.component, nullptr);
+  ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
+  cosim::DrivenGears gears(test::gear_model().setup);
+  gears.initialize(0.0);
+  std::vector<cosim::PlanetForceCourse> inputs(static_cast<std::size_t>(gears.planets()));
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::string planet = "planet[" + std::to_string(i + 1) + "].";
+    inputs[i] = {.x = cosim::Course::constant(100.0),
+                 .y = cosim::Course::constant(-900.0 - 10.0 * double(i))};
+    instance.set(planet + "force.x", 100.0);
+    instance.set(planet + "force.y", -900.0 - 10.0 * double(i));
+  }
+  double time = 0.0;
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(instance.step(i * kStep, kStep), fmi2OK) << instance.messages.last();
+    gears.advance({time, i * kStep + kStep}, inputs);
+    time = i * kStep + kStep;
+  }
+  const cosim::DrivenGearsOutput now = gears.output();
+  EXPECT_EQ(instance.get("planet[2].displacement.y"), now.planets[1].displacement.y());
+  EXPECT_EQ(instance.get("planet[4].velocity.x"), now.planets[3].velocity.x());
+  EXPECT_EQ(instance.get("planet[1].speed"), now.planets[0].speed);
+  EXPECT_EQ(instance.get("planet[3].ring_mesh_force"), now.planets[2].ring_mesh_force);
+  EXPECT_EQ(instance.get("carrier.speed"), now.carrier_speed);
+}
+
+}  // namespace
+}  // namespace orbearing::fmu
