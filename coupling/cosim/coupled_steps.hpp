@@ -1,6 +1,6 @@
 // Steps of gears and bearings with one length for all, but for the few bearings in which rollers strike their
 // cage: those are gone over again in steps of their own, with the motion of their bores from the step of all.
-// The strategy of [SavcencoHundsdorferVerwer2007] for ROS2.
+// The strategy of [Savcenco2007], there for ROS2 too.
 #pragma once
 
 #include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
