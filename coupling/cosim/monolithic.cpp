@@ -8,12 +8,11 @@
 #include <stdexcept>
 
 #include "bearing/dynamics/driven_bore.hpp"
-#include "coupling/cosim/coupled_system.hpp"
+#include "coupling/cosim/coupled_steps.hpp"
 #include "coupling/cosim/driven_setup.hpp"
 #include "coupling/integration/gear_steps.hpp"
 #include "coupling/integration/in_place.hpp"
 #include "coupling/integration/integrate_bearing.hpp"
-#include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/window.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 
@@ -39,20 +38,19 @@ CoupledModel checked_model(const CoupledSetup& setup) {
   return model;
 }
 
-std::vector<double> allowed_errors(const CoupledSetup& setup, const CoupledModel& model,
-                                   const CoupledSystem& system) {
-  std::vector<double> allowed(system.size(), 0.0);
+CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& model,
+                                const CoupledSystem& system) {
   const Eigen::VectorXd gears =
       kGearErrorFactor * integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
-  std::copy(gears.begin(), gears.end(), allowed.begin());
-  const std::vector<double> bearing = integration::linearly_implicit_errors(
-      system.bearing(0),
-      integration::bearing_allowed_errors(model.bearing.layout, setup.bearing.allowed_length_error,
-                                          model.bearing.geometry.pitch_radius,
-                                          integration::roller_frequency(model.bearing)));
-  for (int b = 0; b < system.bearings(); ++b)
-    std::copy(bearing.begin(), bearing.end(), system.of_bearing(allowed.data(), b));
-  return allowed;
+  return {.gears = {gears.begin(), gears.end()},
+          .bearing = integration::linearly_implicit_errors(
+              system.bearing(0),
+              integration::bearing_allowed_errors(model.bearing.layout, setup.bearing.allowed_length_error,
+                                                  model.bearing.geometry.pitch_radius,
+                                                  integration::roller_frequency(model.bearing))),
+          .longest_step = integration::longest_step(model.bearing),
+          .most_refined = setup.most_refined,
+          .most_steps = setup.bearing.most_steps};
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ struct Monolithic::Inside {
   CoupledSetup setup;
   CoupledModel model;
   CoupledSystem system;
-  integration::Rosenbrock2 stepper;
+  CoupledSteps stepper;
   gearset::dynamics::PlanetarySetEquations gears;
   std::vector<double> x;
   double time = 0.0;           // [s]
@@ -73,7 +71,7 @@ struct Monolithic::Inside {
       : setup(given),
         model(checked_model(given)),
         system(model, given.bearing.places),
-        stepper(allowed_errors(given, model, system), integration::longest_step(model.bearing)),
+        stepper(system, step_options(given, model, system)),
         gears(model.gears),
         x(system.size(), 0.0),
         turned(static_cast<std::size_t>(system.bearings()), 0.0),
@@ -219,6 +217,12 @@ double Monolithic::time() const {
 }
 long Monolithic::steps() const {
   return inside_->system.steps;
+}
+long Monolithic::rejected() const {
+  return inside_->stepper.rejected();
+}
+long Monolithic::refined() const {
+  return inside_->stepper.refined();
 }
 
 DrivenGearsOutput Monolithic::gears() const {

@@ -45,7 +45,9 @@ class Monolithic {
   bearing::BearingLife life(int b) const;
   /// States in the orders of SetLayout and StateLayout.
   CoupledStart state() const;
-  long steps() const;  // [-]  accepted since construction
+  long steps() const;     // [-]  accepted since construction
+  long rejected() const;  // [-]  attempts
+  long refined() const;   // [-]  bearings gone over again in steps of their own
 
   void save(SavedState& state) const;
   /// Throws std::invalid_argument where `state` is not one of such a system.

@@ -13,6 +13,7 @@ namespace orbearing::integration {
 struct WindowLimits {
   double smallest_step = 1e-13;  // [s]
   long most_steps = 10'000'000;  // [-]  attempts
+  double stretch = 1.2;          // [-]  of a step that reaches the end, to spare one short step more
 };
 
 /// Advances `x` from time 0 to `length` [s]; times count from the beginning of the window. `step` [s] is that
@@ -38,15 +39,16 @@ void through_window(Stepper& stepper, System& system, std::vector<double>& x, do
     system.begun(x);
     const double before = time;
     bool last = false;
-    double attempt = step;
+    double attempt = step, reach = limits.stretch;
     do {
       if (++attempts > limits.most_steps) fail(before, "the largest number of steps was taken");
       if (!(step >= limits.smallest_step))
         fail(before, "no step was small enough, or the state is not finite,");
-      last = before + step >= length - limits.smallest_step;
+      last = before + reach * step >= length - limits.smallest_step;
       attempt = last ? length - before : step;
       if (stepper.try_step(system, x, time, attempt) == odeint::success) break;
       step = attempt;
+      reach = 1.0;
     } while (true);
     const double taken = last ? length - before : time - before;
     if (last) time = length;
