@@ -6,6 +6,7 @@
 #include "coupling/cosim/driven_setup.hpp"
 #include "coupling/fmu/bearing_fields.hpp"
 #include "coupling/fmu/gear_fields.hpp"
+#include "coupling/study/driven_setups.hpp"
 
 namespace orbearing::app {
 
@@ -26,19 +27,18 @@ fmu::BearingModel bearing_model(const ResolvedCase& in) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
   const study::DrivetrainGeometry geometry = study::derive(drivetrain);
   const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
-  bearing::dynamics::DynamicsParameters dynamics = drivetrain.dynamics;
-  dynamics.inertia = drivetrain.inertia;
-  dynamics.lubricant = drivetrain.lubricant;
-  dynamics.race.film_in_approach = drivetrain.film_in_approach;
-  dynamics.race.film_approach = drivetrain.film_approach;
-  dynamics.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
-  return {.setup = {.bearing = drivetrain.bearing,
-                    .dynamics = dynamics,
-                    .orbit_radius = duty.point.carrier.orbit_radius,
-                    .lambda = drivetrain.lambda,
-                    .allowed_length_error = drivetrain.steady_state.allowed_length_error},
+  return {.setup = study::driven_bearing_setup(drivetrain, geometry),
           .planet_speed = duty.point.outer_speed,
           .carrier_speed = duty.point.carrier.speed};
+}
+
+// Gears without roller bearings have no drivetrain that could be computed as a whole.
+cosim::DrivenGearsSetup gears_setup(const ResolvedCase& in) {
+  if (in.shape().bearing) return study::driven_gears_setup(drivetrain_of(in));
+  const gearset::dynamics::SetModel set = gear_model_of(in);
+  cosim::DrivenGearsSetup setup{.set = set.parameters, .operation = set.operation};
+  setup.set.planet.coupled_bearing = true;
+  return setup;
 }
 
 // The forces that linear bearings give in the static state, so that an unconnected set begins at rest.
@@ -70,9 +70,7 @@ fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
 fmu::NumberTable gear_numbers(const ResolvedCase& in) {
   require_one_set(in);
   require(in.shape().teeth, in, "gearset", "no teeth", "tooth numbers, from which loads and speeds follow");
-  const gearset::dynamics::SetModel set = gear_model_of(in);
-  cosim::DrivenGearsSetup setup{.set = set.parameters, .operation = set.operation};
-  setup.set.planet.coupled_bearing = true;
+  cosim::DrivenGearsSetup setup = gears_setup(in);
   const std::vector<double> forces = start_forces(setup);
   return fmu::numbers_of(fmu::GearModel{std::move(setup), forces});
 }

@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "app/study/drivetrain_case.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
 #include "app/study/ledger.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
+#include "app/study/two_way_report.hpp"
 #include "coupling/study/ablation.hpp"
 
 namespace orbearing::app {
@@ -247,10 +249,14 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["worth"] = worth_json(ledger);
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;
-  if (outcome.header.fidelity == "dynamic")
+  const study::Fidelity fidelity = fidelity_of(outcome.header.fidelity);
+  if (in_time(fidelity))
     data["dynamic"] = {
-        {"ablation", dynamic_ablation(drivetrain, shown_speeds(grid), every_effect)},
+        {"ablation",
+         two_way(fidelity) ? Json::array() : dynamic_ablation(drivetrain, shown_speeds(grid), every_effect)},
         {"quasi_static", {{"polar", polar(drivetrain, geometry, shown_speeds(grid, found.peak.speed_rpm))}}}};
+  if (two_way(fidelity))
+    data["two_way"] = two_way_report(drivetrain, grid.speed_rpm, outcome.header.fidelity);
   return data;
 }
 

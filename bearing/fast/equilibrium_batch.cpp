@@ -14,7 +14,7 @@ namespace {
 
 using boost::math::double_constants::two_pi;
 
-EquilibriumEngine* make_engine(InstructionSet set, const EquilibriumConstants& constants) {
+EquilibriumEngine* make_engine([[maybe_unused]] InstructionSet set, const EquilibriumConstants& constants) {
 #if defined(__x86_64__) && !defined(_WIN32)
   if (set == InstructionSet::avx512) return avx512_equilibrium(constants);
   if (set == InstructionSet::avx2) return avx2_equilibrium(constants);

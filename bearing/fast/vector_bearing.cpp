@@ -12,7 +12,7 @@ namespace orbearing::bearing::fast {
 
 namespace {
 
-std::unique_ptr<Engine> make_engine(InstructionSet set, const Constants& constants,
+std::unique_ptr<Engine> make_engine([[maybe_unused]] InstructionSet set, const Constants& constants,
                                     const RollerConstants& rollers) {
 #if defined(__x86_64__) && !defined(_WIN32)
   if (set == InstructionSet::avx512) return std::unique_ptr<Engine>(avx512_engine(constants, rollers));

@@ -16,7 +16,7 @@ constexpr std::size_t kMostLaminae = 1000;
 constexpr std::size_t kMostPadded = 1008;
 static_assert(kMostPadded % fast::kLaminaPadding == 0);
 
-const fast::LaminaKernel& kernel_of(fast::InstructionSet set) {
+const fast::LaminaKernel& kernel_of([[maybe_unused]] fast::InstructionSet set) {
 #if defined(__x86_64__) && !defined(_WIN32)
   if (set == fast::InstructionSet::avx512) return fast::avx512_laminae();
   if (set == fast::InstructionSet::avx2) return fast::avx2_laminae();

@@ -63,6 +63,13 @@ def thousands(axis) -> None:
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}".replace("-", "\u2212")))
 
 
+def plain_logarithmic(axis, labelled=(1, 2, 5)) -> None:
+    """Numbers as people write them at the `labelled` steps of each decade."""
+    axis.set_major_locator(LogLocator(subs=labelled, numticks=30))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.6g}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def life_axis(axes: Axes) -> None:
     """Logarithmic, with labels at 1, 2 and 5 of each decade where they have room."""
     axes.set_yscale("log")

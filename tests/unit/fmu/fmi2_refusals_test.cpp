@@ -40,7 +40,9 @@ TEST_F(Fmi2Refusals, Instantiation) {
   const auto make = [&](const char* name, fmi2Type type, const char* guid, const char* place) {
     log.list.clear();
     const fmi2Component made = fmi2Instantiate(name, type, guid, place, &callbacks, fmi2False, fmi2False);
-    if (made == nullptr) EXPECT_EQ(log.list.size(), 1u);
+    if (made == nullptr) {
+      EXPECT_EQ(log.list.size(), 1u);
+    }
     fmi2FreeInstance(made);
     return made != nullptr;
   };

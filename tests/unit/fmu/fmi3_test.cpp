@@ -106,7 +106,9 @@ TEST(Fmi3Bearing, AdjointIsTheTransposeOfTheDirectionalDerivative) {
           << it.last;
       EXPECT_EQ(row[k], column[u]);
     }
-    if (k < 2) EXPECT_LT(column[k], -1e6) << "a pressed bearing pushes back";
+    if (k < 2) {
+      EXPECT_LT(column[k], -1e6) << "a pressed bearing pushes back";
+    }
   }
 }
 

@@ -1,0 +1,79 @@
+#include "app/study/two_way_report.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "app/study/fidelity.hpp"
+#include "coupling/study/ablation.hpp"
+#include "coupling/study/scheme_convergence.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr double kRpm = 30.0 / boost::math::double_constants::pi;  // per rad/s
+constexpr double kMicro = 1e6, kMilli = 1e3;
+
+std::string how(const cosim::CoupledOptions& exchange, const std::string& fidelity) {
+  if (fidelity_of(fidelity) == study::Fidelity::monolithic)
+    return "gears and all bearings as one system of equations";
+  const char* order = exchange.order == cosim::ExchangeOrder::jacobi ? "Jacobi" : "Gauss-Seidel";
+  return fmt::format("co-simulated, {} exchange of degree {} in windows of at most {:.3g} \u00b5s{}", order,
+                     exchange.extrapolation, kMicro * exchange.window.longest,
+                     exchange.iteration.most_passes > 1
+                         ? fmt::format(", each repeated up to {} times", exchange.iteration.most_passes)
+                         : "");
+}
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json one_way(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm) {
+  std::vector<double> speeds;
+  for (const double rpm : speeds_rpm) speeds.push_back(rpm / kRpm);
+  const std::vector<study::Ablation> as_it_stands{{"one way", "two-way", [](study::PlanetaryDrivetrain&) {}}};
+  const std::vector<study::PointResult> points =
+      study::evaluate_all(drivetrain, as_it_stands, speeds, study::Fidelity::dynamic);
+  Json curve{{"speed_rpm", speeds_rpm}, {"life_h", Json::array()}, {"outer_load_rms_N", Json::array()}};
+  for (const study::PointResult& point : points) {
+    const bool ok = point.status == "ok";
+    curve["life_h"].push_back(ok ? number(point.life_hours) : Json(nullptr));
+    curve["outer_load_rms_N"].push_back(ok ? number(point.outer.load_rms) : Json(nullptr));
+  }
+  return curve;
+}
+
+Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
+  const study::SchemeConvergence found =
+      study::scheme_convergence(drivetrain, study::derive(drivetrain), study::common_schemes());
+  Json object{{"path_ms", kMilli * found.path},
+              {"speed_rpm", kRpm * drivetrain.drive.speed},
+              {"rows", Json::array()},
+              {"orders", Json::array()}};
+  for (const study::SchemeError& error : found.errors)
+    object["rows"].push_back({{"scheme", error.scheme},
+                              {"window_us", kMicro * error.window},
+                              {"force_error", number(error.force_error)},
+                              {"energy_residual", number(error.energy_residual)}});
+  for (const study::SchemeOrder& order : found.orders)
+    object["orders"].push_back({{"scheme", order.scheme},
+                                {"expected", order.expected},
+                                {"measured", number(order.measured)},
+                                {"stability_limit_us", number(kMicro * order.stability_limit)}});
+  return object;
+}
+
+}  // namespace
+
+nlohmann::ordered_json two_way_report(const study::PlanetaryDrivetrain& drivetrain,
+                                      const std::vector<double>& speeds_rpm, const std::string& fidelity) {
+  return {{"how", how(drivetrain.exchange, fidelity)},
+          {"one_way", one_way(drivetrain, speeds_rpm)},
+          {"convergence", convergence(drivetrain)}};
+}
+
+}  // namespace orbearing::app

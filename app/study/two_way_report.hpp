@@ -1,0 +1,18 @@
+// What a report shows of gears and bearings that act on each other.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "coupling/study/drivetrain.hpp"
+
+namespace orbearing::app {
+
+/// Keys: `how` (the exchange in words), `one_way` (speeds and lives of the bearing that the gears drive) and
+/// `convergence` (errors, orders and stability limits of the schemes at the drivetrain's own speed).
+/// @param speeds_rpm of the points of the sweep
+nlohmann::ordered_json two_way_report(const study::PlanetaryDrivetrain& drivetrain,
+                                      const std::vector<double>& speeds_rpm, const std::string& fidelity);
+
+}  // namespace orbearing::app

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""`orbearing fmu` from outside: what it writes, what it refuses."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+import zipfile
+
+CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
+REDUCER = CASES / "reducer_150kW" / "case.yaml"
+SECONDS = 60
+
+
+def fmu(case, output, *arguments):
+    command = [os.environ["ORBEARING"], "fmu", str(case), "-o", str(output), *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+class FmuCommand(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name)
+
+    def written(self, *arguments):
+        file = self.folder / "a.fmu"
+        result = fmu(REDUCER, file, "--json", *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout), zipfile.ZipFile(file)
+
+    def test_contents_of_both_versions(self):
+        for version, linux in (("2", "linux64"), ("3", "x86_64-linux")):
+            for model in ("bearing", "gearset"):
+                with self.subTest(version=version, model=model):
+                    told, archive = self.written("--fmi", version, "--model", model)
+                    root = xml.fromstring(archive.read("modelDescription.xml"))
+                    self.assertEqual(root.get("fmiVersion"), version + ".0")
+                    self.assertEqual(root.get("guid") or root.get("instantiationToken"), told["token"])
+                    self.assertRegex(told["token"], r"^\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}$")
+                    identifier = root.find("CoSimulation").get("modelIdentifier")
+                    self.assertIn(f"binaries/{linux}/{identifier}.so", archive.namelist())
+                    for name in ("resources/model.txt", "documentation/index.html",
+                                 "documentation/licenses/license.txt"):
+                        self.assertIn(name, archive.namelist())
+                    self.assertEqual(told["inputs"], len(root.findall(".//*[@causality='input']")))
+
+    def test_windows_library_is_inside_or_its_lack_is_told(self):
+        told, archive = self.written()
+        inside = "binaries/win64/orbearing_bearing.dll" in archive.namelist()
+        self.assertEqual(inside, "win64" in told["platforms"])
+        self.assertEqual(inside, not any("win64" in line for line in told["warnings"]))
+
+    def test_default_is_the_bearing_for_fmi_2(self):
+        told, _ = self.written()
+        self.assertEqual((told["fmi"], told["model"]), ("2", "bearing"))
+
+    def test_equal_cases_give_equal_files(self):
+        for name in ("a.fmu", "b.fmu"):
+            self.assertEqual(fmu(REDUCER, self.folder / name).returncode, 0)
+        self.assertEqual((self.folder / "a.fmu").read_bytes(), (self.folder / "b.fmu").read_bytes())
+
+    def test_another_clearance_is_another_model(self):
+        first, _ = self.written()
+        second, archive = self.written("--set", "bearing.radial_clearance=20 um")
+        self.assertNotEqual(first["token"], second["token"])
+        root = xml.fromstring(archive.read("modelDescription.xml"))
+        clearance = root.find(".//ScalarVariable[@name='bearing.radial_clearance']/Real")
+        self.assertAlmostEqual(float(clearance.get("start")), 20e-6, delta=1e-18)
+        self.assertEqual(clearance.get("unit"), "m")
+
+    def test_quiet_says_nothing_and_folders_are_made(self):
+        file = self.folder / "new" / "deep" / "a.fmu"
+        result = fmu(REDUCER, file, "--quiet")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertTrue(file.exists())
+
+    def test_bad_input(self):
+        rows = (
+            (REDUCER, "a.zip", (), ".fmu"),
+            (REDUCER, "a.fmu", ("--fmi", "1"), "1"),
+            (REDUCER, "a.fmu", ("--model", "engine"), "engine"),
+            (REDUCER, "a.fmu", ("--set", "bearing.rollers=0"), "bearing.rollers"),
+            (CASES / "three_sets_150kW" / "case.yaml", "a.fmu", (), "one set"),
+            (CASES / "lin_parker_1999" / "case.yaml", "a.fmu", (), "bearing"),
+            (CASES / "lin_parker_1999" / "case.yaml", "a.fmu", ("--model", "gearset"), "teeth"),
+            (CASES / "harris_209" / "case.yaml", "a.fmu", (), "planetary-drivetrain"),
+            (CASES / "mesh_62_62" / "case.yaml", "a.fmu", ("--model", "gearset"), "planetary-drivetrain"),
+            (self.folder / "none.yaml", "a.fmu", (), "none.yaml"),
+        )
+        for case, name, arguments, word in rows:
+            with self.subTest(word=word, name=name, case=case.parent.name):
+                result = fmu(case, self.folder / name, *arguments)
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertIn(word, result.stderr)
+                self.assertFalse((self.folder / name).exists())
+
+    def test_a_folder_is_no_file(self):
+        (self.folder / "a.fmu").mkdir()
+        self.assertEqual(fmu(REDUCER, self.folder / "a.fmu").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
