@@ -127,4 +127,19 @@ inline void press(Instance2& instance) {
   instance.set("planet.displacement.y", 25e-6);
 }
 
+inline constexpr double kStep = 1e-5;  // [s]
+
+/// Some outputs of a bearing.
+inline std::vector<double> forces(Instance2& instance) {
+  return {instance.get("force.x"), instance.get("force.y"), instance.get("moment"), instance.get("life_used"),
+          instance.get("roller[3].inner_load")};
+}
+
+/// Steps from `first` to before `last`.
+inline void run(Instance2& instance, int first, int last) {
+  for (int i = first; i < last; ++i) {
+    ASSERT_EQ(instance.step(i * kStep, kStep), fmi2OK) << instance.messages.last();
+  }
+}
+
 }  // namespace orbearing::fmu::test

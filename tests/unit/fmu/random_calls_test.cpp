@@ -6,71 +6,20 @@
 #include <limits>
 #include <random>
 
-#include "coupling/fmu/fmi3.hpp"
-#include "tests/unit/fmu/fmu_model.hpp"
+#include "tests/unit/fmu/random_caller.hpp"
 
 namespace orbearing::fmu {
 namespace {
 
-using test::Messages;
+using test::Caller;
 using test::Resources;
-
-constexpr long kFewSteps = 300;  // internal ones of one call: wild inputs shall not take the time of the test
+using test::short_bearing;
+using test::short_gears;
 
 long calls_wanted() {
   const char* text = std::getenv("RANDOM_CALLS");
   return text == nullptr ? 20'000 : std::atol(text);
 }
-
-NumberTable short_bearing() {
-  BearingModel model = test::bearing_model();
-  model.setup.bearing.rollers = 5;
-  model.setup.most_steps = kFewSteps;
-  return numbers_of(model);
-}
-
-NumberTable short_gears() {
-  GearModel model = test::gear_model();
-  model.setup.most_steps = kFewSteps;
-  return numbers_of(model);
-}
-
-/// One instance of either version with what a caller has in hand.
-struct Caller {
-  Caller(const Resources& model, bool of_fmi3) : resources(&model), fmi3(of_fmi3) {
-    callbacks = {&Messages::take, nullptr, nullptr, nullptr, &messages};
-    make();
-  }
-  ~Caller() { drop(); }
-  Caller(const Caller&) = delete;
-  Caller& operator=(const Caller&) = delete;
-
-  void make() {
-    component =
-        fmi3 ? fmi3InstantiateCoSimulation("a", resources->token().c_str(), resources->folder().c_str(),
-                                           false, false, false, false, nullptr, 0, this, &take, nullptr)
-             : fmi2Instantiate("a", fmi2CoSimulation, resources->token().c_str(), resources->uri().c_str(),
-                               &callbacks, fmi2False, fmi2False);
-    ASSERT_NE(component, nullptr) << messages.last();
-  }
-  void drop() {
-    fmi3 ? fmi3FreeInstance(component) : fmi2FreeInstance(component);
-    states.clear();
-    time = 0.0;
-  }
-  static void take(fmi3InstanceEnvironment to, fmi3Status status, fmi3String, fmi3String text) {
-    static_cast<Caller*>(to)->messages.list.emplace_back(status, text);
-  }
-
-  const Resources* resources;
-  bool fmi3;
-  fmi2CallbackFunctions callbacks{};
-  Messages messages;
-  void* component = nullptr;
-  double time = 0.0;          // [s]  where the caller believes it to be
-  std::vector<void*> states;  // some of them freed
-  std::vector<char> bytes;    // of some state
-};
 
 class RandomCalls {
  public:
@@ -148,9 +97,7 @@ class RandomCalls {
   int get(Caller& it) {
     std::vector<std::uint32_t> vr = references(4);
     std::vector<double> out(vr.size() + 1);
-    return it.fmi3 ? static_cast<int>(fmi3GetFloat64(it.component, or_null(vr), vr.size(), or_null(out),
-                                                     vr.size() + (sometimes() ? 1 : 0)))
-                   : static_cast<int>(fmi2GetReal(it.component, or_null(vr), vr.size(), or_null(out)));
+    return it.get(or_null(vr), vr.size(), or_null(out), vr.size() + (sometimes() ? 1 : 0));
   }
   int get_whole(Caller& it) {
     std::vector<std::uint32_t> vr = references(3);
@@ -162,9 +109,7 @@ class RandomCalls {
   int set(Caller& it) {
     std::vector<std::uint32_t> vr = references(3);
     std::vector<double> in = values(vr.size());
-    return it.fmi3 ? static_cast<int>(
-                         fmi3SetFloat64(it.component, or_null(vr), vr.size(), or_null(in), vr.size()))
-                   : static_cast<int>(fmi2SetReal(it.component, or_null(vr), vr.size(), or_null(in)));
+    return it.set(or_null(vr), vr.size(), or_null(in));
   }
   int set_derivatives(Caller& it) {
     std::vector<std::uint32_t> vr = references(3);
@@ -178,19 +123,7 @@ class RandomCalls {
   }
   int step(Caller& it) {
     const double size = below(4) == 0 ? value() : 1e-6 * static_cast<double>(1 + below(5));
-    const double point = sometimes() ? value() : it.time;
-    int status = 0;
-    bool flag = false;
-    double last = it.time;
-    if (it.fmi3) {
-      status = fmi3DoStep(it.component, point, size, below(2) == 0, sometimes() ? nullptr : &flag, &flag,
-                          &flag, &last);
-    } else {
-      status = fmi2DoStep(it.component, point, size, fmi2True);
-      fmi2GetRealStatus(it.component, fmi2LastSuccessfulTime, &last);
-    }
-    it.time = last;
-    return status;
+    return it.step(sometimes() ? value() : it.time, size);
   }
   int begin(Caller& it) {
     const double start = below(3) == 0 ? value() : 0.0;
@@ -202,75 +135,42 @@ class RandomCalls {
     if (which == 0) return fmi2SetupExperiment(it.component, 0, 0.0, start, sometimes() ? 1 : 0, value());
     return which == 1 ? fmi2EnterInitializationMode(it.component) : fmi2ExitInitializationMode(it.component);
   }
-  int end(Caller& it) {
-    if (below(3) == 0)
-      return it.fmi3 ? static_cast<int>(fmi3Terminate(it.component)) : fmi2Terminate(it.component);
-    it.time = 0.0;
-    return it.fmi3 ? static_cast<int>(fmi3Reset(it.component)) : static_cast<int>(fmi2Reset(it.component));
-  }
-  // Straight on to steps, which chance alone seldom reaches.
-  int start_properly(Caller& it) {
-    int status =
-        it.fmi3 ? static_cast<int>(fmi3Reset(it.component)) : static_cast<int>(fmi2Reset(it.component));
-    it.time = 0.0;
-    if (it.fmi3) {
-      status = std::max<int>(status, fmi3EnterInitializationMode(it.component, false, 0.0, 0.0, false, 0.0));
-      return std::max<int>(status, fmi3ExitInitializationMode(it.component));
-    }
-    status = std::max<int>(status, fmi2SetupExperiment(it.component, 0, 0.0, 0.0, 0, 0.0));
-    status = std::max<int>(status, fmi2EnterInitializationMode(it.component));
-    return std::max<int>(status, fmi2ExitInitializationMode(it.component));
-  }
+  int end(Caller& it) { return below(3) == 0 ? it.terminate() : it.reset(); }
   int keep(Caller& it) {
     void* made = sometimes() ? state(it) : nullptr;
-    const int status = it.fmi3 ? static_cast<int>(fmi3GetFMUState(it.component, &made))
-                               : static_cast<int>(fmi2GetFMUstate(it.component, &made));
+    const int status = it.keep(&made);
     if (status == 0) it.states.push_back(made);
     if (status == 0 && it.states.size() > 6) {
-      void* oldest = it.states.front();
+      it.free_state(&it.states.front());
       it.states.erase(it.states.begin());
-      it.fmi3 ? static_cast<int>(fmi3FreeFMUState(it.component, &oldest))
-              : static_cast<int>(fmi2FreeFMUstate(it.component, &oldest));
       it.messages.list.clear();  // it may have been freed before
     }
     return status;
   }
   int go_back(Caller& it) {
-    void* const to = state(it);
-    const int status = it.fmi3 ? static_cast<int>(fmi3SetFMUState(it.component, to))
-                               : static_cast<int>(fmi2SetFMUstate(it.component, to));
-    const fmi2ValueReference vr = 0;
-    it.fmi3 ? static_cast<int>(fmi3GetFloat64(it.component, &vr, 1, &it.time, 1))
-            : static_cast<int>(fmi2GetReal(it.component, &vr, 1, &it.time));
+    const int status = it.go_to(state(it));
+    const std::uint32_t time = 0;
+    it.get(&time, 1, &it.time, 1);
     return status;
   }
   int free_state(Caller& it) {
     void* which = state(it);
-    return it.fmi3 ? static_cast<int>(fmi3FreeFMUState(it.component, &which))
-                   : static_cast<int>(fmi2FreeFMUstate(it.component, &which));
+    return it.free_state(&which);
   }
   int serialize(Caller& it) {
     void* const which = state(it);
-    size_t size = 0;
-    int status = it.fmi3 ? static_cast<int>(fmi3SerializedFMUStateSize(it.component, which, &size))
-                         : static_cast<int>(fmi2SerializedFMUstateSize(it.component, which, &size));
+    std::size_t size = 0;
+    const int status = it.state_size(which, &size);
     if (status != 0) return status;
     it.bytes.assign(sometimes() ? size / 2 : size, '\0');
-    auto* const bytes = reinterpret_cast<fmi3Byte*>(it.bytes.data());
-    return it.fmi3 ? static_cast<int>(fmi3SerializeFMUState(it.component, which, bytes, it.bytes.size()))
-                   : static_cast<int>(
-                         fmi2SerializeFMUstate(it.component, which, it.bytes.data(), it.bytes.size()));
+    return it.write_state(which);
   }
   int deserialize(Caller& it) {
     std::vector<char> bytes = callers_[below(callers_.size())]->bytes;
     if (!bytes.empty() && below(2) == 0) bytes[below(bytes.size())] = static_cast<char>(random_());
     if (sometimes()) bytes.resize(below(bytes.size() + 20));
     void* made = nullptr;
-    const auto* const data = reinterpret_cast<const fmi3Byte*>(or_null(bytes));
-    const int status =
-        it.fmi3 ? static_cast<int>(fmi3DeserializeFMUState(it.component, data, bytes.size(), &made))
-                : static_cast<int>(fmi2DeSerializeFMUstate(it.component, reinterpret_cast<const char*>(data),
-                                                           bytes.size(), &made));
+    const int status = it.read_state(or_null(bytes), bytes.size(), &made);
     if (status == 0) it.states.push_back(made);
     return status;
   }
@@ -335,7 +235,7 @@ class RandomCalls {
     if (chance < 115) return step(it);
     if (chance < 125) return begin(it);
     if (chance < 128) return end(it);
-    if (chance < 133) return start_properly(it);
+    if (chance < 133) return it.start();
     if (chance < 143) return keep(it);
     if (chance < 153) return go_back(it);
     if (chance < 158) return free_state(it);
@@ -348,23 +248,13 @@ class RandomCalls {
   }
 
   std::vector<double> plain_run(Caller& it) {
-    EXPECT_EQ(start_properly(it), 0) << it.messages.last();
-    for (int i = 0; i < 5; ++i) {
-      bool flag = false;
-      const int status = it.fmi3 ? static_cast<int>(fmi3DoStep(it.component, i * 2e-6, 2e-6, true, &flag,
-                                                               &flag, &flag, &it.time))
-                                 : static_cast<int>(fmi2DoStep(it.component, i * 2e-6, 2e-6, fmi2True));
-      EXPECT_EQ(status, 0) << it.messages.last();
-    }
-    const std::uint32_t last =
-        static_cast<std::uint32_t>(variables_of(facts_of(it.resources->numbers())).size() - 1);
+    EXPECT_EQ(it.start(), 0) << it.messages.last();
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(it.step(i * 2e-6, 2e-6), 0) << it.messages.last();
+    const std::size_t last = variables_of(facts_of(it.resources->numbers())).size() - 1;
     std::vector<std::uint32_t> vr;
-    for (std::uint32_t back = 0; back < 20; ++back) vr.push_back(last - back);
+    for (std::size_t back = 0; back < 20; ++back) vr.push_back(static_cast<std::uint32_t>(last - back));
     std::vector<double> out(vr.size());
-    const int status =
-        it.fmi3 ? static_cast<int>(fmi3GetFloat64(it.component, vr.data(), vr.size(), out.data(), out.size()))
-                : static_cast<int>(fmi2GetReal(it.component, vr.data(), vr.size(), out.data()));
-    EXPECT_EQ(status, 0) << it.messages.last();
+    EXPECT_EQ(it.get(vr.data(), vr.size(), out.data(), out.size()), 0) << it.messages.last();
     return out;
   }
 
