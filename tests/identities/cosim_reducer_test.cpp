@@ -20,13 +20,26 @@ constexpr double kPath = 16e-6;   // [s]
 constexpr double kWindow = 1e-6;  // [s]  and half of it
 constexpr double kOrder = 0.3;  // of a measured order: the next term is smaller by h times the frequency of a
                                 // roller, 0.6
-constexpr PlanetaryCouplingOptions kTight{.allowed_share = 1e-9, .allowed_length_error = 1e-15};
+
+// Allowed errors of steps inside the participants: of gears over the mean mesh deflection, of a bearing [m].
+struct Tolerances {
+  double gears = DrivenGearsSetup{}.allowed_share;
+  double bearing = DrivenBearingSetup{}.allowed_length_error;
+};
+const Tolerances kTight{1e-9, 1e-15};
+
+CoupledSetup setup_of(const PlanetaryDrivetrain& drivetrain, const Tolerances& tolerances) {
+  CoupledSetup setup = study::coupled_setup(drivetrain, study::derive(drivetrain));
+  setup.gears.allowed_share = tolerances.gears;
+  setup.bearing.allowed_length_error = tolerances.bearing;
+  return setup;
+}
 
 // A drivetrain with its participants and their run.
 struct ReducerRun {
-  ReducerRun(const PlanetaryDrivetrain& drivetrain, const PlanetaryCouplingOptions& tolerances,
+  ReducerRun(const PlanetaryDrivetrain& drivetrain, const Tolerances& tolerances,
              const CoupledOptions& options)
-      : parts(planetary_coupling(drivetrain, study::derive(drivetrain), tolerances)),
+      : parts(planetary_coupling(setup_of(drivetrain, tolerances))),
         run(parts.participants(), connect_by_name(parts.participants()), options) {
     run.initialize(0.0);
   }
@@ -51,13 +64,7 @@ const PlanetaryDrivetrain& smooth_reducer() {
 // The system solved as one, once for all schemes.
 const Eigen::Matrix2Xd& solved_as_one() {
   static const Eigen::Matrix2Xd end = [] {
-    const PlanetaryDrivetrain& drivetrain = smooth_reducer();
-    CoupledSetup setup{study::driven_gears_setup(drivetrain),
-                       study::driven_bearing_setup(drivetrain, study::derive(drivetrain)),
-                       drivetrain.bearings_per_planet};
-    setup.gears.allowed_share = kTight.allowed_share;
-    setup.bearing.allowed_length_error = kTight.allowed_length_error;
-    Monolithic system(setup);
+    Monolithic system(setup_of(smooth_reducer(), kTight));
     system.initialize(0.0);
     system.advance({0.0, kPath});
     return displacements(system.gears());
@@ -148,7 +155,7 @@ TEST(CosimReducer, OrderOfTheBearingsDoesNotMatter) {
   const PlanetaryDrivetrain drivetrain = testing::coupled_reducer(false);
   ReducerRun one(drivetrain, {}, usual(1e-5));
   one.run.advance(20);
-  const PlanetaryCoupling parts = planetary_coupling(drivetrain, study::derive(drivetrain), {});
+  const PlanetaryCoupling parts = planetary_coupling(setup_of(drivetrain, {}));
   Participants reversed = parts.participants();
   std::reverse(reversed.begin() + 1, reversed.end());
   CoupledRun run(reversed, connect_by_name(reversed), usual(1e-5));
