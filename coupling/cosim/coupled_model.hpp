@@ -18,6 +18,7 @@ struct CoupledSetup {
   DrivenGearsSetup gears;
   DrivenBearingSetup bearing;  // of each; first_roller is that of the first bearing of a planet
   int bearings_per_planet = 2;
+  int most_refined = 2;  // [-]  bearings that may take shorter steps than all others at a time
 };
 
 /// How the bore of a planet follows the gear set: linear in (x, y, u) of carrier and planet, less the error
@@ -48,9 +49,7 @@ struct CoupledModel {
   int per_planet = 1;
 
   int bearings() const { return static_cast<int>(ports.size()) * per_planet; }
-  const PlanetPort& port_of(int b) const {
-    return ports[static_cast<std::size_t>(b / per_planet)];
-  }
+  const PlanetPort& port_of(int b) const { return ports[static_cast<std::size_t>(b / per_planet)]; }
 };
 
 /// Throws std::invalid_argument, with what was found and what is required.

@@ -19,6 +19,7 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
     : loads(static_cast<std::size_t>(model.bearings()),
             LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
       sums(static_cast<std::size_t>(model.bearings()), LoadSums(places)),
+      counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
       equations_(model.gears),
       reactions_(static_cast<std::size_t>(model.bearings())) {
@@ -146,7 +147,10 @@ void CoupledSystem::begun(const std::vector<double>& x) {
 
 void CoupledSystem::stepped(double, double length) {
   ++steps;
-  for (std::size_t b = 0; b < loads.size(); ++b) loads[b].count(length, sums[b]);
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    if (!counted[b]) loads[b].count(length, sums[b]);
+    counted[b] = false;
+  }
 }
 
 // The bores are where the gear set has them but for round-off, which shall not gather.

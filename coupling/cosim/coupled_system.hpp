@@ -20,13 +20,24 @@ namespace orbearing::cosim {
 /// matrix.
 class CoupledSystem {
  public:
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+
   CoupledSystem(const CoupledModel& model, long places);
+
+  Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
+  /// Positions (from 0) or velocities (from freedoms()) of the gears.
+  Vector part(const double* x, Eigen::Index from) const { return {x + from, freedoms()}; }
 
   std::size_t size() const { return static_cast<std::size_t>(gear_size_ + bearings() * bearing_size_); }
   int bearings() const { return model_.bearings(); }
-  double* of_bearing(double* x, int b) const { return x + gear_size_ + b * bearing_size_; }
-  const double* of_bearing(const double* x, int b) const { return x + gear_size_ + b * bearing_size_; }
+  /// Where the part of bearing `b` begins.
+  std::ptrdiff_t offset(int b) const { return gear_size_ + b * bearing_size_; }
+  double* of_bearing(double* x, int b) const { return x + offset(b); }
+  const double* of_bearing(const double* x, int b) const { return x + offset(b); }
   const bearing::fast::VectorBearing& bearing(int b) const { return bearings_[static_cast<std::size_t>(b)]; }
+  bearing::fast::VectorBearing& bearing(int b) { return bearings_[static_cast<std::size_t>(b)]; }
+  const CoupledModel& model() const { return model_; }
+  double true_time(double time) const;
 
   /// Times of the stepper count from `begin` [s]. The right-hand side is asked for no time outside
   /// [first, last] [s], so that it answers for the inner side of jumps of the mesh stiffness.
@@ -43,19 +54,15 @@ class CoupledSystem {
 
   std::vector<LoadsAtStep> loads;  // (bearings)
   std::vector<LoadSums> sums;      // (bearings)
+  std::vector<bool> counted;       // (bearings)  their loads of this step are in the sums already
   long steps = 0;                  // [-]  accepted since construction
 
   /// What the bearings did to their planets at the last evaluation, one entry a bearing.
   const std::vector<bearing::dynamics::BoreReaction>& reactions() const { return reactions_; }
 
  private:
-  using Vector = Eigen::Map<const Eigen::VectorXd>;
-
   template <bool WithSlopes>
   void evaluate(double time, const double* x, double* dx);
-  double true_time(double time) const;
-  Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
-  Vector part(const double* x, Eigen::Index from) const { return {x + from, freedoms()}; }
   void add_port(const PlanetPort& port, const Eigen::Matrix2d& matrix);
 
   const CoupledModel& model_;

@@ -27,6 +27,10 @@ class Monolithic {
   /// From `window.begin`, where the system stands, to its end. On an error (std::runtime_error) the state is
   /// that at the beginning.
   void advance(const Window& window);
+  /// To `time` [s], not before the present one: as fast as steps go, which may pass it; what is told of the
+  /// state is then interpolated. In place of windows, and without save() and restore(). On an error
+  /// (std::runtime_error) the state is not to be used.
+  void follow(double time);
   /// Begins the sums over time anew: loads, lives, revolutions.
   void forget();
 
@@ -45,7 +49,9 @@ class Monolithic {
   bearing::BearingLife life(int b) const;
   /// States in the orders of SetLayout and StateLayout.
   CoupledStart state() const;
-  long steps() const;  // [-]  accepted since construction
+  long steps() const;     // [-]  accepted since construction
+  long rejected() const;  // [-]  attempts
+  long refined() const;   // [-]  bearings gone over again in steps of their own
 
   void save(SavedState& state) const;
   /// Throws std::invalid_argument where `state` is not one of such a system.

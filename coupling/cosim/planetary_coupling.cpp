@@ -3,6 +3,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <stdexcept>
 
+#include "coupling/study/driven_setups.hpp"
+
 namespace orbearing::cosim {
 
 namespace {
@@ -12,9 +14,6 @@ using boost::math::double_constants::two_pi;
 void require_alone(const study::PlanetaryDrivetrain& drivetrain) {
   if (drivetrain.in_arrangement)
     throw std::invalid_argument("drivetrain: found one of several sets; required: a set alone");
-  if (!drivetrain.gear_set)
-    throw std::invalid_argument(
-        "gears of the drivetrain: found none in motion; required: their bodies and meshes");
 }
 
 std::string bearing_name(int planet, int bearing) {
@@ -43,9 +42,9 @@ gearset::dynamics::Operation operation_of(const study::PlanetaryDrivetrain& driv
 DrivenGearsSetup gears_setup(const study::PlanetaryDrivetrain& drivetrain,
                              const PlanetaryCouplingOptions& options) {
   require_alone(drivetrain);
-  DrivenGearsSetup setup{.set = drivetrain.gear_set(),
-                         .operation = operation_of(drivetrain),
-                         .allowed_share = options.allowed_share};
+  DrivenGearsSetup setup = study::driven_gears_setup(drivetrain);
+  setup.operation = operation_of(drivetrain);
+  setup.allowed_share = options.allowed_share;
   setup.set.planet.coupled_bearing = !options.gears_on_springs;
   return setup;
 }
@@ -53,24 +52,10 @@ DrivenGearsSetup gears_setup(const study::PlanetaryDrivetrain& drivetrain,
 DrivenBearingSetup bearing_setup(const study::PlanetaryDrivetrain& drivetrain,
                                  const study::DrivetrainGeometry& geometry, int bearing_of_planet,
                                  const PlanetaryCouplingOptions& options) {
-  DrivenBearingSetup setup{.bearing = drivetrain.bearing,
-                           .dynamics = drivetrain.dynamics,
-                           .orbit_radius = geometry.gears.centre_distance,
-                           .lambda = drivetrain.lambda,
-                           .allowed_length_error = options.allowed_length_error,
-                           .places = drivetrain.steady_state.places};
-  setup.first_roller =
-      drivetrain.steady_state.first_roller +
+  DrivenBearingSetup setup = study::driven_bearing_setup(drivetrain, geometry);
+  setup.allowed_length_error = options.allowed_length_error;
+  setup.first_roller +=
       two_pi * bearing_of_planet / (drivetrain.bearing.rollers * drivetrain.bearings_per_planet);
-  bearing::dynamics::DynamicsParameters& dynamics = setup.dynamics;
-  dynamics.ripple = {};
-  dynamics.driving = {};
-  dynamics.inertia = drivetrain.inertia;
-  dynamics.lubricant = drivetrain.lubricant;
-  dynamics.race.film_in_approach = drivetrain.film_in_approach;
-  dynamics.race.film_approach = drivetrain.film_approach;
-  // Sets the damping of the pin's support alone; the mass itself is the gear set's.
-  dynamics.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
   return setup;
 }
 

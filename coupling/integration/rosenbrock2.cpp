@@ -49,4 +49,21 @@ double finish(const double* x, double h, const double* k1, const double* k2, con
   return total;
 }
 
+ORBEARING_EVERY_WIDTH
+double largest_share(double h, const double* k1, const double* k2, const double* weight, std::size_t n) {
+  Eight largest{};
+  for (std::size_t i = 0; i < n; i += 8) {
+    Eight first, second, scale;
+    __builtin_memcpy(&first, k1 + i, sizeof first);
+    __builtin_memcpy(&second, k2 + i, sizeof second);
+    __builtin_memcpy(&scale, weight + i, sizeof scale);
+    const Eight share = (0.5 * h) * (first + second) * scale;
+    const Eight size = (Eight)((EightBits)share & 0x7fffffffffffffffLL);
+    largest = size > largest ? size : largest;
+  }
+  double total = 0.0;
+  for (int j = 0; j < 8; ++j) total = total > largest[j] ? total : largest[j];
+  return total;
+}
+
 }  // namespace orbearing::integration::detail

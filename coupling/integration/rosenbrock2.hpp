@@ -14,6 +14,11 @@
 
 namespace orbearing::integration {
 
+/// What becomes of an attempted step, in Odeint's terms.
+using StepResult = boost::numeric::odeint::controlled_step_result;
+inline constexpr StepResult kAccepted = boost::numeric::odeint::success;
+inline constexpr StepResult kRefused = boost::numeric::odeint::fail;
+
 namespace detail {
 void add_scaled(const double* x, double a, const double* y, double* z, std::size_t n);
 void second_stage(const double* k1, double g, const double* time_slope, double* rhs, std::size_t n);
@@ -21,6 +26,8 @@ void second_stage(const double* k1, double g, const double* time_slope, double* 
 // eight.
 double finish(const double* x, double h, const double* k1, const double* k2, const double* weight,
               double* next, std::size_t n);
+// That share alone.
+double largest_share(double h, const double* k1, const double* k2, const double* weight, std::size_t n);
 }  // namespace detail
 
 /// Controlled stepper in the sense of Odeint. `System` offers
@@ -68,24 +75,17 @@ class Rosenbrock2 {
     const double h = dt;
     const double error = attempt(system, x, t, h);
     if (!(error <= 1.0)) {
-      dt = h * (std::isfinite(error) ? std::max(kLeastFactor, kSafety / std::sqrt(error)) : kLeastFactor);
+      dt = h * retreat(error);
       return fail;
     }
     t += h;
-    x.swap(next_);
-    linear_ = false;
-    dt = std::min(longest_step_,
-                  h * std::clamp(kSafety / std::sqrt(std::max(error, 1e-4)), kLeastFactor, kMostFactor));
+    accept(x);
+    dt = std::min(longest_step_, h * growth(error));
     return success;
   }
 
- private:
-  static constexpr double kGamma = 0.29289321881345247559915563789515;
-  static constexpr double kSafety = 0.85;
-  static constexpr double kLeastFactor = 0.2;
-  static constexpr double kMostFactor = 2.0;
-
-  // Writes the state after the step to next_; returns the largest share of the allowed error.
+  /// The step of length `h` from `x` at `t`, where the last linearisation is: the state after it awaits
+  /// accept(). Returns the largest share of the allowed error. For those who decide on steps themselves.
   template <class System>
   double attempt(System& system, const state_type& x, double t, double h) {
     const double g = kGamma * h;
@@ -100,6 +100,32 @@ class Rosenbrock2 {
     system.solve(rhs_.data(), k2_.data());
     return detail::finish(x.data(), h, k1_.data(), k2_.data(), weight_.data(), next_.data(), n);
   }
+  /// Exchanges `x` for the state after the last attempt.
+  void accept(state_type& x) {
+    x.swap(next_);
+    linear_ = false;
+  }
+  /// The state that accept() took away.
+  const state_type& taken_away() const { return next_; }
+  /// Largest share of the allowed errors 1 / `weight` in the last attempt, among `n` variables from `first`.
+  double share(double h, std::size_t first, const double* weight, std::size_t n) const {
+    return detail::largest_share(h, k1_.data() + first, k2_.data() + first, weight, n);
+  }
+  bool linear() const { return linear_; }
+  /// Factors on the step length after an accepted and after a refused step with `error` [-].
+  static double growth(double error) {
+    return std::clamp(kSafety / std::sqrt(std::max(error, 1e-4)), kLeastFactor, kMostFactor);
+  }
+  static double retreat(double error) {
+    return std::isfinite(error) ? std::max(kLeastFactor, kSafety / std::sqrt(error)) : kLeastFactor;
+  }
+  double longest_step() const { return longest_step_; }
+
+ private:
+  static constexpr double kGamma = 0.29289321881345247559915563789515;
+  static constexpr double kSafety = 0.85;
+  static constexpr double kLeastFactor = 0.2;
+  static constexpr double kMostFactor = 2.0;
 
   state_type weight_;
   double longest_step_;

@@ -84,13 +84,13 @@ class MonolithicMotion final : public cosim::CoupledMotion {
 
   int planets() const override { return system_.planets(); }
   int bearings_per_planet() const override { return system_.bearings() / system_.planets(); }
-  void advance(double time) override { system_.advance({system_.time(), time}); }
+  void advance(double time) override { system_.follow(time); }
   void take_snapshot(int b, Snapshot& into) const override { system_.take_snapshot(b, into); }
   void collect_loads(const std::vector<StatisticsCollector*>& collectors) override {
     for (std::size_t b = 0; b < collectors.size(); ++b)
       system_.collect_loads(static_cast<int>(b), collectors[b]);
   }
-  cosim::CouplingReport report() const override { return {.windows = system_.steps()}; }
+  cosim::CouplingReport report() const override { return {.windows = system_.steps(), .rejected = system_.rejected()}; }
 
  private:
   cosim::Monolithic system_;

@@ -22,6 +22,10 @@ ROUND_OFF = 1e-9
 # windows, one half of the other.
 RATIO = (2.5, 6.0)
 ITERATED = 3  # passes
+# [m] Windows that end a rounding apart may be cut into other steps, each of which may err by so much.
+STEP_ERROR = 2e-10
+# Of a quarter of the window: at least order 1, which is that of the damping, whose velocity is half a window old.
+HELD_RATIO = 4.0
 
 
 def planet_fmu(version, folder):
@@ -37,6 +41,18 @@ def drive(version):
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([os.environ["ORBEARING_FOREIGN_DRIVE"], planet_fmu(version, folder), LIBRARY],
                               capture_output=True, text=True)
+    if done.returncode:
+        raise AssertionError(done.stderr)
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def own(version):
+    with tempfile.TemporaryDirectory() as folder:
+        fmu = pathlib.Path(folder, "bearing.fmu")
+        case = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"], "cases", "reducer_150kW", "case.yaml")
+        subprocess.run([os.environ["ORBEARING"], "fmu", case, "-o", fmu, "--fmi", str(version), "--quiet"], check=True,
+                       capture_output=True)
+        done = subprocess.run([os.environ["ORBEARING_OWN_DRIVE"], fmu], capture_output=True, text=True)
     if done.returncode:
         raise AssertionError(done.stderr)
     return [json.loads(line) for line in done.stdout.splitlines()]
@@ -64,6 +80,25 @@ class ForeignPlanet(unittest.TestCase):
 
     def test_of_fmi_3_drives_our_bearing_as_our_own_does(self):
         self.check(3)
+
+
+class OwnBearing(unittest.TestCase):
+    def distances(self, version):
+        runs = own(version)
+        self.assertEqual([run["fmi"] for run in runs], [version] * 3)
+        print(f"our bearing by FMI {version}.0, from the machine inside [m], window 4, 2, 1 us:",
+              *(f"{run['distance_m']:.1e}" for run in runs), f"of {runs[-1]['way_m']:.1e}")
+        return [run["distance_m"] for run in runs], runs[-1]["way_m"]
+
+    def test_by_fmi_2_is_the_machine_inside(self):
+        distances, way = self.distances(2)
+        self.assertLess(max(distances), STEP_ERROR)
+        self.assertLess(min(distances), ROUND_OFF * way)
+
+    def test_by_fmi_3_without_slopes_comes_near_it(self):
+        (longest, _, shortest), way = self.distances(3)
+        self.assertGreater(longest / shortest, HELD_RATIO)
+        self.assertLess(longest, 1e-2 * way)
 
 
 if __name__ == "__main__":

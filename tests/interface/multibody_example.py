@@ -31,7 +31,8 @@ def way(exchange, size, end):
     except ArithmeticError:
         return np.full((round(end / size) + 1, 2), np.inf)
 fine = way("half a step ahead, slopes", 2.5e-7, 2e-4)
-known["errors"] = {e: [np.abs(way(e, s, 2e-4) - fine[::round(s / 2.5e-7)]).max() for s in (1e-6, 2e-6, 4e-6)] for e in EXCHANGES}
+known["errors"] = {e: [np.abs(way(e, s, 2e-4) - fine[::round(s / 2.5e-7)]).max() for s in (1e-6, 2e-6, 4e-6)]
+                   for e in EXCHANGES}
 known["swing"] = {e: [min(np.abs(way(e, s, 5e-3) - rest).max(), 1.0) for s in (2e-6, 2e-5)] for e in EXCHANGES}
 bearing.close()
 print(json.dumps(known))

@@ -1,5 +1,6 @@
 """Python packages that tests want and Debian does not have, in an environment below the build folder."""
 
+import fcntl
 import hashlib
 import os
 import pathlib
@@ -50,7 +51,10 @@ def interpreter_with(*packages):
     there is none, e.g. without a network."""
     name = hashlib.sha256("\n".join((sys.version, *packages)).encode()).hexdigest()[:12]
     interpreter = build_folder() / "venv" / name / "bin" / "python"
-    reason = installed(interpreter, packages)
+    interpreter.parents[2].mkdir(parents=True, exist_ok=True)
+    with open(interpreter.parents[2] / f"{name}.lock", "w") as lock:  # tests run side by side
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        reason = installed(interpreter, packages)
     if reason:
         skip(reason)
     return interpreter

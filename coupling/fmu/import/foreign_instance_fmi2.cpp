@@ -36,11 +36,11 @@ const char* status_name(fmi2Status status) {
   return status >= fmi2OK && status <= fmi2Pending ? names[status] : "a status that the standard has not";
 }
 
-#define ORBEARING_ALWAYS(F)                                                                                 \
-  F(GetTypesPlatform)                                                                                       \
-  F(GetVersion) F(Instantiate) F(FreeInstance) F(SetupExperiment) F(EnterInitializationMode)                \
-      F(ExitInitializationMode) F(Terminate) F(SetReal) F(SetInteger) F(SetBoolean) F(SetString) F(GetReal) \
-          F(DoStep) F(GetRealStatus)
+#define ORBEARING_ALWAYS(F)                                                                              \
+  F(GetTypesPlatform)                                                                                    \
+  F(GetVersion)                                                                                          \
+  F(Instantiate) F(FreeInstance) F(SetupExperiment) F(EnterInitializationMode) F(ExitInitializationMode) \
+      F(Terminate) F(SetReal) F(SetInteger) F(SetBoolean) F(SetString) F(GetReal) F(DoStep) F(GetRealStatus)
 #define ORBEARING_FOR_STATES(F) F(GetFMUstate) F(SetFMUstate) F(FreeFMUstate)
 #define ORBEARING_FOR_BYTES(F) F(SerializedFMUstateSize) F(SerializeFMUstate) F(DeSerializeFMUstate)
 #define ORBEARING_FOR_SLOPES(F) F(SetRealInputDerivatives)

@@ -20,8 +20,9 @@ const char* status_name(fmi3Status status) {
 
 #define ORBEARING_ALWAYS(F)                                                                       \
   F(GetVersion)                                                                                   \
-  F(InstantiateCoSimulation) F(FreeInstance) F(EnterInitializationMode) F(ExitInitializationMode) \
-      F(Terminate) F(SetFloat64) F(SetInt32) F(SetInt64) F(SetBoolean) F(SetString) F(GetFloat64) F(DoStep)
+  F(InstantiateCoSimulation)                                                                      \
+  F(FreeInstance) F(EnterInitializationMode) F(ExitInitializationMode) F(Terminate) F(SetFloat64) \
+      F(SetInt32) F(SetInt64) F(SetBoolean) F(SetString) F(GetFloat64) F(DoStep)
 #define ORBEARING_FOR_STATES(F) F(GetFMUState) F(SetFMUState) F(FreeFMUState)
 #define ORBEARING_FOR_BYTES(F) F(SerializedFMUStateSize) F(SerializeFMUState) F(DeserializeFMUState)
 

@@ -97,6 +97,7 @@ std::optional<ForeignChannel> find_channel(const Looked& looked, const ForeignQu
   channel.reference = variable.reference;
   channel.factor = quantity.factor * unit.factor;
   channel.offset = quantity.factor * unit.offset + quantity.offset;
+  channel.follows_velocity = quantity.follows_velocity;
   channel.held = quantity.held.value_or(looked.quantity == Quantity::force ? Held::mean : Held::at_end);
   if (!(std::isfinite(channel.factor) && channel.factor != 0.0 && std::isfinite(channel.offset))) {
     refuse(looked, quantity.variable, "has a factor of zero or one that is not finite");

@@ -22,6 +22,9 @@ struct ForeignQuantity {
   double factor = 1.0;                      // [-]  e.g. -1 where the FMU counts the other way
   double offset = 0.0;                      // [unit of the quantity]
   std::optional<Held> held = std::nullopt;  // where not stated: mean for forces, at_end for motions
+  /// The FMU lets this displacement go on with the velocity beside it: it gets its value at the beginning and
+  /// no derivatives.
+  bool follows_velocity = false;
 };
 
 /// A giver of motion has all three; a giver of force has the force and at least one of the motions.
@@ -55,6 +58,7 @@ struct ForeignChannel {
   double factor = 1.0;
   double offset = 0.0;
   Held held = Held::at_end;
+  bool follows_velocity = false;
 };
 
 /// The three quantities of one port; those that the FMU has not are empty.

@@ -81,17 +81,23 @@ void HeldInputs::set(ForeignInstance& instance, double begin, double end) const 
   const bool interpolated = slopes_ > 0 && end > begin;
   std::vector<double> values;
   for (const Entry& entry : entries_) {
-    const Held held = interpolated ? Held::at_begin : entry.channel.held;
+    const Held held = interpolated || entry.channel.follows_velocity ? Held::at_begin : entry.channel.held;
     values.push_back((held_value(course(entry), held, begin, end) - entry.channel.offset) /
                      entry.channel.factor);
   }
   instance.set(references_, values);
-  for (int order = 1; interpolated && order <= slopes_; ++order) {
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      values[i] = derivative(course(entries_[i]).moved(begin), order) / entries_[i].channel.factor;
-    }
-    instance.set_slopes(references_, order, values);
+  for (int order = 1; interpolated && order <= slopes_; ++order) set_slopes(instance, order, begin);
+}
+
+void HeldInputs::set_slopes(ForeignInstance& instance, int order, double begin) const {
+  References references;
+  std::vector<double> values;
+  for (const Entry& entry : entries_) {
+    if (entry.channel.follows_velocity) continue;
+    references.push_back(entry.channel.reference);
+    values.push_back(derivative(course(entry).moved(begin), order) / entry.channel.factor);
   }
+  instance.set_slopes(references, order, values);
 }
 
 ForeignOutputs::ForeignOutputs(const std::vector<cosim::Port>& ports,

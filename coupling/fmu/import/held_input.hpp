@@ -29,6 +29,7 @@ class HeldInputs {
     ForeignChannel channel;
   };
   const cosim::Course& course(const Entry& entry) const;
+  void set_slopes(ForeignInstance& instance, int order, double begin) const;
 
   std::size_t port_number_ = 0;
   int slopes_ = 0;

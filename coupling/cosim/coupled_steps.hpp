@@ -1,0 +1,48 @@
+// Steps of gears and bearings with one length for all, but for the few bearings in which rollers strike their
+// cage: those are gone over again in steps of their own, with the motion of their bores from the step of all.
+// The strategy of [Savcenco2007], there for ROS2 too.
+#pragma once
+
+#include <vector>
+
+#include "coupling/cosim/coupled_system.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+
+namespace orbearing::cosim {
+
+/// Allowed errors and bounds of the steps.
+struct CoupledStepOptions {
+  std::vector<double> gears;    // allowed errors of the gears' part of the state; zero: not weighed
+  std::vector<double> bearing;  // the same of one bearing
+  double longest_step = 0.0;    // [s]
+  int most_refined = 0;         // [-]  bearings that may be gone over again in one step
+  long most_steps = 0;          // [-]  of one of these in one step
+};
+
+/// A controlled stepper as through_window() asks for.
+class CoupledSteps {
+ public:
+  CoupledSteps(const CoupledSystem& system, const CoupledStepOptions& options);
+
+  void begin(CoupledSystem& system, const std::vector<double>& x, double t) { all_.begin(system, x, t); }
+  integration::StepResult try_step(CoupledSystem& system, std::vector<double>& x, double& t, double& dt);
+
+  long rejected() const { return rejected_; }  // [-]  attempts since construction
+  long refined() const { return refined_; }    // [-]  bearings gone over again
+
+ private:
+  double decisive_error(const CoupledSystem& system, double h, double gears);
+  void refine(CoupledSystem& system, int b, const std::vector<double>& before, double t, double h,
+              std::vector<double>& x);
+
+  CoupledStepOptions options_;
+  integration::Rosenbrock2 all_;         // weighs the gears alone
+  integration::Rosenbrock2 within_;      // one bearing
+  std::vector<double> weight_;           // of one bearing
+  std::vector<double> errors_, sorted_;  // (bearings)  shares of what is allowed
+  std::vector<double> bearing_;          // state of one
+  long rejected_ = 0;
+  long refined_ = 0;
+};
+
+}  // namespace orbearing::cosim
