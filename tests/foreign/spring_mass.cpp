@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <memory>
+#include <vector>
 
 namespace spring_mass {
 namespace {
@@ -53,7 +55,12 @@ int step(Instance& instance, double length) {
   }
   if (instance.fault == fails || instance.fault == breaks_down) {
     instance.log(instance.fault == fails ? 3 : 4, "the spring broke");
-    instance.dead = instance.fault == breaks_down;
+    if (instance.fault == breaks_down) {
+      static std::vector<std::unique_ptr<Instance>>
+          left_alone;  // nobody may free it but the library that goes
+      left_alone.emplace_back(&instance);
+      instance.dead = true;
+    }
     return instance.fault == fails ? 3 : 4;
   }
   move(state, length);
