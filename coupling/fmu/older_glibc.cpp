@@ -1,5 +1,5 @@
-// Two symbols that GCC's C++ library takes from newer C libraries (2.32 and 2.34) than an FMU shall need. They
-// are local to the FMU's library.
+// Two symbols that GCC's C++ library takes from newer C libraries (2.32 and 2.34) than an FMU shall need.
+// They are local to the FMU's library.
 #include <sched.h>
 
 extern "C" {
