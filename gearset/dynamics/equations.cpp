@@ -118,6 +118,7 @@ void PlanetarySetEquations::derivative(double time, const Eigen::Ref<const Eigen
     add_bearing(bearing, loads.force.col(i), force);
     add_moment(bearing, loads.moment[i], force);
   }
+  if (model_.load_place >= 0) force[model_.load_place] += model_.load_share * loads.moment.sum();
   force.array() *= model_.mobility.array();
 }
 

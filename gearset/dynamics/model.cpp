@@ -119,6 +119,25 @@ Operation operation_of(const PlanetarySet& set, const Drive& drive) {
   return operation;
 }
 
+namespace {
+
+// Eq. (16) of gearset/dynamics/README.md.
+void set_load(SetModel& model) {
+  const Operation& operation = model.operation;
+  const SetParameters& set = model.parameters;
+  const auto consider = [&](Member member, const CentralMember& body, double torque, double speed) {
+    if (member == operation.driven || torque == 0.0 || speed == 0.0) return;
+    model.load_place = SetLayout::central(member) + 2;
+    model.load_share = -operation.speeds.planet_relative / (speed * body.radius);
+  };
+  if (!operation.load_yields) return;
+  consider(Member::sun, set.sun, operation.torques.sun, operation.speeds.sun);
+  consider(Member::ring, set.ring, operation.torques.ring, operation.speeds.ring);
+  consider(Member::carrier, set.carrier, operation.torques.carrier, operation.speeds.carrier);
+}
+
+}  // namespace
+
 SetModel set_model(SetParameters parameters, const Operation& operation) {
   require_sound(parameters);
   require_sound(operation);
@@ -134,6 +153,7 @@ SetModel set_model(SetParameters parameters, const Operation& operation) {
         {SetLayout::planet(n), radial_bearing_deflection(angle), tangential_bearing_deflection(angle), error,
          planet_rotation(model.parameters.carrier.radius, model.parameters.planet.radius)});
   }
+  set_load(model);
   return model;
 }
 

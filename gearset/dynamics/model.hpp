@@ -40,6 +40,8 @@ struct SetModel {
   std::vector<PlanetBearing> bearings;  // (planets)
   Eigen::VectorXd mass;                 // [kg]    (freedoms)
   Eigen::VectorXd mobility;             // [1/kg]  (freedoms)  1 / mass; 0 where the housing holds
+  Eigen::Index load_place = -1;  // of the u that delivers the power; -1: none, or the load does not yield
+  double load_share = 0.0;       // [1/m]   force on it for each moment of a bearing on its planet; Eq. (16)
 
   const Mesh& mesh(MeshKind kind) const {
     return kind == MeshKind::sun ? parameters.sun_mesh : parameters.ring_mesh;

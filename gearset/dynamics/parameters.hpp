@@ -84,6 +84,9 @@ struct Operation {
   Torques torques;              // [N m]    external, in balance at nominal speed
   double mesh_frequency = 0.0;  // [Hz]  at nominal speed
   RunUp run_up;
+  /// What the moments of coupled bearings take from the rotation of the set, the load does not get: the set
+  /// keeps its mean speed. False: the load's torque stays, and friction slows the set down.
+  bool load_yields = true;
 };
 
 /// Operation of a set whose tooth numbers are known.

@@ -245,7 +245,9 @@ TEST(GearDynamicsPort, CarriesTheSpringsForce) {
 TEST(GearDynamicsPort, PowerIsThatOfForceAndMoment) {
   SetParameters parameters = full_set();
   parameters.planet.coupled_bearing = true;
-  const PlanetarySetEquations equations(set_model(parameters, test::reducer_operation(628.0)));
+  Operation operation = test::reducer_operation(628.0);
+  operation.load_yields = false;
+  const PlanetarySetEquations equations(set_model(parameters, operation));
   test::Random random;
   const Index n = equations.model().layout.freedoms(), planets = parameters.planets;
   for (int k = 0; k < kStates; ++k) {
@@ -262,6 +264,33 @@ TEST(GearDynamicsPort, PowerIsThatOfForceAndMoment) {
     // Ring and pin hold: what they would do there is no power, since their mobility is zero.
     EXPECT_NEAR(force.dot(x.tail(n)), power, 1e-10 * force.norm() * x.tail(n).norm());
   }
+}
+
+// Where the load yields, moments of the bearings do no work on the set as it turns as a whole, whichever
+// member delivers; where it does not, they do what they do at the nominal rotation.
+TEST(GearDynamicsPort, FrictionDoesNotSlowASetWhoseLoadYields) {
+  SetParameters parameters = test::reducer_dynamics();
+  parameters.planet.coupled_bearing = true;
+  for (const Member driven : {Member::sun, Member::carrier})
+    for (const bool yields : {true, false}) {
+      Operation operation = operation_of(reducer(), {driven, 150e3, 200.0});
+      operation.load_yields = yields;
+      const PlanetarySetEquations equations(set_model(parameters, operation));
+      const Index n = equations.model().layout.freedoms();
+      const Speeds& speed = operation.speeds;
+      VectorXd rigid = VectorXd::Zero(n), x = VectorXd::Zero(2 * n), free(2 * n), loaded(2 * n);
+      rigid[SetLayout::sun() + 2] = speed.sun * parameters.sun.radius;
+      rigid[SetLayout::carrier() + 2] = speed.carrier * parameters.carrier.radius;
+      for (Index i = 0; i < parameters.planets; ++i)
+        rigid[SetLayout::planet(i) + 2] = (speed.planet_relative + speed.carrier) * parameters.planet.radius;
+      const PortLoads loads{Eigen::Matrix2Xd::Zero(2, parameters.planets),
+                            Eigen::VectorXd::LinSpaced(parameters.planets, 0.2, 0.5)};
+      equations.derivative(1e-3, x, free);
+      equations.derivative(1e-3, x, loads, loaded);
+      const double work = equations.model().mass.cwiseProduct(loaded.tail(n) - free.tail(n)).dot(rigid);
+      const double friction = loads.moment.sum() * speed.planet_relative;
+      EXPECT_NEAR(work, yields ? 0.0 : friction, 1e-10 * std::abs(friction));
+    }
 }
 
 // Willis: with the ring held the planet turns by -z_r/z_p times the carrier, relative to it.
