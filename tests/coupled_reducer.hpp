@@ -21,6 +21,7 @@ inline gearset::dynamics::SetParameters reducer_gears(const study::PlanetaryDriv
       gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed));
   study::GearDynamicsChoice choice;
   choice.mesh_damping_ratio = choice.bearing_damping_ratio = 0.05;
+  choice.backlash = 100e-6;
   choice.support_damping_ratio = 0.05;
   choice.sun.support_stiffness = choice.ring.support_stiffness = choice.carrier.support_stiffness = 1e8;
   return geometric_set(choice, drivetrain.set, geometry.gears, meshes,

@@ -184,8 +184,9 @@ void add_exchange(std::vector<Field>& fields) {
                     .default_text = "gauss-seidel",
                     .default_reason = "stable in longer windows"});
   fields.push_back(
-      quantity(dimension::time, {"simulation.exchange.window", "longest time between two exchanges",
-                                 positive(1e-3), "10 us", "a fraction of the stability limit"}));
+      quantity(dimension::time,
+               {"simulation.exchange.window", "longest time between two exchanges", positive(1e-3), "5 us",
+                "a fraction of the stability limit: means as of one system within half a per cent"}));
   fields.push_back(integer({"simulation.exchange.extrapolation",
                             "degree of the polynomial by which forces and velocities go on in a window",
                             {0, 2},

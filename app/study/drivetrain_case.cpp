@@ -7,6 +7,7 @@
 #include "app/case/profile_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/refinements.hpp"
+#include "app/study/simulation_choice.hpp"
 #include "bearing/profile/design.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -91,27 +92,6 @@ bearing::dynamics::CageParameters cage_dynamics_of(const ResolvedCase& in) {
   out.largest_eccentricity = in.number("bearing.cage.largest_eccentricity");
   out.touch_down_stiffness = in.quantity("bearing.cage.touch_down_stiffness");
   return out;
-}
-
-integration::SteadyStateOptions steady_state_of(const ResolvedCase& in) {
-  integration::SteadyStateOptions out;
-  out.observed_windows = in.integer("simulation.observed_revolutions");
-  out.most_windows = in.integer("simulation.most_revolutions");
-  out.load_drift = in.number("simulation.load_drift");
-  out.cage_drift = in.number("simulation.cage_drift");
-  out.allowed_length_error = in.quantity("simulation.length_error");
-  out.integration.method = in.choice("simulation.integrator") == "dopri5"
-                               ? integration::Method::dopri5
-                               : integration::Method::linearly_implicit;
-  return out;
-}
-
-cosim::CoupledOptions exchange_of(const ResolvedCase& in) {
-  const bool jacobi = in.choice("simulation.exchange.order") == "jacobi";
-  return {.order = jacobi ? cosim::ExchangeOrder::jacobi : cosim::ExchangeOrder::gauss_seidel,
-          .extrapolation = in.integer("simulation.exchange.extrapolation"),
-          .iteration = {.most_passes = in.integer("simulation.exchange.passes")},
-          .window = {.longest = in.quantity("simulation.exchange.window")}};
 }
 
 gearset::Drive drive_of(const ResolvedCase& in) {

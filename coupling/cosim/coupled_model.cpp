@@ -63,6 +63,13 @@ double change(const std::vector<PlanetForceCourse>& before, const std::vector<Pl
 
 }  // namespace
 
+DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int bearing) {
+  DrivenBearingSetup own = setup.bearing;
+  const double pitch = two_pi / own.bearing.rollers;
+  own.first_roller += pitch * bearing / setup.bearings_per_planet;
+  return own;
+}
+
 CoupledModel coupled_model(const CoupledSetup& setup) {
   const bool coupled = setup.gears.set.planet.coupled_bearing;
   if (!coupled || setup.bearings_per_planet < 1) {
@@ -100,12 +107,8 @@ BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double
 CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time) {
   DrivenGears gears(setup.gears);
   std::vector<DrivenBearing> bearings;
-  const double pitch = two_pi / setup.bearing.bearing.rollers;
-  for (int b = 0; b < model.bearings(); ++b) {
-    DrivenBearingSetup own = setup.bearing;
-    own.first_roller += pitch * (b % model.per_planet) / model.per_planet;
-    bearings.emplace_back(own);
-  }
+  for (int b = 0; b < model.bearings(); ++b)
+    bearings.emplace_back(bearing_of_planet(setup, b % model.per_planet));
   gears.initialize(time);
   std::vector<PlanetForceCourse> forces = answer(model, gears.output(), bearings);
   for (int round = 0; round < kMostRounds; ++round) {

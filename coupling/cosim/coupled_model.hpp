@@ -21,6 +21,9 @@ struct CoupledSetup {
   int most_refined = 2;  // [-]  bearings that may take shorter steps than all others at a time
 };
 
+/// That of one bearing of a planet, counted from 0.
+DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int bearing);
+
 /// How the bore of a planet follows the gear set: linear in (x, y, u) of carrier and planet, less the error
 /// of its pin.
 struct PlanetPort {

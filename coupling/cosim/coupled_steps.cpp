@@ -74,24 +74,22 @@ double CoupledSteps::decisive_error(const CoupledSystem& system, double h, doubl
   return error;
 }
 
-CoupledSteps::Result CoupledSteps::try_step(CoupledSystem& system, std::vector<double>& x, double& t,
-                                            double& dt) {
-  using boost::numeric::odeint::fail;
-  using boost::numeric::odeint::success;
+integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vector<double>& x, double& t,
+                                               double& dt) {
   const double h = dt;
   const double gears = all_.attempt(system, x, t, h);
   const double error = std::isfinite(gears) ? decisive_error(system, h, gears) : gears;
   if (!(error <= 1.0)) {
     ++rejected_;
     dt = h * Rosenbrock2::retreat(error);
-    return fail;
+    return integration::kRefused;
   }
   all_.accept(x);
   for (int b = 0; b < system.bearings(); ++b)
     if (errors_[static_cast<std::size_t>(b)] > 1.0) refine(system, b, all_.taken_away(), t, h, x);
   t += h;
   dt = std::min(options_.longest_step, h * Rosenbrock2::growth(error));
-  return success;
+  return integration::kAccepted;
 }
 
 void CoupledSteps::refine(CoupledSystem& system, int b, const std::vector<double>& before, double t, double h,

@@ -1,9 +1,8 @@
 // Steps of gears and bearings with one length for all, but for the few bearings in which rollers strike their
 // cage: those are gone over again in steps of their own, with the motion of their bores from the step of all.
-// The strategy of [SavcencoHundsdorferVerwer2007] for ROS2.
+// The strategy of [Savcenco2007], there for ROS2 too.
 #pragma once
 
-#include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
 #include <vector>
 
 #include "coupling/cosim/coupled_system.hpp"
@@ -23,12 +22,10 @@ struct CoupledStepOptions {
 /// A controlled stepper as through_window() asks for.
 class CoupledSteps {
  public:
-  using Result = boost::numeric::odeint::controlled_step_result;
-
   CoupledSteps(const CoupledSystem& system, const CoupledStepOptions& options);
 
   void begin(CoupledSystem& system, const std::vector<double>& x, double t) { all_.begin(system, x, t); }
-  Result try_step(CoupledSystem& system, std::vector<double>& x, double& t, double& dt);
+  integration::StepResult try_step(CoupledSystem& system, std::vector<double>& x, double& t, double& dt);
 
   long rejected() const { return rejected_; }  // [-]  attempts since construction
   long refined() const { return refined_; }    // [-]  bearings gone over again

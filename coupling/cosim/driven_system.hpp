@@ -12,8 +12,8 @@ namespace orbearing::cosim {
 
 /// Loads of the state from which a step begins; they count for half the step before and half the one after.
 struct LoadsAtStep {
-  std::vector<double> angle, inner, outer;  // [rad], [N]  (rollers)
-  double step_before = 0.0;                 // [s]
+  std::vector<double> angle, inner, outer;                      // [rad], [N]  (rollers)
+  double step_before = 0.0;                                     // [s]
   bearing::dynamics::StatisticsCollector* collector = nullptr;  // gets them too, where there is one
 
   explicit LoadsAtStep(int rollers) : angle(static_cast<std::size_t>(rollers)), inner(angle), outer(angle) {}

@@ -57,7 +57,7 @@ bool Exchange::force_is_expected(std::size_t joint) const {
   });
 }
 
-void Exchange::read_motion(std::size_t participant, InterfaceValues& values) {
+void Exchange::read_motion(std::size_t participant, InterfaceValues& values) const {
   for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
     const PortPlace& place = connections_[joint].motion;
     if (place.participant != participant) continue;
@@ -67,12 +67,16 @@ void Exchange::read_motion(std::size_t participant, InterfaceValues& values) {
   }
 }
 
-void Exchange::read_forces(InterfaceValues& values) {
-  for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
-    values.joints[joint].force = 0.0;
-    for (const PortPlace& place : connections_[joint].forces)
-      values.joints[joint].force += outputs_[place.participant][place.port].force;
-  }
+double Exchange::force_of(std::size_t joint) const {
+  double sum = 0.0;
+  for (const PortPlace& place : connections_[joint].forces)
+    sum += outputs_[place.participant][place.port].force;
+  return sum;
+}
+
+void Exchange::read_forces(InterfaceValues& values) const {
+  for (std::size_t joint = 0; joint < connections_.size(); ++joint)
+    values.joints[joint].force = force_of(joint);
 }
 
 void Exchange::advance(std::size_t participant, const InterfaceHistory& history, const InterfaceValues& known,
@@ -94,36 +98,40 @@ void Exchange::advance(std::size_t participant, const InterfaceHistory& history,
   participants_[participant]->output(outputs_[participant]);
 }
 
+// What `participant` has answered, into what those after it are told; the force of a joint once all of its
+// givers have moved.
+void Exchange::learn(std::size_t participant, std::vector<std::size_t>& still_to_come,
+                     InterfaceValues& known) const {
+  read_motion(participant, known);
+  for (std::size_t joint = 0; joint < connections_.size(); ++joint)
+    for (const PortPlace& place : connections_[joint].forces)
+      if (place.participant == participant && --still_to_come[joint] == 0)
+        known.joints[joint].force = force_of(joint);
+}
+
+InterfaceValues Exchange::told(const InterfaceValues& expected, const InterfaceValues& answered) const {
+  InterfaceValues values = expected;
+  for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
+    JointValue& value = values.joints[joint];
+    const double force = force_is_expected(joint) ? value.force : answered.joints[joint].force;
+    if (!motion_is_expected(joint)) value = answered.joints[joint];
+    value.force = order_ == ExchangeOrder::one_way ? 0.0 : force;
+  }
+  return values;
+}
+
 PassResult Exchange::pass(const InterfaceHistory& history, const InterfaceValues& expected, int force_order,
                           const Window& window) {
-  PassResult result{expected, expected};
-  InterfaceValues known = expected;
+  InterfaceValues known = expected, answered = expected;
   std::vector<std::size_t> still_to_come;  // (joints)  givers of force that have not moved yet
   for (const Connection& connection : connections_) still_to_come.push_back(connection.forces.size());
   for (std::size_t p = 0; p < participants_.size(); ++p) {
     advance(p, history, known, force_order, window);
-    read_motion(p, result.end);
-    if (order_ == ExchangeOrder::jacobi) continue;
-    read_motion(p, known);
-    for (std::size_t joint = 0; joint < connections_.size(); ++joint)
-      for (const PortPlace& place : connections_[joint].forces)
-        if (place.participant == p && --still_to_come[joint] == 0) {
-          known.joints[joint].force = 0.0;
-          for (const PortPlace& each : connections_[joint].forces)
-            known.joints[joint].force += outputs_[each.participant][each.port].force;
-        }
+    read_motion(p, answered);
+    if (order_ != ExchangeOrder::jacobi) learn(p, still_to_come, known);
   }
-  read_forces(result.end);
-  for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
-    JointValue& told = result.input.joints[joint];
-    if (!motion_is_expected(joint)) {
-      told.displacement = result.end.joints[joint].displacement;
-      told.velocity = result.end.joints[joint].velocity;
-    }
-    if (!force_is_expected(joint)) told.force = result.end.joints[joint].force;
-    if (order_ == ExchangeOrder::one_way) told.force = 0.0;
-  }
-  return result;
+  read_forces(answered);
+  return {answered, told(expected, answered)};
 }
 
 void Exchange::set_constant_motion(const InterfaceValues& values, std::size_t participant) {

@@ -47,9 +47,12 @@ class Exchange {
   std::size_t joints() const { return connections_.size(); }
 
  private:
-  void read_motion(std::size_t participant, InterfaceValues& values);
+  void read_motion(std::size_t participant, InterfaceValues& values) const;
+  double force_of(std::size_t joint) const;
+  void read_forces(InterfaceValues& values) const;
   void set_constant_motion(const InterfaceValues& values, std::size_t participant);
-  void read_forces(InterfaceValues& values);
+  void learn(std::size_t participant, std::vector<std::size_t>& still_to_come, InterfaceValues& known) const;
+  InterfaceValues told(const InterfaceValues& expected, const InterfaceValues& answered) const;
   void advance(std::size_t participant, const InterfaceHistory& history, const InterfaceValues& known,
                int force_order, const Window& window);
 

@@ -1,21 +1,8 @@
 #include "coupling/cosim/planetary_coupling.hpp"
 
-#include <boost/math/constants/constants.hpp>
-#include <stdexcept>
-
 namespace orbearing::cosim {
 
 namespace {
-
-using boost::math::double_constants::two_pi;
-
-void require_alone(const study::PlanetaryDrivetrain& drivetrain) {
-  if (drivetrain.in_arrangement)
-    throw std::invalid_argument("drivetrain: found one of several sets; required: a set alone");
-  if (!drivetrain.gear_set)
-    throw std::invalid_argument(
-        "gears of the drivetrain: found none in motion; required: their bodies and meshes");
-}
 
 std::string bearing_name(int planet, int bearing) {
   return "planet_" + std::to_string(planet + 1) + ".bearing_" + std::to_string(bearing + 1);
@@ -29,62 +16,14 @@ Participants PlanetaryCoupling::participants() const {
   return out;
 }
 
-// A run-up starts at the speed of the drive, while the gear set counts from the speed at its end.
-gearset::dynamics::Operation operation_of(const study::PlanetaryDrivetrain& drivetrain) {
-  gearset::Drive drive = drivetrain.drive;
-  const study::RunUp& run_up = drivetrain.run_up;
-  const bool speeds_up = run_up.acceleration != 0.0 && run_up.duration > 0.0;
-  if (speeds_up) drive.speed += run_up.acceleration * run_up.duration;
-  gearset::dynamics::Operation operation = gearset::dynamics::operation_of(drivetrain.set, drive);
-  if (speeds_up) operation.run_up = {drivetrain.drive.speed / drive.speed, run_up.duration};
-  return operation;
-}
-
-DrivenGearsSetup gears_setup(const study::PlanetaryDrivetrain& drivetrain,
-                             const PlanetaryCouplingOptions& options) {
-  require_alone(drivetrain);
-  DrivenGearsSetup setup{.set = drivetrain.gear_set(),
-                         .operation = operation_of(drivetrain),
-                         .allowed_share = options.allowed_share};
-  setup.set.planet.coupled_bearing = !options.gears_on_springs;
-  return setup;
-}
-
-DrivenBearingSetup bearing_setup(const study::PlanetaryDrivetrain& drivetrain,
-                                 const study::DrivetrainGeometry& geometry, int bearing_of_planet,
-                                 const PlanetaryCouplingOptions& options) {
-  DrivenBearingSetup setup{.bearing = drivetrain.bearing,
-                           .dynamics = drivetrain.dynamics,
-                           .orbit_radius = geometry.gears.centre_distance,
-                           .lambda = drivetrain.lambda,
-                           .allowed_length_error = options.allowed_length_error,
-                           .places = drivetrain.steady_state.places};
-  setup.first_roller =
-      drivetrain.steady_state.first_roller +
-      two_pi * bearing_of_planet / (drivetrain.bearing.rollers * drivetrain.bearings_per_planet);
-  bearing::dynamics::DynamicsParameters& dynamics = setup.dynamics;
-  dynamics.ripple = {};
-  dynamics.driving = {};
-  dynamics.inertia = drivetrain.inertia;
-  dynamics.lubricant = drivetrain.lubricant;
-  dynamics.race.film_in_approach = drivetrain.film_in_approach;
-  dynamics.race.film_approach = drivetrain.film_approach;
-  // Sets the damping of the pin's support alone; the mass itself is the gear set's.
-  dynamics.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
-  return setup;
-}
-
-PlanetaryCoupling planetary_coupling(const study::PlanetaryDrivetrain& drivetrain,
-                                     const study::DrivetrainGeometry& geometry,
-                                     const PlanetaryCouplingOptions& options) {
-  const DrivenGearsSetup gears = gears_setup(drivetrain, options);
+PlanetaryCoupling planetary_coupling(const CoupledSetup& setup) {
   PlanetaryCoupling out;
-  out.gears = std::make_unique<GearsParticipant>(gears);
-  for (int planet = 0; planet < drivetrain.set.planets; ++planet)
-    for (int bearing = 0; bearing < drivetrain.bearings_per_planet; ++bearing)
+  out.gears = std::make_unique<GearsParticipant>(setup.gears);
+  for (int planet = 0; planet < setup.gears.set.planets; ++planet)
+    for (int bearing = 0; bearing < setup.bearings_per_planet; ++bearing)
       out.bearings.push_back(std::make_unique<BearingParticipant>(
-          bearing_setup(drivetrain, geometry, bearing, options),
-          BearingPlace{bearing_name(planet, bearing), planet, gears.operation}));
+          bearing_of_planet(setup, bearing),
+          BearingPlace{bearing_name(planet, bearing), planet, setup.gears.operation}));
   return out;
 }
 

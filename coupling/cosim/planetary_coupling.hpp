@@ -8,17 +8,11 @@
 #include <vector>
 
 #include "coupling/cosim/bearing_participant.hpp"
+#include "coupling/cosim/coupled_model.hpp"
 #include "coupling/cosim/coupled_run.hpp"
 #include "coupling/cosim/gears_participant.hpp"
-#include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::cosim {
-
-struct PlanetaryCouplingOptions {
-  double allowed_share = 1e-4;          // [-]    error of a step of the gears over the mean mesh deflection
-  double allowed_length_error = 2e-10;  // [m]    of a step of a bearing
-  bool gears_on_springs = false;        // for a one-way exchange: the gears hold themselves
-};
 
 struct PlanetaryCoupling {
   std::unique_ptr<GearsParticipant> gears;
@@ -28,20 +22,8 @@ struct PlanetaryCoupling {
   Participants participants() const;
 };
 
-/// Operation of the gear set, the run-up of the drivetrain included.
-gearset::dynamics::Operation operation_of(const study::PlanetaryDrivetrain& drivetrain);
-
-/// What the participants are made of. Bearings of one planet are a share of a roller pitch apart: half of it
-/// where there are two. Throws std::invalid_argument where the drivetrain has no `gear_set`, or is one of
-/// several sets.
-DrivenGearsSetup gears_setup(const study::PlanetaryDrivetrain& drivetrain,
-                             const PlanetaryCouplingOptions& options);
-DrivenBearingSetup bearing_setup(const study::PlanetaryDrivetrain& drivetrain,
-                                 const study::DrivetrainGeometry& geometry, int bearing_of_planet,
-                                 const PlanetaryCouplingOptions& options);
-
-PlanetaryCoupling planetary_coupling(const study::PlanetaryDrivetrain& drivetrain,
-                                     const study::DrivetrainGeometry& geometry,
-                                     const PlanetaryCouplingOptions& options);
+/// For a one-way exchange the gears of `setup` are on springs (not coupled). Throws std::invalid_argument,
+/// with what was found and what is required, as the machines do.
+PlanetaryCoupling planetary_coupling(const CoupledSetup& setup);
 
 }  // namespace orbearing::cosim

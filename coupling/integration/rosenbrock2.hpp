@@ -14,6 +14,11 @@
 
 namespace orbearing::integration {
 
+/// What becomes of an attempted step, in Odeint's terms.
+using StepResult = boost::numeric::odeint::controlled_step_result;
+inline constexpr StepResult kAccepted = boost::numeric::odeint::success;
+inline constexpr StepResult kRefused = boost::numeric::odeint::fail;
+
 namespace detail {
 void add_scaled(const double* x, double a, const double* y, double* z, std::size_t n);
 void second_stage(const double* k1, double g, const double* time_slope, double* rhs, std::size_t n);

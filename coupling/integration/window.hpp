@@ -16,46 +16,51 @@ struct WindowLimits {
   double stretch = 1.2;          // [-]  of a step that reaches the end, to spare one short step more
 };
 
-/// Advances `x` from time 0 to `length` [s]; times count from the beginning of the window. `step` [s] is that
-/// to try first and becomes that to try next; where the window's end cuts the last step short, it stays.
-/// `system` offers what the stepper asks of it (rosenbrock2.hpp), and
-///   begun(x)       after the linearisation at x, from which a step begins
+/// One accepted step of `x` from `time` [s], which counts from the beginning of a window of `length` [s], not
+/// beyond its end. `step` [s] is that to try first and becomes that to try next; where the window's end cuts
+/// the step short, it stays. `attempts` counts on. `system` offers what the stepper asks of it
+/// (rosenbrock2.hpp), and
+///   begun(x)       after the linearisation at x, from which the step begins
 ///   stepped(t, h)  after a step of length h from t
 ///   settle(t, x)   then: puts into x what is known exactly
 /// @throws std::runtime_error where no step is small enough, where the state is not finite, or where the
-/// attempts are used up; `x` is then somewhere within the window
+/// attempts are used up
 template <class Stepper, class System>
-void through_window(Stepper& stepper, System& system, std::vector<double>& x, double length,
-                    const WindowLimits& limits, double& step) {
-  namespace odeint = boost::numeric::odeint;
-  const auto fail = [&](double time, const char* reason) {
+void step_within_window(Stepper& stepper, System& system, std::vector<double>& x, double& time, double length,
+                        const WindowLimits& limits, double& step, long& attempts) {
+  const auto fail = [&](const char* reason) {
     std::ostringstream text;
     text << reason << " " << time << " s into a window of " << length << " s";
     throw std::runtime_error(text.str());
   };
-  long attempts = 0;
-  for (double time = 0.0; time < length;) {
-    stepper.begin(system, x, time);
-    system.begun(x);
-    const double before = time;
-    bool last = false;
-    double attempt = step, reach = limits.stretch;
-    do {
-      if (++attempts > limits.most_steps) fail(before, "the largest number of steps was taken");
-      if (!(step >= limits.smallest_step))
-        fail(before, "no step was small enough, or the state is not finite,");
-      last = before + reach * step >= length - limits.smallest_step;
-      attempt = last ? length - before : step;
-      if (stepper.try_step(system, x, time, attempt) == odeint::success) break;
-      step = attempt;
-      reach = 1.0;
-    } while (true);
-    const double taken = last ? length - before : time - before;
-    if (last) time = length;
-    system.stepped(before, taken);
-    step = last ? std::max(step, attempt) : attempt;
-    system.settle(time, x);
+  stepper.begin(system, x, time);
+  system.begun(x);
+  const double before = time;
+  bool last = false;
+  double attempt = step, reach = limits.stretch;
+  while (true) {
+    if (++attempts > limits.most_steps) fail("the largest number of steps was taken");
+    if (!(step >= limits.smallest_step)) fail("no step was small enough, or the state is not finite,");
+    last = before + reach * step >= length - limits.smallest_step;
+    attempt = last ? length - before : step;
+    if (stepper.try_step(system, x, time, attempt) == boost::numeric::odeint::success) break;
+    step = attempt;
+    reach = 1.0;  // or the same step would be tried for ever
   }
+  const double taken = last ? length - before : time - before;
+  if (last) time = length;
+  system.stepped(before, taken);
+  step = last ? std::max(step, attempt) : attempt;
+  system.settle(time, x);
+}
+
+/// Advances `x` from the beginning of a window to its end, `length` [s] later, by steps as above.
+template <class Stepper, class System>
+void through_window(Stepper& stepper, System& system, std::vector<double>& x, double length,
+                    const WindowLimits& limits, double& step) {
+  long attempts = 0;
+  for (double time = 0.0; time < length;)
+    step_within_window(stepper, system, x, time, length, limits, step, attempts);
 }
 
 }  // namespace orbearing::integration

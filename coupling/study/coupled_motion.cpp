@@ -22,15 +22,11 @@ cosim::CoupledOptions options_of(const PlanetaryDrivetrain& drivetrain, double i
   return options;
 }
 
-cosim::PlanetaryCouplingOptions tolerances_of(const PlanetaryDrivetrain& drivetrain) {
-  return {.allowed_length_error = drivetrain.steady_state.allowed_length_error};
-}
-
 class CoSimulatedMotion final : public cosim::CoupledMotion {
  public:
   CoSimulatedMotion(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                     double interval)
-      : parts_(cosim::planetary_coupling(drivetrain, geometry, tolerances_of(drivetrain))),
+      : parts_(cosim::planetary_coupling(coupled_setup(drivetrain, geometry))),
         planets_(drivetrain.set.planets),
         options_(options_of(drivetrain, interval)),
         run_(parts_.participants(), cosim::connect_by_name(parts_.participants()), options_) {
@@ -84,13 +80,15 @@ class MonolithicMotion final : public cosim::CoupledMotion {
 
   int planets() const override { return system_.planets(); }
   int bearings_per_planet() const override { return system_.bearings() / system_.planets(); }
-  void advance(double time) override { system_.advance({system_.time(), time}); }
+  void advance(double time) override { system_.follow(time); }
   void take_snapshot(int b, Snapshot& into) const override { system_.take_snapshot(b, into); }
   void collect_loads(const std::vector<StatisticsCollector*>& collectors) override {
     for (std::size_t b = 0; b < collectors.size(); ++b)
       system_.collect_loads(static_cast<int>(b), collectors[b]);
   }
-  cosim::CouplingReport report() const override { return {.windows = system_.steps()}; }
+  cosim::CouplingReport report() const override {
+    return {.windows = system_.steps(), .rejected = system_.rejected()};
+  }
 
  private:
   cosim::Monolithic system_;
@@ -102,9 +100,7 @@ std::unique_ptr<cosim::CoupledMotion> coupled_motion(const PlanetaryDrivetrain& 
                                                      const DrivetrainGeometry& geometry, Fidelity fidelity,
                                                      double interval) {
   if (fidelity == Fidelity::monolithic)
-    return std::make_unique<MonolithicMotion>(cosim::CoupledSetup{driven_gears_setup(drivetrain),
-                                                                  driven_bearing_setup(drivetrain, geometry),
-                                                                  drivetrain.bearings_per_planet});
+    return std::make_unique<MonolithicMotion>(coupled_setup(drivetrain, geometry));
   return std::make_unique<CoSimulatedMotion>(drivetrain, geometry, interval);
 }
 

@@ -19,6 +19,8 @@ cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivet
 }
 
 cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain) {
+  if (drivetrain.in_arrangement)
+    throw std::invalid_argument("drivetrain: found one of several sets; required: a set alone");
   if (!drivetrain.gear_set)
     throw std::invalid_argument(
         "gears that move: found none; required: one planetary set with teeth or with stated mesh stiffness");
@@ -29,6 +31,11 @@ cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain
     setup.set = gearset::dynamics::averaged(gearset::dynamics::set_model(setup.set, operation)).parameters;
   setup.set.planet.coupled_bearing = true;
   return setup;
+}
+
+cosim::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  return {driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
+          drivetrain.bearings_per_planet};
 }
 
 }  // namespace orbearing::study

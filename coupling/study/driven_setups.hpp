@@ -1,8 +1,7 @@
 // From a drivetrain to its gear set and its planet bearings as machines that others drive.
 #pragma once
 
-#include "coupling/cosim/driven_bearing.hpp"
-#include "coupling/cosim/driven_gears.hpp"
+#include "coupling/cosim/coupled_model.hpp"
 #include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::study {
@@ -14,7 +13,10 @@ cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivet
 
 /// The set with all bearings left to others, at the drivetrain's power and speed; at mean mesh stiffness
 /// where the drivetrain has no mesh variation. @throws std::invalid_argument where the drivetrain has no
-/// gears that can move
+/// gears that can move, or is one of several sets
 cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain);
+
+/// Both, with all bearings of all planets.
+cosim::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 }  // namespace orbearing::study

@@ -26,8 +26,7 @@ using Path = Eigen::MatrixXd;
 
 Path reference_path(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                     const ConvergenceOptions& options) {
-  cosim::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
-                            drivetrain.bearings_per_planet};
+  cosim::CoupledSetup setup = coupled_setup(drivetrain, geometry);
   setup.gears.allowed_share = options.allowed_share;
   setup.bearing.allowed_length_error = options.reference_length_error;
   cosim::Monolithic system(setup);
@@ -52,9 +51,10 @@ struct Trial {
 // Throws std::runtime_error where a force passes `largest_force`.
 Trial trial(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const Scheme& scheme,
             double window, double largest_force, const ConvergenceOptions& options) {
-  const cosim::PlanetaryCoupling parts = cosim::planetary_coupling(
-      drivetrain, geometry,
-      {.allowed_share = options.allowed_share, .allowed_length_error = options.allowed_length_error});
+  cosim::CoupledSetup setup = coupled_setup(drivetrain, geometry);
+  setup.gears.allowed_share = options.allowed_share;
+  setup.bearing.allowed_length_error = options.allowed_length_error;
+  const cosim::PlanetaryCoupling parts = cosim::planetary_coupling(setup);
   CoupledOptions exchange = scheme.options;
   exchange.window = {.longest = window};
   cosim::CoupledRun run(parts.participants(), cosim::connect_by_name(parts.participants()), exchange);
@@ -109,7 +109,7 @@ double stability_limit(const PlanetaryDrivetrain& drivetrain, const DrivetrainGe
                        const Scheme& scheme, double largest_force, const ConvergenceOptions& options) {
   ConvergenceOptions rough;
   rough.allowed_length_error = drivetrain.steady_state.allowed_length_error;
-  rough.allowed_share = cosim::PlanetaryCouplingOptions{}.allowed_share;
+  rough.allowed_share = cosim::DrivenGearsSetup{}.allowed_share;
   for (double window = options.shortest_limit; window <= options.longest_limit; window *= kLonger) {
     rough.longest_window = window;
     rough.longest_windows = std::lround(options.stability_path / window);
@@ -135,7 +135,7 @@ std::vector<Scheme> common_schemes() {
   schemes.push_back(
       {"iterated, degree 1",
        {.order = ExchangeOrder::gauss_seidel, .extrapolation = 1, .iteration = {.most_passes = 20}},
-       2});
+       3});
   return schemes;
 }
 
