@@ -46,11 +46,11 @@ TEST(UnpackedFmu, RefusesNamesThatLeaveTheFolder) {
 TEST(UnpackedFmu, WritesNothingBesideItsFolder) {
   const tests::Folder folder;
   const auto file = folder.path / "a.fmu";
-  tests::write_archive(file, {{"modelDescription.xml", "<a/>"}, {"resources/../../escaped.txt", "1"}});
-  EXPECT_THAT(
-      [&] { const UnpackedFmu unpacked{file}; },
-      ThrowsMessage<ForeignFmuError>(HasSubstr("'resources/../../escaped.txt'; required are relative")));
-  EXPECT_FALSE(exists(std::filesystem::temp_directory_path() / "escaped.txt"));
+  const std::string escaped = folder.path.filename().string() + "-escaped.txt";  // no other run's
+  tests::write_archive(file, {{"modelDescription.xml", "<a/>"}, {"resources/../../" + escaped, "1"}});
+  EXPECT_THAT([&] { const UnpackedFmu unpacked{file}; },
+              ThrowsMessage<ForeignFmuError>(HasSubstr(escaped + "'; required are relative")));
+  EXPECT_FALSE(exists(std::filesystem::temp_directory_path() / escaped));
 }
 
 TEST(UnpackedFmu, RefusesWhatIsNoArchive) {
