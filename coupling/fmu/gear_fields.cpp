@@ -163,6 +163,8 @@ void add_operation(Fields& f) {
       .number(
           {"operation.mesh_frequency"}, [](auto& s) -> auto& { return s.setup.operation.mesh_frequency; })
       .number(
+          {"operation.load_yields"}, [](auto& s) -> auto& { return s.setup.operation.load_yields; })
+      .number(
           {kBlock + "run_up.from"}, [](auto& s) -> auto& { return s.setup.operation.run_up.from; })
       .number(
           {kBlock + "run_up.duration"}, [](auto& s) -> auto& { return s.setup.operation.run_up.duration; })
