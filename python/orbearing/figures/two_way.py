@@ -23,7 +23,8 @@ RESIDUAL_CAPTION = (
 )
 CONVERGENCE_CAPTION = (
     "Error of the forces on all planets during {path} ms, rms over rms, against the system solved as one, over the window between two "
-    "exchanges (left), and the energy residual of the ports (right). {orders}{limit} The meshes' stiffness jumps as teeth come and go, which holds degree 2 to order 2. "
+    "exchanges (left), and the energy residual of the ports (right). {orders}{limit} Orders are slopes between the two shortest windows whose error still falls; jumps of the mesh stiffness "
+    "and rollers that meet or leave their races scatter them, and hold degree 2 and repeated windows below their order. "
     "Longer paths say nothing about a scheme: rollers are chaotic."
 )
 
