@@ -101,4 +101,15 @@ class Random {
   std::uniform_real_distribution<double> distribution_{-1.0, 1.0};
 };
 
+/// The same with all that can be left out: transmission error, misplaced pins, a sun held against turning.
+inline SetParameters full_set() {
+  SetParameters set = reducer_dynamics();
+  set.sun_mesh.error =
+      PeriodicCurve([](double f) { return 5e-6 * std::sin(6.0 * f) * f * (1.0 - f); }, {0.0}, 40);
+  set.pin_error.resize(2, 4);
+  set.pin_error << 1e-5, -2e-5, 0.0, 1e-5, 2e-5, 0.0, 1e-5, -1e-5;
+  set.sun.support.torsional_stiffness = 1e6;
+  return set;
+}
+
 }  // namespace orbearing::gearset::dynamics::test

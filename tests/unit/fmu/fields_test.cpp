@@ -48,7 +48,7 @@ TEST(FmuFields, StructuresAreThoseTheTableWasWrittenFor) {
   EXPECT_EQ(sizeof(bearing::CylindricalRollerBearing), 408u);
   EXPECT_EQ(sizeof(gearset::dynamics::CentralMember), 64u);
   EXPECT_EQ(sizeof(gearset::dynamics::PlanetMember), 48u);
-  EXPECT_EQ(sizeof(gearset::dynamics::Operation), 96u);
+  EXPECT_EQ(sizeof(gearset::dynamics::Operation), 104u);
 }
 
 TEST(FmuFields, TextKeepsEveryBit) {
