@@ -1,13 +1,13 @@
 #include "coupling/cosim/driven_bearing.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "bearing/dynamics/driven_bore.hpp"
 #include "bearing/dynamics/driven_start.hpp"
+#include "coupling/cosim/driven_output.hpp"
 #include "coupling/cosim/driven_setup.hpp"
 #include "coupling/cosim/driven_state.hpp"
 #include "coupling/cosim/driven_system.hpp"
@@ -25,9 +25,6 @@ using bearing::dynamics::BoreMotion;
 using bearing::dynamics::BoreReaction;
 using bearing::dynamics::Snapshot;
 using bearing::fast::VectorBearing;
-using boost::math::double_constants::two_pi;
-
-constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
 
 // Steps of central differences: far below what the laws see, far above round-off.
 constexpr double kSpeedStep = 1e-3;     // [rad/s]
@@ -199,19 +196,9 @@ BoreReaction DrivenBearing::reaction(const BoreMotion& motion) const {
 DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
   Inside& in = *inside_;
   const BoreMotion here = in.here(motion);
-  const Snapshot now = driven_snapshot(in.model, here, in.flat());
-  const double kinematic = kinematic_cage_speed(in.model.geometry, 0.0, motion.speed);
-  DrivenBearingOutput output;
-  output.reaction = in.reaction(here);
-  output.cage_speed = now.cage_speed;
-  output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.cage_speed / kinematic : 0.0;
-  output.revolutions = in.state.turned / two_pi;
-  output.life_used = output.revolutions / in.state.sums.life(in.setup.bearing, in.setup.lambda).bearing;
-  output.friction_loss = now.loss.total();
-  output.inner_load.assign(now.inner.load.begin(), now.inner.load.end());
-  output.outer_load.assign(now.outer.load.begin(), now.outer.load.end());
-  output.roller_angle.assign(now.angle.begin(), now.angle.end());
-  return output;
+  return driven_output(in.model.geometry, motion.speed, driven_snapshot(in.model, here, in.flat()),
+                       in.reaction(here), in.state.turned,
+                       in.state.sums.life(in.setup.bearing, in.setup.lambda).bearing);
 }
 
 void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) const {

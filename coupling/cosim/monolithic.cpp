@@ -1,12 +1,11 @@
 #include "coupling/cosim/monolithic.hpp"
 
-#include <boost/math/constants/constants.hpp>
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
 #include "bearing/dynamics/driven_bore.hpp"
 #include "coupling/cosim/coupled_integration.hpp"
+#include "coupling/cosim/driven_output.hpp"
 #include "coupling/cosim/driven_setup.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 
@@ -16,9 +15,6 @@ namespace {
 
 using bearing::dynamics::BoreMotion;
 using bearing::dynamics::Snapshot;
-using boost::math::double_constants::two_pi;
-
-constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
 
 }  // namespace
 
@@ -105,19 +101,9 @@ bearing::dynamics::BoreReaction Monolithic::reaction(int b) const {
 DrivenBearingOutput Monolithic::bearing(int b) const {
   const Inside& in = *inside_;
   const BoreMotion motion = in.motion(b);
-  const Snapshot now = driven_snapshot(in.model().bearing, motion, in.bearing_state(b));
-  const double kinematic = kinematic_cage_speed(in.model().bearing.geometry, 0.0, motion.speed);
-  DrivenBearingOutput output;
-  output.reaction = reaction(b);
-  output.cage_speed = now.cage_speed;
-  output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.cage_speed / kinematic : 0.0;
-  output.revolutions = in.turned(b) / two_pi;
-  output.life_used = output.revolutions / life(b).bearing;
-  output.friction_loss = now.loss.total();
-  output.inner_load.assign(now.inner.load.begin(), now.inner.load.end());
-  output.outer_load.assign(now.outer.load.begin(), now.outer.load.end());
-  output.roller_angle.assign(now.angle.begin(), now.angle.end());
-  return output;
+  const bearing::dynamics::BearingModel& model = in.model().bearing;
+  return driven_output(model.geometry, motion.speed, driven_snapshot(model, motion, in.bearing_state(b)),
+                       reaction(b), in.turned(b), life(b).bearing);
 }
 
 void Monolithic::take_snapshot(int b, Snapshot& into) const {
