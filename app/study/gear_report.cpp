@@ -234,13 +234,15 @@ Json mode_shapes(const SetModel& model) {
 Json spectrum(const ResolvedCase& resolved, double rpm) {
   const SpeedPoint point = computed_point(resolved, rpm, kSpectrumPeriods);
   if (!point.run.completed) return {{"speed_rpm", rpm}, {"status", point.status}};
-  const Eigen::ArrayXd load = point.run.series.tangential_force.row(0).transpose();
+  const study::GearSeries& series = point.run.series;
+  const double mean = series.tangential_force.row(0).mean();
+  const Eigen::ArrayXd load = series.tangential_force.row(0).transpose() - mean;
   const auto samples = static_cast<double>(load.size());
   const long periods = std::min(kSpectrumPeriods, gear_run_options(resolved).observed_periods);
   const Eigen::ArrayXd angle =
-      Eigen::ArrayXd::LinSpaced(load.size(), 0.0, two_pi * (samples - 1.0) / samples);
+      two_pi * point.mesh_frequency / static_cast<double>(periods) * (series.time - series.time[0]);
   Json result{{"speed_rpm", rpm}, {"status", point.status}, {"mesh_frequency_Hz", point.mesh_frequency}};
-  result["mean_N"] = load.mean();
+  result["mean_N"] = mean;
   for (long line = 1; line <= kSpectrumOrders * periods; ++line) {
     const Eigen::ArrayXd turned = static_cast<double>(line) * angle;
     result["order"].push_back(double(line) / double(periods));

@@ -113,13 +113,14 @@ bool run_pieces(Eigen::VectorXd& x, const OutputTimes& output, const Jumps& jump
   const double end = output.time(output.samples);
   double begin = output.start;
   long jump = 0;
-  while (jumps.time && jumps.time(jump) <= begin) ++jump;
+  // Round-off of the times shall make no piece of its own.
+  while (jumps.time && jumps.time(jump) <= begin + jumps.margin) ++jump;
   while (begin < end) {
     const double next = jumps.time ? jumps.time(jump) : std::numeric_limits<double>::infinity();
-    const bool last = next >= end - 4e-16 * std::abs(end);  // round-off apart from the end is at the end
+    const bool last = next >= end - jumps.margin;
     const double stop = last ? end : next;
     if (!pieces.advance(x, begin, stop, jumps.margin)) return false;
-    if (at_jump && next <= stop) at_jump(stop - jumps.margin, stop + jumps.margin, x);
+    if (at_jump && next <= stop + jumps.margin) at_jump(stop - jumps.margin, stop + jumps.margin, x);
     begin = stop;
     ++jump;
   }

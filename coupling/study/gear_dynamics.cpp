@@ -57,9 +57,10 @@ class GearRun {
 
   /// Observes `periods` mesh periods; false where the integration failed.
   bool observe(long periods, GearSignals& signals, GearSeries* series) {
-    const long samples = periods * options_.samples_per_period;
+    const gearset::dynamics::Operation& operation = model().operation;
+    const long samples = periods * options_.samples_per_period + 1;  // has no divisor with `periods`
     const double interval =
-        1.0 / (model().operation.mesh_frequency * static_cast<double>(options_.samples_per_period));
+        static_cast<double>(periods) / (operation.mesh_frequency * static_cast<double>(samples));
     const long kept = std::min(samples, options_.series_periods * options_.samples_per_period);
     if (series) resize(*series, model().layout.planets, kept);
     long sample = 0, apart = 0;
@@ -67,7 +68,7 @@ class GearRun {
     const bool good =
         integrate({time_, interval, samples}, [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
           take_snapshot(equations_, time, x, workspace_, snapshot_);
-          signals.add(snapshot_);
+          signals.add(mesh_periods(operation, time), snapshot_);
           apart += snapshot_.separated ? 1 : 0;
           const long place = sample++ - (samples - kept);
           if (series && place >= 0) record(time, snapshot_, place, *series);
@@ -118,7 +119,7 @@ bool close(double a, double b, double drift) {
 bool settle(GearRun& run, const SetModel& model, const GearRunOptions& options, GearRunResult& result) {
   double acceleration = 0.0, mesh_force = 0.0;
   while (result.windows < options.most_windows && !result.steady) {
-    GearSignals window(model.layout.planets, options.samples_per_period);
+    GearSignals window(model.layout.planets, 0);
     if (!run.observe(options.window_periods, window, nullptr)) return false;
     ++result.windows;
     result.steady = result.windows >= std::max(2, options.least_windows) &&
@@ -144,10 +145,10 @@ GearRunResult run_gears_from(const Eigen::VectorXd& start, const SetModel& model
   result.mesh_frequency = model.operation.mesh_frequency;
   result.final_state = start;
   GearRun run(model, options, result);
-  GearSignals observed(model.layout.planets, options.samples_per_period);
+  GearSignals observed(model.layout.planets, options.harmonics);
   if (run.run_up() && settle(run, model, options, result)) {
     run.observe(options.observed_periods, observed, &result.series);
-    result.planets = observed.statistics(options.harmonics);
+    result.planets = observed.statistics();
   }
   result.completed = result.report.completed;
   result.message = result.report.message;

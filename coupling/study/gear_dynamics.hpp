@@ -11,15 +11,17 @@ namespace orbearing::study {
 
 /// What belongs to the method. A window is a whole number of mesh periods at nominal speed.
 struct GearRunOptions {
-  long window_periods = 50;       // [mesh period]
-  double drift = 1e-2;            // [-]  steady: rms accelerations of two windows in turn differ by no more
-  int least_windows = 2;          // before the criterion is asked
-  int most_windows = 40;          // before the run is observed all the same, and says so
-  long observed_periods = 100;    // [mesh period]  averaged once steady
-  long samples_per_period = 128;  // [-]
-  long series_periods = 4;        // [mesh period]  the last ones, kept as time series
-  int harmonics = 12;             // orders of the mesh frequency that are told
-  double allowed_share = 1e-4;    // [-]  error of one step over the mean deflection of a mesh
+  long window_periods = 50;     // [mesh period]
+  double drift = 1e-2;          // [-]  steady: rms accelerations of two windows in turn differ by no more
+  int least_windows = 2;        // before the criterion is asked
+  int most_windows = 40;        // before the run is observed all the same, and says so
+  long observed_periods = 100;  // [mesh period]  averaged once steady
+  // [-]  and one more over all of the observed periods together, so that no two samples fall on the same
+  // place of the mesh period: where the stiffness jumps, a grid that repeats would always see one side.
+  long samples_per_period = 128;
+  long series_periods = 4;                      // [mesh period]  the last ones, kept as time series
+  int harmonics = 12;                           // orders of the mesh frequency that are told
+  double allowed_share = 1e-4;                  // [-]  error of one step over the mean deflection of a mesh
   integration::IntegrationOptions integration;  // allowed_error and step are filled in
 };
 
@@ -41,7 +43,10 @@ struct SignalStatistics {
   double maximum = 0.0;  // largest absolute value
   double least = 0.0;
   double largest = 0.0;
-  std::vector<double> amplitudes;  // at 1, 2, ... times the mesh frequency
+  // At 1, 2, ... times the mesh frequency: the signal is the mean and the sum of
+  // cosine cos(order angle) + sine sin(order angle), with the angle of the mesh period since time zero.
+  std::vector<double> cosines, sines;
+  std::vector<double> amplitudes;  // hypot(cosine, sine)
 };
 
 /// All quantities of one planet.

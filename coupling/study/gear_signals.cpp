@@ -8,76 +8,70 @@
 
 namespace orbearing::study {
 
-namespace {
-
 using boost::math::double_constants::two_pi;
 
-// Amplitude of the harmonic `order` of one period.
-double amplitude(const Eigen::ArrayXd& period, int order) {
-  const double samples = static_cast<double>(period.size());
-  std::complex<double> sum = 0.0;
-  for (Eigen::Index i = 0; i < period.size(); ++i)
-    sum += period[i] * std::polar(1.0, -two_pi * order * static_cast<double>(i) / samples);
-  return 2.0 * std::abs(sum) / samples;
-}
-
-}  // namespace
-
-SignalSums::SignalSums(long samples_per_period)
+SignalSums::SignalSums(int harmonics)
     : least_(std::numeric_limits<double>::infinity()),
       largest_(-std::numeric_limits<double>::infinity()),
-      period_(Eigen::ArrayXd::Zero(samples_per_period)) {}
+      waves_(Eigen::ArrayXcd::Zero(harmonics)) {}
 
-void SignalSums::add(double value) {
-  period_[samples_ % period_.size()] += value;
+void SignalSums::add(double value, const Eigen::ArrayXcd& waves) {
   ++samples_;
   sum_ += value;
   square_ += value * value;
   least_ = std::min(least_, value);
   largest_ = std::max(largest_, value);
+  waves_ += value * waves;
 }
 
-SignalStatistics SignalSums::statistics(int harmonics) const {
+SignalStatistics SignalSums::statistics() const {
   SignalStatistics out;
   if (samples_ == 0) return out;
-  out.mean = sum_ / static_cast<double>(samples_);
+  const double samples = static_cast<double>(samples_);
+  out.mean = sum_ / samples;
   out.rms = std::sqrt(mean_square());
   out.maximum = std::max(std::abs(least_), std::abs(largest_));
   out.least = least_;
   out.largest = largest_;
-  const Eigen::ArrayXd period =
-      period_ * (static_cast<double>(period_.size()) / static_cast<double>(samples_));
-  for (int order = 1; order <= harmonics; ++order) out.amplitudes.push_back(amplitude(period, order));
+  for (const std::complex<double>& sum : waves_) {
+    const std::complex<double> wave = 2.0 / samples * sum;
+    out.cosines.push_back(wave.real());
+    out.sines.push_back(-wave.imag());
+    out.amplitudes.push_back(std::abs(wave));
+  }
   return out;
 }
 
-GearSignals::GearSignals(Eigen::Index planets, long samples_per_period) {
-  const SignalSums empty(samples_per_period);
+GearSignals::GearSignals(Eigen::Index planets, int harmonics) : waves_(harmonics) {
+  const SignalSums empty(harmonics);
   planets_.assign(static_cast<std::size_t>(planets), Planet{empty, empty, empty, empty, empty, empty});
 }
 
-void GearSignals::add(const gearset::dynamics::SetSnapshot& now) {
+void GearSignals::add(double periods, const gearset::dynamics::SetSnapshot& now) {
+  const double angle = two_pi * (periods - std::floor(periods));
+  for (Eigen::Index i = 0; i < waves_.size(); ++i)
+    waves_[i] = std::polar(1.0, -angle * static_cast<double>(i + 1));
   for (std::size_t i = 0; i < planets_.size(); ++i) {
     const auto n = static_cast<Eigen::Index>(i);
-    planets_[i].sun_mesh.add(now.sun_mesh_force[n]);
-    planets_[i].ring_mesh.add(now.ring_mesh_force[n]);
-    planets_[i].radial.add(now.bearing_force(0, n));
-    planets_[i].tangential.add(now.bearing_force(1, n));
-    planets_[i].radial_acceleration.add(now.acceleration(0, n));
-    planets_[i].tangential_acceleration.add(now.acceleration(1, n));
+    planets_[i].sun_mesh.add(now.sun_mesh_force[n], waves_);
+    planets_[i].ring_mesh.add(now.ring_mesh_force[n], waves_);
+    planets_[i].radial.add(now.bearing_force(0, n), waves_);
+    planets_[i].tangential.add(now.bearing_force(1, n), waves_);
+    planets_[i].radial_acceleration.add(now.acceleration(0, n), waves_);
+    planets_[i].tangential_acceleration.add(now.acceleration(1, n), waves_);
   }
 }
 
-std::vector<PlanetStatistics> GearSignals::statistics(int harmonics) const {
+std::vector<PlanetStatistics> GearSignals::statistics() const {
   std::vector<PlanetStatistics> all;
   double tangential = 0.0;
   for (const Planet& planet : planets_) {
-    all.push_back({.sun_mesh_force = planet.sun_mesh.statistics(harmonics),
-                   .ring_mesh_force = planet.ring_mesh.statistics(harmonics),
-                   .radial_force = planet.radial.statistics(harmonics),
-                   .tangential_force = planet.tangential.statistics(harmonics),
-                   .radial_acceleration = planet.radial_acceleration.statistics(harmonics),
-                   .tangential_acceleration = planet.tangential_acceleration.statistics(harmonics)});
+    all.push_back({.sun_mesh_force = planet.sun_mesh.statistics(),
+                   .ring_mesh_force = planet.ring_mesh.statistics(),
+                   .radial_force = planet.radial.statistics(),
+                   .tangential_force = planet.tangential.statistics(),
+                   .radial_acceleration = planet.radial_acceleration.statistics(),
+                   .tangential_acceleration = planet.tangential_acceleration.statistics()});
     tangential += all.back().tangential_force.mean / static_cast<double>(planets_.size());
   }
   for (PlanetStatistics& planet : all) {

@@ -11,11 +11,12 @@ namespace orbearing::study {
 /// Sums of one signal, sampled uniformly over whole mesh periods.
 class SignalSums {
  public:
-  explicit SignalSums(long samples_per_period);
-
-  void add(double value);
   /// @param harmonics number of orders
-  SignalStatistics statistics(int harmonics) const;
+  explicit SignalSums(int harmonics);
+
+  /// `waves` are exp(-i order angle) for the angle in the mesh period, one for each order.
+  void add(double value, const Eigen::ArrayXcd& waves);
+  SignalStatistics statistics() const;
   double mean_square() const { return square_ / static_cast<double>(samples_); }
 
  private:
@@ -24,16 +25,17 @@ class SignalSums {
   double square_ = 0.0;
   double least_;
   double largest_;
-  Eigen::ArrayXd period_;  // sums by place in the mesh period: what does not repeat averages out
+  Eigen::ArrayXcd waves_;  // (orders)
 };
 
 /// The signals of PlanetStatistics, of all planets.
 class GearSignals {
  public:
-  GearSignals(Eigen::Index planets, long samples_per_period);
+  GearSignals(Eigen::Index planets, int harmonics);
 
-  void add(const gearset::dynamics::SetSnapshot& now);
-  std::vector<PlanetStatistics> statistics(int harmonics) const;
+  /// @param periods mesh periods since time zero
+  void add(double periods, const gearset::dynamics::SetSnapshot& now);
+  std::vector<PlanetStatistics> statistics() const;
   /// [m/s^2]  of all planets together
   double rms_acceleration() const;
   /// [N]  of all meshes together
@@ -44,6 +46,7 @@ class GearSignals {
     SignalSums sun_mesh, ring_mesh, radial, tangential, radial_acceleration, tangential_acceleration;
   };
   std::vector<Planet> planets_;
+  Eigen::ArrayXcd waves_;  // (orders)  at the present sample
 };
 
 }  // namespace orbearing::study

@@ -14,17 +14,15 @@ using boost::math::double_constants::two_pi;
 
 constexpr double kLeastShare = 1e-3;  // of the mean load: smaller harmonics move nothing that is told
 
-// Load of the meshes on one bearing at each sample. (2, samples)
-Eigen::Array2Xd loads_of(const GearSeries& series, const PlanetaryDrivetrain& drivetrain,
-                         const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+// Load of the meshes on one bearing by their forces, along x and y.
+Eigen::Vector2d load_of(double sun_force, double ring_force, const PlanetaryDrivetrain& drivetrain,
+                        const DrivetrainGeometry& geometry, const BearingDuty& duty) {
   const double sun = geometry.gears.sun_mesh.working_pressure_angle,
                ring = geometry.gears.ring_mesh.working_pressure_angle;
   const double sense = duty.gears.tangential_force < 0.0 ? -1.0 : 1.0;
-  const auto of_sun = series.sun_mesh_force.row(0), of_ring = series.ring_mesh_force.row(0);
-  Eigen::Array2Xd loads(2, series.time.size());
-  loads.row(0) = std::sin(sun) * of_sun - std::sin(ring) * of_ring;
-  loads.row(1) = sense * (std::cos(sun) * of_sun + std::cos(ring) * of_ring);
-  return loads / drivetrain.bearings_per_planet;
+  return Eigen::Vector2d(std::sin(sun) * sun_force - std::sin(ring) * ring_force,
+                         sense * (std::cos(sun) * sun_force + std::cos(ring) * ring_force)) /
+         drivetrain.bearings_per_planet;
 }
 
 }  // namespace
@@ -38,15 +36,17 @@ bearing::dynamics::MeshRipple mesh_ripple(const PlanetaryDrivetrain& drivetrain,
   const GearRunOptions options;
   const GearRunResult run = run_gears(model, options);
   if (!run.completed) throw std::runtime_error("gears: " + run.message);
-  const Eigen::Array2Xd loads = loads_of(run.series, drivetrain, geometry, duty);
+  const SignalStatistics& sun = run.planets.front().sun_mesh_force;
+  const SignalStatistics& ring = run.planets.front().ring_mesh_force;
+  const auto load = [&](double sun_force, double ring_force) {
+    return load_of(sun_force, ring_force, drivetrain, geometry, duty);
+  };
   ripple.angular_frequency = two_pi * run.mesh_frequency;
-  const double least = kLeastShare * loads.rowwise().mean().matrix().norm();
-  const double samples = static_cast<double>(run.series.time.size());
-  for (int order = 1; order <= options.harmonics; ++order) {
-    const Eigen::ArrayXd angle = order * ripple.angular_frequency * run.series.time;
-    bearing::dynamics::LoadHarmonic harmonic{.order = order};
-    harmonic.cosine = 2.0 / samples * (loads.matrix() * angle.cos().matrix());
-    harmonic.sine = 2.0 / samples * (loads.matrix() * angle.sin().matrix());
+  const double least = kLeastShare * load(sun.mean, ring.mean).norm();
+  for (std::size_t i = 0; i < sun.amplitudes.size(); ++i) {
+    const bearing::dynamics::LoadHarmonic harmonic{.order = static_cast<int>(i) + 1,
+                                                   .cosine = load(sun.cosines[i], ring.cosines[i]),
+                                                   .sine = load(sun.sines[i], ring.sines[i])};
     if (std::hypot(harmonic.cosine.norm(), harmonic.sine.norm()) > least)
       ripple.harmonics.push_back(harmonic);
   }

@@ -231,6 +231,50 @@ TEST_F(GearRun, PlanetsOfEqualPhaseStepsAreAlike) {
   }
 }
 
+// What the torques ask of the meshes on the mean, and no planet goes away: means over whole mesh periods hold
+// where the stiffness jumps too, though forces and accelerations there have two values.
+TEST_F(GearRun, MeansAreThoseOfTheTorqueBalance) {
+  constexpr double kForce = 1e-3;        // [-]
+  constexpr double kAcceleration = 1.0;  // [m/s^2]  of some hundred to some thousand at an instant
+  for (const double rpm : {1000.0, 6000.0, 12000.0}) {
+    const SetModel model =
+        set_model(test::reducer_dynamics(), test::reducer_operation(rpm * 2.0 * M_PI / 60.0));
+    study::GearRunOptions usual;
+    usual.observed_periods = 100;
+    const study::GearRunResult result = run_gears(model, usual);
+    ASSERT_TRUE(result.completed) << result.message;
+    const double force =
+        model.operation.torques.sun / (model.parameters.planets * model.parameters.sun.radius);
+    for (const study::PlanetStatistics& planet : result.planets) {
+      EXPECT_NEAR(planet.sun_mesh_force.mean, force, kForce * force) << rpm << " rpm";
+      EXPECT_NEAR(planet.ring_mesh_force.mean, force, kForce * force) << rpm << " rpm";
+      EXPECT_NEAR(planet.radial_acceleration.mean, 0.0, kAcceleration) << rpm << " rpm";
+      EXPECT_NEAR(planet.tangential_acceleration.mean, 0.0, kAcceleration) << rpm << " rpm";
+    }
+  }
+}
+
+// The harmonics hold phase and amplitude: they rebuild the series, whose samples lie elsewhere, up to the
+// orders left out.
+TEST_F(GearRun, HarmonicsRebuildTheSeries) {
+  study::GearRunOptions many = options();
+  many.harmonics = 40;
+  const SetModel model = set_model(test::reducer_dynamics(), test::reducer_operation(628.0));
+  const study::GearRunResult result = run_gears(model, many);
+  ASSERT_TRUE(result.completed) << result.message;
+  const study::SignalStatistics& force = result.planets[1].tangential_force;  // a spring's: without jumps
+  Eigen::ArrayXd rebuilt = Eigen::ArrayXd::Constant(result.series.time.size(), force.mean);
+  for (std::size_t i = 0; i < force.cosines.size(); ++i) {
+    const Eigen::ArrayXd angle =
+        2.0 * M_PI * result.mesh_frequency * static_cast<double>(i + 1) * result.series.time;
+    rebuilt += force.cosines[i] * angle.cos() + force.sines[i] * angle.sin();
+  }
+  constexpr double kLeft = 0.01;  // of the swing: the force bends at jumps, orders fall as their square
+  EXPECT_LT((rebuilt - result.series.tangential_force.row(1).transpose()).abs().maxCoeff(),
+            kLeft * (force.largest - force.least));
+  EXPECT_NEAR(force.amplitudes[0], std::hypot(force.cosines[0], force.sines[0]), 1e-12 * force.amplitudes[0]);
+}
+
 // Constant stiffness excites nothing: the mean loads for all time.
 TEST_F(GearRun, RestsWithoutExcitation) {
   SetParameters set = test::reducer_dynamics();
