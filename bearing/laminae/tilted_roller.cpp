@@ -1,7 +1,9 @@
 #include "bearing/laminae/tilted_roller.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 
 #include "bearing/laminae/convex_newton.hpp"
 
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double kTolerance = 1e-13;  // of the loads
 constexpr double kRoundOff = 2e-16;   // of the lengths at hand
+constexpr double kAcceptable = 1e-9;  // of the loads, should the search end at what lengths can resolve
 constexpr int kMostFilmSteps = 60;
 
 // The roller between races whose elastic approaches add up to `elastic`: the energy of both contacts and of
@@ -59,6 +62,38 @@ NewtonLimits limits_of(const TiltedRoller& roller, const RollerSetting& setting,
           .iterations = 200};
 }
 
+// Zero of a force that falls from at least zero at `low` to at most zero at `high`, to the last bit.
+template <class Force>
+double zero_of_falling(const Force& force, double low, double high) {
+  std::uintmax_t most = 200;
+  const double at_low = force(low), at_high = force(high);
+  if (!(at_low > 0.0)) return low;
+  if (!(at_high < 0.0)) return high;
+  const auto [left, right] = boost::math::tools::toms748_solve(
+      force, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(), most);
+  return std::abs(force(left)) <= std::abs(force(right)) ? left : right;
+}
+
+// The same least of the energy by two searches, one within the other, each along one unknown in which the
+// force falls: slow, and sure where a lamina or two barely touch and Newton's steps lead to and fro. The
+// energy that is least in the place is convex in the tip.
+EnergySlope settle_within_brackets(const DryRoller& roller, double reach, Eigen::Vector2d& at) {
+  EnergySlope now;
+  const auto settle_place = [&](double tip) {
+    at[1] = tip;
+    at[0] = zero_of_falling([&](double place) { return roller({place, tip}).force[0]; }, -reach, reach);
+    now = roller(at);
+    return now.force[1];
+  };
+  settle_place(zero_of_falling(settle_place, -reach, reach));
+  return now;
+}
+
+// What lengths can resolve of the forces counts as balance.
+bool is_balanced(const EnergySlope& now, double round_off) {
+  return now.force.norm() <= kAcceptable * now.scale + now.stiffness.trace() * round_off;
+}
+
 // Slopes of the settled roller by the sum of the elastic approaches: d(energy slope)/d(elastic) is minus the
 // inner contact's stiffness.
 double put_slopes(const EnergySlope& now, RollerState& state) {
@@ -74,10 +109,12 @@ double settle_dry(const TiltedRoller& roller, const RollerSetting& setting, doub
   if (state.known)
     at = Eigen::Vector2d(state.outer_approach, state.tip) + (elastic - state.elastic) * state.per_elastic;
   EnergySlope now;
-  const NewtonReport report =
-      least_energy(DryRoller{roller, setting, elastic, state}, limits_of(roller, setting, elastic), at, now);
+  const DryRoller problem{roller, setting, elastic, state};
+  const NewtonLimits limits = limits_of(roller, setting, elastic);
+  const NewtonReport report = least_energy(problem, limits, at, now);
+  if (!report.settled) now = settle_within_brackets(problem, 2.0 * limits.reach, at);
   state.known = true;
-  state.settled = report.settled;
+  state.settled = report.settled || is_balanced(now, limits.round_off);
   state.elastic = elastic;
   state.outer_approach = at[0];
   state.tip = at[1];

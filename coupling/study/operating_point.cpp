@@ -8,6 +8,7 @@
 
 #include "bearing/dynamics/layout.hpp"
 #include "bearing/laminae/lamina_bearing.hpp"
+#include "bearing/life/lamina_life.hpp"
 #include "bearing/line_contact.hpp"
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
@@ -61,6 +62,20 @@ std::vector<double> as_vector(const Eigen::ArrayXXd& array) {
   return {array.data(), array.data() + array.size()};
 }
 
+// Whole contacts are cut into one lamina, which carries all of the load.
+Eigen::ArrayXXd inner_pieces(const bearing::QuasiStaticResult& loads) {
+  return loads.inner_load.transpose();
+}
+Eigen::ArrayXXd outer_pieces(const bearing::QuasiStaticResult& loads) {
+  return loads.outer_load.transpose();
+}
+const Eigen::ArrayXXd& inner_pieces(const bearing::laminae::LaminaResult& loads) {
+  return loads.inner_lamina_load;
+}
+const Eigen::ArrayXXd& outer_pieces(const bearing::laminae::LaminaResult& loads) {
+  return loads.outer_lamina_load;
+}
+
 // Loads by place of either model.
 template <class Loads>
 PointResult point_of_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -73,10 +88,10 @@ PointResult point_of_loads(const PlanetaryDrivetrain& drivetrain, const Drivetra
   result.inner = race_result(loads.inner_load, rolling.inner.film());
   result.outer = race_result(loads.outer_load, rolling.outer.film());
   result.distribution = {as_vector(loads.angle), as_vector(loads.inner_load), as_vector(loads.outer_load)};
-  put_life(drivetrain, duty,
-           bearing::lundberg_palmgren_life(drivetrain.bearing, drivetrain.lambda, kStanding, loads.inner_load,
-                                           loads.outer_load),
-           result);
+  const bearing::life::LaminaRating rating =
+      bearing::life::lamina_rating(drivetrain.bearing, bearing::life::race_motions(duty.point),
+                                   bearing::life::LifeMeasure::lundberg_palmgren, drivetrain.lambda);
+  put_life(drivetrain, duty, lamina_life(rating, inner_pieces(loads), outer_pieces(loads)), result);
   return result;
 }
 

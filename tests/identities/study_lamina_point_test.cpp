@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "coupling/study/crowning/crown_problem.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
 
@@ -62,6 +63,39 @@ TEST(LaminaPoint, TiltRaisesThePressureOfStraightRollersMoreThanOfCrownedOnes) {
   };
   EXPECT_GT(rise(crowned(0.0)), 1.05);
   EXPECT_GT(rise(crowned(0.0)), rise(crowned(1.0)));
+}
+
+// The bearing of a sweep and that of a crown study are one: so are their lives, whatever the profile and the
+// tilt. (1 % of a life is a quarter of a per cent of load; both take the same loads.)
+TEST(LaminaPoint, LivesAsTheCrownStudySays) {
+  for (const double rpm : {1000.0, 6000.0, 12000.0})
+    for (const double drop : {0.0, 4e-6})
+      for (const double tilt : {0.0, 0.5e-3, 2e-3}) {
+        PlanetaryDrivetrain drivetrain = crowned(0.0);
+        drivetrain.drive.speed = rpm * testing::rpm;
+        const crowning::CrownProblem problem =
+            crowning::crown_problem(drivetrain, derive(drivetrain), {{drivetrain.drive.speed, 1.0}},
+                                    crowning::LifeMeasure::lundberg_palmgren);
+        const bearing::profile::Profile profile =
+            crowning::profile_of(crowning::family_of("iso16281", drivetrain.bearing, 1.0), {drop, 1.0});
+        const double expected = crowning::life_hours(problem, profile, tilt);
+        drivetrain.bearing.roller_profile = profile;
+        drivetrain.misalignment = {.planet_tilt = tilt};
+        EXPECT_NEAR(point(drivetrain).life_hours, expected, kRoundOff * expected)
+            << rpm << " rpm, " << drop << " m, " << tilt << " rad";
+      }
+}
+
+TEST(LaminaPoint, TiltCostsLife) {
+  PlanetaryDrivetrain drivetrain = crowned(0.0);
+  const double level = point(drivetrain).life_hours;
+  drivetrain.misalignment = {.planet_tilt = 2e-3};
+  const PointResult tilted = point(drivetrain);
+  EXPECT_LT(tilted.life_hours, 0.5 * level);
+  EXPECT_NEAR(tilted.life_hours,
+              bearing::hours(bearing::combined_life(tilted.inner.life, tilted.outer.life),
+                             bearing_duty(drivetrain, derive(drivetrain)).point.outer_speed),
+              kRoundOff * level);
 }
 
 }  // namespace

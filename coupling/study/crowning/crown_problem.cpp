@@ -44,7 +44,8 @@ LaminaResult balanced(const LaminaBearing& bearing, const CrownProblem& problem,
 CrownLife duty_life(const CrownProblem& problem, const LaminaBearing& bearing,
                     const std::vector<DropSlope>& slopes, double tilt, std::size_t duty) {
   const LaminaResult loads = balanced(bearing, problem, tilt, duty);
-  const LogLife life = log_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load);
+  const bearing::life::LogLife life =
+      log_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load);
   const bearing::laminae::DropGradient by_drops =
       bearing::laminae::drop_gradient(bearing, tilted(problem.duties[duty], tilt), problem.options, loads,
                                       life.by_inner_load, life.by_outer_load);
@@ -78,8 +79,9 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
     there.drive.speed = at.speed;
     there.misalignment.planet_tilt = 0.0;  // it is what a study varies
     problem.duties.push_back({at.speed, at.share, bearing_duty(there, geometry).point});
-    problem.ratings.push_back(
-        lamina_rating(problem.bearing, problem.duties.back().point, measure, drivetrain.lambda));
+    problem.ratings.push_back(lamina_rating(problem.bearing,
+                                            bearing::life::race_motions(problem.duties.back().point), measure,
+                                            drivetrain.lambda));
   }
   return problem;
 }

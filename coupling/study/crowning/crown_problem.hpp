@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "bearing/laminae/lamina_bearing.hpp"
-#include "coupling/study/crowning/lamina_life.hpp"
+#include "bearing/life/lamina_life.hpp"
 #include "coupling/study/crowning/profile_family.hpp"
 #include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::study::crowning {
+
+using bearing::life::LaminaRating;
+using bearing::life::LifeMeasure;
 
 /// One operating point of a spectrum.
 struct Duty {

@@ -34,7 +34,8 @@ TEST(CrownLife, OfTheStandardIsThatOfTheRatings) {
   const auto expected = bearing::rating::lamina_life_gradient(
       bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
       loads.inner_lamina_load, loads.outer_lamina_load, bearing::rating::turning(bearing::Race::outer));
-  const LogLife ours = log_life(problem.ratings[0], loads.inner_lamina_load, loads.outer_lamina_load);
+  const bearing::life::LogLife ours =
+      log_life(problem.ratings[0], loads.inner_lamina_load, loads.outer_lamina_load);
   EXPECT_NEAR(ours.value, std::log(expected.life.bearing), kRoundOff);
   EXPECT_LT((ours.by_inner_load - expected.inner).abs().maxCoeff(),
             kRoundOff * expected.inner.abs().maxCoeff());

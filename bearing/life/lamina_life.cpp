@@ -1,25 +1,22 @@
-#include "coupling/study/crowning/lamina_life.hpp"
+#include "bearing/life/lamina_life.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace orbearing::study::crowning {
+namespace orbearing::bearing::life {
 
 namespace {
 
-namespace rating = bearing::rating;
-using bearing::Race;
-using bearing::RaceMotion;
-using Loads = Eigen::Ref<const Eigen::ArrayXXd>;
+using Loads = LaminaLoads;
 
 constexpr double kWeibullSlope = 9.0 / 8.0;
 constexpr double kMillionRevolutions = 1e6;
 
-rating::ContactCapacities capacities_of(const bearing::CylindricalRollerBearing& bearing, LifeMeasure measure,
+rating::ContactCapacities capacities_of(const CylindricalRollerBearing& bearing, LifeMeasure measure,
                                         double lambda) {
   if (measure == LifeMeasure::lundberg_palmgren)
-    return {bearing::contact_capacity(bearing, Race::inner, lambda),
-            bearing::contact_capacity(bearing, Race::outer, lambda)};
+    return {contact_capacity(bearing, Race::inner, lambda), contact_capacity(bearing, Race::outer, lambda)};
   const rating::RollerSet set = rating::roller_set(bearing);
   return rating::contact_capacities(set, rating::dynamic_capacity(set));
 }
@@ -39,13 +36,26 @@ Eigen::ArrayXd mean_power(const Loads& loads, RaceMotion motion) {
   return (loads.square().square() * loads.sqrt()).rowwise().mean();
 }
 
-Eigen::ArrayXd damage(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
-  return motion == RaceMotion::turning ? Eigen::ArrayXd(weight * mean.pow(4.5 / 4.0)) : weight * mean;
+// The same by (3).
+Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& powers, RaceMotion motion) {
+  if (motion == RaceMotion::turning) return powers.rowwise().mean();
+  return (powers * powers.sqrt().sqrt().sqrt()).rowwise().mean();
+}
+
+double damage(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
+  return (motion == RaceMotion::turning ? Eigen::ArrayXd(weight * mean.pow(4.5 / 4.0)) : weight * mean).sum();
 }
 
 double life_of(double damage) {
   return damage > 0.0 ? kMillionRevolutions * std::pow(damage, -1.0 / kWeibullSlope)
                       : std::numeric_limits<double>::infinity();
+}
+
+BearingLife lives(const LaminaRating& rating, const Eigen::ArrayXd& inner_mean,
+                  const Eigen::ArrayXd& outer_mean) {
+  const double inner = damage(rating.inner_weight, inner_mean, rating.motions.inner);
+  const double outer = damage(rating.outer_weight, outer_mean, rating.motions.outer);
+  return {life_of(inner), life_of(outer), life_of(inner + outer)};
 }
 
 // d(damage)/d(load), by the chain damage - mean - load.
@@ -64,33 +74,37 @@ std::string name_of(LifeMeasure measure) {
   return measure == LifeMeasure::iso16281 ? "iso16281" : "lundberg-palmgren";
 }
 
-LaminaRating lamina_rating(const bearing::CylindricalRollerBearing& bearing,
-                           const bearing::OperatingPoint& point, LifeMeasure measure, double lambda) {
-  const rating::ContactCapacities capacities = capacities_of(bearing, measure, lambda);
-  const Eigen::ArrayXd riser = riser_of(bearing.laminae, measure);
+rating::RaceMotions race_motions(const OperatingPoint& point) {
   const auto motion = [](double speed) { return speed != 0.0 ? RaceMotion::turning : RaceMotion::standing; };
-  return {weights(riser, capacities.inner),
-          weights(riser, capacities.outer),
-          {motion(point.inner_speed), motion(point.outer_speed)}};
+  return {motion(point.inner_speed), motion(point.outer_speed)};
 }
 
-bearing::BearingLife lamina_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {
-  const double of_inner =
-      damage(rating.inner_weight, mean_power(inner, rating.motions.inner), rating.motions.inner).sum();
-  const double of_outer =
-      damage(rating.outer_weight, mean_power(outer, rating.motions.outer), rating.motions.outer).sum();
-  return {life_of(of_inner), life_of(of_outer), life_of(of_inner + of_outer)};
+LaminaRating lamina_rating(const CylindricalRollerBearing& bearing, const rating::RaceMotions& motions,
+                           LifeMeasure measure, double lambda) {
+  const rating::ContactCapacities capacities = capacities_of(bearing, measure, lambda);
+  const Eigen::ArrayXd riser = riser_of(std::max(bearing.laminae, 1), measure);
+  return {weights(riser, capacities.inner), weights(riser, capacities.outer), motions};
+}
+
+BearingLife lamina_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {
+  return lives(rating, mean_power(inner, rating.motions.inner), mean_power(outer, rating.motions.outer));
+}
+
+BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
+                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
+  return lives(rating, mean_of_fourth_powers(inner, rating.motions.inner),
+               mean_of_fourth_powers(outer, rating.motions.outer));
 }
 
 LogLife log_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {
   const Eigen::ArrayXd inner_mean = mean_power(inner, rating.motions.inner);
   const Eigen::ArrayXd outer_mean = mean_power(outer, rating.motions.outer);
-  const double all = damage(rating.inner_weight, inner_mean, rating.motions.inner).sum() +
-                     damage(rating.outer_weight, outer_mean, rating.motions.outer).sum();
+  const double all = damage(rating.inner_weight, inner_mean, rating.motions.inner) +
+                     damage(rating.outer_weight, outer_mean, rating.motions.outer);
   const double by_damage = all > 0.0 ? -1.0 / (kWeibullSlope * all) : 0.0;
   return {std::log(life_of(all)),
           by_damage * damage_slope(rating.inner_weight, inner, inner_mean, rating.motions.inner),
           by_damage * damage_slope(rating.outer_weight, outer, outer_mean, rating.motions.outer)};
 }
 
-}  // namespace orbearing::study::crowning
+}  // namespace orbearing::bearing::life

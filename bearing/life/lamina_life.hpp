@@ -1,0 +1,62 @@
+// Life of a roller bearing from the loads of its laminae, and how it follows them: the one life of sweeps,
+// runs, crowns and motions. A contact that is not cut is one lamina.
+//
+// Every lamina is a piece of a race that fails by itself [ISO16281]; with loads even along the roller the
+// lives of Lundberg and Palmgren come out, whatever the number of laminae:
+//
+//   (1)  L^(-9/8) = sum over races and laminae of (f_k q_ek/q_c)^(9/2),  q_c = Q_c n^(-7/9)
+//   (2)  q_ek: power mean over the places, exponent 4 (turning relative to the load) or 4.5 (standing)
+//   (3)  from a motion, with <> over what passes a place:  turning <q_k^4>^(1/4) over all places together,
+//        standing [mean over the places of <q_k^4>^(4.5/4)]^(1/4.5)
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "bearing/quasi_static.hpp"
+#include "bearing/rating/reference_life.hpp"
+
+namespace orbearing::bearing::life {
+
+/// Which capacities hold, and whether ends feel more than their laminae.
+enum class LifeMeasure {
+  lundberg_palmgren,  // Q_c of [Gai2025], no stress riser: straight and untilted it is that of whole contacts
+  iso16281,           // Q_c and stress riser of [ISO16281]
+};
+
+/// Name as in options: lundberg-palmgren, iso16281.
+std::string name_of(LifeMeasure measure);
+
+/// How lamina loads become a life, laid out once for a bearing.
+struct LaminaRating {
+  Eigen::ArrayXd inner_weight;  // [1/N^4.5]  (laminae)  (f_k/q_c)^4.5
+  Eigen::ArrayXd outer_weight;  // [1/N^4.5]  (laminae)
+  rating::RaceMotions motions;
+};
+
+/// A race turns relative to the load where it turns in the frame of `point`.
+rating::RaceMotions race_motions(const OperatingPoint& point);
+
+/// `lambda` [-] enters the capacities of Lundberg and Palmgren only. A bearing without laminae has one.
+LaminaRating lamina_rating(const CylindricalRollerBearing& bearing, const rating::RaceMotions& motions,
+                           LifeMeasure measure, double lambda);
+
+using LaminaLoads = Eigen::Ref<const Eigen::ArrayXXd>;  // [N]  (laminae, places)
+
+/// Life [rev] for loads at evenly spaced places; infinite at no load.
+BearingLife lamina_life(const LaminaRating& rating, const LaminaLoads& inner, const LaminaLoads& outer);
+
+/// Life [rev] by (3), for means of fourth powers [N^4] (laminae, places); infinite at no load.
+BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
+                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer);
+
+/// ln of the bearing's life with its derivatives by the loads [1/N] (laminae, places).
+struct LogLife {
+  double value = 0.0;  // of revolutions
+  Eigen::ArrayXXd by_inner_load;
+  Eigen::ArrayXXd by_outer_load;
+};
+
+LogLife log_life(const LaminaRating& rating, const LaminaLoads& inner, const LaminaLoads& outer);
+
+}  // namespace orbearing::bearing::life
