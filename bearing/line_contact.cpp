@@ -3,12 +3,13 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "bearing/units.hpp"
+
 namespace orbearing::bearing {
 
 namespace {
 constexpr double kLoadExponent = 10.0 / 9.0;
 constexpr double kApproachExponent = 9.0 / 10.0;
-constexpr double kMillimetres = 1e3;  // per metre: the sources' constants hold in N and mm
 }  // namespace
 
 LineContact::LineContact(double stiffness)

@@ -2,14 +2,13 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
+
+#include "bearing/units.hpp"
 
 namespace orbearing::bearing {
 
 namespace {
 constexpr double kWeibullSlope = 9.0 / 8.0;
-constexpr double kMillionRevolutions = 1e6;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 double contact_capacity(const CylindricalRollerBearing& bearing, Race race, double lambda) {

@@ -7,8 +7,8 @@ namespace orbearing::bearing {
 
 namespace {
 
-constexpr int kMaxIterations = 60;
-constexpr double kRoundOff = 4e-16;
+constexpr int kMostBisections = 60;
+constexpr double kRollerRoundOff = 4e-16;
 
 // Sum of both geometric approaches at squeeze load s, which both contacts carry besides the inertial load.
 struct SqueezedRoller {
@@ -39,12 +39,12 @@ double squeeze_load(const SqueezedRoller& roller, double approach) {
   double low = 0.0;
   double high = upper_bound(roller, approach);
   double s = high;
-  for (int i = 0; i < kMaxIterations; ++i) {
+  for (int i = 0; i < kMostBisections; ++i) {
     const double excess = roller.approach(s) - approach;
     (excess > 0.0 ? high : low) = s;
     double next = s - excess / roller.compliance(s);
     if (next < low || next > high) next = low > 0.0 ? 0.5 * (low + high) : 0.1 * high;
-    if (std::abs(next - s) <= kRoundOff * s) return next;
+    if (std::abs(next - s) <= kRollerRoundOff * s) return next;
     s = next;
   }
   return s;

@@ -25,6 +25,29 @@ function(orbearing_compile_options target)
     $<$<BOOL:${ORBEARING_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
+# orbearing_unity_build(<target>): compiles the sources of each folder together, in batches, since most of the time
+# of a source goes into headers that its neighbours include as well. Batches follow the folders, so that a new file
+# does not move those of others. CMake leaves out sources that have options of their own; what else shall stay alone
+# has SKIP_UNITY_BUILD_INCLUSION.
+function(orbearing_unity_build target)
+  if(NOT ORBEARING_UNITY_BUILD)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
+    cmake_path(GET folder PARENT_PATH folder)
+    string(MAKE_C_IDENTIFIER "${target}_${folder}" group)
+    list(LENGTH ${group} before)
+    list(APPEND ${group} "${source}")
+    math(EXPR batch "${before} / ${ORBEARING_UNITY_FILES}")
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}_${batch}")
+  endforeach()
+endfunction()
+
 # orbearing_library(<folder> SOURCES ... DEPENDS ...): the library orbearing_<folder>, alias orbearing::<folder>.
 function(orbearing_library folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
@@ -37,5 +60,6 @@ function(orbearing_library folder)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/orbearing>)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
   orbearing_compile_options(${target})
+  orbearing_unity_build(${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder})
 endfunction()

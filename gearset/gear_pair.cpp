@@ -12,8 +12,8 @@ namespace orbearing::gearset {
 
 namespace {
 
-constexpr const char* place = "pair.profile_shift";
-constexpr double largest_working_angle = 45.0;  // [deg]  beyond it no involute pair of practice works
+constexpr const char* kPairShift = "pair.profile_shift";
+constexpr double largest_pair_angle = 45.0;  // [deg]  beyond it no involute pair of practice works
 constexpr double degree = 0.017453292519943295;
 
 double working_angle(const GearPair& pair) {
@@ -24,7 +24,7 @@ double working_angle(const GearPair& pair) {
   if (value < 0.0)
     throw std::domain_error("found shifts that bring the base circles together; a larger sum is required");
   const double angle = inverse_involute(value);
-  if (angle > largest_working_angle * degree)
+  if (angle > largest_pair_angle * degree)
     throw std::domain_error("found shifts that make the working pressure angle " +
                             decimal(angle / degree, 2) +
                             " deg; at most 45 deg is required: a smaller sum of shifts");
@@ -33,8 +33,8 @@ double working_angle(const GearPair& pair) {
 
 void check_pointed(const ExternalTooth& tooth, const std::string& gear, Warnings& problems) {
   if (half_thickness_angle(tooth, tooth.tip_radius) > 0.0) return;
-  problems.push_back({place, "found flanks that cross before the tip circle of the " + gear +
-                                 "; a tooth with a tip is required; lower its shift or the addendum"});
+  problems.push_back({kPairShift, "found flanks that cross before the tip circle of the " + gear +
+                                      "; a tooth with a tip is required; lower its shift or the addendum"});
 }
 
 void check_bore(const GearPair& pair, const ExternalTooth& tooth, const std::string& gear,
@@ -54,7 +54,7 @@ void check_geometry(const GearPair& pair, Warnings& problems) {
   check_bore(pair, geometry.gears[0], "first gear", problems);
   if (problems.empty()) check_bore(pair, geometry.gears[1], "second gear", problems);
   if (geometry.path.length() <= 0.0)
-    problems.push_back({place, "found no path of contact; teeth that reach each other are required"});
+    problems.push_back({kPairShift, "found no path of contact; teeth that reach each other are required"});
 }
 
 void remark_tips(const PairGeometry& g, int gear, int other, const std::string& name,
@@ -88,13 +88,13 @@ Warnings pair_problems(const GearPair& pair) {
   try {
     check_geometry(pair, problems);
   } catch (const std::domain_error& error) {
-    problems.push_back({place, error.what()});
+    problems.push_back({kPairShift, error.what()});
   }
   return problems;
 }
 
 Warnings pair_warnings(const PairGeometry& geometry) {
-  Remarks remarks{place, {}};
+  Remarks remarks{kPairShift, {}};
   remark_tips(geometry, 0, 1, "first gear", "second gear", remarks);
   remark_tips(geometry, 1, 0, "second gear", "first gear", remarks);
   remarks.contact_ratio(geometry.contact_ratio, "pair");

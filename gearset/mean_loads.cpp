@@ -30,7 +30,7 @@ MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, con
   return loads;
 }
 
-void require_positive(double value, const char* message) {
+void require_motor(double value, const char* message) {
   if (!(value > 0.0) || !std::isfinite(value)) throw std::invalid_argument(message);
 }
 
@@ -42,8 +42,8 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
 
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,
                      const Drive& drive) {
-  require_positive(drive.speed, "the speed of the motor must be positive and finite");
-  require_positive(drive.power, "the power of the motor must be positive and finite");
+  require_motor(drive.speed, "the speed of the motor must be positive and finite");
+  require_motor(drive.power, "the power of the motor must be positive and finite");
   const double sense = ratios.speed.carrier < 0.0 ? -1.0 : 1.0;
   const double speed = sense * drive.speed;                 // [rad/s]
   const double torque = sense * drive.power / drive.speed;  // [N m]

@@ -10,7 +10,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-constexpr const char* place = "gearset.profile_shift";
+constexpr const char* kSetShift = "gearset.profile_shift";
 
 void remark_reaches(const WorkingGeometry& g, Remarks& remarks) {
   const double sun_line = g.centre_distance * std::sin(g.sun_mesh.working_pressure_angle);
@@ -22,9 +22,9 @@ void remark_reaches(const WorkingGeometry& g, Remarks& remarks) {
   remarks.reach(ring_tip - ring_line, g.planet, "ring", "planet");
   remarks.reach(sun_line - planet_tip, g.sun, "planet", "sun");
   if (g.ring.tip_radius < g.ring.base_radius) {
-    remarks.list.push_back({place, "the ring's tip circle " + millimetres(g.ring.tip_radius) +
-                                       " lies inside its base circle " + millimetres(g.ring.base_radius) +
-                                       ", where there is no involute; raise the ring's shift"});
+    remarks.list.push_back({kSetShift, "the ring's tip circle " + millimetres(g.ring.tip_radius) +
+                                           " lies inside its base circle " + millimetres(g.ring.base_radius) +
+                                           ", where there is no involute; raise the ring's shift"});
   }
 }
 
@@ -40,9 +40,9 @@ void remark_fouling(const WorkingGeometry& geometry, Remarks& remarks) {
   const double clearance = ring_tip_clearance(geometry);
   if (clearance >= 0.0) return;
   remarks.list.push_back(
-      {place, "the tips of planet and ring foul each other outside the path of contact, by " +
-                  millimetres(-clearance) +
-                  " along the ring's tip circle; use fewer planet teeth or a smaller addendum"});
+      {kSetShift, "the tips of planet and ring foul each other outside the path of contact, by " +
+                      millimetres(-clearance) +
+                      " along the ring's tip circle; use fewer planet teeth or a smaller addendum"});
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ double ring_tip_clearance(const WorkingGeometry& geometry) {
 }
 
 Warnings tooth_warnings(const WorkingGeometry& geometry) {
-  Remarks remarks{place, {}};
+  Remarks remarks{kSetShift, {}};
   remarks.undercut(geometry.sun, "sun");
   remarks.undercut(geometry.planet, "planet");
   remark_reaches(geometry, remarks);

@@ -13,7 +13,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 RackFillet rack_fillet(double shift, double module, const BasicRack& rack) {
   const double centre_below_datum = rack.addendum + rack.clearance - rack.root_fillet_radius;

@@ -16,13 +16,12 @@ namespace orbearing::app {
 namespace {
 
 using gearset::Arrangement;
-using gearset::Member;
 using gearset::SetMember;
 
-constexpr std::array members{Member::sun, Member::ring, Member::carrier};
+constexpr std::array members{gearset::Member::sun, gearset::Member::ring, gearset::Member::carrier};
 
-std::optional<Member> member_of(std::string_view word) {
-  for (const Member member : members)
+std::optional<gearset::Member> member_of(std::string_view word) {
+  for (const gearset::Member member : members)
     if (word == gearset::member_word(member)) return member;
   return std::nullopt;
 }
@@ -31,7 +30,7 @@ std::optional<SetMember> set_member_of(const CaseShape& shape, const std::string
   const std::size_t dot = text.find('.');
   if (dot == std::string::npos) return std::nullopt;
   const auto set = std::find(shape.sets.begin(), shape.sets.end(), text.substr(0, dot));
-  const std::optional<Member> member = member_of(text.substr(dot + 1));
+  const std::optional<gearset::Member> member = member_of(text.substr(dot + 1));
   if (set == shape.sets.end() || !member) return std::nullopt;
   return SetMember{static_cast<std::size_t>(set - shape.sets.begin()), *member};
 }
@@ -49,7 +48,7 @@ bool put(const CaseShape& shape, const std::string& text, gearset::Shaft& shaft)
 std::string joint_hint(const CaseShape& shape, const std::string& text) {
   std::vector<std::string> known{"motor", "load", "ground"};
   for (const std::string& set : shape.sets)
-    for (const Member member : members) known.push_back(set + "." + gearset::member_word(member));
+    for (const gearset::Member member : members) known.push_back(set + "." + gearset::member_word(member));
   const std::string near = nearest_word(text, known);
   return fmt::format("motor, load, ground or a member of a set, as in '{}', is required",
                      near.empty() && known.size() > 3 ? known[3] : near);

@@ -60,6 +60,11 @@ struct FieldValue {
   bool operator==(const FieldValue&) const = default;
 };
 
+/// Whether its values are numbers, with or without unit.
+inline bool is_numeric(const Field& field) {
+  return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer;
+}
+
 /// Either a value, or what was found and what is required.
 struct FieldReading {
   bool good = false;

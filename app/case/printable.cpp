@@ -8,7 +8,7 @@ namespace orbearing::app {
 
 namespace {
 
-constexpr std::size_t longest = 60;  // [byte] enough to recognise the place
+constexpr std::size_t kLongestQuote = 60;  // [byte] enough to recognise the place
 
 std::size_t length_by_lead(unsigned char lead) {
   if (lead < 0x80) return 1;
@@ -66,9 +66,10 @@ std::string printable(std::string_view text) {
 }
 
 std::string shortened(std::string_view text) {
-  if (text.size() <= longest) return printable(text);
+  if (text.size() <= kLongestQuote) return printable(text);
   std::size_t end = 0;
-  for (std::size_t next = 0; next <= longest; next += std::max<std::size_t>(utf8_character(text, next), 1))
+  for (std::size_t next = 0; next <= kLongestQuote;
+       next += std::max<std::size_t>(utf8_character(text, next), 1))
     end = next;
   return printable(text.substr(0, end)) + "...";
 }

@@ -15,6 +15,9 @@
 
 namespace orbearing::app {
 
+/// The field that a sweep over speed varies.
+inline const std::string kSpeedPath = "input.speed";
+
 /// One axis of a sweep.
 struct SweepAxis {
   std::string path;                 // swept field

@@ -131,10 +131,6 @@ Json by_path(Model model, const char* key, const char* description, bool (*takes
   return block;
 }
 
-bool is_numeric(const Field& field) {
-  return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer;
-}
-
 Json sweep_schema(Model model) {
   return by_path(model, "sweep", "values that are varied; several axes make every combination", is_numeric,
                  axis_schema);

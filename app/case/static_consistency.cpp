@@ -9,8 +9,8 @@ namespace orbearing::app {
 
 namespace {
 
-void object(const ResolvedCase& in, const std::string& path, std::string found, std::string required,
-            std::vector<Mistake>& mistakes) {
+void object_to(const ResolvedCase& in, const std::string& path, std::string found, std::string required,
+               std::vector<Mistake>& mistakes) {
   mistakes.push_back({in.place(path), path, {std::move(found), std::move(required)}});
 }
 
@@ -24,20 +24,20 @@ bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
 void check_either(const ResolvedCase& in, const char* one, const char* other,
                   std::vector<Mistake>& mistakes) {
   if (in.has(one) && in.has(other))
-    object(in, other, fmt::format("a value beside {}", one), "one of the two is required", mistakes);
+    object_to(in, other, fmt::format("a value beside {}", one), "one of the two is required", mistakes);
 }
 
 void check_load(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.has("load.tilt") && in.has("load.moment") && in.quantity("load.moment") != 0.0)
-    object(in, "load.tilt", "a tilt beside load.moment",
-           "either the moment, with the tilt that follows, or the tilt is required", mistakes);
+    object_to(in, "load.tilt", "a tilt beside load.moment",
+              "either the moment, with the tilt that follows, or the tilt is required", mistakes);
   if (in.model() != roller_bearing || !in.has("load.radial")) return;
   if (in.quantity("load.radial") <= 0.0)
-    object(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
+    object_to(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
   const bool moment = in.has("load.moment") && in.quantity("load.moment") != 0.0;
   if (moment && in.has("bearing.laminae") && in.integer("bearing.laminae") < 2)
-    object(in, "bearing.laminae", "a single lamina, which holds no moment",
-           "at least 2 laminae are required with load.moment", mistakes);
+    object_to(in, "bearing.laminae", "a single lamina, which holds no moment",
+              "at least 2 laminae are required with load.moment", mistakes);
 }
 
 void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
@@ -49,17 +49,18 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const double spacing =
       in.quantity("bearing.pitch_diameter") * std::sin(std::numbers::pi / in.integer("bearing.balls"));
   if (diameter >= spacing)
-    object(in, "bearing.balls",
-           fmt::format("{} balls do not fit around the pitch circle", in.integer("bearing.balls")),
-           fmt::format("a ball diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
-                       "required",
-                       1e3 * diameter, 1e3 * spacing),
-           mistakes);
+    object_to(
+        in, "bearing.balls",
+        fmt::format("{} balls do not fit around the pitch circle", in.integer("bearing.balls")),
+        fmt::format("a ball diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
+                    "required",
+                    1e3 * diameter, 1e3 * spacing),
+        mistakes);
   const double openness = in.number("bearing.inner_osculation") + in.number("bearing.outer_osculation") - 1.0;
   const double most = 2.0 * openness * diameter * std::cos(in.quantity("bearing.contact_angle"));
   if (in.quantity("bearing.radial_clearance") >= most)
-    object(in, "bearing.radial_clearance", "a clearance in which the balls touch at no contact angle",
-           fmt::format("less than {:.4g} um is required by the grooves", 1e6 * most), mistakes);
+    object_to(in, "bearing.radial_clearance", "a clearance in which the balls touch at no contact angle",
+              fmt::format("less than {:.4g} um is required by the grooves", 1e6 * most), mistakes);
 }
 
 void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
@@ -68,21 +69,21 @@ void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   const bool film = in.has("life.viscosity_ratio") || in.has("lubricant.kinematic_viscosity");
   for (const char* path : {"life.contamination_factor", "life.cleanliness"})
     if (in.has(path) && !film)
-      object(in, path, "cleanliness without a viscosity",
-             "life.viscosity_ratio or lubricant.kinematic_viscosity is required with it", mistakes);
+      object_to(in, path, "cleanliness without a viscosity",
+                "life.viscosity_ratio or lubricant.kinematic_viscosity is required with it", mistakes);
   for (const char* path : {"life.viscosity_ratio", "lubricant.kinematic_viscosity"})
     if (in.has(path) && !in.has("life.contamination_factor") && !in.has("life.cleanliness"))
-      object(in, path, "a viscosity without cleanliness",
-             "life.contamination_factor or life.cleanliness is required with it", mistakes);
+      object_to(in, path, "a viscosity without cleanliness",
+                "life.contamination_factor or life.cleanliness is required with it", mistakes);
   if (in.has("lubricant.kinematic_viscosity") && in.has("operation.shaft_speed") &&
       in.has("operation.outer_speed") &&
       in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
-    object(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not turn",
-           "operation.shaft_speed is required, from which the viscosity ratio follows", mistakes);
+    object_to(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not turn",
+              "operation.shaft_speed is required, from which the viscosity ratio follows", mistakes);
   if (in.has("life.cleanliness") && in.has("life.lubrication") && in.choice("life.cleanliness") == "lowest" &&
       in.choice("life.lubrication") == "circulating-oil")
-    object(in, "life.cleanliness", "'lowest' for circulating oil",
-           "one of highest, high, medium, low is required with a filter", mistakes);
+    object_to(in, "life.cleanliness", "'lowest' for circulating oil",
+              "one of highest, high, medium, low is required with a filter", mistakes);
 }
 
 }  // namespace

@@ -161,10 +161,6 @@ class AxisReader {
   std::vector<Mistake>& mistakes_;
 };
 
-bool is_numeric(const Field& field) {
-  return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer;
-}
-
 std::string path_hint(const std::string& key, unsigned model, const CaseShape& shape) {
   std::vector<std::string> known;
   for (const auto& [path, field] : inputs_of(model, shape)) {

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"

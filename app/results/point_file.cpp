@@ -16,7 +16,6 @@
 namespace orbearing::app {
 namespace {
 
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t first_bytes = 16384;     // of the file in memory, which grows as needed
 constexpr std::size_t compressed_from = 4096;  // [values]  below it compressing costs more than it saves
 

@@ -11,7 +11,6 @@ namespace {
 
 using study::PointResult;
 
-constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr double rpm_per_rad_s = 9.549296585513721;  // 30 / pi
 constexpr double million_revolutions = 1e-6;
 constexpr double micrometres = 1e6;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ struct Column {
   double per_unit = 1.0;                                   // table value = SI value x per_unit
   std::function<double(const study::PointResult&)> value;  // SI; not finite where there is none
 };
+
+/// The value of a column that has none.
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 /// Names of the columns that hold text; the second only where there are several sets.
 inline constexpr std::string_view status_column = "status";

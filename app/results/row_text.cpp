@@ -53,7 +53,6 @@ nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
 }
 
 ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& object) {
-  constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
   ResultRow row;
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     const nlohmann::ordered_json& field = object.at(head.names[i]);

@@ -1,6 +1,7 @@
 #include "app/study/branches.hpp"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 #include "app/study/drivetrain_case.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/refinements.hpp"
 #include "app/study/simulation_choice.hpp"
+#include "app/units.hpp"
 #include "bearing/profile/design.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
@@ -15,10 +15,6 @@
 namespace orbearing::app {
 
 namespace {
-
-using boost::math::double_constants::pi;
-constexpr double kRpm = 30.0 / pi;      // per rad/s
-constexpr double kDegree = 180.0 / pi;  // per rad
 
 gearset::Member member_of(const std::string& name) {
   if (name == "ring") return gearset::Member::ring;

@@ -17,7 +17,7 @@ void require(bool good, const ResolvedCase& in, const std::string& key, const st
   if (!good) throw BadInput(in.file() + ": " + key + ": found " + found + "; required: " + required);
 }
 
-void require_one_set(const ResolvedCase& in) {
+void require_drivable_set(const ResolvedCase& in) {
   require(in.model() == planetary_drivetrain, in, "model", in.choice("model"),
           "planetary-drivetrain, whose parts can be driven");
   require(!in.shape().several, in, "sets", "several sets", "one set, as gearset at the top of a case");
@@ -56,7 +56,7 @@ std::vector<double> start_forces(const cosim::DrivenGearsSetup& setup) {
 }  // namespace
 
 fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
-  require_one_set(in);
+  require_drivable_set(in);
   require(in.shape().bearing, in, "bearing", "no bearing", "a planet bearing, or --model gearset");
   const fmu::BearingModel model = bearing_model(in);
   try {
@@ -68,7 +68,7 @@ fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
 }
 
 fmu::NumberTable gear_numbers(const ResolvedCase& in) {
-  require_one_set(in);
+  require_drivable_set(in);
   require(in.shape().teeth, in, "gearset", "no teeth", "tooth numbers, from which loads and speeds follow");
   cosim::DrivenGearsSetup setup = gears_setup(in);
   const std::vector<double> forces = start_forces(setup);

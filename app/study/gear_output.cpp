@@ -1,6 +1,7 @@
 #include "app/study/gear_output.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

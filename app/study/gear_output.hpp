@@ -1,7 +1,7 @@
 // Modes and vibration of a planetary set as JSON, for terminals, and as content of a result file.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // `gears` of report.json: what the report's pictures of teeth, meshes, modes and vibration need.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"

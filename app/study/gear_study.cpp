@@ -1,6 +1,7 @@
 #include "app/study/gear_study.hpp"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 // The validation ledger: every published number beside ours.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>

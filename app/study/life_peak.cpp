@@ -1,19 +1,16 @@
 #include "app/study/life_peak.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <functional>
 
 #include "app/study/drivetrain_case.hpp"
+#include "app/units.hpp"
 #include "coupling/study/peak.hpp"
 
 namespace orbearing::app {
 
 namespace {
-
-constexpr double kRadiansPerSecond = boost::math::double_constants::pi / 30.0;  // of 1 rpm
-const std::string kSpeedPath = "input.speed";
 
 // A point of the axis of speed that runs through the best point.
 struct AxisPoint {

@@ -1,6 +1,7 @@
 #include "app/study/mesh_output.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int samples = 200;  // of the curve, a period
+constexpr int kCurveSamples = 200;  // of the curve, a period
 
 Json parts_json(const gearset::GearCompliance& gear) {
   return {{"bending_N_per_m", 1.0 / gear.tooth.bending},
@@ -42,8 +43,8 @@ Json standard_json(const NamedMesh& mesh) {
 
 Json curve_json(const gearset::PeriodicCurve& curve) {
   Json points = Json::array();
-  for (int i = 0; i < samples; ++i) {
-    const double fraction = double(i) / samples;
+  for (int i = 0; i < kCurveSamples; ++i) {
+    const double fraction = double(i) / kCurveSamples;
     points.push_back({fraction, curve.value(fraction)});
   }
   return points;

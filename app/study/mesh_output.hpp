@@ -1,7 +1,7 @@
 // The meshes of a case as JSON and for terminals.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "app/results/canvas.hpp"

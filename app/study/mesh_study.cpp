@@ -10,6 +10,7 @@
 #include "app/case/pair_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
+#include "app/units.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_body.hpp"
 
@@ -17,7 +18,6 @@ namespace orbearing::app {
 
 namespace {
 
-constexpr double kDegree = 57.29577951308232;           // per rad
 constexpr double kNewtonPerMillimetreMicrometre = 1e9;  // [Pa]
 
 void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& texts) {
@@ -137,7 +137,8 @@ double mass(const gearset::ExternalTooth& gear, const gearset::GearPair& pair, d
 MeshStudy mesh_study(const ResolvedCase& resolved) {
   if (resolved.model() == gear_pair) return pair_study(resolved);
   if (resolved.model() == planetary_drivetrain && !resolved.shape().teeth)
-    throw BadInput(resolved.file() + ": gearset.teeth: missing; required: teeth, which the meshes follow from");
+    throw BadInput(resolved.file() +
+                   ": gearset.teeth: missing; required: teeth, which the meshes follow from");
   if (resolved.model() == planetary_drivetrain) return set_study(resolved);
   throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                  "; required: gear-pair or planetary-drivetrain, which have meshes");

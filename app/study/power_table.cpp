@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <boost/math/constants/constants.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/case/arrangement_case.hpp"
 #include "app/results/result_row.hpp"
+#include "app/units.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
 
-namespace {
-
-constexpr double kRpm = 30.0 / boost::math::double_constants::pi;  // per rad/s
-
-}  // namespace
+namespace {}  // namespace
 
 PowerTable power_table(const ResolvedCase& resolved) {
   const gearset::Arrangement arrangement = arrangement_of(resolved);

@@ -1,8 +1,8 @@
 #include "app/study/report_data.hpp"
 
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
@@ -13,6 +13,7 @@
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "app/study/two_way_report.hpp"
+#include "app/units.hpp"
 #include "coupling/study/ablation.hpp"
 
 namespace orbearing::app {
@@ -20,9 +21,6 @@ namespace orbearing::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using boost::math::double_constants::pi;
-constexpr double kRpm = 30.0 / pi;      // per rad/s
-constexpr double kDegree = 180.0 / pi;  // per rad
 constexpr int kFinePoints = 221;
 
 Json scaled(const std::vector<double>& values, double factor) {

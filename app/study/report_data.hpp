@@ -1,7 +1,7 @@
 // report.json: all that the report's pictures need beyond the results themselves.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "app/case/resolved_case.hpp"

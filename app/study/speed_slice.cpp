@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
 
 namespace {
-
-const std::string kSpeedPath = "input.speed";
 
 // The value of the axis nearest to the case's own, as written.
 std::string nearest(const ResolvedCase& resolved, const SweepAxis& axis) {

@@ -1,9 +1,13 @@
 #include "app/study/static_output.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <limits>
+
+#include "app/results/json_number.hpp"
+#include "app/units.hpp"
 
 namespace orbearing::app {
 
@@ -11,12 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMillion = 1e-6;              // of revolutions
-constexpr double kDegree = 57.29577951308232;  // per rad
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
+constexpr double kMillion = 1e-6;  // of revolutions
 
 Json list(const Eigen::Ref<const Eigen::ArrayXd>& values, double unit = 1.0) {
   Json array = Json::array();
@@ -32,9 +31,9 @@ Json by_roller(const Eigen::ArrayXXd& loads) {
 }
 
 Json lives(const bearing::BearingLife& life) {
-  return {{"inner_Mrev", number(kMillion * life.inner)},
-          {"outer_Mrev", number(kMillion * life.outer)},
-          {"bearing_Mrev", number(kMillion * life.bearing)}};
+  return {{"inner_Mrev", number_or_null(kMillion * life.inner)},
+          {"outer_Mrev", number_or_null(kMillion * life.outer)},
+          {"bearing_Mrev", number_or_null(kMillion * life.bearing)}};
 }
 
 Json ratings_json(const Ratings& ratings) {
@@ -71,9 +70,9 @@ Json static_json(const StaticStudy& study) {
               {"tilt_mrad", 1e3 * study.tilt},
               {"contact_load_max_N", study.contact_load.maxCoeff()},
               {"contact_loads_N", list(study.contact_load)},
-              {"L10_Mrev", number(kMillion * study.basic_life)},
-              {"L10r_Mrev", number(kMillion * study.reference_life.bearing)},
-              {"life_Mrev", number(kMillion * study.life)},
+              {"L10_Mrev", number_or_null(kMillion * study.basic_life)},
+              {"L10r_Mrev", number_or_null(kMillion * study.reference_life.bearing)},
+              {"life_Mrev", number_or_null(kMillion * study.life)},
               {"moment_N_m", study.moment},
               {"pressure_max_MPa", 1e-6 * study.largest_pressure},
               {"equivalent_load_N", study.equivalent_load ? Json(*study.equivalent_load) : Json(nullptr)},

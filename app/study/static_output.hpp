@@ -1,7 +1,7 @@
 // A bearing under a static load as JSON, for terminals, and as content of a result file.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "app/results/point_file.hpp"

@@ -8,6 +8,7 @@
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
+#include "app/units.hpp"
 #include "bearing/rating/life_modification.hpp"
 
 namespace orbearing::app {
@@ -15,8 +16,6 @@ namespace orbearing::app {
 namespace {
 
 namespace rating = bearing::rating;
-
-constexpr double kDegree = 57.29577951308232;  // per rad
 
 double given_or(const ResolvedCase& in, const char* path, double otherwise) {
   return in.has(path) ? in.quantity(path) : otherwise;

@@ -1,6 +1,7 @@
 #include "app/study/static_run.hpp"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "app/study/sweep_study.hpp"
 
 #include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -21,8 +22,6 @@
 namespace orbearing::app {
 
 namespace {
-
-const std::string kSpeedPath = "input.speed";
 
 std::string label_of(const std::vector<Setting>& settings) {
   std::string label;

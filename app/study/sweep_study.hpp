@@ -1,7 +1,7 @@
 // The sweep of a case: its points, how each is computed, where life peaks, and what the user must be told.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,17 +1,17 @@
 #include "app/study/tooth_drawing.hpp"
 
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/units.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-using boost::math::double_constants::pi;
 using Eigen::Vector2d;
-constexpr double kDegree = 180.0 / pi;  // per rad
 constexpr double kMillimetre = 1000.0;  // per m
 constexpr int kFlankPoints = 40;
 

@@ -1,7 +1,7 @@
 // A pair of teeth in contact, as points to draw.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "gearset/working_geometry.hpp"

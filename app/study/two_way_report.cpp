@@ -1,11 +1,13 @@
 #include "app/study/two_way_report.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "app/results/json_number.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/units.hpp"
 #include "coupling/study/ablation.hpp"
 #include "coupling/study/scheme_convergence.hpp"
 
@@ -14,8 +16,6 @@ namespace orbearing::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double kRpm = 30.0 / boost::math::double_constants::pi;  // per rad/s
-constexpr double kMicro = 1e6, kMilli = 1e3;
 
 std::string how(const cosim::CoupledOptions& exchange, const std::string& fidelity) {
   if (fidelity_of(fidelity) == study::Fidelity::monolithic)
@@ -28,10 +28,6 @@ std::string how(const cosim::CoupledOptions& exchange, const std::string& fideli
                          : "");
 }
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json one_way(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm) {
   std::vector<double> speeds;
   for (const double rpm : speeds_rpm) speeds.push_back(rpm / kRpm);
@@ -41,8 +37,8 @@ Json one_way(const study::PlanetaryDrivetrain& drivetrain, const std::vector<dou
   Json curve{{"speed_rpm", speeds_rpm}, {"life_h", Json::array()}, {"outer_load_rms_N", Json::array()}};
   for (const study::PointResult& point : points) {
     const bool ok = point.status == "ok";
-    curve["life_h"].push_back(ok ? number(point.life_hours) : Json(nullptr));
-    curve["outer_load_rms_N"].push_back(ok ? number(point.outer.load_rms) : Json(nullptr));
+    curve["life_h"].push_back(ok ? number_or_null(point.life_hours) : Json(nullptr));
+    curve["outer_load_rms_N"].push_back(ok ? number_or_null(point.outer.load_rms) : Json(nullptr));
   }
   return curve;
 }
@@ -57,13 +53,13 @@ Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
   for (const study::SchemeError& error : found.errors)
     object["rows"].push_back({{"scheme", error.scheme},
                               {"window_us", kMicro * error.window},
-                              {"force_error", number(error.force_error)},
-                              {"energy_residual", number(error.energy_residual)}});
+                              {"force_error", number_or_null(error.force_error)},
+                              {"energy_residual", number_or_null(error.energy_residual)}});
   for (const study::SchemeOrder& order : found.orders)
     object["orders"].push_back({{"scheme", order.scheme},
                                 {"expected", order.expected},
-                                {"measured", number(order.measured)},
-                                {"stability_limit_us", number(kMicro * order.stability_limit)}});
+                                {"measured", number_or_null(order.measured)},
+                                {"stability_limit_us", number_or_null(kMicro * order.stability_limit)}});
   return object;
 }
 

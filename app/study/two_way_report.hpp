@@ -1,7 +1,7 @@
 // What a report shows of gears and bearings that act on each other.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "app/study/worth.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <functional>
 #include <limits>
 #include <map>
@@ -9,15 +8,14 @@
 #include "app/errors.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/drivetrain_case.hpp"
+#include "app/units.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-constexpr double kRadiansPerSecond = boost::math::double_constants::pi / 30.0;  // of 1 rpm
-
-std::vector<double> swept_speeds(const ResolvedCase& resolved) {
+std::vector<double> speeds_of_sweep(const ResolvedCase& resolved) {
   for (const SweepAxis& axis : resolved.axes()) {
     if (axis.path != "input.speed") continue;
     std::vector<double> speeds;
@@ -64,7 +62,7 @@ ResolvedCase with_settings(const ResolvedCase& resolved, const std::vector<std::
 LifeCurve life_curve(const ResolvedCase& resolved) {
   const std::vector<study::NamedSet> sets = bearing_sets(resolved);
   LifeCurve curve;
-  for (const double speed : swept_speeds(resolved)) {
+  for (const double speed : speeds_of_sweep(resolved)) {
     try {
       const study::PointResult point = study::evaluate(study::at_speed(sets, speed));
       curve.speed_rpm.push_back(in_table_unit(speed, 1.0 / kRadiansPerSecond));

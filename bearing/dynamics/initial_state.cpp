@@ -8,7 +8,7 @@ namespace orbearing::bearing::dynamics {
 
 namespace {
 
-Vector2 direction(double angle) {
+Vector2 ray_at(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
@@ -16,7 +16,7 @@ Vector2 direction(double angle) {
 Vector2 pin_displacement(const BearingModel& model, const QuasiStaticState& balance) {
   Vector2 force = model.pin_mass * inertial_acceleration(model.frame, Vector2::Zero(), Vector2::Zero());
   for (Eigen::Index j = 0; j < balance.angle.size(); ++j)
-    force -= balance.inner_load[j] * direction(balance.angle[j]);
+    force -= balance.inner_load[j] * ray_at(balance.angle[j]);
   return force / model.support.stiffness;
 }
 
@@ -27,12 +27,12 @@ double race_radius(const RaceModel& race, double angle) {
 
 // Centre of a roller on the ray `outward` from the pin: on the inner race where it carries, else on the
 // outer.
-Vector2 roller_centre(const BearingModel& model, const RollerContacts& contacts,
+Vector2 roller_centre(const BearingModel& model, const bearing::RollerContacts& contacts,
                       const QuasiStaticState& balance, Eigen::Index j, const Vector2& pin,
                       const Vector2& bore) {
   const double roller = model.geometry.roller_radius + model.larger_by[static_cast<std::size_t>(j)];
   const double angle = balance.angle[j];
-  const Vector2 outward = direction(angle);
+  const Vector2 outward = ray_at(angle);
   if (balance.inner_load[j] > 0.0)
     return pin + (race_radius(model.inner, angle) + roller - contacts.inner.approach(balance.inner_load[j])) *
                      outward;
@@ -42,7 +42,7 @@ Vector2 roller_centre(const BearingModel& model, const RollerContacts& contacts,
 
 void set_roller(const Vector2& centre, double angle, double cage_speed, double spin, Eigen::Index j,
                 MutableStateViews& state) {
-  const double off = cross(direction(angle), centre) / centre.norm();
+  const double off = cross(ray_at(angle), centre) / centre.norm();
   state.radius[j] = centre.norm();
   state.angle[j] = angle + std::asin(off);
   state.orbital_speed[j] = cage_speed;

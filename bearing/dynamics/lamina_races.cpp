@@ -9,7 +9,7 @@ namespace orbearing::bearing::dynamics {
 namespace {
 
 constexpr double kBalance = 1e-14;  // of both tip loads, where round-off begins
-constexpr int kMostIterations = 100;
+constexpr int kMostTiltSteps = 100;
 
 bool symmetric(const laminae::LaminaContact& contact) {
   const auto drops = contact.drops();
@@ -33,7 +33,7 @@ double LaminaRaces::roller_tip(double inner_approach, double outer_approach, dou
   double tip = inner_approach <= inner_.least_drop()   ? outer_tip
                : outer_approach <= outer_.least_drop() ? 0.0
                                                        : 0.5 * outer_tip;
-  for (int i = 0; i < kMostIterations; ++i) {
+  for (int i = 0; i < kMostTiltSteps; ++i) {
     const laminae::LaminaForce in = inner_.evaluate(inner_approach, -tip);
     const laminae::LaminaForce out = outer_.evaluate(outer_approach, tip - outer_tip);
     const double excess = in.tip_load - out.tip_load;

@@ -10,7 +10,7 @@ namespace {
 
 using boost::math::double_constants::pi;
 
-constexpr double kFilmSpeedExponent = 0.7;
+constexpr double kTractionSpeedExponent = 0.7;
 constexpr double kRollingSpeedExponent = 0.658;
 constexpr double kRollingLoadExponent = 0.0126;
 constexpr double kRollingLoadScale = 1.0;  // [N]  below it the resistance falls in proportion to the load
@@ -42,7 +42,7 @@ double TractionCurve::limiting_shear(double load, double sliding, double entrain
   const double pressure = mean_pressure(contact_, load);
   const double exponent = std::min(contact_.lubricant.pressure_viscosity * pressure, largest_exponent_);
   const double viscosity = contact_.lubricant.viscosity * std::exp(exponent);
-  const double film = film_at_unit_speed_.central(load) * std::pow(entrainment, kFilmSpeedExponent);
+  const double film = film_at_unit_speed_.central(load) * std::pow(entrainment, kTractionSpeedExponent);
   const double scale = friction_ * pressure * film / viscosity + sliding_scale_;
   return std::copysign(friction_ * load * -std::expm1(-std::abs(sliding) / scale), sliding);
 }

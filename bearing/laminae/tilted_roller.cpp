@@ -11,9 +11,9 @@ namespace orbearing::bearing::laminae {
 
 namespace {
 
-constexpr double kTolerance = 1e-13;  // of the loads
-constexpr double kRoundOff = 2e-16;   // of the lengths at hand
-constexpr double kAcceptable = 1e-9;  // of the loads, should the search end at what lengths can resolve
+constexpr double kRollerTolerance = 1e-13;  // of the loads
+constexpr double kRollerRoundOff = 2e-16;   // of the lengths at hand
+constexpr double kRollerAcceptable = 1e-9;  // of the loads, should the search end at what lengths can resolve
 constexpr int kMostFilmSteps = 60;
 
 // The roller between races whose elastic approaches add up to `elastic`: the energy of both contacts and of
@@ -57,8 +57,8 @@ Eigen::Vector2d first_guess(const TiltedRoller& roller, const RollerSetting& set
 NewtonLimits limits_of(const TiltedRoller& roller, const RollerSetting& setting, double elastic) {
   const double lengths = lengths_at_hand(roller, setting, elastic);
   return {.reach = lengths + straight_approach(roller.outer, std::abs(setting.inertial_load)) + 1e-9,
-          .tolerance = kTolerance,
-          .round_off = kRoundOff * lengths,
+          .tolerance = kRollerTolerance,
+          .round_off = kRollerRoundOff * lengths,
           .iterations = 200};
 }
 
@@ -91,7 +91,7 @@ EnergySlope settle_within_brackets(const DryRoller& roller, double reach, Eigen:
 
 // What lengths can resolve of the forces counts as balance.
 bool is_balanced(const EnergySlope& now, double round_off) {
-  return now.force.norm() <= kAcceptable * now.scale + now.stiffness.trace() * round_off;
+  return now.force.norm() <= kRollerAcceptable * now.scale + now.stiffness.trace() * round_off;
 }
 
 // Slopes of the settled roller by the sum of the elastic approaches: d(energy slope)/d(elastic) is minus the
@@ -129,7 +129,7 @@ void settle_with_film(const TiltedRoller& roller, const RollerSetting& setting, 
   double elastic =
       state.known ? state.elastic + state.per_approach * (setting.approach - state.approach) : high;
   elastic = std::clamp(elastic, low, high);
-  const double smallest = kRoundOff * lengths_at_hand(roller, setting, elastic);
+  const double smallest = kRollerRoundOff * lengths_at_hand(roller, setting, elastic);
   for (int i = 0; i < kMostFilmSteps; ++i) {
     const double dry_stiffness = settle_dry(roller, setting, elastic, state);
     const double excess =

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "bearing/point_contact.hpp"
+#include "bearing/units.hpp"
 
 namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kMillimetres = 1e3;  // per metre: the standard's constants hold in N and mm
 constexpr double kTableInner = 0.52;  // [-]  osculations up to which the table of [ISO281] holds
 constexpr double kTableOuter = 0.53;  // [-]
 

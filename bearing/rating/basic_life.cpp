@@ -1,17 +1,16 @@
 #include "bearing/rating/basic_life.hpp"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
+
+#include "bearing/units.hpp"
 
 namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kMillionRevolutions = 1e6;
 constexpr double kReliabilityOfRatings = 0.9;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // ln(1/S) over that of the rating life; log1p keeps digits where S is near 1.
 double hazard_ratio(double reliability) {

@@ -7,11 +7,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bearing/units.hpp"
+
 namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kMillimetres = 1e3;  // per metre
 constexpr double kLargestFactor = 50.0;
 
 [[noreturn]] void refuse(const char* what, double found, const char* required) {

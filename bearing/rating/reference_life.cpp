@@ -2,14 +2,13 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
+
+#include "bearing/units.hpp"
 
 namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kMillionRevolutions = 1e6;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLaminaExponent = 9.0 / 2.0;
 constexpr double kRollerSlope = 9.0 / 8.0;
 constexpr double kBallExponent = 10.0 / 3.0;

@@ -2,11 +2,12 @@
 
 #include <cmath>
 
+#include "bearing/units.hpp"
+
 namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kMillimetres = 1e3;  // per metre: the standard's constants hold in N and mm
 constexpr double kWeakerRace = 9.0 / 2.0;
 constexpr double kBothRaces = 2.0 / 9.0;
 

@@ -18,8 +18,8 @@ namespace {
 using bearing::dynamics::BoreMotion;
 
 constexpr double kFirstStep = 1e-6;  // [s]
-constexpr double kSavedKind = 30001.0;
-constexpr std::ptrdiff_t kSavedHead = 4;
+constexpr double kSavedSystemKind = 30001.0;
+constexpr std::ptrdiff_t kSavedSystemHead = 4;
 // Errors that linearly implicit steps may make in the gears, over those of dopri5.
 constexpr double kGearErrorFactor = 100.0;
 constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
@@ -238,7 +238,7 @@ void CoupledIntegration::each(Visit visit) {
 SavedState CoupledIntegration::saved() {
   if (following_)
     throw std::runtime_error("monolithic solution: found follow() before save; required: windows alone");
-  SavedState all{kSavedKind, static_cast<double>(model_.bearing.layout.rollers),
+  SavedState all{kSavedSystemKind, static_cast<double>(model_.bearing.layout.rollers),
                  static_cast<double>(system_.bearings()), static_cast<double>(freedoms())};
   each([&](const double* first, long size) { all.insert(all.end(), first, first + size); });
   return all;
@@ -246,9 +246,9 @@ SavedState CoupledIntegration::saved() {
 
 bool CoupledIntegration::put(const SavedState& state) {
   const SavedState own = saved();
-  if (state.size() != own.size() || !std::equal(own.begin(), own.begin() + kSavedHead, state.begin()))
+  if (state.size() != own.size() || !std::equal(own.begin(), own.begin() + kSavedSystemHead, state.begin()))
     return false;
-  auto from = state.begin() + kSavedHead;
+  auto from = state.begin() + kSavedSystemHead;
   each([&](double* first, long size) {
     std::copy_n(from, size, first);
     from += size;

@@ -23,10 +23,10 @@ using gearset::dynamics::SetParameters;
 using gearset::dynamics::SpeedState;
 
 // Saved state: [ kind and version | time | step | x ].
-constexpr double kSavedKind = 20001.0;
-constexpr std::size_t kSavedHead = 3;
+constexpr double kSavedGearsKind = 20001.0;
+constexpr std::size_t kSavedGearsHead = 3;
 
-[[noreturn]] void refuse(const std::string& what, double found, const std::string& required) {
+[[noreturn]] void refuse_gears(const std::string& what, double found, const std::string& required) {
   std::ostringstream text;
   text << what << ": found " << found << "; required: " << required;
   throw std::invalid_argument(text.str());
@@ -34,8 +34,8 @@ constexpr std::size_t kSavedHead = 3;
 
 SetParameters with_ports(const SetParameters& set) {
   if (!(set.planet.bearing_stiffness > 0.0))
-    refuse("stiffness of the planet's bearing", set.planet.bearing_stiffness,
-           "a value greater than 0, to find the state in which the run begins");
+    refuse_gears("stiffness of the planet's bearing", set.planet.bearing_stiffness,
+                 "a value greater than 0, to find the state in which the run begins");
   return set;
 }
 
@@ -51,7 +51,7 @@ double first_step(const Operation& operation) {
 }
 
 integration::IntegrationOptions options_of(const DrivenGearsSetup& setup, const SetModel& model) {
-  if (!(setup.allowed_share > 0.0)) refuse("allowed error of a step", setup.allowed_share, "above 0");
+  if (!(setup.allowed_share > 0.0)) refuse_gears("allowed error of a step", setup.allowed_share, "above 0");
   integration::IntegrationOptions options;
   options.allowed_error = integration::gear_allowed_errors(model, setup.allowed_share);
   options.step = first_step(model.operation);
@@ -78,7 +78,7 @@ struct DrivenGears::Inside {
 
   void require_one_each(const std::vector<PlanetForceCourse>& forces) const {
     if (static_cast<Index>(forces.size()) != planets())
-      refuse("number of forces on planets", static_cast<double>(forces.size()), "one for each planet");
+      refuse_gears("number of forces on planets", static_cast<double>(forces.size()), "one for each planet");
   }
 
   void set_loads(const std::vector<PlanetForceCourse>& forces, double since) {
@@ -123,7 +123,7 @@ void DrivenGears::balance(const std::vector<PlanetForceCourse>& forces) {
 
 void DrivenGears::advance(const Window& window, const std::vector<PlanetForceCourse>& forces) {
   inside_->require_one_each(forces);
-  if (!(window.end > window.begin)) refuse("length of a window", window.length(), "above 0");
+  if (!(window.end > window.begin)) refuse_gears("length of a window", window.length(), "above 0");
   const auto derivative = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                               Eigen::Ref<Eigen::VectorXd> dx) {
     inside_->set_loads(forces, time - window.begin);
@@ -170,19 +170,20 @@ int DrivenGears::planets() const {
 }
 
 void DrivenGears::save(SavedState& state) const {
-  state = {kSavedKind, inside_->time, inside_->options.step};
+  state = {kSavedGearsKind, inside_->time, inside_->options.step};
   state.insert(state.end(), inside_->x.begin(), inside_->x.end());
 }
 
 void DrivenGears::restore(const SavedState& state) {
-  const std::size_t required = kSavedHead + static_cast<std::size_t>(inside_->x.size());
+  const std::size_t required = kSavedGearsHead + static_cast<std::size_t>(inside_->x.size());
   if (state.size() != required)
-    refuse("size of a saved state", static_cast<double>(state.size()), std::to_string(required));
-  if (state[0] != kSavedKind) refuse("kind of a saved state", state[0], "that of a gear set, 20001");
-  if (!(state[2] > 0.0)) refuse("step of a saved state", state[2], "above 0");
+    refuse_gears("size of a saved state", static_cast<double>(state.size()), std::to_string(required));
+  if (state[0] != kSavedGearsKind)
+    refuse_gears("kind of a saved state", state[0], "that of a gear set, 20001");
+  if (!(state[2] > 0.0)) refuse_gears("step of a saved state", state[2], "above 0");
   inside_->time = state[1];
   inside_->options.step = state[2];
-  inside_->x = Eigen::Map<const Eigen::VectorXd>(state.data() + kSavedHead, inside_->x.size());
+  inside_->x = Eigen::Map<const Eigen::VectorXd>(state.data() + kSavedGearsHead, inside_->x.size());
 }
 
 }  // namespace orbearing::cosim

@@ -21,7 +21,7 @@ enum Input : std::size_t {
   input_number
 };
 
-std::vector<InputFacts> inputs_of(const BearingModel& model) {
+std::vector<InputFacts> bearing_inputs(const BearingModel& model) {
   const std::string goes_on = "; inside a step it goes on with ";
   const auto displacement = [&](const char* axis, const char* sense) {
     return std::string("displacement of the planet's axis from that of its undeformed pin, ") + sense +
@@ -49,7 +49,7 @@ Inputs all() {
   return {x, y, velocity_x, velocity_y, planet_speed, carrier_speed, carrier_acceleration};
 }
 
-std::vector<OutputFacts> outputs_of(int rollers) {
+std::vector<OutputFacts> bearing_outputs(int rollers) {
   const Inputs none, turning{planet_speed};
   std::vector<OutputFacts> outputs{
       {"force.x", "N", "force of the bearing on the planet, outward", bore(), all()},
@@ -151,8 +151,8 @@ ModelFacts bearing_facts(const NumberTable& numbers) {
                        "One cylindrical roller bearing of one planet: rollers, cage and pin ring in the "
                        "carrier's frame"};
   show_fields(bearing_fields(), model, facts);
-  facts.inputs = inputs_of(model);
-  facts.outputs = outputs_of(model.setup.bearing.rollers);
+  facts.inputs = bearing_inputs(model);
+  facts.outputs = bearing_outputs(model.setup.bearing.rollers);
   return facts;
 }
 

@@ -5,7 +5,7 @@ namespace orbearing::fmu {
 namespace {
 
 using Setup = GearModel;
-using Fields = FieldList<Setup>;
+using GearFields = FieldList<Setup>;
 using enum Use;
 using enum Allowed;
 
@@ -13,7 +13,7 @@ const std::string kBlock = "gearset.dynamics.";
 
 // `member` gives sun, ring or carrier of a setup.
 template <class Member>
-void add_central(Fields& f, const std::string& name, Member member) {
+void add_central(GearFields& f, const std::string& name, Member member) {
   const std::string path = kBlock + name;
   f.number(
        {path + ".mass", "kg", "mass of the " + name, parameter, positive},
@@ -48,7 +48,7 @@ void add_central(Fields& f, const std::string& name, Member member) {
           });
 }
 
-void add_planet(Fields& f) {
+void add_planet(GearFields& f) {
   const std::string path = kBlock + "planet";
   f.number(
        {"gearset.planets", "1", "number of planets", constant, positive},
@@ -75,7 +75,7 @@ void add_planet(Fields& f) {
 }
 
 template <class Member>
-void add_mesh(Fields& f, const std::string& name, Member member) {
+void add_mesh(GearFields& f, const std::string& name, Member member) {
   const auto add_curve = [&](const std::string& path, auto curve) {
     f.list(
         path, [curve](const Setup& s) { return curve(s).numbers(); },
@@ -101,13 +101,13 @@ void add_mesh(Fields& f, const std::string& name, Member member) {
 }
 
 template <class Member>
-void add_list(Fields& f, const char* name, Member member) {
+void add_list(GearFields& f, const char* name, Member member) {
   f.list(
       name, [member](const Setup& s) { return member(s); },
       [member](Setup& s, const std::vector<double>& numbers) { member(s) = numbers; });
 }
 
-void add_phases(Fields& f) {
+void add_phases(GearFields& f) {
   add_list(
       f, "gearset.sun_phase", [](auto& s) -> auto& { return s.setup.set.sun_phase; });
   add_list(
@@ -124,12 +124,12 @@ void add_phases(Fields& f) {
       });
 }
 
-void add_start(Fields& f) {
+void add_start(GearFields& f) {
   add_list(
       f, "operation.planet_force", [](auto& s) -> auto& { return s.start_force; });
 }
 
-void add_frame(Fields& f) {
+void add_frame(GearFields& f) {
   f.number(
        {"inertia.coriolis"}, [](auto& s) -> auto& { return s.setup.set.frame.coriolis; })
       .number(
@@ -140,7 +140,7 @@ void add_frame(Fields& f) {
           {kBlock + "separation"}, [](auto& s) -> auto& { return s.setup.set.separation; });
 }
 
-void add_operation(Fields& f) {
+void add_operation(GearFields& f) {
   f.number(
        {"input.member"}, [](auto& s) -> auto& { return s.setup.operation.driven; })
       .number(
@@ -179,7 +179,7 @@ void add_operation(Fields& f) {
 }  // namespace
 
 std::vector<SetupField<Setup>> gear_fields() {
-  Fields fields;
+  GearFields fields;
   add_planet(fields);
   add_central(
       fields, "sun", [](auto& s) -> auto& { return s.setup.set.sun; });

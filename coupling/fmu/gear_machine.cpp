@@ -13,7 +13,7 @@ std::string planet_name(int planet) {
   return "planet[" + std::to_string(planet) + "].";
 }
 
-std::vector<InputFacts> inputs_of(const GearModel& model) {
+std::vector<InputFacts> gear_inputs(const GearModel& model) {
   std::vector<InputFacts> inputs;
   const auto add = [&](const std::string& name, const char* unit, const std::string& meaning) {
     const std::size_t place = inputs.size();
@@ -29,7 +29,7 @@ std::vector<InputFacts> inputs_of(const GearModel& model) {
   return inputs;
 }
 
-std::vector<OutputFacts> outputs_of(int planets) {
+std::vector<OutputFacts> gear_outputs(int planets) {
   std::vector<OutputFacts> outputs;
   for (int i = 1; i <= planets; ++i) {
     const std::string planet = planet_name(i);
@@ -96,8 +96,8 @@ ModelFacts gear_facts(const NumberTable& numbers) {
   ModelFacts facts{.model = "gearset",
                    .meaning = "A planetary gear set whose planet bearings are computed elsewhere"};
   show_fields(gear_fields(), model, facts);
-  facts.inputs = inputs_of(model);
-  facts.outputs = outputs_of(model.setup.set.planets);
+  facts.inputs = gear_inputs(model);
+  facts.outputs = gear_outputs(model.setup.set.planets);
   return facts;
 }
 

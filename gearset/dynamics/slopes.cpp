@@ -64,7 +64,7 @@ void add_planet_bearings(const SetModel& model, ForceSlopes& slopes) {
 }
 
 // The force is `value` times the component y on x, and its opposite times x on y.
-void add_turn(Index place, double value, MatrixXd& slopes) {
+void add_turn_slope(Index place, double value, MatrixXd& slopes) {
   slopes(place, place + 1) += value;
   slopes(place + 1, place) -= value;
 }
@@ -74,7 +74,7 @@ void add_support(const Support& support, const CarrierTurn& turn, Index place, F
       Vector3d(support.stiffness, support.stiffness, support.torsional_stiffness);
   slopes.by_velocity.diagonal().segment<3>(place) -=
       Vector3d(support.damping, support.damping, support.torsional_damping);
-  add_turn(place, support.damping * turn.speed, slopes.by_position);
+  add_turn_slope(place, support.damping * turn.speed, slopes.by_position);
 }
 
 // Eqs. (8) and (9) of gearset/dynamics/README.md.
@@ -85,11 +85,11 @@ void add_frame(const SetModel& model, const CarrierTurn& turn, ForceSlopes& slop
     slopes.by_position(place, place) += mass * turn.centrifugal;
     if (central) {
       slopes.by_position(place + 1, place + 1) += mass * turn.centrifugal;
-      add_turn(place, mass * turn.euler, slopes.by_position);
+      add_turn_slope(place, mass * turn.euler, slopes.by_position);
     } else {
       slopes.by_position(place + 1, place) -= 2.0 * mass * turn.euler;
     }
-    add_turn(place, 2.0 * mass * turn.coriolis, slopes.by_velocity);
+    add_turn_slope(place, 2.0 * mass * turn.coriolis, slopes.by_velocity);
   }
 }
 

@@ -11,7 +11,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Harmonics per radian of the tooth's root; with the smoothing below the error of the series is then below
 // a thousandth of each coefficient.

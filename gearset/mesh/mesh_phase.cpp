@@ -7,7 +7,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 }  // namespace
 

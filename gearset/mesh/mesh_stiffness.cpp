@@ -11,7 +11,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 bool internal(const MeshingGears& gears) {
   return std::holds_alternative<RingTooth>(gears.first.tooth);

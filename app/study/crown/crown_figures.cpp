@@ -1,10 +1,11 @@
 #include "app/study/crown/crown_figures.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/study/crown/crown_study.hpp"
+#include "app/units.hpp"
 #include "bearing/profile/design.hpp"
 
 namespace orbearing::app {
@@ -16,8 +17,6 @@ using namespace study::crowning;
 using bearing::Race;
 using bearing::profile::Profile;
 
-constexpr double kRpm = 30.0 / boost::math::double_constants::pi;  // per rad/s
-constexpr double kDegree = 180.0 / boost::math::double_constants::pi;
 constexpr int kMapDrops = 33, kMapTilts = 17, kFrontDrops = 17, kProfilePoints = 201;
 
 // A profile under the name that the pictures give it.

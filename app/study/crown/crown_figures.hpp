@@ -1,7 +1,7 @@
 // What the pictures of a crowning study show beyond its result.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "app/study/crown/crown_options.hpp"
 

@@ -1,5 +1,7 @@
 #include "app/study/crown/crown_files.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 

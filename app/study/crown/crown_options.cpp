@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,6 @@ constexpr Dimension kDrop{"length", "m", "um", "5 um"};
 constexpr double kMostTilt = 0.1;        // [rad]  far beyond any mounting
 constexpr double kMostDrop = 1e-3;       // [m]
 constexpr double kShareRoundOff = 1e-6;  // of a sum of shares that were rounded for typing
-const std::string kSpeedPath = "input.speed";
 
 using Mistakes = std::vector<std::string>;
 

@@ -1,7 +1,7 @@
 // What `orbearing crown` is asked beyond the case, as text and as numbers.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
+
+#include "app/results/json_number.hpp"
+#include "app/units.hpp"
 
 namespace orbearing::app {
 
@@ -13,20 +16,13 @@ namespace {
 using nlohmann::ordered_json;
 using namespace study::crowning;
 
-constexpr double kMicro = 1e6, kMilli = 1e3, kMega = 1e-6;
-constexpr double kRpm = 30.0 / boost::math::double_constants::pi;  // per rad/s
-
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json point_json(const CrownPoint& point, const std::string& profile) {
   const bool ok = point.status == "ok";
   return {{"drop_um", in_table_unit(point.drop, kMicro)},
           {"tilt_mrad", in_table_unit(point.tilt, kMilli)},
-          {"life_h", number(point.life_hours)},
-          {"peak_pressure_MPa", ok ? number(kMega * point.pressure.peak) : nullptr},
-          {"edge_ratio", ok ? number(point.pressure.edge_ratio) : nullptr},
+          {"life_h", number_or_null(point.life_hours)},
+          {"peak_pressure_MPa", ok ? number_or_null(kMega * point.pressure.peak) : nullptr},
+          {"edge_ratio", ok ? number_or_null(point.pressure.edge_ratio) : nullptr},
           {"profile", profile},
           {"status", point.status}};
 }
@@ -35,13 +31,13 @@ ordered_json design_json(const CrownDesign& design, LifeMeasure measure) {
   const char* other = measure == LifeMeasure::iso16281 ? "lundberg_palmgren_life_h" : "iso16281_life_h";
   ordered_json object{{"profile", design.profile},
                       {"drop_um", kMicro * design.crown.drop},
-                      {"life_h", number(design.life_hours)},
-                      {"peak_pressure_MPa", number(kMega * design.peak_pressure)},
-                      {"edge_ratio", number(design.edge_ratio)},
-                      {"untilted_life_h", number(design.untilted_life_hours)},
-                      {other, number(design.other_life_hours)},
-                      {"half_space_life_h", number(design.pressure_life_hours)},
-                      {"untilted_half_space_life_h", number(design.untilted_pressure_life_hours)}};
+                      {"life_h", number_or_null(design.life_hours)},
+                      {"peak_pressure_MPa", number_or_null(kMega * design.peak_pressure)},
+                      {"edge_ratio", number_or_null(design.edge_ratio)},
+                      {"untilted_life_h", number_or_null(design.untilted_life_hours)},
+                      {other, number_or_null(design.other_life_hours)},
+                      {"half_space_life_h", number_or_null(design.pressure_life_hours)},
+                      {"untilted_half_space_life_h", number_or_null(design.untilted_pressure_life_hours)}};
   if (design.has_share) object["crowned_share"] = design.crown.share;
   if (std::isfinite(design.life_in_band)) object["life_in_band_h"] = design.life_in_band;
   return object;
@@ -54,7 +50,7 @@ ordered_json search_json(const CrownSearch& search, LifeMeasure measure) {
     ends.push_back({{"start_um", kMicro * end.start.drop},
                     {"drop_um", kMicro * end.crown.drop},
                     {"crowned_share", search.best.has_share ? ordered_json(end.crown.share) : nullptr},
-                    {"life_h", number(end.life_hours)},
+                    {"life_h", number_or_null(end.life_hours)},
                     {"evaluations", end.evaluations}});
   object["starts"] = {{"count", search.ends.size()}, {"in_optimum", search.in_best}, {"ends", ends}};
   return object;

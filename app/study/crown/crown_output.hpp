@@ -1,7 +1,7 @@
 // A crowning study as JSON, as a table, as a file.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "app/results/point_file.hpp"
