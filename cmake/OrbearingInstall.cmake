@@ -26,7 +26,14 @@ install(FILES "${PROJECT_BINARY_DIR}/OrbearingConfig.cmake"
 
 if(TARGET orbearing)
   install(TARGETS orbearing RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  # Beside bin, where the command fmu looks for them.
+  # Beside bin, where the command fmu looks for them. An installation has nothing to build the one for Windows with.
+  set(build_win64 "${PROJECT_BINARY_DIR}/lib/orbearing/fmu/build_win64")
+  if(EXISTS "${build_win64}")
+    install(CODE "execute_process(COMMAND [[${build_win64}]] OUTPUT_VARIABLE reason RESULT_VARIABLE failed)
+if(failed)
+  message(WARNING \"FMUs of this installation are for Linux alone: \${reason}\")
+endif()")
+  endif()
   install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION lib/orbearing
           FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")

@@ -82,7 +82,7 @@ int fmu_command(const Options& options) {
   const fmu::NumberTable numbers =
       options.model == "gearset" ? gear_numbers(resolved) : bearing_numbers(resolved);
   const fmu::DescriptionOptions description = description_options(resolved, options);
-  const FmuLibraries libraries = fmu_libraries(numbers, description.interface);
+  const FmuLibraries libraries = fmu_libraries(numbers, description.interface, options.quiet);
   const std::string content = fmu_content(numbers, description, libraries.found);
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
   write_aside_and_rename(file, content);

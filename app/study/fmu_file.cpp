@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <cstdio>
+
 #include "app/errors.hpp"
 #include "app/license.hpp"
 #include "app/results/durable_file.hpp"
@@ -29,7 +32,42 @@ struct Platform {
 
 constexpr Platform kPlatforms[] = {
     {"linux64", "x86_64-linux", ".so", "build the target orbearing_fmu_linux64"},
-    {"win64", "x86_64-windows", ".dll", "install g++-mingw-w64-x86-64-posix, configure and build again"}};
+    {"win64", "x86_64-windows", ".dll", "a build with ORBEARING_BUILD_WIN64=ON"}};
+
+std::string quoted_for_shell(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+struct Ended {
+  bool well = false;
+  std::string last_line;
+};
+
+Ended run_program(const fs::path& program) {
+  FILE* output = popen((quoted_for_shell(program.string()) + " 2>&1").c_str(), "r");
+  if (output == nullptr) return {false, "it could not be started"};
+  Ended ended;
+  std::array<char, 4096> line;
+  while (fgets(line.data(), line.size(), output) != nullptr) ended.last_line = line.data();
+  ended.well = pclose(output) == 0;
+  while (ended.last_line.ends_with('\n')) ended.last_line.pop_back();
+  return ended;
+}
+
+// Where a library is missing and the means to build it stand beside, it is built. Gives why there is none.
+std::string build_missing(const Platform& platform, const fs::path& library, bool quiet) {
+  const fs::path recipe = libraries_folder() / (std::string("build_") + platform.folder);
+  if (!fs::exists(recipe))
+    return fmt::format("found no file {}; required: {}", library.string(), platform.remedy);
+  if (!quiet)
+    fmt::print(stderr, "fmu: building the library for {}, this once (a minute or less) ...\n",
+               platform.folder);
+  const Ended ended = run_program(recipe);
+  if (!ended.well) return ended.last_line;
+  return fs::exists(library) ? "" : "found no file " + library.string() + " after its build";
+}
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -66,19 +104,21 @@ std::string page(const fmu::NumberTable& numbers, const std::string& name) {
 
 }  // namespace
 
-FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface) {
+FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool quiet) {
   FmuLibraries libraries;
   for (const Platform& platform : kPlatforms) {
     const fs::path file = libraries_folder() / platform.folder / (std::string("orbearing") + platform.ending);
-    if (!fs::exists(file)) {
-      libraries.missing.push_back(fmt::format("no library for {}: found no file {}; {}", platform.folder,
-                                              file.string(), platform.remedy));
+    const std::string missing = fs::exists(file) ? "" : build_missing(platform, file, quiet);
+    if (!missing.empty()) {
+      libraries.missing.push_back(fmt::format("no library for {}: {}", platform.folder, missing));
       continue;
     }
     libraries.found.push_back({interface == fmu::Interface::fmi3 ? platform.fmi3 : platform.folder,
                                fmu::model_identifier(numbers) + platform.ending, read_file(file)});
   }
   if (libraries.found.empty()) throw ComputationFailed("fmu: " + libraries.missing.front());
+  for (std::string& line : libraries.missing)
+    line = fmt::format("only {} is inside: {}", libraries.found.front().platform, line);
   return libraries;
 }
 

@@ -22,8 +22,9 @@ struct FmuLibraries {
   std::vector<std::string> missing;  // one line for each, with the remedy
 };
 
-/// Throws ComputationFailed where there is none at all.
-FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface);
+/// Builds a library that is missing where a program build_<platform> stands beside the others, and says so on
+/// standard error unless `quiet`. Throws ComputationFailed where there is none at all.
+FmuLibraries fmu_libraries(const fmu::NumberTable& numbers, fmu::Interface interface, bool quiet);
 
 /// The archive's bytes.
 std::string fmu_content(const fmu::NumberTable& numbers, const fmu::DescriptionOptions& options,

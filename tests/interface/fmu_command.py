@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -12,6 +13,7 @@ import zipfile
 
 CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
 REDUCER = CASES / "reducer_150kW" / "case.yaml"
+LIBRARIES = pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "lib" / "orbearing" / "fmu"
 SECONDS = 60
 
 
@@ -101,6 +103,81 @@ class FmuCommand(unittest.TestCase):
     def test_a_folder_is_no_file(self):
         (self.folder / "a.fmu").mkdir()
         self.assertEqual(fmu(REDUCER, self.folder / "a.fmu").returncode, 2)
+
+
+class WindowsLibraryWhenItIsNeeded(unittest.TestCase):
+    """A copy of the program and its library for Linux, with a recipe of our own for that for Windows."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name, "it's here")
+        self.libraries = self.folder / "lib" / "orbearing" / "fmu"
+        (self.libraries / "linux64").mkdir(parents=True)
+        (self.folder / "bin").mkdir()
+        program = pathlib.Path(os.environ["ORBEARING"]).resolve()
+        shutil.copy(program, self.folder / "bin")
+        shutil.copy(program.parents[1] / "lib" / "orbearing" / "fmu" / "linux64" / "orbearing.so",
+                    self.libraries / "linux64")
+
+    def recipe(self, text):
+        file = self.libraries / "build_win64"
+        file.write_text("#!/bin/sh\n" + text)
+        file.chmod(0o755)
+
+    def made(self, *arguments):
+        file = self.folder / "a.fmu"
+        command = [self.folder / "bin" / "orbearing", "fmu", REDUCER, "-o", file, "--json", *arguments]
+        result = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout), zipfile.ZipFile(file), result.stderr
+
+    @staticmethod
+    def lacks(told):
+        return [line for line in told["warnings"] if line.startswith("only linux64 is inside")]
+
+    def test_is_built_once(self):
+        self.recipe('cd "$(dirname "$0")" && mkdir win64 && printf MZ > win64/orbearing.dll && rm build_win64')
+        told, archive, message = self.made()
+        self.assertEqual((told["platforms"], self.lacks(told)), (["linux64", "win64"], []))
+        self.assertEqual(archive.read("binaries/win64/orbearing_bearing.dll"), b"MZ")
+        self.assertIn("win64", message)
+        self.assertEqual(self.made()[2], "")
+
+    def test_quiet_builds_without_a_word(self):
+        self.recipe('cd "$(dirname "$0")" && mkdir win64 && printf MZ > win64/orbearing.dll')
+        told, _, message = self.made("--quiet")
+        self.assertEqual((told["platforms"], message), (["linux64", "win64"], ""))
+
+    def expect_linux_alone(self, reason):
+        told, archive, _ = self.made()
+        self.assertEqual(told["platforms"], ["linux64"])
+        self.assertEqual([name for name in archive.namelist() if "win64" in name], [])
+        self.assertEqual(len(self.lacks(told)), 1)
+        self.assertIn(reason, self.lacks(told)[0])
+
+    def test_failure_is_told_with_its_reason(self):
+        self.recipe("echo many words; echo the compiler is gone; exit 1")
+        self.expect_linux_alone("the compiler is gone")
+
+    def test_recipe_without_result(self):
+        self.recipe("exit 0")
+        self.expect_linux_alone("orbearing.dll")
+
+    def test_nothing_to_build_with(self):
+        self.expect_linux_alone("ORBEARING_BUILD_WIN64")
+
+    def test_recipe_names_the_missing_compiler(self):
+        ours = LIBRARIES / "build_win64"
+        if not ours.exists():
+            self.skipTest("this build has no recipe for the Windows library")
+        tools = self.folder / "tools"
+        tools.mkdir()
+        for name in ("sh", "flock"):
+            (tools / name).symlink_to(shutil.which(name))
+        text = ours.read_text().replace(str(LIBRARIES), str(self.libraries))
+        self.recipe(f"PATH='{self.folder}'; PATH=$PATH/tools\n".replace("it's", "it'\\''s") + text)
+        self.expect_linux_alone("g++-mingw-w64-x86-64-posix")
 
 
 if __name__ == "__main__":

@@ -1,11 +1,10 @@
-# Included by the main build: the target orbearing_fmu_win64, or a line that says why there is none.
+# Included by the main build: what builds the Windows library of our FMUs when one is first asked for. Few who build
+# the program need it, and it costs as much as the bearing.
 string(COMPARE EQUAL "${CMAKE_BUILD_TYPE}" Release optimised)
-option(ORBEARING_BUILD_WIN64 "Build the Windows library that goes into FMUs" ${optimised})
-find_program(ORBEARING_MINGW x86_64-w64-mingw32-g++-posix)
+option(ORBEARING_BUILD_WIN64 "Let the first FMU build the Windows library that goes into FMUs" ${optimised})
+set(recipe "${ORBEARING_FMU_LIBRARIES}/build_win64")
 if(NOT ORBEARING_BUILD_WIN64)
-  return()
-elseif(NOT ORBEARING_MINGW)
-  message(STATUS "FMUs without Windows library: no x86_64-w64-mingw32-g++-posix (package g++-mingw-w64-x86-64-posix)")
+  file(REMOVE "${recipe}")
   return()
 endif()
 
@@ -27,6 +26,7 @@ orbearing_win64_sources(coupling "^(study/|cosim/[^d])")
 set(interface ${ORBEARING_FMU_INTERFACE})
 list(TRANSFORM interface PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
 list(APPEND ORBEARING_SOURCES ${ORBEARING_FMU_CORE} ${interface})
+set(model_file "${CMAKE_CURRENT_SOURCE_DIR}/model_file.cpp")
 set(lanes ${ORBEARING_SOURCES})
 list(FILTER lanes INCLUDE REGEX "_baseline\\.cpp$")
 
@@ -40,24 +40,21 @@ set(list_file "${CMAKE_CURRENT_BINARY_DIR}/win64_sources.cmake")
 file(CONFIGURE OUTPUT "${list_file}" @ONLY CONTENT
 "set(ORBEARING_WIN64_SOURCES @ORBEARING_SOURCES@)
 set(ORBEARING_WIN64_LANES @lanes@)
+set(ORBEARING_WIN64_ALONE @interface@ @model_file@)
 set(ORBEARING_LANE_OPTIONS -O3 -fno-math-errno -fno-trapping-math -Wno-psabi)
 set(ORBEARING_VIEWS @views@)
 set(ORBEARING_ROOT [[@PROJECT_SOURCE_DIR@]])
 set(ORBEARING_BOOST [[@Boost_INCLUDE_DIRS@]])
 set(ORBEARING_EIGEN [[@eigen@]])
-set(ORBEARING_OUTPUT [[@ORBEARING_FMU_LIBRARIES@/win64]])
+set(ORBEARING_UNITY_BUILD @ORBEARING_UNITY_BUILD@)
+set(ORBEARING_UNITY_FILES @ORBEARING_UNITY_FILES@)
 set(ORBEARING_VERSION @PROJECT_VERSION@)
 set(ORBEARING_WARNINGS_AS_ERRORS @ORBEARING_WARNINGS_AS_ERRORS@)
 ")
 
-include(ExternalProject)
-ExternalProject_Add(orbearing_fmu_win64
-  SOURCE_DIR "${CMAKE_CURRENT_SOURCE_DIR}/win64"
-  BINARY_DIR "${CMAKE_CURRENT_BINARY_DIR}/win64_build"
-  PREFIX "${CMAKE_CURRENT_BINARY_DIR}/win64"
-  CMAKE_GENERATOR "${CMAKE_GENERATOR}"
-  CMAKE_ARGS "-DCMAKE_TOOLCHAIN_FILE=${PROJECT_SOURCE_DIR}/cmake/mingw64.cmake" -DCMAKE_BUILD_TYPE=Release
-             "-DORBEARING_SOURCES=${list_file}" "-DORBEARING_ROOT=${PROJECT_SOURCE_DIR}"
-  BUILD_COMMAND "${CMAKE_COMMAND}" --build <BINARY_DIR> --parallel 2
-  BUILD_ALWAYS ON
-  INSTALL_COMMAND "")
+configure_file("${CMAKE_CURRENT_SOURCE_DIR}/win64/build_library.in" "${recipe}" @ONLY
+  FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+add_custom_target(orbearing_fmu_win64 COMMAND "${recipe}" VERBATIM USES_TERMINAL)
+# An older library would hold other equations than the Linux one beside it.
+add_custom_command(TARGET orbearing_fmu_linux64 POST_BUILD
+  COMMAND "${CMAKE_COMMAND}" -E rm -f "${ORBEARING_FMU_LIBRARIES}/win64/orbearing.dll" VERBATIM)
