@@ -25,10 +25,10 @@ function(orbearing_compile_options target)
     $<$<BOOL:${ORBEARING_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# orbearing_unity_build(<target>): compiles the sources of each folder together, in batches, since most of the time
-# of a source goes into headers that its neighbours include as well. Batches follow the folders, so that a new file
-# does not move those of others. CMake leaves out sources that have options of their own; what else shall stay alone
-# has SKIP_UNITY_BUILD_INCLUSION.
+# orbearing_unity_build(<target>): compiles its sources together, in batches, since most of the time of a source goes
+# into headers that its neighbours include as well. A folder is cut only where it is larger than a batch, so that a
+# new file seldom moves those of other folders. CMake leaves out sources that have options of their own; what else
+# shall stay alone has SKIP_UNITY_BUILD_INCLUSION.
 function(orbearing_unity_build target)
   if(NOT ORBEARING_UNITY_BUILD)
     return()
@@ -36,15 +36,28 @@ function(orbearing_unity_build target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(folders "")
   foreach(source IN LISTS sources)
-    cmake_path(ABSOLUTE_PATH source)
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE folder)
-    cmake_path(GET folder PARENT_PATH folder)
-    string(MAKE_C_IDENTIFIER "${target}_${folder}" group)
-    list(LENGTH ${group} before)
-    list(APPEND ${group} "${source}")
-    math(EXPR batch "${before} / ${ORBEARING_UNITY_FILES}")
-    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}_${batch}")
+    cmake_path(ABSOLUTE_PATH source NORMALIZE)
+    cmake_path(GET source PARENT_PATH folder)
+    list(APPEND folders "${folder}")
+    list(APPEND "files in ${folder}" "${source}")
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  set(batch 1)
+  set(filled 0)
+  foreach(folder IN LISTS folders)
+    list(LENGTH "files in ${folder}" files)
+    math(EXPR together "${filled} + ${files}")
+    foreach(source IN LISTS "files in ${folder}")
+      if(filled GREATER 0 AND (together GREATER ORBEARING_UNITY_FILES OR filled EQUAL ORBEARING_UNITY_FILES))
+        math(EXPR batch "${batch} + 1")
+        set(filled 0)
+      endif()
+      set(together 0)  # asked once a folder
+      set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "batch_${batch}")
+      math(EXPR filled "${filled} + 1")
+    endforeach()
   endforeach()
 endfunction()
 
@@ -60,6 +73,8 @@ function(orbearing_library folder)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/orbearing>)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
   orbearing_compile_options(${target})
+  # The library inside FMUs takes what it uses from a batch of sources, no more.
+  target_compile_options(${target} PRIVATE -ffunction-sections -fdata-sections)
   orbearing_unity_build(${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${folder})
 endfunction()

@@ -1,14 +1,13 @@
 // Rules of the project that a reader cannot keep an eye on by himself.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <regex>
 #include <set>
 #include <string>
 
 #include "tests/unit/repository/source_tree.hpp"
 
-namespace orbearing::repository {
+namespace orbearing::repository::repository_test {
 namespace {
 
 /// Keys like [Gai2025] or [ISO281] in a text.
@@ -37,16 +36,6 @@ TEST(Repository, CitedSourcesAreInReferences) {
   }
 }
 
-TEST(Repository, FilesStayShort) {
-  const std::ptrdiff_t most_lines = 300;
-  const auto sources = files({".hpp", ".cpp", ".py"});
-  ASSERT_FALSE(sources.empty());
-  for (const auto& file : sources) {
-    const std::string text = contents(file);
-    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), most_lines) << file << " wants to be split";
-  }
-}
-
 TEST(Repository, FoldersExplainThemselves) {
   for (const char* folder :
        {"gearset", "bearing", "coupling", "app", "python", "cases", "tests", "docs", "benchmarks"}) {
@@ -56,4 +45,4 @@ TEST(Repository, FoldersExplainThemselves) {
 }
 
 }  // namespace
-}  // namespace orbearing::repository
+}  // namespace orbearing::repository::repository_test
