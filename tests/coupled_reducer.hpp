@@ -10,7 +10,7 @@
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::testing {
+namespace orbearing::example {
 
 /// Bodies and meshes of the reducer, as its case states them by default.
 inline gearset::dynamics::SetParameters reducer_gears(const study::PlanetaryDrivetrain& drivetrain) {
@@ -44,4 +44,4 @@ inline study::PlanetaryDrivetrain coupled_reducer(bool smooth) {
   return drivetrain;
 }
 
-}  // namespace orbearing::testing
+}  // namespace orbearing::example

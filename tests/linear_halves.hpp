@@ -13,7 +13,7 @@
 
 #include "coupling/cosim/coupled_run.hpp"
 
-namespace orbearing::cosim::test {
+namespace orbearing::cosim::linear_halves {
 
 struct LinearPair {
   double mass = 1.0;              // [kg]
@@ -154,4 +154,4 @@ struct LinearRun {
   CoupledRun run;
 };
 
-}  // namespace orbearing::cosim::test
+}  // namespace orbearing::cosim::linear_halves

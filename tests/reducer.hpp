@@ -5,7 +5,7 @@
 
 #include "coupling/study/drivetrain.hpp"
 
-namespace orbearing::testing {
+namespace orbearing::example {
 
 inline constexpr double rpm = boost::math::double_constants::pi / 30.0;  // [rad/s]
 
@@ -35,4 +35,4 @@ inline study::PlanetaryDrivetrain reducer() {
   return drivetrain;
 }
 
-}  // namespace orbearing::testing
+}  // namespace orbearing::example

@@ -14,7 +14,7 @@
 
 #include "bearing/quasi_static.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_any_load_test {
 namespace {
 
 using boost::math::double_constants::pi;
@@ -125,4 +125,4 @@ TEST(AnyLoad, RandomCornersBalance) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_any_load_test

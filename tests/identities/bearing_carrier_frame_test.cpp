@@ -15,7 +15,7 @@
 
 #include "bearing/carrier_frame.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_carrier_frame_test {
 namespace {
 
 // Fourth-order differences with a step of 2e-3 over lengths and times of order 1 and rates below 10:
@@ -151,4 +151,4 @@ TEST(CarrierFrameEnergy, PolarAndCartesianFormsAgree) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_carrier_frame_test

@@ -5,7 +5,7 @@
 
 #include "bearing/race_contact.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_contact_energy_test {
 namespace {
 
 constexpr double kStep = 1e-4;             // of the load
@@ -87,4 +87,4 @@ TEST(ContactEnergy, FilmAddsToTheElasticApproach) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_contact_energy_test

@@ -7,7 +7,7 @@
 #include "tests/unit/bearing/example_bearings.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_form_test {
 namespace {
 
 constexpr double kBalance = 1e-7;  // relative to the largest load: the solver's residual of 1e-9 and
@@ -110,4 +110,4 @@ TEST(PrintedFilm, IsAClearance) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_form_test

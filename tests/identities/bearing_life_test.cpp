@@ -10,7 +10,7 @@
 #include "bearing/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_life_test {
 namespace {
 
 constexpr double kSolved =
@@ -28,14 +28,14 @@ double life_hours(const CylindricalRollerBearing& bearing, const OperatingPoint&
 
 // Rollers and cage without mass: what is left of inertia is the planet's own load on the bore.
 CylindricalRollerBearing massless() {
-  CylindricalRollerBearing bearing = testing::planet_bearing();
+  CylindricalRollerBearing bearing = example_bearings::planet_bearing();
   bearing.material.density = 0.0;
   bearing.cage.density = 0.0;
   return bearing;
 }
 
 TEST(Life, FallsBySixteenWhenTheLoadDoubles) {
-  OperatingPoint point = testing::static_load(1000.0, 0.5);
+  OperatingPoint point = example_bearings::static_load(1000.0, 0.5);
   point.outer_speed = 300.0;
   const double once = life_hours(massless(), point);
   point.bore_load *= 2.0;
@@ -68,7 +68,7 @@ struct ConstantPower {
   double c;  // [N]
 
   OperatingPoint at(double n) const {
-    OperatingPoint point = testing::planet_motion(n * testing::rpm(6000.0));
+    OperatingPoint point = example_bearings::planet_motion(n * example_bearings::rpm(6000.0));
     point.bore_load = {b * n * n - c / n, a / n};
     return point;
   }
@@ -115,7 +115,7 @@ TEST(ConstantPower, LeastLoadLiesAtTheClosedForm) {
 // Along the peak all loads, the inertial ones of rollers and cage too, grow with power^(2/3) at one
 // distribution.
 TEST(ConstantPower, PeakMovesWithTheCubeRootOfPower) {
-  const CylindricalRollerBearing bearing = testing::planet_bearing();
+  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
   const auto peak = [&](double power) {
     return place_of_least([&](double n) { return -std::log(life_hours(bearing, loads_at(power).at(n))); });
   };
@@ -133,12 +133,12 @@ TEST(FilmLife, IsLongerAtZeroClearance) {
   OperatingPoint point = ConstantPower{1064.0, 657.0, 47.0}.at(1.0);
   QuasiStaticOptions oiled;
   oiled.film = Lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
-  const double gain =
-      life_hours(testing::planet_bearing(), point, oiled) / life_hours(testing::planet_bearing(), point);
+  const double gain = life_hours(example_bearings::planet_bearing(), point, oiled) /
+                      life_hours(example_bearings::planet_bearing(), point);
   EXPECT_GT(gain, 1.02);
   EXPECT_LT(gain, 1.20);
   RecordProperty("gain", std::to_string(gain));
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_life_test

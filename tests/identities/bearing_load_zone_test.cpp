@@ -10,7 +10,7 @@
 #include "bearing/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_load_zone_test {
 namespace {
 
 using boost::math::double_constants::two_pi;
@@ -27,21 +27,25 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  OperatingPoint planet = testing::planet_motion(testing::rpm(6000.0));
+  OperatingPoint planet = example_bearings::planet_motion(example_bearings::rpm(6000.0));
   planet.bore_load = {500.0, 1060.0};
   OperatingPoint speeding_up = planet;
   speeding_up.carrier.acceleration = 2e4;
-  CylindricalRollerBearing loose = testing::planet_bearing(), tight = testing::planet_bearing();
+  CylindricalRollerBearing loose = example_bearings::planet_bearing(),
+                           tight = example_bearings::planet_bearing();
   loose.radial_clearance = 37e-6;
   tight.radial_clearance = -10e-6;
   QuasiStaticOptions oiled;
   oiled.film = Lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
-  return {{"bearing 209 at rest", testing::bearing_209(), testing::static_load(4450.0, 0.4), {}},
-          {"planet, no clearance", testing::planet_bearing(), planet, {}},
+  return {{"bearing 209 at rest",
+           example_bearings::bearing_209(),
+           example_bearings::static_load(4450.0, 0.4),
+           {}},
+          {"planet, no clearance", example_bearings::planet_bearing(), planet, {}},
           {"planet, clearance", loose, planet, {}},
           {"planet, interference", tight, planet, {}},
           {"planet, carrier speeding up", loose, speeding_up, {}},
-          {"planet, film", testing::planet_bearing(), planet, oiled},
+          {"planet, film", example_bearings::planet_bearing(), planet, oiled},
           {"planet, film and clearance", loose, planet, oiled}};
 }
 
@@ -116,9 +120,11 @@ TEST(LoadZone, IsSymmetricAboutALoadAlongTheCarrierArm) {
 // Without clearance, film and inertia nothing but the line contacts sets a scale: Q = K delta^(10/9) is
 // homogeneous.
 TEST(LoadZone, DoubledLoadDoublesEveryRollerAtZeroClearance) {
-  const CylindricalRollerBearing bearing = testing::bearing_209();
-  const QuasiStaticState once = quasi_static_state(bearing, testing::static_load(3000.0, 0.3), {}, 0.1);
-  const QuasiStaticState twice = quasi_static_state(bearing, testing::static_load(6000.0, 0.3), {}, 0.1);
+  const CylindricalRollerBearing bearing = example_bearings::bearing_209();
+  const QuasiStaticState once =
+      quasi_static_state(bearing, example_bearings::static_load(3000.0, 0.3), {}, 0.1);
+  const QuasiStaticState twice =
+      quasi_static_state(bearing, example_bearings::static_load(6000.0, 0.3), {}, 0.1);
   const double tolerance = kSolved * twice.outer_load.maxCoeff();
   for (Eigen::Index j = 0; j < 14; ++j) EXPECT_NEAR(twice.outer_load[j], 2.0 * once.outer_load[j], tolerance);
   const Eigen::Vector2d expected = std::pow(2.0, 0.9) * once.displacement;
@@ -127,27 +133,29 @@ TEST(LoadZone, DoubledLoadDoublesEveryRollerAtZeroClearance) {
 
 // With clearance the same holds when clearance grows with the elastic approach: load x 2, clearance x 2^0.9.
 TEST(LoadZone, ScalesWithTheClearanceGrownInStep) {
-  CylindricalRollerBearing small = testing::bearing_209(), large = small;
+  CylindricalRollerBearing small = example_bearings::bearing_209(), large = small;
   small.radial_clearance = 30e-6;
   large.radial_clearance = std::pow(2.0, 0.9) * 30e-6;
-  const QuasiStaticState once = quasi_static_state(small, testing::static_load(3000.0, 0.3), {}, 0.1);
-  const QuasiStaticState twice = quasi_static_state(large, testing::static_load(6000.0, 0.3), {}, 0.1);
+  const QuasiStaticState once =
+      quasi_static_state(small, example_bearings::static_load(3000.0, 0.3), {}, 0.1);
+  const QuasiStaticState twice =
+      quasi_static_state(large, example_bearings::static_load(6000.0, 0.3), {}, 0.1);
   const double tolerance = kSolved * twice.outer_load.maxCoeff();
   for (Eigen::Index j = 0; j < 14; ++j) EXPECT_NEAR(twice.outer_load[j], 2.0 * once.outer_load[j], tolerance);
 }
 
 // Clearance takes rollers out of the load zone, so the largest load only grows with it.
 TEST(LoadZone, LargestLoadGrowsWithClearance) {
-  CylindricalRollerBearing bearing = testing::bearing_209();
+  CylindricalRollerBearing bearing = example_bearings::bearing_209();
   double largest = 0.0;
   for (double clearance = 0.0; clearance < 200e-6; clearance += 20e-6) {
     bearing.radial_clearance = clearance;
     const double load =
-        quasi_static_state(bearing, testing::static_load(-4450.0), {}, 0.0).outer_load.maxCoeff();
+        quasi_static_state(bearing, example_bearings::static_load(-4450.0), {}, 0.0).outer_load.maxCoeff();
     EXPECT_GT(load, largest);
     largest = load;
   }
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_load_zone_test

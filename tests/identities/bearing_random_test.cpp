@@ -11,7 +11,7 @@
 #include "bearing/quasi_static.hpp"
 #include "tests/random_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_random_test {
 namespace {
 
 // Of the largest force at hand: the solver stops below 1e-9, and the sum over up to 30 rollers rounds again.
@@ -70,4 +70,4 @@ TEST(RandomBearings, BalanceUnderAnyLoadAndMotion) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_random_test

@@ -12,7 +12,7 @@
 #include "bearing/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::bearing_standing_carrier_test {
 namespace {
 
 using boost::math::double_constants::pi;
@@ -24,13 +24,13 @@ constexpr double kOuterSpeed = 900.0;  // [rad/s]
 constexpr double kClearance = 15e-6;   // [m]
 
 CylindricalRollerBearing loose_bearing() {
-  CylindricalRollerBearing bearing = testing::planet_bearing();
+  CylindricalRollerBearing bearing = example_bearings::planet_bearing();
   bearing.radial_clearance = kClearance;
   return bearing;
 }
 
 OperatingPoint standing_carrier() {
-  OperatingPoint point = testing::static_load(1500.0, 0.6);
+  OperatingPoint point = example_bearings::static_load(1500.0, 0.6);
   point.outer_speed = kOuterSpeed;
   point.carrier.orbit_radius = 87.891e-3;  // must not matter
   return point;
@@ -84,7 +84,7 @@ TEST(StandingCarrier, CarrierSwitchesAndTheArmDoNotMatter) {
 // Turned with carrier and rollers as one rigid body (bore, pin and cage at rest in the carrier), a roller
 // feels Omega^2 times its distance from the sun axis and nothing else.
 TEST(RigidRotation, RollersFeelTheirDistanceFromTheSunAxis) {
-  OperatingPoint point = testing::static_load(1500.0, 0.6);
+  OperatingPoint point = example_bearings::static_load(1500.0, 0.6);
   point.carrier = {.speed = 200.0, .acceleration = 0.0, .orbit_radius = 87.891e-3};
   const QuasiStaticState state = quasi_static_state(loose_bearing(), point, {}, 0.05);
   const double mass = 7850.0 * pi * 2.62e-3 * 2.62e-3 * 5.7e-3;
@@ -97,7 +97,7 @@ TEST(RigidRotation, RollersFeelTheirDistanceFromTheSunAxis) {
 // The same rotation given to everything, once as the carrier's and once as the races' own, about the
 // bearing's axis.
 TEST(RigidRotation, IsTheSameSeenFromTheCarrierOrFromTheGround) {
-  OperatingPoint ground = testing::static_load(1500.0, 0.6);
+  OperatingPoint ground = example_bearings::static_load(1500.0, 0.6);
   ground.inner_speed = 300.0;
   ground.outer_speed = 900.0;
   OperatingPoint carrier = ground;
@@ -112,4 +112,4 @@ TEST(RigidRotation, IsTheSameSeenFromTheCarrierOrFromTheGround) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::bearing_standing_carrier_test

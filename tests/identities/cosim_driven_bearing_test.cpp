@@ -12,7 +12,7 @@
 #include "coupling/integration/window.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::cosim_driven_bearing_test {
 namespace {
 
 using bearing::dynamics::BearingModel;
@@ -110,4 +110,4 @@ TEST(DrivenBearingPath, HasOrderTwo) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::cosim_driven_bearing_test

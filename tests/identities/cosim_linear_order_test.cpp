@@ -7,11 +7,11 @@
 
 #include "tests/linear_halves.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::cosim_linear_order_test {
 namespace {
 
-using test::LinearPair;
-using test::LinearRun;
+using linear_halves::LinearPair;
+using linear_halves::LinearRun;
 
 constexpr double kEnd = 4.0;    // [s]  two thirds of a period
 constexpr double kOrder = 0.2;  // of a measured order: the next term is smaller by h w, a tenth or less
@@ -25,7 +25,7 @@ struct Errors {
 InterfaceHistory past(const LinearPair& pair, double window) {
   InterfaceHistory history;
   for (int k = -2; k <= 0; ++k) {
-    const Eigen::Vector4d x = test::exact(pair, k * window);
+    const Eigen::Vector4d x = linear_halves::exact(pair, k * window);
     history.push_back(
         {k * window,
          {{x[0], x[1], pair.joint_stiffness * (x[2] - x[0]) + pair.joint_damping * (x[3] - x[1])}}});
@@ -40,7 +40,7 @@ Errors errors_of(const CoupledOptions& options, bool force_first, bool with_past
   const CoupledReport report = linear.run.advance(std::lround(kEnd / options.window.longest));
   EXPECT_TRUE(report.completed) << report.message;
   EXPECT_EQ(report.not_converged, 0);
-  const Eigen::Vector4d exact = test::exact(pair, kEnd);
+  const Eigen::Vector4d exact = linear_halves::exact(pair, kEnd);
   return {std::hypot((linear.mass.state() - exact.head<2>()).norm(),
                      (linear.force.state() - exact.tail<2>()).norm()),
           report.absolute_residual};
@@ -112,4 +112,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Scheme>& scheme) { return scheme.param.name; });
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::cosim_linear_order_test

@@ -7,11 +7,11 @@
 
 #include "tests/linear_halves.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::cosim_linear_stability_test {
 namespace {
 
-using test::LinearPair;
-using test::LinearRun;
+using linear_halves::LinearPair;
+using linear_halves::LinearRun;
 
 LinearPair on_the_wall(double stiffness, double damping) {
   return {.stiffness = 0.0, .joint_stiffness = stiffness, .joint_damping = damping, .behind = 0.0};
@@ -85,4 +85,4 @@ TEST_P(CosimStabilityOf, ExtrapolationIsThatOfTheMatrix) {
 INSTANTIATE_TEST_SUITE_P(Degrees, CosimStabilityOf, testing::Values(0, 1, 2));
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::cosim_linear_stability_test

@@ -14,7 +14,7 @@
 #include "gearset/dynamics/energy.hpp"
 #include "tests/unit/cosim/coupled_reducer.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::cosim_monolithic_path_test {
 namespace {
 
 using bearing::dynamics::BearingModel;
@@ -249,4 +249,4 @@ TEST_F(MonolithicPath, KeepsItsEnergy) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::cosim_monolithic_path_test

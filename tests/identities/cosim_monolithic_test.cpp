@@ -6,7 +6,7 @@
 #include "coupling/cosim/monolithic.hpp"
 #include "tests/unit/cosim/coupled_reducer.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::cosim_monolithic_test {
 namespace {
 
 TEST(Monolithic, ComesBackToTheSameBits) {
@@ -108,4 +108,4 @@ TEST(Monolithic, RefusesWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::cosim_monolithic_test

@@ -9,7 +9,7 @@
 #include "coupling/study/driven_setups.hpp"
 #include "tests/coupled_reducer.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::cosim_reducer_test {
 namespace {
 
 using study::DrivetrainGeometry;
@@ -57,7 +57,7 @@ Eigen::Matrix2Xd displacements(const DrivenGearsOutput& gears) {
 }
 
 const PlanetaryDrivetrain& smooth_reducer() {
-  static const PlanetaryDrivetrain drivetrain = testing::coupled_reducer(true);
+  static const PlanetaryDrivetrain drivetrain = example::coupled_reducer(true);
   return drivetrain;
 }
 
@@ -135,7 +135,7 @@ SavedState everything(const PlanetaryCoupling& parts) {
 }
 
 TEST(CosimReducer, ARestoredRunGivesTheSameBits) {
-  const PlanetaryDrivetrain drivetrain = testing::coupled_reducer(false);
+  const PlanetaryDrivetrain drivetrain = example::coupled_reducer(false);
   ReducerRun one(drivetrain, {}, usual(1e-5)), other(drivetrain, {}, usual(1e-5));
   one.run.advance(20);
   std::vector<SavedState> saved;
@@ -152,7 +152,7 @@ TEST(CosimReducer, ARestoredRunGivesTheSameBits) {
 
 // Bearings come in any order: they hear of the gears alone.
 TEST(CosimReducer, OrderOfTheBearingsDoesNotMatter) {
-  const PlanetaryDrivetrain drivetrain = testing::coupled_reducer(false);
+  const PlanetaryDrivetrain drivetrain = example::coupled_reducer(false);
   ReducerRun one(drivetrain, {}, usual(1e-5));
   one.run.advance(20);
   const PlanetaryCoupling parts = planetary_coupling(setup_of(drivetrain, {}));
@@ -166,7 +166,7 @@ TEST(CosimReducer, OrderOfTheBearingsDoesNotMatter) {
 
 // Planets one place further on, with their phases: the same motion under other names.
 TEST(CosimReducer, PlanetsCanBeRenamed) {
-  PlanetaryDrivetrain drivetrain = testing::coupled_reducer(false);
+  PlanetaryDrivetrain drivetrain = example::coupled_reducer(false);
   ReducerRun one(drivetrain, {}, usual(5e-6));
   gearset::dynamics::SetParameters gears = drivetrain.gear_set();
   for (std::vector<double>* phases : {&gears.sun_phase, &gears.ring_phase})
@@ -201,4 +201,4 @@ TEST(CosimReducer, BeginsInBalance) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::cosim_reducer_test

@@ -10,7 +10,7 @@
 #include "coupling/integration/steady_state.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::dynamics_fast_path_test {
 namespace {
 
 using fast::VectorBearing;
@@ -180,4 +180,4 @@ TEST(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::dynamics_fast_path_test

@@ -7,7 +7,7 @@
 #include "bearing/dynamics/snapshot.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::dynamics_forces_test {
 namespace {
 
 constexpr int kStates = 40;
@@ -226,4 +226,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::dynamics_forces_test

@@ -10,7 +10,7 @@
 #include "coupling/integration/steady_state.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::dynamics_motion_test {
 namespace {
 
 using integration::IntegrationOptions;
@@ -242,4 +242,4 @@ TEST(SteadyState, RefusesABearingInWhichNothingTurns) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::dynamics_motion_test

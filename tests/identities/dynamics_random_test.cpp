@@ -15,7 +15,7 @@
 #include "coupling/integration/steady_state.hpp"
 #include "tests/random_motions.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::dynamics_random_test {
 namespace {
 
 using integration::Method;
@@ -140,4 +140,4 @@ INSTANTIATE_TEST_SUITE_P(Integrators, RandomDynamics,
                          });
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::dynamics_random_test

@@ -6,7 +6,7 @@
 #include "coupling/integration/run_up.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::dynamics_run_up_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -93,4 +93,4 @@ TEST(RunUp, RefusesToComeToRest) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::dynamics_run_up_test

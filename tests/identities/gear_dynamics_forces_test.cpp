@@ -11,7 +11,7 @@
 #include "gearset/dynamics/slopes.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::gearset::dynamics {
+namespace orbearing::gearset::dynamics::gear_dynamics_forces_test {
 namespace {
 
 using Eigen::Index;
@@ -211,4 +211,4 @@ TEST(GearDynamicsRigidBody, TurnsFreely) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset::dynamics
+}  // namespace orbearing::gearset::dynamics::gear_dynamics_forces_test

@@ -9,7 +9,7 @@
 #include "gearset/mean_loads.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::gearset::dynamics {
+namespace orbearing::gearset::dynamics::gear_dynamics_motion_test {
 namespace {
 
 using Eigen::Index;
@@ -312,4 +312,4 @@ TEST_F(GearRun, DoesNotDriftAway) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset::dynamics
+}  // namespace orbearing::gearset::dynamics::gear_dynamics_motion_test

@@ -7,7 +7,7 @@
 #include "gearset/dynamics/mode_kind.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::gearset::dynamics {
+namespace orbearing::gearset::dynamics::gear_dynamics_phase_test {
 namespace {
 
 using Eigen::Index;
@@ -83,4 +83,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, PhaseRule,
                          [](const testing::TestParamInfo<Set>& set) { return set.param.name; });
 
 }  // namespace
-}  // namespace orbearing::gearset::dynamics
+}  // namespace orbearing::gearset::dynamics::gear_dynamics_phase_test

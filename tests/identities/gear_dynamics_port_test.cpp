@@ -4,7 +4,7 @@
 #include "gearset/dynamics/equations.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::gearset::dynamics {
+namespace orbearing::gearset::dynamics::gear_dynamics_port_test {
 namespace {
 
 using Eigen::Index;
@@ -106,4 +106,4 @@ TEST(GearDynamicsPort, RotationOfThePlanetFollowsWillis) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset::dynamics
+}  // namespace orbearing::gearset::dynamics::gear_dynamics_port_test

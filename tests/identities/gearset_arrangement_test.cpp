@@ -10,7 +10,7 @@
 #include "gearset/drivetrain/arrangement_checks.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::gearset_arrangement_test {
 namespace {
 
 // Condition numbers of these systems stay below 1e5.
@@ -218,4 +218,4 @@ TEST(ArrangementIdentities, EachCulpritOfAContradictionIsNeeded) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::gearset_arrangement_test

@@ -10,7 +10,7 @@
 #include "gearset/working_geometry.hpp"
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::gearset_mesh_closure_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -100,4 +100,4 @@ TEST(RackCutting, TouchesTheToothEverywhereAndEntersItNowhere) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::gearset_mesh_closure_test

@@ -7,7 +7,7 @@
 #include "gearset/mean_loads.hpp"
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::gearset_power_balance_test {
 namespace {
 
 constexpr double round_off = 1e-12;       // relative to the largest term
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(FixedAndDriven, EveryLayout,
                                           testing::Values(Member::sun, Member::ring, Member::carrier)));
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::gearset_power_balance_test

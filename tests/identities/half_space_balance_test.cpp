@@ -9,7 +9,7 @@
 #include "bearing/half_space/elasticity.hpp"
 #include "tests/half_space_contacts.hpp"
 
-namespace orbearing::bearing::half_space {
+namespace orbearing::bearing::half_space::half_space_balance_test {
 namespace {
 
 using Eigen::ArrayXd;
@@ -170,4 +170,4 @@ TEST(HalfSpaceBalance, RandomContactsAreSolved) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::half_space
+}  // namespace orbearing::bearing::half_space::half_space_balance_test

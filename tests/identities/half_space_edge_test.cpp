@@ -8,7 +8,7 @@
 #include "bearing/half_space/pressure_measures.hpp"
 #include "tests/half_space_contacts.hpp"
 
-namespace orbearing::bearing::half_space {
+namespace orbearing::bearing::half_space::half_space_edge_test {
 namespace {
 
 using boost::math::double_constants::pi;
@@ -129,4 +129,4 @@ TEST(HalfSpaceEdge, LaminaeHoldAwayFromTheEnds) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::half_space
+}  // namespace orbearing::bearing::half_space::half_space_edge_test

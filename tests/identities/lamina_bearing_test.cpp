@@ -6,7 +6,7 @@
 
 #include "bearing/laminae/lamina_bearing.hpp"
 
-namespace orbearing::bearing::laminae {
+namespace orbearing::bearing::laminae::lamina_bearing_test {
 namespace {
 
 constexpr double kRoundOff = 1e-10;        // of the largest load: the search ends at 1e-12
@@ -144,4 +144,4 @@ TEST(LaminaBearing, RefusesABearingThatIsNotCutOrHasAnUnsoundProfile) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::laminae
+}  // namespace orbearing::bearing::laminae::lamina_bearing_test

@@ -6,7 +6,7 @@
 #include "bearing/laminae/drop_gradient.hpp"
 #include "bearing/profile/design.hpp"
 
-namespace orbearing::bearing::laminae {
+namespace orbearing::bearing::laminae::lamina_gradient_test {
 namespace {
 
 constexpr double kAgreement = 1e-6;  // relative, of the adjoint and of central differences
@@ -149,4 +149,4 @@ TEST(DropGradient, BySingleDropsAreTheirDifferences) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::laminae
+}  // namespace orbearing::bearing::laminae::lamina_gradient_test

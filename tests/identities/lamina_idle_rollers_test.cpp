@@ -6,7 +6,7 @@
 #include "coupling/study/crowning/crown_problem.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study::crowning {
+namespace orbearing::study::crowning::lamina_idle_rollers_test {
 namespace {
 
 constexpr double kBalance = 1e-9;  // of the greatest load: what the search itself accepts
@@ -22,8 +22,8 @@ class IdleRollers : public ::testing::TestWithParam<Idle> {};
 
 TEST_P(IdleRollers, FindTheirBalance) {
   const Idle idle = GetParam();
-  PlanetaryDrivetrain drivetrain = testing::reducer();
-  drivetrain.drive.speed = idle.rpm * testing::rpm;
+  PlanetaryDrivetrain drivetrain = example::reducer();
+  drivetrain.drive.speed = idle.rpm * example::rpm;
   drivetrain.drive.power = idle.power;
   drivetrain.bearing.radial_clearance = idle.clearance;
   const CrownProblem problem = crown_problem(drivetrain, derive(drivetrain), {{drivetrain.drive.speed, 1.0}},
@@ -48,4 +48,4 @@ INSTANTIATE_TEST_SUITE_P(Found, IdleRollers,
                                                 2.7952458612410566e-05, 0.5e-3}));
 
 }  // namespace
-}  // namespace orbearing::study::crowning
+}  // namespace orbearing::study::crowning::lamina_idle_rollers_test

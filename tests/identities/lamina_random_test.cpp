@@ -8,7 +8,7 @@
 #include "bearing/laminae/lamina_bearing.hpp"
 #include "tests/random_laminae.hpp"
 
-namespace orbearing::bearing::laminae {
+namespace orbearing::bearing::laminae::lamina_random_test {
 namespace {
 
 constexpr double kBalance = 1e-8;  // of the largest force: the search ends below 1e-9, sums round again
@@ -86,4 +86,4 @@ TEST(RandomLaminae, StraightWithoutTiltAreTheUncutBearing) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::laminae
+}  // namespace orbearing::bearing::laminae::lamina_random_test

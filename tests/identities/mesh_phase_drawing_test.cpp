@@ -16,7 +16,7 @@
 #include "gearset/involute.hpp"
 #include "tests/unit/mesh/example_gears.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::mesh_phase_drawing_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -149,4 +149,4 @@ TEST(MeshPhase, OfSunAndRingMeshShiftTogetherFromPlanetToPlanet) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::mesh_phase_drawing_test

@@ -7,11 +7,11 @@
 #include "coupling/study/ablation.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::study::study_dynamic_ablation_test {
 namespace {
 
 PlanetaryDrivetrain short_run() {
-  PlanetaryDrivetrain drivetrain = testing::reducer();
+  PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
   drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
   drivetrain.steady_state.most_windows = 2;
@@ -83,4 +83,4 @@ TEST(DynamicAblation, LeavesOutWhatTheDrivetrainHasNotOrHasAlready) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::study_dynamic_ablation_test

@@ -5,10 +5,10 @@
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::study::study_dynamic_point_test {
 namespace {
 
-using testing::reducer;
+using example::reducer;
 
 // Rollers in motion carry what the quasi-static bearing carries, but for what traction takes past the bore.
 constexpr double kSameLoads = 0.02;
@@ -81,4 +81,4 @@ TEST(StudyDynamicPoint, MeshStiffnessRaisesTheLargestLoad) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::study_dynamic_point_test

@@ -7,7 +7,7 @@
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::study::study_lamina_point_test {
 namespace {
 
 constexpr double kRoundOff = 1e-9;  // of loads and lives, 9/2 times that of the equilibrium
@@ -17,7 +17,7 @@ PointResult point(const PlanetaryDrivetrain& drivetrain) {
 }
 
 PlanetaryDrivetrain crowned(double scale) {
-  PlanetaryDrivetrain drivetrain = testing::reducer();
+  PlanetaryDrivetrain drivetrain = example::reducer();
   drivetrain.bearing.laminae = 40;
   drivetrain.bearing.roller_profile = bearing::profile::Iso16281{5.7e-3, 5.24e-3, scale};
   return drivetrain;
@@ -25,7 +25,7 @@ PlanetaryDrivetrain crowned(double scale) {
 
 TEST(LaminaPoint, StraightAndLevelIsTheUncutPoint) {
   for (const bool film : {false, true}) {
-    PlanetaryDrivetrain uncut = testing::reducer(), cut = crowned(0.0);
+    PlanetaryDrivetrain uncut = example::reducer(), cut = crowned(0.0);
     uncut.film_in_approach = cut.film_in_approach = film;
     const PointResult expected = point(uncut), found = point(cut);
     EXPECT_NEAR(found.life_hours, expected.life_hours, kRoundOff * expected.life_hours);
@@ -72,7 +72,7 @@ TEST(LaminaPoint, LivesAsTheCrownStudySays) {
     for (const double drop : {0.0, 4e-6})
       for (const double tilt : {0.0, 0.5e-3, 2e-3}) {
         PlanetaryDrivetrain drivetrain = crowned(0.0);
-        drivetrain.drive.speed = rpm * testing::rpm;
+        drivetrain.drive.speed = rpm * example::rpm;
         const crowning::CrownProblem problem =
             crowning::crown_problem(drivetrain, derive(drivetrain), {{drivetrain.drive.speed, 1.0}},
                                     crowning::LifeMeasure::lundberg_palmgren);
@@ -99,4 +99,4 @@ TEST(LaminaPoint, TiltCostsLife) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::study_lamina_point_test

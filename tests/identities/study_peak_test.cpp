@@ -10,11 +10,11 @@
 #include "coupling/study/peak.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::study::study_peak_test {
 namespace {
 
-using testing::reducer;
-using testing::rpm;
+using example::reducer;
+using example::rpm;
 
 // The loads balance to 1e-12 of themselves, so a smooth maximum is located to the square root of that.
 constexpr double kPeakResolution = 1e-6;
@@ -127,4 +127,4 @@ TEST(StudyPeak, IsReportedAtTheEndOfABracketThatDoesNotHoldIt) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::study_peak_test

@@ -10,11 +10,11 @@
 #include "tests/reducer.hpp"
 #include "tests/unit/gearset/arrangements.hpp"
 
-namespace orbearing::study {
+namespace orbearing::study::study_several_sets_test {
 namespace {
 
-using testing::reducer;
-using testing::rpm;
+using example::reducer;
+using example::rpm;
 
 // The ratios of an arrangement come from a linear solver, those of a set alone from a quotient; the races
 // balance to 1e-12 and life takes the fourth power.
@@ -27,7 +27,7 @@ NamedSet named(const std::string& name, PlanetaryDrivetrain drivetrain) {
 
 /// Two reducers one after the other.
 std::vector<NamedSet> pair_in_series() {
-  using namespace gearset::testing;
+  using namespace gearset::example_sets;
   const gearset::Arrangement arrangement{{arranged("first", 37, 22, 79), arranged("second", 37, 22, 79)},
                                          {motor({{0, sun}}), ground({{0, ring}, {1, ring}}),
                                           shaft("middle", {{0, carrier}, {1, sun}}), load({{1, carrier}})}};
@@ -125,4 +125,4 @@ TEST(SeveralSets, NameTheSetThatFails) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::study_several_sets_test

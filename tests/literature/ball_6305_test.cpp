@@ -7,7 +7,7 @@
 #include "bearing/rating/reference_life.hpp"
 #include "bearing/static_load/ball_bearing.hpp"
 
-namespace orbearing::bearing::static_load {
+namespace orbearing::bearing::static_load::ball_6305_test {
 namespace {
 
 constexpr double kDisplacement = 2e-5;  // half a unit of the last of five or six digits
@@ -54,4 +54,4 @@ TEST(Ball6305, AxialPlay) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::static_load
+}  // namespace orbearing::bearing::static_load::ball_6305_test

@@ -13,7 +13,7 @@
 #include "bearing/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::gai2025_life_test {
 namespace {
 
 constexpr double kPrintedPeakLife = 43869.0;  // [h]
@@ -28,7 +28,7 @@ using boost::math::double_constants::degree;  // [rad]
 
 // Half of the planet's mesh forces and of its own centrifugal load.
 OperatingPoint planet_bearing_at(double sun_speed) {
-  OperatingPoint point = testing::planet_motion(sun_speed);
+  OperatingPoint point = example_bearings::planet_motion(sun_speed);
   const double sun_base_radius = 0.5 * 37.0 * 3e-3 * std::cos(20.0 * degree);
   const double tooth_force = kPower / sun_speed / (kPlanets * sun_base_radius);
   const double tangential = tooth_force * (std::cos(18.879 * degree) + std::cos(23.918 * degree));
@@ -45,8 +45,8 @@ struct SpeedPoint {
 };
 
 SpeedPoint speed_point(double sun_speed_rpm) {
-  const CylindricalRollerBearing bearing = testing::planet_bearing();
-  const OperatingPoint point = planet_bearing_at(testing::rpm(sun_speed_rpm));
+  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+  const OperatingPoint point = planet_bearing_at(example_bearings::rpm(sun_speed_rpm));
   const QuasiStaticResult result = quasi_static_bearing(bearing, point, {});
   EXPECT_TRUE(result.report.converged) << result.report.message;
   const BearingLife life =
@@ -85,4 +85,4 @@ TEST(Gai2025, ShortestLifeAt12000rpmButForThePointOf1000rpm) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::gai2025_life_test

@@ -6,11 +6,11 @@
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::study::gai2025_sweep_test {
 namespace {
 
-using testing::reducer;
-using testing::rpm;
+using example::reducer;
+using example::rpm;
 
 // The source's own comparison of two methods differs by 5.66 %; clearance, cage and shifts are missing from
 // it.
@@ -75,4 +75,4 @@ TEST(Gai2025Sweep, EightBearingsLiveLessThanOne) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::gai2025_sweep_test

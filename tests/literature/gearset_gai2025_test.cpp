@@ -7,7 +7,7 @@
 #include "gearset/planet_body.hpp"
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::gearset_gai2025_test {
 namespace {
 
 struct Row {
@@ -70,4 +70,4 @@ TEST(Gai2025, PositiveSunShiftsUndercutThePlanets) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::gearset_gai2025_test

@@ -5,7 +5,7 @@
 #include "gearset/contact_path.hpp"
 #include "gearset/mean_loads.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::gearset_reference_numbers_test {
 namespace {
 
 TEST(SpurPair62, ContactRatio) {
@@ -40,4 +40,4 @@ TEST(Assembly, OfEquallySpacedPlanets) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::gearset_reference_numbers_test

@@ -6,7 +6,7 @@
 
 #include "bearing/point_contact.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::hamrock_ball_contact_test {
 namespace {
 
 struct Row {
@@ -17,7 +17,7 @@ struct Row {
   double diameter;    // [mm]  of the race
 };
 
-constexpr double kFourDigits = 2e-4;  // the numbers are given with four digits
+constexpr double kFourDigits = 2e-4;          // the numbers are given with four digits
 constexpr double kLoad = 5.0 * 8900.0 / 9.0;  // [N]
 
 TEST(HamrockBall, ContactsOfBothRaces) {
@@ -43,4 +43,4 @@ TEST(HamrockBall, SemiAxesOnTheInnerRace) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::hamrock_ball_contact_test

@@ -8,13 +8,13 @@
 #include "bearing/static_load/roller_bearing.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing::static_load {
+namespace orbearing::bearing::static_load::harris_209_laminae_test {
 namespace {
 
 constexpr double kPrinted = 0.05;  // [N]  half a unit of the last digit given
 
 CylindricalRollerBearing bearing_209(double clearance) {
-  CylindricalRollerBearing bearing = testing::bearing_209();
+  CylindricalRollerBearing bearing = example_bearings::bearing_209();
   bearing.laminae = 40;
   bearing.radial_clearance = clearance;
   bearing.contact_law = ContactLaw::iso16281;
@@ -67,4 +67,4 @@ TEST(StraightRoller, LifeDependsOnTheNumberOfLaminae) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::static_load
+}  // namespace orbearing::bearing::static_load::harris_209_laminae_test

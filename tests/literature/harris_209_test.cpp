@@ -7,7 +7,7 @@
 #include "bearing/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::harris_209_test {
 namespace {
 
 constexpr double kPrinted = 0.05;  // [N] half a unit of the last digit given
@@ -33,11 +33,12 @@ const std::vector<Row>& rows() {
 TEST(Harris209, RollerLoads) {
   for (const Row& row : rows()) {
     SCOPED_TRACE(row.name);
-    CylindricalRollerBearing bearing = testing::bearing_209();
+    CylindricalRollerBearing bearing = example_bearings::bearing_209();
     bearing.radial_clearance = row.clearance;
     bearing.contact_law = row.law;
     // The outer ring is pressed on the first roller: the load points away from it.
-    const QuasiStaticState state = quasi_static_state(bearing, testing::static_load(-4450.0), {}, 0.0);
+    const QuasiStaticState state =
+        quasi_static_state(bearing, example_bearings::static_load(-4450.0), {}, 0.0);
     ASSERT_TRUE(state.report.converged) << state.report.message;
     for (Eigen::Index j = 0; j <= 7; ++j) {
       const auto place = static_cast<std::size_t>(j);
@@ -49,4 +50,4 @@ TEST(Harris209, RollerLoads) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::harris_209_test

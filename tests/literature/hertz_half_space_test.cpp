@@ -11,7 +11,7 @@
 #include "bearing/half_space/elasticity.hpp"
 #include "tests/half_space_contacts.hpp"
 
-namespace orbearing::bearing::half_space {
+namespace orbearing::bearing::half_space::hertz_half_space_test {
 namespace {
 
 using boost::math::double_constants::pi;
@@ -141,4 +141,4 @@ TEST(HertzHalfSpace, CorrectedEndComesNearTheCornerOfAQuarterSpace) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::half_space
+}  // namespace orbearing::bearing::half_space::hertz_half_space_test

@@ -11,7 +11,7 @@
 #include "bearing/rating/life_modification.hpp"
 #include "bearing/rating/roller_capacity.hpp"
 
-namespace orbearing::bearing::rating {
+namespace orbearing::bearing::rating::iso281_test {
 namespace {
 
 using Table = std::vector<std::pair<double, double>>;
@@ -53,4 +53,4 @@ TEST(Iso281, ReliabilityTable) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::rating
+}  // namespace orbearing::bearing::rating::iso281_test

@@ -6,7 +6,7 @@
 #include "gearset/dynamics/modes.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::gearset::dynamics {
+namespace orbearing::gearset::dynamics::lin_parker_1999_test {
 namespace {
 
 constexpr double kPrintedDigits = 0.1;  // [Hz]
@@ -42,4 +42,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Published{4, ModeKind::planet, 1, {1808.2, 5963.8, 6981.7}}));
 
 }  // namespace
-}  // namespace orbearing::gearset::dynamics
+}  // namespace orbearing::gearset::dynamics::lin_parker_1999_test

@@ -6,7 +6,7 @@
 #include "gearset/mesh/iso6336.hpp"
 #include "tests/unit/mesh/example_gears.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::mesh_62_62_test {
 namespace {
 
 constexpr double stated_parts = 0.01;
@@ -81,4 +81,4 @@ TEST(Iso6336MethodB, OfTwoPairs) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::mesh_62_62_test

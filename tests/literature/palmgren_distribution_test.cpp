@@ -8,7 +8,7 @@
 #include "bearing/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::palmgren_distribution_test {
 namespace {
 
 constexpr double kPrinted = 0.005;  // half a unit of the last digit of 4.08
@@ -21,9 +21,9 @@ double integral_of_many_rollers() {
 }
 
 double largest_share(int rollers) {
-  CylindricalRollerBearing bearing = testing::bearing_209();
+  CylindricalRollerBearing bearing = example_bearings::bearing_209();
   bearing.rollers = rollers;
-  const QuasiStaticState state = quasi_static_state(bearing, testing::static_load(-4450.0), {}, 0.0);
+  const QuasiStaticState state = quasi_static_state(bearing, example_bearings::static_load(-4450.0), {}, 0.0);
   EXPECT_TRUE(state.report.converged) << state.report.message;
   return state.outer_load.maxCoeff() * rollers / 4450.0;
 }
@@ -44,4 +44,4 @@ TEST(PalmgrenDistribution, ConvergesToTheIntegral) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::palmgren_distribution_test

@@ -1,5 +1,5 @@
 // The coupling set and the three sets against the table of an earlier version.
-// After a change that is meant: ORBEARING_WRITE_GOLDEN=1 build/release/bin/orbearing_regression_tests
+// After a change that is meant: ORBEARING_WRITE_GOLDEN=1 build/release/bin/orbearing_tests --gtest_filter=regression/
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +10,7 @@
 #include "app/case/case_file.hpp"
 #include "app/study/drivetrain_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::app_sets_quasi_static_test {
 namespace {
 
 // The races balance to 1e-12 of the loads; libraries of another machine may round otherwise.
@@ -46,4 +46,4 @@ TEST(Regression, SetsQuasiStatic) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::app_sets_quasi_static_test

@@ -1,5 +1,6 @@
 // The quasi-static sweep of the reducer against the table of an earlier version.
-// After a change that is meant: ORBEARING_WRITE_GOLDEN=1 build/release/bin/orbearing_regression_tests
+// After a change that is meant: ORBEARING_WRITE_GOLDEN=1 build/release/bin/orbearing_tests
+// --gtest_filter=regression/
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,7 +11,7 @@
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
 
-namespace orbearing::study {
+namespace orbearing::study::reducer_quasi_static_test {
 namespace {
 
 // The races balance to 1e-12 of the loads; libraries of another machine may round otherwise.
@@ -20,8 +21,8 @@ const std::string kTable = ORBEARING_SOURCE_DIR "/tests/regression/reducer_quasi
 using Row = std::vector<double>;
 
 Row row_at(double speed_rpm, bool film) {
-  PlanetaryDrivetrain drivetrain = testing::reducer();
-  drivetrain.drive.speed = speed_rpm * testing::rpm;
+  PlanetaryDrivetrain drivetrain = example::reducer();
+  drivetrain.drive.speed = speed_rpm * example::rpm;
   drivetrain.film_in_approach = film;
   const PointResult p = evaluate(drivetrain, derive(drivetrain));
   return {speed_rpm,        film ? 1.0 : 0.0, p.planet_load,      p.inner.load_max, p.inner.load_rms,
@@ -58,4 +59,4 @@ TEST(Regression, ReducerQuasiStatic) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::reducer_quasi_static_test

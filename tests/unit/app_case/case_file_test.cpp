@@ -11,7 +11,7 @@
 #include "app/case/settings.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::case_file_test {
 namespace {
 
 using testing::AllOf;
@@ -65,7 +65,8 @@ TEST(CaseFile, ReportsWrongKinds) {
        {"14.5", "'14'", "many", "[14]", "", "0x0e", "014", "14 mm", "99999999999", "2", "1e1"})
     EXPECT_THAT(rollers(value), ElementsAre(HasSubstr("bearing.rollers"))) << value;
   EXPECT_THAT(mistakes(replaced(bearing_case, "load:\n  radial: 4450 N", "load: 4450 N")),
-              ElementsAre("case.yaml:4:7: load: '4450 N' found; a block with keys (radial, axial, moment, tilt) is required"));
+              ElementsAre("case.yaml:4:7: load: '4450 N' found; a block with keys (radial, axial, moment, "
+                          "tilt) is required"));
   EXPECT_THAT(mistakes(replaced(bearing_case, "small", "' '")), ElementsAre(HasSubstr("an empty text")));
 }
 
@@ -134,8 +135,10 @@ TEST(CaseFile, BoundsPowerAndSpeed) {
 }
 
 TEST(CaseFile, ReportsAnEmptyBlockOnce) {
-  EXPECT_THAT(mistakes(replaced(bearing_case, "  radial: 4450 N\n", "")),
-              ElementsAre("case.yaml:4:1: load: nothing found; a block with keys (radial, axial, moment, tilt) is required"));
+  EXPECT_THAT(
+      mistakes(replaced(bearing_case, "  radial: 4450 N\n", "")),
+      ElementsAre(
+          "case.yaml:4:1: load: nothing found; a block with keys (radial, axial, moment, tilt) is required"));
 }
 
 TEST(FieldTable, DefaultsAreValuesOfTheirFields) {
@@ -166,4 +169,4 @@ TEST(Field, ReadsLists) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::case_file_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::consistency_test {
 namespace {
 
 using testing::Contains;
@@ -80,4 +80,4 @@ TEST(Consistency, WantsAWholeCageOrNone) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::consistency_test

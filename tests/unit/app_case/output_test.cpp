@@ -9,7 +9,7 @@
 #include "app/case/schema.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::output_test {
 namespace {
 
 using testing::HasSubstr;
@@ -90,4 +90,4 @@ TEST(Schema, KnowsEveryFieldOfAModel) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::output_test

@@ -5,7 +5,7 @@
 #include "app/case/field_table.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::printable_test {
 namespace {
 
 using testing::AllOf;
@@ -64,4 +64,4 @@ TEST(Printable, HoldsForKeysAndNamesOfFiles) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::printable_test

@@ -9,7 +9,7 @@
 #include "bearing/profile/design.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::profile_case_test {
 namespace {
 
 using bearing::profile::Profile;
@@ -121,4 +121,4 @@ TEST(ProfileCase, LaminaeServeBothFidelities) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::profile_case_test

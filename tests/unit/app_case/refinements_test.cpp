@@ -5,7 +5,7 @@
 #include "app/study/drivetrain_case.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::refinements_test {
 namespace {
 
 using testing::ElementsAre;
@@ -91,4 +91,4 @@ TEST(Refinements, WhatAComputationCannotTakeIsRefused) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::refinements_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::settings_test {
 namespace {
 
 using testing::AllOf;
@@ -94,4 +94,4 @@ TEST(Settings, AreCheckedEvenIfTheFileIsNoYaml) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::settings_test

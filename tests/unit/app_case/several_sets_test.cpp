@@ -9,7 +9,7 @@
 #include "app/case/resolved_writer.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::several_sets_test {
 namespace {
 
 using testing::AllOf;
@@ -164,4 +164,4 @@ TEST(SeveralSets, AreNotTooMany) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::several_sets_test

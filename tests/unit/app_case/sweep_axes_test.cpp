@@ -4,7 +4,7 @@
 
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::sweep_axes_test {
 namespace {
 
 using testing::AllOf;
@@ -103,4 +103,4 @@ TEST(SweepAxes, ReportDuplicateAxes) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::sweep_axes_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::sweep_consistency_test {
 namespace {
 
 using testing::AllOf;
@@ -71,4 +71,4 @@ TEST(SweepConsistency, CountsManyMistakes) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::sweep_consistency_test

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace orbearing::app {
+namespace orbearing::app::units_test {
 namespace {
 
 // A conversion multiplies by one factor, itself rounded: a few units in the last place.
@@ -108,4 +108,4 @@ TEST(Units, ConvertInSeveralThreads) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::units_test

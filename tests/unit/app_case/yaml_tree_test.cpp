@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orbearing::app {
+namespace orbearing::app::yaml_tree_test {
 namespace {
 
 void expect_fault(const std::string& text, const char* part, int line, int column) {
@@ -68,4 +68,4 @@ TEST(YamlTree, AcceptsClosedQuotations) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::yaml_tree_test

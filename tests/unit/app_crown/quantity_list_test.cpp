@@ -4,7 +4,7 @@
 
 #include "app/study/crown/crown_options.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::quantity_list_test {
 namespace {
 
 using testing::ElementsAre;
@@ -48,4 +48,4 @@ TEST(CrownOptions, GoThroughJsonUnchanged) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::quantity_list_test

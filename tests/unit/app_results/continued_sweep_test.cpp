@@ -9,13 +9,13 @@
 #include "app/results/point_file.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::continued_sweep_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::fake_request;
+using fake_sweep::fake_request;
+using fake_sweep::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
 using Numbers = std::vector<std::size_t>;
 
 constexpr std::size_t points = 12;             // one of them, failing_point, fails
@@ -33,7 +33,7 @@ SweepRequest continued(const fs::path& folder, Direction direction) {
   request.header.continued = direction;
   request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("not continued"); };
   request.evaluate_from = [](std::size_t point, const Eigen::VectorXd& start) {
-    study::PointResult result = testing::fake_result(point);
+    study::PointResult result = fake_sweep::fake_result(point);
     result.dynamic.emplace().final_state = next_state(point, start);
     result.cage_slip = result.dynamic->final_state[0];
     return result;
@@ -77,7 +77,7 @@ TEST(ContinuedSweep, EveryPointStartsWhereItsNeighbourEnded) {
     Eigen::VectorXd state;
     for (std::size_t i = 0; i < points; ++i) {
       const std::size_t point = direction == Direction::up ? i : points - 1 - i;
-      if (point == testing::failing_point) continue;  // the next one starts where this one did
+      if (point == fake_sweep::failing_point) continue;  // the next one starts where this one did
       state = next_state(point, state);
       EXPECT_EQ(value_of(outcome.head, outcome.rows[point], "cage_slip"), in_table_unit(state[0], 1.0))
           << point;
@@ -89,7 +89,7 @@ TEST(ContinuedSweep, EveryPointStartsWhereItsNeighbourEnded) {
 TEST(ContinuedSweep, CutAnywhereAndResumedItIsTheSameToTheLastBit) {
   const TemporaryFolder place;
   const std::string undisturbed = table_of(continued(place / "whole", Direction::up));
-  for (const std::size_t cut : {std::size_t{0}, std::size_t{5}, testing::failing_point, points - 2}) {
+  for (const std::size_t cut : {std::size_t{0}, std::size_t{5}, fake_sweep::failing_point, points - 2}) {
     SweepRequest request = continued(place / std::to_string(cut), Direction::up);
     run_until(request, cut);
     request.resume = true;
@@ -113,9 +113,9 @@ TEST(ContinuedSweep, DoesNotGoOnWithoutAStoredState) {
   const TemporaryFolder place;
   SweepRequest request = continued(place / "d", Direction::up);
   run_until(request, 5);
-  study::PointResult stateless = testing::fake_result(5);
-  testing::write(request.folder / point_file_name(5),
-                 netcdf_bytes(point_content(request.header, 5, {}, stateless)));
+  study::PointResult stateless = fake_sweep::fake_result(5);
+  fake_sweep::write(request.folder / point_file_name(5),
+                    netcdf_bytes(point_content(request.header, 5, {}, stateless)));
   request.resume = true;
   try {
     run_sweep(request);
@@ -128,7 +128,7 @@ TEST(ContinuedSweep, DoesNotGoOnWithoutAStoredState) {
 TEST(ContinuedSweep, OtherDirectionsAreNotResumed) {
   const TemporaryFolder place;
   run_sweep(continued(place / "up", Direction::up));
-  const auto before = testing::snapshot(place / "up");
+  const auto before = fake_sweep::snapshot(place / "up");
   SweepRequest down = continued(place / "up", Direction::down);
   SweepRequest none = down;
   none.header.continued.reset();
@@ -141,27 +141,28 @@ TEST(ContinuedSweep, OtherDirectionsAreNotResumed) {
       EXPECT_THAT(error.messages.front(), HasSubstr("direction of --continue 'up' was found"));
     }
   }
-  EXPECT_EQ(testing::snapshot(place / "up"), before);
+  EXPECT_EQ(fake_sweep::snapshot(place / "up"), before);
 }
 
 TEST(ContinuedSweep, ManifestRemembersTheDirection) {
   for (const Direction direction : {Direction::up, Direction::down}) {
-    ManifestHeader header = testing::fake_header(points);
+    ManifestHeader header = fake_sweep::fake_header(points);
     header.continued = direction;
     EXPECT_EQ(parse_manifest(header_line(header), "m").header->continued, direction);
   }
-  EXPECT_FALSE(parse_manifest(header_line(testing::fake_header(points)), "m").header->continued.has_value());
+  EXPECT_FALSE(
+      parse_manifest(header_line(fake_sweep::fake_header(points)), "m").header->continued.has_value());
 }
 
 TEST(PointFile, FinalStateIsReadAsItWasWritten) {
   const TemporaryFolder place;
-  study::PointResult result = testing::fake_result(1);
+  study::PointResult result = fake_sweep::fake_result(1);
   result.dynamic.emplace().final_state = Eigen::VectorXd::LinSpaced(state_of_rollers, -1.0 / 3.0, 2.0 / 7.0);
-  testing::write(place / "p.nc", netcdf_bytes(point_content(testing::fake_header(5), 1, {}, result)));
+  fake_sweep::write(place / "p.nc", netcdf_bytes(point_content(fake_sweep::fake_header(5), 1, {}, result)));
   const Eigen::VectorXd& state = result.dynamic->final_state;
   EXPECT_EQ(read_final_state(place / "p.nc"), std::vector<double>(state.begin(), state.end()));
   EXPECT_TRUE(read_final_state(place / "missing.nc").empty());
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::continued_sweep_test

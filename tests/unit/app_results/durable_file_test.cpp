@@ -10,7 +10,7 @@
 #include "app/results/interruption.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::durable_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -33,29 +33,29 @@ class FullDisk {
 };
 
 TEST(DurableFile, ReplacesTheWholeContentAndLeavesNothingAside) {
-  const testing::TemporaryFolder folder;
+  const fake_sweep::TemporaryFolder folder;
   write_aside_and_rename(folder / "file", "a long first text");
   write_aside_and_rename(folder / "file", "second");
   EXPECT_EQ(read_file(folder / "file"), "second");
-  EXPECT_EQ(testing::snapshot(folder / "").size(), 1U);
+  EXPECT_EQ(fake_sweep::snapshot(folder / "").size(), 1U);
 }
 
 TEST(DurableFile, FullDiskKeepsTheFormerContent) {
-  const testing::TemporaryFolder folder;
+  const fake_sweep::TemporaryFolder folder;
   write_aside_and_rename(folder / "file", "former");
   const FullDisk full(8);
   EXPECT_THROW(write_aside_and_rename(folder / "file", "longer than eight bytes"), ComputationFailed);
   EXPECT_EQ(read_file(folder / "file"), "former");
-  EXPECT_EQ(testing::snapshot(folder / "").size(), 1U);
+  EXPECT_EQ(fake_sweep::snapshot(folder / "").size(), 1U);
 }
 
 TEST(DurableFile, UnreadableFileIsBadInput) {
-  const testing::TemporaryFolder folder;
+  const fake_sweep::TemporaryFolder folder;
   EXPECT_THROW(read_file(folder / "none"), BadInput);
 }
 
 TEST(AppendOnlyFile, AddsAndCuts) {
-  const testing::TemporaryFolder folder;
+  const fake_sweep::TemporaryFolder folder;
   AppendOnlyFile file(folder / "log");
   file.append("one\n");
   file.append("two\n");
@@ -65,7 +65,7 @@ TEST(AppendOnlyFile, AddsAndCuts) {
 }
 
 TEST(AppendOnlyFile, FullDiskLeavesNoTornLine) {
-  const testing::TemporaryFolder folder;
+  const fake_sweep::TemporaryFolder folder;
   AppendOnlyFile file(folder / "log");
   file.append("one\n");
   const FullDisk full(8);
@@ -74,7 +74,7 @@ TEST(AppendOnlyFile, FullDiskLeavesNoTornLine) {
 }
 
 TEST(AppendOnlyFile, SecondWriterIsRefusedUntilTheFirstIsDone) {
-  const testing::TemporaryFolder folder;
+  const fake_sweep::TemporaryFolder folder;
   {
     const AppendOnlyFile first(folder / "log");
     try {
@@ -88,4 +88,4 @@ TEST(AppendOnlyFile, SecondWriterIsRefusedUntilTheFirstIsDone) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::durable_file_test

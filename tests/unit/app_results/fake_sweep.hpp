@@ -19,7 +19,7 @@
 #include "app/results/durable_file.hpp"
 #include "app/results/sweep_run.hpp"
 
-namespace orbearing::app::testing {
+namespace orbearing::app::fake_sweep {
 
 namespace fs = std::filesystem;
 
@@ -105,4 +105,4 @@ inline void write(const fs::path& file, const std::string& text) {
   std::ofstream(file, std::ios::binary) << text;
 }
 
-}  // namespace orbearing::app::testing
+}  // namespace orbearing::app::fake_sweep

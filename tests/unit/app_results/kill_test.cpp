@@ -14,11 +14,11 @@
 #include "app/results/sweep_run.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::kill_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TemporaryFolder;
+using fake_sweep::TemporaryFolder;
 
 constexpr std::size_t points = 400;
 constexpr int kills = 8;
@@ -28,7 +28,7 @@ constexpr const char* folder_variable = "ORBEARING_TEST_SWEEP";
 TEST(SweepProgram, DISABLED_Runs) {
   const char* folder = std::getenv(folder_variable);
   ASSERT_NE(folder, nullptr);
-  SweepRequest request = testing::fake_request(folder, points);
+  SweepRequest request = fake_sweep::fake_request(folder, points);
   request.resume = true;
   AppendOnlyFile begun(std::string(folder) + ".begun");
   std::mutex one_at_a_time;
@@ -37,8 +37,8 @@ TEST(SweepProgram, DISABLED_Runs) {
       const std::lock_guard<std::mutex> lock(one_at_a_time);
       begun.append(std::to_string(point) + "\n");
     }
-    testing::sleep_some(point);
-    return testing::fake_result(point);
+    fake_sweep::sleep_some(point);
+    return fake_sweep::fake_result(point);
   };
   run_sweep(request);
 }
@@ -80,7 +80,7 @@ std::set<std::size_t> kept_points(const fs::path& folder) {
 
 TEST(KilledSweep, ResumesWithoutLosingOrRepeatingAPoint) {
   const TemporaryFolder place;
-  const std::string table = testing::fake_table(place / "reference", points);
+  const std::string table = fake_sweep::fake_table(place / "reference", points);
   const fs::path folder = place / "killed";
   std::mt19937 random(20240517);
   std::uniform_int_distribution<int> milliseconds(20, 120);
@@ -104,4 +104,4 @@ TEST(KilledSweep, ResumesWithoutLosingOrRepeatingAPoint) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::kill_test

@@ -7,20 +7,21 @@
 #include "app/results/row_text.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::manifest_test {
 namespace {
 
 using ::testing::HasSubstr;
 
 ManifestHeader header_with_all() {
-  ManifestHeader header = testing::fake_header(10);
+  ManifestHeader header = fake_sweep::fake_header(10);
   header.shard = Shard{2, 3};
   header.axes = {{"bearing.radial_clearance_um", "um", "clearance"}};
   return header;
 }
 
 std::string line_of(const ManifestHeader& header, std::size_t point) {
-  const ResultRow row = result_row(testing::fake_result(point), std::vector<double>(header.axes.size(), 0.1));
+  const ResultRow row =
+      result_row(fake_sweep::fake_result(point), std::vector<double>(header.axes.size(), 0.1));
   return entry_line(table_head(header.axes), point, {point_file_name(point), row});
 }
 
@@ -45,7 +46,7 @@ TEST(Manifest, GivesBackHeaderAndRows) {
 }
 
 TEST(Manifest, CutAnywhereKeepsTheCompleteLines) {
-  const ManifestHeader header = testing::fake_header(10);
+  const ManifestHeader header = fake_sweep::fake_header(10);
   const std::string first = header_line(header);
   const std::string second = first + line_of(header, 0);
   const std::string third = second + line_of(header, 1);
@@ -60,12 +61,12 @@ TEST(Manifest, CutAnywhereKeepsTheCompleteLines) {
 }
 
 TEST(Manifest, LastLineOfZerosIsTakenForTorn) {
-  const std::string sound = header_line(testing::fake_header(10));
+  const std::string sound = header_line(fake_sweep::fake_header(10));
   EXPECT_EQ(parse_manifest(sound + std::string(40, '\0') + "\n", "m").sound_bytes, sound.size());
 }
 
 TEST(Manifest, DamageElsewhereIsNamedByLine) {
-  const ManifestHeader header = testing::fake_header(10);
+  const ManifestHeader header = fake_sweep::fake_header(10);
   EXPECT_THAT(message_of(header_line(header) + "{}\n" + line_of(header, 1)),
               HasSubstr("DIR/manifest.jsonl:2:1: "));
   EXPECT_THAT(message_of("some text\n"), HasSubstr("DIR/manifest.jsonl:1:1: "));
@@ -81,10 +82,10 @@ TEST(Manifest, PointOfAnotherShardOrFileOutsideIsRefused) {
 }
 
 TEST(Manifest, DifferencesNameWhatWasFoundAndWhatIsRequired) {
-  ManifestHeader other = testing::fake_header(10);
+  ManifestHeader other = fake_sweep::fake_header(10);
   other.program_version = "0.2.0";
   other.instruction_set = "x86-64-v3";
-  const std::vector<std::string> lines = differences(other, testing::fake_header(10));
+  const std::vector<std::string> lines = differences(other, fake_sweep::fake_header(10));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0], "program version '0.2.0' was found; '0.1.0' is required");
 }
@@ -113,7 +114,7 @@ TEST(Shard, EveryPointBelongsToOneShard) {
   for (const std::size_t count : {1U, 2U, 3U, 7U}) {
     std::size_t sum = 0;
     for (std::size_t index = 1; index <= count; ++index) {
-      ManifestHeader header = testing::fake_header(23);
+      ManifestHeader header = fake_sweep::fake_header(23);
       header.shard = Shard{index, count};
       std::size_t held = 0;
       for (std::size_t point = 0; point < 30; ++point) held += header.holds(point) ? 1U : 0U;
@@ -125,4 +126,4 @@ TEST(Shard, EveryPointBelongsToOneShard) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::manifest_test

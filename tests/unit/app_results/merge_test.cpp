@@ -8,13 +8,13 @@
 #include "app/results/sweep_run.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::merge_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::fake_request;
+using fake_sweep::fake_request;
+using fake_sweep::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
 
 constexpr std::size_t points = 31;
 
@@ -41,7 +41,7 @@ std::string refusal(const std::vector<fs::path>& shards, const fs::path& folder)
 
 TEST(Merge, EqualsTheSweepInOnePiece) {
   const TemporaryFolder place;
-  const std::string table = testing::fake_table(place / "whole", points);
+  const std::string table = fake_sweep::fake_table(place / "whole", points);
   const std::vector<fs::path> shards = {run_shard(place, 3, 3), run_shard(place, 1, 3),
                                         run_shard(place, 2, 3)};
   const SweepOutcome outcome = merge_shards(shards, place / "new/merged");
@@ -129,9 +129,9 @@ TEST(Merge, EveryDamagedFileIsNamedBeforeAnythingIsWritten) {
   const std::vector<fs::path> shards = {run_shard(place, 1, 2), run_shard(place, 2, 2)};
   const std::string whole = read_file(shards[0] / point_file_name(4));
   fs::remove(shards[0] / point_file_name(2));
-  testing::write(shards[0] / point_file_name(4), whole.substr(0, 4096));
-  testing::write(shards[1] / point_file_name(1), "");
-  testing::write(shards[1] / point_file_name(3), "no netCDF");
+  fake_sweep::write(shards[0] / point_file_name(4), whole.substr(0, 4096));
+  fake_sweep::write(shards[1] / point_file_name(1), "");
+  fake_sweep::write(shards[1] / point_file_name(3), "no netCDF");
   const std::string message = refusal(shards, place / "merged");
   EXPECT_THAT(message, HasSubstr("s1/points/00002.nc: is missing"));
   EXPECT_THAT(message, HasSubstr("s1/points/00004.nc: is not a whole netCDF file"));
@@ -143,7 +143,7 @@ TEST(Merge, EveryDamagedFileIsNamedBeforeAnythingIsWritten) {
 TEST(Merge, ChangedCaseOfAShardIsRefused) {
   const TemporaryFolder place;
   const std::vector<fs::path> shards = {run_shard(place, 1, 2), run_shard(place, 2, 2)};
-  testing::write(shards[1] / "case.resolved.yaml", "name: other\n");
+  fake_sweep::write(shards[1] / "case.resolved.yaml", "name: other\n");
   EXPECT_THAT(refusal(shards, place / "merged"), HasSubstr("s2/case.resolved.yaml: is empty or differs"));
   EXPECT_FALSE(fs::exists(place / "merged"));
 }
@@ -196,4 +196,4 @@ TEST(Merge, FullDiskLeavesNothingAndTheRetrySucceeds) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::merge_test

@@ -9,7 +9,7 @@
 #include "app/errors.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::point_file_test {
 namespace {
 
 /// A netCDF file read from its bytes.
@@ -59,14 +59,14 @@ class ReadFile {
 
 study::PointResult failed_result() {
   study::PointResult result;
-  result.input_speed = testing::input_speed_of(3);
+  result.input_speed = fake_sweep::input_speed_of(3);
   result.status = "no balance";
   return result;
 }
 
 TEST(PointFile, HoldsScalarsInSiAndLoadsByPlace) {
-  const study::PointResult result = testing::fake_result(3);
-  const ReadFile file(netcdf_bytes(point_content(testing::fake_header(5), 3, {}, result)));
+  const study::PointResult result = fake_sweep::fake_result(3);
+  const ReadFile file(netcdf_bytes(point_content(fake_sweep::fake_header(5), 3, {}, result)));
   EXPECT_EQ(file.values("input_speed", 1).front(), result.input_speed);
   EXPECT_EQ(file.values("inner_life", 1).front(), result.inner.life);
   EXPECT_EQ(file.attribute(file.variable("input_speed"), "units"), "rad s-1");
@@ -80,7 +80,8 @@ TEST(PointFile, HoldsScalarsInSiAndLoadsByPlace) {
 }
 
 TEST(PointFile, EveryVariableStatesItsUnitAndMeaning) {
-  const ReadFile file(netcdf_bytes(point_content(testing::fake_header(5), 3, {}, testing::fake_result(3))));
+  const ReadFile file(
+      netcdf_bytes(point_content(fake_sweep::fake_header(5), 3, {}, fake_sweep::fake_result(3))));
   int count = 0;
   nc_inq_nvars(file.number(), &count);
   ASSERT_EQ(static_cast<std::size_t>(count), leading_columns().size() + trailing_columns().size() + 3);
@@ -91,11 +92,11 @@ TEST(PointFile, EveryVariableStatesItsUnitAndMeaning) {
 }
 
 TEST(PointFile, FailedPointHasSpeedAxesAndReason) {
-  ManifestHeader header = testing::fake_header(5);
+  ManifestHeader header = fake_sweep::fake_header(5);
   header.axes = {{"bearing.radial_clearance_um", "um", "clearance"}};
   const ReadFile file(netcdf_bytes(point_content(header, 3, {37.0}, failed_result())));
   EXPECT_EQ(file.attribute(NC_GLOBAL, "status"), "no balance");
-  EXPECT_EQ(file.values("input_speed", 1).front(), testing::input_speed_of(3));
+  EXPECT_EQ(file.values("input_speed", 1).front(), fake_sweep::input_speed_of(3));
   EXPECT_EQ(file.values("bearing_radial_clearance_um", 1).front(), 37.0);
   EXPECT_TRUE(std::isnan(file.values("life", 1).front()));
   EXPECT_FALSE(file.has("inner_load"));
@@ -113,7 +114,7 @@ TEST(PointFile, TakesSeriesOverSeveralDimensions) {
 }
 
 TEST(PointFile, SameContentGivesTheSameBytes) {
-  const PointContent content = point_content(testing::fake_header(5), 3, {}, testing::fake_result(3));
+  const PointContent content = point_content(fake_sweep::fake_header(5), 3, {}, fake_sweep::fake_result(3));
   EXPECT_EQ(netcdf_bytes(content), netcdf_bytes(content));
 }
 
@@ -123,4 +124,4 @@ TEST(PointFile, TwoVariablesOfOneNameAreAnErrorOfTheLibrary) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::point_file_test

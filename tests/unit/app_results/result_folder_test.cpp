@@ -7,14 +7,14 @@
 #include "app/errors.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::result_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::fake_header;
+using fake_sweep::fake_header;
+using fake_sweep::snapshot;
+using fake_sweep::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::snapshot;
-using testing::TemporaryFolder;
 
 constexpr const char* resolved = "name: fake\n";
 
@@ -36,7 +36,7 @@ void expect_untouched(const fs::path& folder, const ManifestHeader& header, Open
 }
 
 FinishedPoint finished(std::size_t point) {
-  return {point, "content", result_row(testing::fake_result(point), {})};
+  return {point, "content", result_row(fake_sweep::fake_result(point), {})};
 }
 
 /// A folder with points 0 and 1 of 5.
@@ -73,7 +73,7 @@ TEST(ResultFolder, ResultsAreNotWrittenOver) {
 
 TEST(ResultFolder, ForeignFilesAreLeftAlone) {
   const TemporaryFolder place;
-  testing::write(place / "thesis.tex", "years of work");
+  fake_sweep::write(place / "thesis.tex", "years of work");
   for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume})
     expect_untouched(place / "", fake_header(5), mode, "holds 'thesis.tex', which is no result of a sweep");
 }
@@ -82,7 +82,7 @@ TEST(ResultFolder, ForeignManifestIsLeftAlone) {
   for (const char* text :
        {"{\"from\": \"another program\"}\n", "a list of cargo", "{\"orbearing_results\":2}\n"}) {
     const TemporaryFolder place;
-    testing::write(place / "manifest.jsonl", text);
+    fake_sweep::write(place / "manifest.jsonl", text);
     for (const OpenMode mode : {OpenMode::fresh, OpenMode::resume})
       expect_untouched(place / "", fake_header(5), mode, "required");
   }
@@ -121,9 +121,9 @@ TEST(ResultFolder, TornLastLineAndLeftoversAreClearedAtResume) {
   const TemporaryFolder place;
   const fs::path path = begun(place);
   const std::string sound = read_file(path / "manifest.jsonl");
-  testing::write(path / "manifest.jsonl", sound + "{\"point\":2,\"fi");
-  testing::write(path / "points/00002.nc.tmp", "half");
-  testing::write(path / "sweep.csv.tmp", "half");
+  fake_sweep::write(path / "manifest.jsonl", sound + "{\"point\":2,\"fi");
+  fake_sweep::write(path / "points/00002.nc.tmp", "half");
+  fake_sweep::write(path / "sweep.csv.tmp", "half");
   ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
   EXPECT_EQ(read_file(path / "manifest.jsonl"), sound);
   EXPECT_FALSE(fs::exists(path / "points/00002.nc.tmp"));
@@ -135,7 +135,7 @@ TEST(ResultFolder, TornLastLineAndLeftoversAreClearedAtResume) {
 TEST(ResultFolder, KilledBeforeItsHeaderWasWrittenStartsAfresh) {
   for (const std::size_t length : {0U, 5U, 40U}) {
     const TemporaryFolder place;
-    testing::write(place / "manifest.jsonl", header_line(fake_header(5)).substr(0, length));
+    fake_sweep::write(place / "manifest.jsonl", header_line(fake_header(5)).substr(0, length));
     EXPECT_EQ(refusal(place / "", fake_header(5), OpenMode::resume), "accepted");
     EXPECT_TRUE(read_results(place / "").header);
   }
@@ -158,7 +158,7 @@ TEST(ResultFolder, SecondSweepAtTheSameTimeIsRefused) {
 
 TEST(ResultFolder, PlaceThatCannotBeWrittenToIsBadInput) {
   const TemporaryFolder place;
-  testing::write(place / "file", "text");
+  fake_sweep::write(place / "file", "text");
   EXPECT_THAT(refusal(place / "file", fake_header(5), OpenMode::fresh), HasSubstr("is not a folder"));
   EXPECT_THAT(refusal(place / "file/below", fake_header(5), OpenMode::fresh), HasSubstr("cannot be made"));
   EXPECT_THAT(refusal("/proc/none", fake_header(5), OpenMode::resume), HasSubstr("cannot be made"));
@@ -172,4 +172,4 @@ TEST(ResultFolder, FolderWithoutResultsCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::result_folder_test

@@ -11,7 +11,7 @@
 #include "app/results/row_text.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::result_row_test {
 namespace {
 
 // The contract that scripts rely on, to the letter.
@@ -51,7 +51,7 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "interface_window_us"};
 
 study::PointResult at_6000_rpm() {
-  study::PointResult result = testing::fake_result(0);
+  study::PointResult result = fake_sweep::fake_result(0);
   result.input_speed = 6000.0 * std::numbers::pi / 30.0;
   return result;
 }
@@ -211,4 +211,4 @@ TEST(RowText, JsonGivesBackEveryBit) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::result_row_test

@@ -12,13 +12,13 @@
 #include "app/results/sweep_json.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::sweep_run_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::fake_request;
+using fake_sweep::fake_request;
+using fake_sweep::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::TemporaryFolder;
 
 constexpr std::size_t points = 60;
 
@@ -37,14 +37,14 @@ SweepRequest interrupted_request(const fs::path& folder, std::size_t after) {
   request.jobs = 1;  // a second thread could finish the sweep while the first is about to ask for its end
   request.evaluate = [after](std::size_t point) {
     if (point == after) std::raise(SIGINT);
-    return testing::fake_result(point);
+    return fake_sweep::fake_result(point);
   };
   return request;
 }
 
 TEST(Sweep, TableHasARowPerPointAndTheFailedOneItsReason) {
   const TemporaryFolder place;
-  const std::string table = testing::fake_table(place / "d", points);
+  const std::string table = fake_sweep::fake_table(place / "d", points);
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), std::ptrdiff_t(points + 1));
   EXPECT_THAT(table, HasSubstr(",,,,\"no balance, \"\"as\"\" found in line 2\","));
   EXPECT_TRUE(fs::exists(place / "d/points/00007.nc"));
@@ -61,7 +61,7 @@ TEST(Sweep, OutcomeCountsFailures) {
 
 TEST(Sweep, ThreadsDoNotChangeTheTable) {
   const TemporaryFolder place;
-  const std::string table = testing::fake_table(place / "reference", points);
+  const std::string table = fake_sweep::fake_table(place / "reference", points);
   for (const int jobs : {0, 1, 3, 8}) {
     SweepRequest request = fake_request(place / ("jobs" + std::to_string(jobs)), points);
     request.jobs = jobs;
@@ -81,7 +81,7 @@ TEST(Sweep, UsesTheThreadsItIsGiven) {
     for (int seen = most; seen < here && !most.compare_exchange_weak(seen, here);) continue;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     --now;
-    return testing::fake_result(point);
+    return fake_sweep::fake_result(point);
   };
   run_sweep(request);
   EXPECT_LE(most, 5);
@@ -90,7 +90,7 @@ TEST(Sweep, UsesTheThreadsItIsGiven) {
 
 TEST(Sweep, InterruptedKeepsWhatIsDoneAndResumes) {
   const TemporaryFolder place;
-  const std::string table = testing::fake_table(place / "reference", points);
+  const std::string table = fake_sweep::fake_table(place / "reference", points);
   EXPECT_THAT(failure_of(interrupted_request(place / "d", 30)), HasSubstr("go on with --resume"));
   EXPECT_FALSE(fs::exists(place / "d/sweep.csv"));
   SweepRequest request = fake_request(place / "d", points);
@@ -103,7 +103,7 @@ TEST(Sweep, InterruptedKeepsWhatIsDoneAndResumes) {
 
 TEST(Sweep, ResumeOfAFinishedSweepComputesNothing) {
   const TemporaryFolder place;
-  const std::string table = testing::fake_table(place / "d", points);
+  const std::string table = fake_sweep::fake_table(place / "d", points);
   SweepRequest request = fake_request(place / "d", points);
   request.resume = true;
   request.evaluate = [](std::size_t) -> study::PointResult { throw std::logic_error("computed again"); };
@@ -113,12 +113,12 @@ TEST(Sweep, ResumeOfAFinishedSweepComputesNothing) {
 
 TEST(Sweep, DiskThatFillsUpEndsItAndLosesNothing) {
   const TemporaryFolder place;
-  const std::string table = testing::fake_table(place / "reference", points);
+  const std::string table = fake_sweep::fake_table(place / "reference", points);
   SweepRequest request = fake_request(place / "d", points);
   request.evaluate = [&](std::size_t point) {
     // A folder in the way of the file is a write error at any user's rights.
     if (point == 20) fs::create_directories(place / "d/points/00020.nc/x");
-    return testing::fake_result(point);
+    return fake_sweep::fake_result(point);
   };
   EXPECT_THAT(failure_of(request), HasSubstr("00020.nc: cannot be written"));
   fs::remove_all(place / "d/points/00020.nc");
@@ -148,7 +148,7 @@ TEST(Sweep, JsonHasThePromisedKeysAndNullWhereNothingIsKnown) {
   for (const auto& [key, value] : object.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"points", "peak", "assumptions", "warnings", "versions"}));
   EXPECT_EQ(object["points"].size(), 10U);
-  EXPECT_TRUE(object["points"][testing::failing_point]["life_h"].is_null());
+  EXPECT_TRUE(object["points"][fake_sweep::failing_point]["life_h"].is_null());
   EXPECT_TRUE(object["points"][0]["film_inner_um"].is_null());
   EXPECT_TRUE(object["peak"]["refined_life_h"].is_null());
   EXPECT_TRUE(object["peak"]["life_h"].is_number());
@@ -164,4 +164,4 @@ TEST(GridPeak, IsTheLongestLifeAndNothingWithoutLives) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::sweep_run_test

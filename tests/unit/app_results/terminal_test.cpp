@@ -11,7 +11,7 @@
 #include "app/results/terminal_table.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::terminal_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -20,9 +20,9 @@ using ::testing::Not;
 std::vector<ResultRow> fake_rows(std::size_t count) {
   std::vector<ResultRow> rows;
   for (std::size_t i = 0; i < count; ++i) {
-    study::PointResult result = testing::fake_result(i == testing::failing_point ? 0 : i);
-    result.input_speed = testing::input_speed_of(i);
-    if (i == testing::failing_point) result.status = "no balance";
+    study::PointResult result = fake_sweep::fake_result(i == fake_sweep::failing_point ? 0 : i);
+    result.input_speed = fake_sweep::input_speed_of(i);
+    if (i == fake_sweep::failing_point) result.status = "no balance";
     rows.push_back(result_row(result, {}));
   }
   return rows;
@@ -127,4 +127,4 @@ TEST(Progress, TellsDoneLeftAndTimeToGo) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::terminal_test

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
@@ -11,7 +12,7 @@
 #include "app/study/speed_slice.hpp"
 #include "coupling/study/operating_point.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::branches_test {
 namespace {
 
 using ::testing::Contains;
@@ -80,7 +81,8 @@ TEST(SpeedSlice, LiesNearestToTheCasesOwnValues) {
   EXPECT_EQ(slice.at.quantity("input.power"), 140e3);
 }
 
-// Constant mesh forces: means over a cage revolution then repeat, which holds no whole number of mesh periods.
+// Constant mesh forces: means over a cage revolution then repeat, which holds no whole number of mesh
+// periods.
 study::PlanetaryDrivetrain short_run() {
   study::PlanetaryDrivetrain drivetrain = drivetrain_of(reducer({"gearset.mesh_variation=false"}));
   drivetrain.steady_state.least_windows = 2;
@@ -114,4 +116,4 @@ TEST(EvaluateFrom, StaysInTheSteadyStateItStartsFrom) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::branches_test

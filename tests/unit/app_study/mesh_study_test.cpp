@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
@@ -9,7 +10,7 @@
 #include "app/study/mesh_output.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::mesh_study_test {
 namespace {
 
 using testing::Contains;
@@ -145,4 +146,4 @@ TEST(PairLedger, OfTheShippedCaseReproducesAll) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::mesh_study_test

@@ -4,7 +4,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::carrier_frame_test {
 namespace {
 
 using boost::math::double_constants::half_pi;
@@ -90,4 +90,4 @@ TEST(CarrierFrame, SwitchesAddUpToTheWhole) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::carrier_frame_test

@@ -6,7 +6,7 @@
 
 #include "bearing/quasi_static.hpp"
 
-namespace orbearing::bearing::testing {
+namespace orbearing::bearing::example_bearings {
 
 /// Planet bearing of the reduction set, Table 2 of [Gai2025], with its cage in glass-filled polyamide.
 inline CylindricalRollerBearing planet_bearing() {
@@ -52,4 +52,4 @@ inline double rpm(double revolutions_per_minute) {
   return revolutions_per_minute * boost::math::double_constants::two_pi / 60.0;
 }
 
-}  // namespace orbearing::bearing::testing
+}  // namespace orbearing::bearing::example_bearings

@@ -6,7 +6,7 @@
 
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::film_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;        // a handful of powers in double precision, relative
@@ -85,7 +85,7 @@ TEST(Film, NoSpeedNoViscosityOrNoFilmLeavesTheContactDry) {
 }
 
 TEST(FilmContact, TakesRadiusLengthAndReducedModulusFromTheBearing) {
-  const CylindricalRollerBearing bearing = testing::planet_bearing();
+  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
   const FilmContact outer = film_contact(bearing, geometry_of(bearing), Race::outer, {.viscosity = 0.01});
   EXPECT_NEAR(outer.equivalent_radius, 2.62e-3 * 20.44e-3 / 17.82e-3, kRoundOff);
   EXPECT_EQ(outer.length, bearing.roller_length);
@@ -94,4 +94,4 @@ TEST(FilmContact, TakesRadiusLengthAndReducedModulusFromTheBearing) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::film_test

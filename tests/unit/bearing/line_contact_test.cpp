@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::line_contact_test {
 namespace {
 
 constexpr double kRoundOff = 1e-13;        // a few powers in double precision, relative
@@ -64,4 +64,4 @@ TEST(LineContact, NeverPulls) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::line_contact_test

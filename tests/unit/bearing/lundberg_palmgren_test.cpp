@@ -7,7 +7,7 @@
 
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::lundberg_palmgren_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;   // a few powers in double precision, relative
@@ -103,11 +103,11 @@ TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
 }
 
 TEST(Hours, OfAMillionRevolutionsAtAThousandPerMinute) {
-  const double speed = testing::rpm(1000.0);
+  const double speed = example_bearings::rpm(1000.0);
   EXPECT_NEAR(hours(1e6, speed), 1e6 / 60000.0, 1e-11);
   EXPECT_EQ(hours(1e6, -speed), hours(1e6, speed));
   EXPECT_EQ(hours(1e6, 0.0), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::lundberg_palmgren_test

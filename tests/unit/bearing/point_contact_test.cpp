@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::point_contact_test {
 namespace {
 
 constexpr double kPi = boost::math::double_constants::pi;
@@ -52,4 +52,4 @@ TEST(PointContact, TwoAlikeInSeriesAreSofterByTwoToTheOneAndAHalf) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::point_contact_test

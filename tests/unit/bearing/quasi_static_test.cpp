@@ -10,14 +10,14 @@
 #include "bearing/line_contact.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::quasi_static_test {
 namespace {
 
-using testing::bearing_209;
-using testing::planet_bearing;
-using testing::planet_motion;
-using testing::rpm;
-using testing::static_load;
+using example_bearings::bearing_209;
+using example_bearings::planet_bearing;
+using example_bearings::planet_motion;
+using example_bearings::rpm;
+using example_bearings::static_load;
 
 constexpr double kSolved = 1e-9;          // of the load: the solver accepts no more than this
 constexpr double kPrintedCosine = 0.005;  // the limit of the sun side is printed as -0.23
@@ -150,4 +150,4 @@ TEST(QuasiStaticBearing, RefusesWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::quasi_static_test

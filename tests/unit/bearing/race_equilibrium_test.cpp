@@ -8,7 +8,7 @@
 
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::race_equilibrium_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;        // relative
@@ -17,7 +17,7 @@ constexpr double kDifferenceError = 1e-6;  // central difference with a step of 
 constexpr double kPitch = boost::math::double_constants::two_pi / 15.0;  // [rad]
 
 RaceEquilibrium planet_equilibrium(const std::optional<Lubricant>& lubricant) {
-  const CylindricalRollerBearing bearing = testing::planet_bearing();
+  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
   RaceEquilibrium problem{rolling_contacts(bearing, geometry_of(bearing), 0.0, -720.0, lubricant)};
   problem.clearance = 10e-6;
   problem.load = {500.0, 1000.0};
@@ -31,7 +31,7 @@ constexpr Lubricant kOil{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
 // Entrainment u = |(omega - omega_c) R -+ (phi' - omega_c) D/2| / 2, relative to the contact that moves with
 // the cage.
 TEST(RollingContacts, FilmIsThatOfTheEntrainmentRelativeToTheMovingContact) {
-  const CylindricalRollerBearing bearing = testing::planet_bearing();
+  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
   const RollerBearingGeometry geometry = geometry_of(bearing);
   const double inner_speed = 100.0, outer_speed = -720.0, load = 300.0;
   const RollerContacts contacts = rolling_contacts(bearing, geometry, inner_speed, outer_speed, kOil);
@@ -48,7 +48,7 @@ TEST(RollingContacts, FilmIsThatOfTheEntrainmentRelativeToTheMovingContact) {
 }
 
 TEST(RollingContacts, AreDryWithoutLubricant) {
-  const CylindricalRollerBearing bearing = testing::planet_bearing();
+  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
   const RollerContacts contacts = rolling_contacts(bearing, geometry_of(bearing), 0.0, -720.0, std::nullopt);
   EXPECT_EQ(contacts.inner.film().central(300.0), 0.0);
   EXPECT_EQ(contacts.outer.onset(), 0.0);
@@ -90,4 +90,4 @@ TEST(RaceEquilibrium, SolutionLeavesNoForce) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::race_equilibrium_test

@@ -6,7 +6,7 @@
 
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::roller_balance_test {
 namespace {
 
 constexpr double kSolverRoundOff =
@@ -90,4 +90,4 @@ TEST(RollerBalance, StiffnessIsTheSlopeOfTheOuterLoad) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::roller_balance_test

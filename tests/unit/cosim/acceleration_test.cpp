@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::acceleration_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -86,4 +86,4 @@ TEST(Acceleration, QuasiNewtonBearsAnAnswerThatDoesNotChange) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::acceleration_test

@@ -8,13 +8,13 @@
 
 #include "tests/linear_halves.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::coupled_run_test {
 namespace {
 
-using test::ForceHalf;
-using test::LinearPair;
-using test::LinearRun;
-using test::MassHalf;
+using linear_halves::ForceHalf;
+using linear_halves::LinearPair;
+using linear_halves::LinearRun;
+using linear_halves::MassHalf;
 
 CoupledOptions options(double window, int extrapolation = 1) {
   return {.extrapolation = extrapolation, .window = {.longest = window}};
@@ -160,7 +160,7 @@ TEST(CoupledRun, WindowsFollowTheEnergyResidual) {
   LinearRun finer({}, strict);
   const long windows = finer.run.advance(10).windows;
   EXPECT_GT(windows, 3 * report.windows);
-  const Eigen::Vector2d exact = test::exact({}, 4.0).head<2>();
+  const Eigen::Vector2d exact = linear_halves::exact({}, 4.0).head<2>();
   EXPECT_LT((finer.mass.state() - exact).norm(), 0.3 * (linear.mass.state() - exact).norm());
 }
 
@@ -224,4 +224,4 @@ TEST(CoupledRun, NeedsNoRestoreForExplicitExchange) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::coupled_run_test

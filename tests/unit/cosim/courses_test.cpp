@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::courses_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;  // of numbers of order ten
@@ -53,4 +53,4 @@ TEST(Courses, RefuseWhatFixesNoPolynomial) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::courses_test

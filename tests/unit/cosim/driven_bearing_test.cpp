@@ -9,7 +9,7 @@
 
 #include "tests/unit/cosim/driven_reducer.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::driven_bearing_test {
 namespace {
 
 using bearing::dynamics::BoreMotion;
@@ -208,4 +208,4 @@ TEST(DrivenBearing, SlopesAreThoseOfTheForce) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::driven_bearing_test

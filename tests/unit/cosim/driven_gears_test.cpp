@@ -12,7 +12,7 @@
 #include "gearset/dynamics/static_state.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::cosim::driven_gears_test {
 namespace {
 
 using gearset::dynamics::BearingPorts;
@@ -195,4 +195,4 @@ TEST(DrivenGears, TellThePlanetsSpeed) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim
+}  // namespace orbearing::cosim::driven_gears_test

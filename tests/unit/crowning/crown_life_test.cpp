@@ -7,7 +7,7 @@
 #include "coupling/study/operating_point.hpp"
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning {
+namespace orbearing::study::crowning::crown_life_test {
 namespace {
 
 constexpr double kRoundOff = 1e-9;   // of lives, whose loads balance to 1e-12 and enter with the fourth power
@@ -110,4 +110,4 @@ TEST(ProfileFamily, ReferenceDropIsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning
+}  // namespace orbearing::study::crowning::crown_life_test

@@ -8,7 +8,7 @@
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning {
+namespace orbearing::study::crowning::crown_optimum_test {
 namespace {
 
 const std::vector<double> kTilts{0.0, 1e-3, 2e-3};
@@ -93,4 +93,4 @@ TEST(CrownGrid, DoesNotDependOnThreadsAndMarksTheFront) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning
+}  // namespace orbearing::study::crowning::crown_optimum_test

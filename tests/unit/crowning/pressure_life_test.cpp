@@ -7,7 +7,7 @@
 
 #include "tests/unit/crowning/planet_bearing.hpp"
 
-namespace orbearing::study::crowning {
+namespace orbearing::study::crowning::pressure_life_test {
 namespace {
 
 constexpr double kFewAngles = 1e-3;  // of lives: power means over 30 places or 60
@@ -56,4 +56,4 @@ TEST(PressureLife, CrownSavesLifeUnderTiltAndCostsItWithout) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::crowning
+}  // namespace orbearing::study::crowning::pressure_life_test

@@ -8,7 +8,7 @@
 #include "bearing/dynamics/snapshot.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::lamina_races_test {
 namespace {
 
 constexpr double kLength = 20e-3;  // [m]
@@ -74,4 +74,4 @@ TEST(LaminaRaces, ARollerInOneContactFollowsThatRace) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::lamina_races_test

@@ -5,7 +5,7 @@
 #include "bearing/dynamics/race_model.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::mixed_lubrication_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -61,4 +61,4 @@ TEST_F(MixedRace, FrictionNeverGivesPower) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::mixed_lubrication_test

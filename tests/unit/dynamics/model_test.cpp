@@ -7,7 +7,7 @@
 #include "bearing/dynamics/snapshot.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::model_test {
 namespace {
 
 std::string complaint(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters) {
@@ -123,4 +123,4 @@ TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::model_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::statistics_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -59,4 +59,4 @@ TEST(Statistics, EquivalentLoadsOfASteadyDistribution) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::statistics_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::dynamics::traction_test {
 namespace {
 
 constexpr double kRoundOff = 1e-13;
@@ -76,4 +76,4 @@ TEST(RollingResistance, VanishesWithLoadAndSpeedAndWithoutOil) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::dynamics::traction_test

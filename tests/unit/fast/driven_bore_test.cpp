@@ -6,7 +6,7 @@
 #include "bearing/fast/vector_bearing.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::fast::driven_bore_test {
 namespace {
 
 using dynamics::BearingModel;
@@ -175,4 +175,4 @@ INSTANTIATE_TEST_SUITE_P(Variants, OpenBore,
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::fast::driven_bore_test

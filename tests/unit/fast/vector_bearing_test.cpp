@@ -7,7 +7,7 @@
 #include "bearing/dynamics/snapshot.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::fast::vector_bearing_test {
 namespace {
 
 using dynamics::BearingModel;
@@ -200,4 +200,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::fast::vector_bearing_test

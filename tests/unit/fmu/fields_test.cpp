@@ -6,7 +6,7 @@
 #include "coupling/fmu/profile_numbers.hpp"
 #include "tests/unit/fmu/fmu_model.hpp"
 
-namespace orbearing::fmu {
+namespace orbearing::fmu::fields_test {
 namespace {
 
 // Values that each kind of member can hold, all different: 0 and 1 for flags are left to the text's test.
@@ -135,4 +135,4 @@ TEST(FmuModelText, NumbersThatMakeNoSenseAreRefused) {
 }
 
 }  // namespace
-}  // namespace orbearing::fmu
+}  // namespace orbearing::fmu::fields_test

@@ -6,7 +6,7 @@
 
 #include "tests/unit/fmu/fmu_model.hpp"
 
-namespace orbearing::fmu {
+namespace orbearing::fmu::fmi2_refusals_test {
 namespace {
 
 using test::Instance2;
@@ -263,4 +263,4 @@ TEST_F(Fmi2Refusals, LogCategories) {
 }
 
 }  // namespace
-}  // namespace orbearing::fmu
+}  // namespace orbearing::fmu::fmi2_refusals_test

@@ -3,7 +3,7 @@
 
 #include "tests/unit/fmu/fmu_model.hpp"
 
-namespace orbearing::fmu {
+namespace orbearing::fmu::fmi2_states_test {
 namespace {
 
 using test::bearing_model;
@@ -127,4 +127,4 @@ TEST(Fmi2Bearing, OutputsDependOnTheInputsOfTheTableAndOnNoOthers) {
 }
 
 }  // namespace
-}  // namespace orbearing::fmu
+}  // namespace orbearing::fmu::fmi2_states_test

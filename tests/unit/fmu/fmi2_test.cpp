@@ -4,7 +4,7 @@
 #include "coupling/cosim/driven_gears.hpp"
 #include "tests/unit/fmu/fmu_model.hpp"
 
-namespace orbearing::fmu {
+namespace orbearing::fmu::fmi2_test {
 namespace {
 
 using test::bearing_model;
@@ -196,4 +196,4 @@ TEST(Fmi2Gears, RunsAsTheMachineDoes) {
 }
 
 }  // namespace
-}  // namespace orbearing::fmu
+}  // namespace orbearing::fmu::fmi2_test

@@ -5,7 +5,7 @@
 
 #include "tests/unit/fmu/fmu_model.hpp"
 
-namespace orbearing::fmu {
+namespace orbearing::fmu::fmi3_test {
 namespace {
 
 using test::Instance2;
@@ -196,4 +196,4 @@ TEST(Fmi3Bearing, RefusesWithAReason) {
 }
 
 }  // namespace
-}  // namespace orbearing::fmu
+}  // namespace orbearing::fmu::fmi3_test

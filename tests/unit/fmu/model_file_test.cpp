@@ -5,7 +5,7 @@
 
 #include "coupling/fmu/refused.hpp"
 
-namespace orbearing::fmu {
+namespace orbearing::fmu::model_file_test {
 namespace {
 
 TEST(FmuResources, LocationsOfAllForms) {
@@ -27,4 +27,4 @@ TEST(FmuResources, LocationsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace orbearing::fmu
+}  // namespace orbearing::fmu::model_file_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/fmu/random_caller.hpp"
 
-namespace orbearing::fmu {
+namespace orbearing::fmu::random_calls_test {
 namespace {
 
 using test::Caller;
@@ -280,4 +280,4 @@ TEST(FmuRandomCalls, EndInAStatusAndAReason) {
 }
 
 }  // namespace
-}  // namespace orbearing::fmu
+}  // namespace orbearing::fmu::random_calls_test

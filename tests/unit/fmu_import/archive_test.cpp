@@ -7,10 +7,9 @@
 #include "coupling/fmu/import/unpacked_fmu.hpp"
 #include "tests/foreign/archive.hpp"
 
+namespace orbearing::fmu::archive_test {
 namespace {
 
-using namespace orbearing;
-using namespace orbearing::fmu;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -85,3 +84,4 @@ TEST(StatesAsNumbers, BytesComeBack) {
 }
 
 }  // namespace
+}  // namespace orbearing::fmu::archive_test

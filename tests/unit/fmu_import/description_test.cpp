@@ -5,10 +5,9 @@
 #include "coupling/fmu/import/foreign_setup.hpp"
 #include "tests/foreign/archive.hpp"
 
+namespace orbearing::fmu::description_test {
 namespace {
 
-using namespace orbearing;
-using namespace orbearing::fmu;
 using cosim::Gives;
 using cosim::PortKind;
 using testing::HasSubstr;
@@ -117,3 +116,4 @@ TEST(ForeignPorts, ThatDoNotFitAreRefusedWithWhatTheFmuHas) {
 }
 
 }  // namespace
+}  // namespace orbearing::fmu::description_test

@@ -8,11 +8,10 @@
 #include "coupling/fmu/import/errors.hpp"
 #include "tests/foreign/archive.hpp"
 
+namespace orbearing::fmu::participant_test {
 namespace {
 
-using namespace orbearing;
 using namespace orbearing::cosim;
-using namespace orbearing::fmu;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -279,3 +278,4 @@ TEST(ForeignParticipants2, NeedALibraryForThisMachine) {
 }
 
 }  // namespace
+}  // namespace orbearing::fmu::participant_test

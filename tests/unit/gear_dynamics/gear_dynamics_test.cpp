@@ -10,7 +10,7 @@
 #include "gearset/planet_body.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::gearset::dynamics {
+namespace orbearing::gearset::dynamics::gear_dynamics_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -159,4 +159,4 @@ TEST(Modes, AtASlowSpeedAreThoseAtRest) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset::dynamics
+}  // namespace orbearing::gearset::dynamics::gear_dynamics_test

@@ -4,10 +4,10 @@
 
 #include "tests/unit/gearset/arrangements.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::arrangement_checks_test {
 namespace {
 
-using namespace gearset::testing;
+using namespace gearset::example_sets;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -127,4 +127,4 @@ TEST(ArrangementProblems, NameMissingAndSuperfluousPorts) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::arrangement_checks_test

@@ -7,7 +7,7 @@
 
 #include "gearset/drivetrain/arrangement.hpp"
 
-namespace orbearing::gearset::testing {
+namespace orbearing::gearset::example_sets {
 
 inline ArrangedSet arranged(const std::string& name, int sun, int planet, int ring) {
   return {name, sun, planet, ring};
@@ -60,4 +60,4 @@ inline Arrangement circulating() {
            ground({{1, carrier}})}};
 }
 
-}  // namespace orbearing::gearset::testing
+}  // namespace orbearing::gearset::example_sets

@@ -10,7 +10,7 @@
 
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::checks_test {
 namespace {
 
 bool mentions(const Warnings& warnings, const std::string& place, const std::string& text) {
@@ -172,4 +172,4 @@ TEST(RingTipClearance, IsNegativeForAPlanetNearlyAsLargeAsTheRing) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::checks_test

@@ -8,7 +8,7 @@
 
 #include "gearset/involute.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::gear_pair_test {
 namespace {
 
 GearPair pair_of(int first, int second) {
@@ -94,4 +94,4 @@ TEST(PairWarnings, AreNoneForTheStandardPair) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::gear_pair_test

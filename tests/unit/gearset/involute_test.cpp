@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::involute_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
@@ -48,4 +48,4 @@ TEST(PressureAngle, BelongsToTheTriangleOfBaseRadiusAndTangent) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::involute_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::kinematics_test {
 namespace {
 
 constexpr double round_off = 1e-13;  // relative
@@ -61,4 +61,4 @@ TEST(Kinematics, RefusesImpossibleDrives) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::kinematics_test

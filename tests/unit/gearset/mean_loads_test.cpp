@@ -6,7 +6,7 @@
 
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::mean_loads_test {
 namespace {
 
 constexpr double round_off =
@@ -48,4 +48,4 @@ TEST(MeanLoads, FallWithSpeedAtConstantPower) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::mean_loads_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::planet_body_test {
 namespace {
 
 using Point = Eigen::Vector2d;
@@ -81,4 +81,4 @@ TEST(PlanetBody, RefusesABoreThatLeavesNoRim) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::planet_body_test

@@ -8,10 +8,10 @@
 #include "tests/unit/gearset/arrangements.hpp"
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::power_flow_test {
 namespace {
 
-using namespace testing;
+using namespace example_sets;
 
 constexpr double round_off = 1e-13;  // relative to the largest term
 
@@ -123,4 +123,4 @@ TEST(PowerFlow, OfAFaultyArrangementThrowsItsFault) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::power_flow_test

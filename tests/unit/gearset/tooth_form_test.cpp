@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::tooth_form_test {
 namespace {
 
 constexpr double module = 2e-3;                // [m]
@@ -127,4 +127,4 @@ TEST(RingTooth, HasRadialFlanksInsideTheBaseCircle) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::tooth_form_test

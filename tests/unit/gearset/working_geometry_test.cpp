@@ -8,7 +8,7 @@
 
 #include "tests/unit/gearset/reference_sets.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::working_geometry_test {
 namespace {
 
 constexpr double round_off =
@@ -74,4 +74,4 @@ TEST(ContactPath, IsNegativeWhereGearsDoNotReachEachOther) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::working_geometry_test

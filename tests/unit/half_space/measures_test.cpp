@@ -9,7 +9,7 @@
 #include "bearing/half_space/pressure_measures.hpp"
 #include "tests/half_space_contacts.hpp"
 
-namespace orbearing::bearing::half_space {
+namespace orbearing::bearing::half_space::measures_test {
 namespace {
 
 using Eigen::ArrayXd;
@@ -128,4 +128,4 @@ TEST(HalfSpaceInput, BodiesApartCarryNothing) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::half_space
+}  // namespace orbearing::bearing::half_space::measures_test

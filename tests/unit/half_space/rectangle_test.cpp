@@ -6,7 +6,7 @@
 #include "bearing/half_space/rectangle_influence.hpp"
 #include "bearing/half_space/rectangle_kernel.hpp"
 
-namespace orbearing::bearing::half_space {
+namespace orbearing::bearing::half_space::rectangle_test {
 namespace {
 
 using Eigen::ArrayXXd;
@@ -120,4 +120,4 @@ TEST(RectangleInfluence, OwnIsTheElementAlone) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::half_space
+}  // namespace orbearing::bearing::half_space::rectangle_test

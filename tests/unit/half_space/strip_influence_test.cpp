@@ -6,7 +6,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-namespace orbearing::bearing::half_space {
+namespace orbearing::bearing::half_space::strip_influence_test {
 namespace {
 
 using boost::math::double_constants::half_pi;
@@ -119,4 +119,4 @@ TEST(StripInfluence, ScalesWithAllLengths) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::half_space
+}  // namespace orbearing::bearing::half_space::strip_influence_test

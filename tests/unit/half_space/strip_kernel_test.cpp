@@ -5,7 +5,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-namespace orbearing::bearing::half_space {
+namespace orbearing::bearing::half_space::strip_kernel_test {
 namespace {
 
 using boost::math::double_constants::pi;
@@ -62,4 +62,4 @@ TEST(StripKernel, SpreadIsMinusTheSlopeByTheWidth) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::half_space
+}  // namespace orbearing::bearing::half_space::strip_kernel_test

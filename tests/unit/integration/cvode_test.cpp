@@ -13,7 +13,7 @@
 #include "coupling/integration/integrate.hpp"
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::bench {
+namespace orbearing::bench::cvode_test {
 namespace {
 
 // x' = -1000 (x - cos t) - sin t, x(0) = 1: x = cos t whatever the stiffness.
@@ -105,7 +105,7 @@ TEST_F(CvodeBearing, TakesThePathOfDopri5) {
 }
 
 }  // namespace
-}  // namespace orbearing::bench
+}  // namespace orbearing::bench::cvode_test
 
 #else
 

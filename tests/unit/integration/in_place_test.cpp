@@ -4,7 +4,7 @@
 
 #include "tests/unit/dynamics/reducer_bearing.hpp"
 
-namespace orbearing::integration {
+namespace orbearing::integration::in_place_test {
 namespace {
 
 using bearing::dynamics::BearingModel;
@@ -44,4 +44,4 @@ TEST_F(OutOfPlace, LetsPinAndBoreMoveTogether) {
 }
 
 }  // namespace
-}  // namespace orbearing::integration
+}  // namespace orbearing::integration::in_place_test

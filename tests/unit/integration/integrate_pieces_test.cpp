@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace orbearing::integration {
+namespace orbearing::integration::integrate_pieces_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -73,4 +73,4 @@ TEST(IntegratePieces, GivesUpOnAStateThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace orbearing::integration
+}  // namespace orbearing::integration::integrate_pieces_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace orbearing::integration {
+namespace orbearing::integration::integrate_test {
 namespace {
 
 // x'' = -x from (1, 0): x = cos t.
@@ -99,4 +99,4 @@ TEST(AllowedErrors, FollowTheKindOfEachVariable) {
 }
 
 }  // namespace
-}  // namespace orbearing::integration
+}  // namespace orbearing::integration::integrate_test

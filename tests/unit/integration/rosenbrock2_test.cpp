@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace orbearing::integration {
+namespace orbearing::integration::rosenbrock2_test {
 namespace {
 
 constexpr std::size_t kLanes = 8;  // the stepper asks for multiples of eight
@@ -125,4 +125,4 @@ TEST(Rosenbrock2, DampsWhatIsStiffInOneStep) {
 }
 
 }  // namespace
-}  // namespace orbearing::integration
+}  // namespace orbearing::integration::rosenbrock2_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace orbearing::bearing::laminae {
+namespace orbearing::bearing::laminae::lamina_contact_test {
 namespace {
 
 constexpr double kRoundOff = 1e-13;        // relative; sums of up to 200 laminae
@@ -161,4 +161,4 @@ TEST(LaminaContact, RefusesWhatIsNoContact) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::laminae
+}  // namespace orbearing::bearing::laminae::lamina_contact_test

@@ -7,7 +7,7 @@
 
 #include "bearing/roller_balance.hpp"
 
-namespace orbearing::bearing::laminae {
+namespace orbearing::bearing::laminae::tilted_roller_test {
 namespace {
 
 constexpr double kBalance = 1e-12;  // of the loads: where the search ends, and the sums' round-off
@@ -156,4 +156,4 @@ TEST(TiltedRoller, StartingNearbyEndsAtTheSamePlace) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::laminae
+}  // namespace orbearing::bearing::laminae::tilted_roller_test

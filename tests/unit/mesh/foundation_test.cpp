@@ -7,7 +7,7 @@
 
 #include "gearset/mesh/elastic_ring.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::foundation_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -124,4 +124,4 @@ TEST(ElasticRing, RefusesARingWithoutThickness) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::foundation_test

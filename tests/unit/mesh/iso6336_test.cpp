@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::iso6336_test {
 namespace {
 
 constexpr Iso6336Pair standard{.first_teeth = 30, .second_teeth = 45, .contact_ratio = 1.6};
@@ -36,4 +36,4 @@ TEST(Iso6336Stiffness, KnowsItsRange) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::iso6336_test

@@ -7,7 +7,7 @@
 #include "gearset/mesh/iso6336.hpp"
 #include "tests/unit/mesh/example_gears.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::mesh_phase_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -74,4 +74,4 @@ TEST(FoundationWarnings, SayWhatTheElasticRingGives) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::mesh_phase_test

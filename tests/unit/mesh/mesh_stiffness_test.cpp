@@ -6,7 +6,7 @@
 
 #include "tests/unit/mesh/example_gears.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::mesh_stiffness_test {
 namespace {
 
 constexpr double round_off = 1e-12;
@@ -159,4 +159,4 @@ TEST(MeshGear, RefusesABodyOfNoThickness) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::mesh_stiffness_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::periodic_curve_test {
 namespace {
 
 constexpr double kRoundOff = 1e-13;  // relative, of a handful of operations
@@ -116,4 +116,4 @@ TEST(PeriodicCurve, RefusesJumpsOutOfOrderAndValuesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::periodic_curve_test

@@ -8,7 +8,7 @@
 #include "gearset/involute.hpp"
 #include "tests/unit/mesh/example_gears.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::tooth_beam_test {
 namespace {
 
 constexpr double round_off = 1e-10;
@@ -148,4 +148,4 @@ TEST(Trochoid, SlopeOfTheHalfAngleIsItsDerivative) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::tooth_beam_test

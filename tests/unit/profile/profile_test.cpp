@@ -8,7 +8,7 @@
 
 #include "bearing/profile/design.hpp"
 
-namespace orbearing::bearing::profile {
+namespace orbearing::bearing::profile::profile_test {
 namespace {
 
 constexpr double kRoundOff = 1e-13;        // relative, a few operations
@@ -196,4 +196,4 @@ TEST(RollerProfile, RefusesWhatHasNoMeaning) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::profile
+}  // namespace orbearing::bearing::profile::profile_test

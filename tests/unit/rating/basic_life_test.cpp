@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace orbearing::bearing::rating {
+namespace orbearing::bearing::rating::basic_life_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -75,4 +75,4 @@ TEST(System, ReliabilitiesMultiply) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::rating
+}  // namespace orbearing::bearing::rating::basic_life_test

@@ -5,7 +5,7 @@
 #include "bearing/rating/ball_capacity.hpp"
 #include "bearing/rating/roller_capacity.hpp"
 
-namespace orbearing::bearing::rating {
+namespace orbearing::bearing::rating::capacity_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -113,4 +113,4 @@ TEST(DeepGroove, EquivalentLoadIsContinuousBetweenRowsAndHeldAtTheEnds) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::rating
+}  // namespace orbearing::bearing::rating::capacity_test

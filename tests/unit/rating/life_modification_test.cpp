@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace orbearing::bearing::rating {
+namespace orbearing::bearing::rating::life_modification_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -101,4 +101,4 @@ TEST(Contamination, WorseLevelBySmallerFactor) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::rating
+}  // namespace orbearing::bearing::rating::life_modification_test

@@ -7,7 +7,7 @@
 
 #include "bearing/line_contact.hpp"
 
-namespace orbearing::bearing::rating {
+namespace orbearing::bearing::rating::reference_life_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -131,4 +131,4 @@ TEST(BallReferenceLife, OneLoadByHand) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::rating
+}  // namespace orbearing::bearing::rating::reference_life_test

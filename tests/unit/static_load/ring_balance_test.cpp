@@ -9,7 +9,7 @@
 #include "bearing/static_load/roller_bearing.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing::static_load {
+namespace orbearing::bearing::static_load::ring_balance_test {
 namespace {
 
 constexpr double kMicrometre = 1e-6;
@@ -117,7 +117,8 @@ TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
     in.contact_law = law;
     const RollerBearingState cut = static_state(in, {.radial = 1500.0});
     in.laminae = 0;
-    const QuasiStaticState uncut = quasi_static_state(in, bearing::testing::static_load(-1500.0), {}, 0.0);
+    const QuasiStaticState uncut =
+        quasi_static_state(in, bearing::example_bearings::static_load(-1500.0), {}, 0.0);
     EXPECT_LT((cut.roller_load - uncut.outer_load).abs().maxCoeff(), 1e-8);
   }
 }
@@ -208,4 +209,4 @@ TEST(StaticBearings, WhatCannotBeIsRefused) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::static_load
+}  // namespace orbearing::bearing::static_load::ring_balance_test
