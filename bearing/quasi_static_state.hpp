@@ -4,15 +4,13 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "mechanics/convex_search.hpp"
+
 namespace orbearing::bearing {
 
-/// How the solver ended. Loads of a state that did not converge are those of the last iterate: ask before
-/// use.
-struct SolverReport {
-  bool converged = false;
-  int iterations = 0;
-  double residual = 0.0;  // [N]  force out of balance on the outer ring
-  std::string message;
+/// How the search for the balance of the ring ended.
+struct SolverReport : mechanics::SearchReport {
+  std::string message{};  // empty where converged
 };
 
 /// Equilibrium at one cage angle. Arrays are over rollers.

@@ -1,6 +1,5 @@
 #include "bearing/race_equilibrium.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -10,13 +9,6 @@
 namespace orbearing::bearing {
 
 namespace {
-
-constexpr int kMaxIterations = 200;
-constexpr int kMaxHalvings = 60;
-constexpr double kTolerance = 1e-12;  // of the largest force at hand
-constexpr double kAcceptableResidual =
-    1e-9;                            // of the largest force, should the iteration end above kTolerance
-constexpr double kRoundOff = 1e-15;  // of the lengths whose difference is the approach
 
 Eigen::Vector2d direction(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -32,56 +24,10 @@ double largest_gap(const RaceEquilibrium& problem) {
   return std::abs(problem.clearance) + 2.0 * extra;
 }
 
-// A first displacement that brings the rollers under the load into contact, of the size that one loaded
-// roller asks.
-Eigen::Vector2d first_guess(const RaceEquilibrium& problem) {
-  const double load = problem.load.norm();
-  if (load == 0.0) return Eigen::Vector2d::Zero();
-  const double share = 4.0 * load / static_cast<double>(problem.angle.size());
-  const double elastic = problem.contacts.inner.approach(share) + problem.contacts.outer.approach(share);
-  return problem.load / load * std::max(0.5 * problem.clearance + elastic, 0.0);
-}
-
-// The length [m] on which the contacts change: the clearance and the elastic approach under all forces at
-// hand, for the rollers' inertial loads alone can outweigh the load on the ring by far.
-double contact_reach(const RaceEquilibrium& problem) {
-  const double all = problem.load.norm() + problem.inertial_load.abs().sum();
-  const LineContact& inner = problem.contacts.inner.elastic();
-  const LineContact& outer = problem.contacts.outer.elastic();
-  return std::max(largest_gap(problem), 1e-6) + inner.approach(all) + outer.approach(all);
-}
-
-// The stiffness is lifted a little so that a ring that is free to roll off a single roller keeps a finite
-// step, and the step is kept within the scale on which the contacts change.
-Eigen::Vector2d newton_step(const Imbalance& now, double reach) {
-  const double lift = 1e-12 * now.stiffness.trace() + 1e-30;
-  const Eigen::Matrix2d stiffness = now.stiffness + lift * Eigen::Matrix2d::Identity();
-  const Eigen::Vector2d step = stiffness.llt().solve(now.force);
-  const double length = step.norm();
-  return length > reach ? Eigen::Vector2d(step * (reach / length)) : step;
-}
-
-// The forces are the slope of a convex energy, so along the step the force component falls: the largest of
-// the halved steps that does not overshoot to more than the force at the start is taken.
-double step_fraction(const RaceEquilibrium& problem, const Eigen::Vector2d& from, const Eigen::Vector2d& step,
-                     double slope) {
-  double fraction = 1.0;
-  for (int i = 0; i < kMaxHalvings; ++i, fraction *= 0.5) {
-    const double there = problem.imbalance(from + fraction * step).force.dot(step);
-    if (there >= -0.7 * slope) return fraction;
-  }
-  return fraction;
-}
-
-// The smallest change of the displacement [m] that the approach can resolve.
-double round_off(const RaceEquilibrium& problem, const Eigen::Vector2d& displacement) {
-  return kRoundOff * (displacement.norm() + largest_gap(problem));
-}
-
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
   std::ostringstream text;
   text << "the races found no balance under " << problem.load.norm() << " N: " << residual
-       << " N remain after " << kMaxIterations << " iterations; check the clearance and the roller count";
+       << " N remain; check the clearance and the roller count";
   return text.str();
 }
 
@@ -105,9 +51,10 @@ double RaceEquilibrium::approach(Eigen::Index j, const Eigen::Vector2d& displace
   return extra_approach.size() == 0 ? round : round + extra_approach[j];
 }
 
-Imbalance RaceEquilibrium::imbalance(const Eigen::Vector2d& displacement) const {
-  Imbalance sum;
+mechanics::Imbalance<2> RaceEquilibrium::imbalance(const Eigen::Vector2d& displacement) const {
+  mechanics::Imbalance<2> sum;
   sum.force = load;
+  sum.scale = force_scale(*this);
   for (Eigen::Index j = 0; j < angle.size(); ++j) {
     const Eigen::Vector2d outward = direction(angle[j]);
     const RollerBalance roller =
@@ -130,22 +77,31 @@ RollerContacts rolling_contacts(const CylindricalRollerBearing& bearing,
                          std::abs((outer_speed - cage_speed) * geometry.outer_radius))}};
 }
 
+Eigen::Vector2d first_displacement(const RaceEquilibrium& problem) {
+  const double load = problem.load.norm();
+  if (load == 0.0) return Eigen::Vector2d::Zero();
+  const double share = 4.0 * load / static_cast<double>(problem.angle.size());
+  const double elastic = problem.contacts.inner.approach(share) + problem.contacts.outer.approach(share);
+  return problem.load / load * std::max(0.5 * problem.clearance + elastic, 0.0);
+}
+
+// The contacts change over the clearance and the elastic approach under all forces at hand, for the rollers'
+// inertial loads alone can outweigh the load on the ring by far.
+mechanics::SearchLimits search_limits(const RaceEquilibrium& problem) {
+  const double all = problem.load.norm() + problem.inertial_load.abs().sum();
+  const double elastic =
+      problem.contacts.inner.elastic().approach(all) + problem.contacts.outer.elastic().approach(all);
+  const double gap = largest_gap(problem);
+  return {.reach = std::max(gap, 1e-6) + elastic, .size = gap};
+}
+
 QuasiStaticState solve(const RaceEquilibrium& problem) {
   QuasiStaticState state;
-  state.displacement = first_guess(problem);
-  const double scale = force_scale(problem);
-  const double reach = contact_reach(problem);
-  Imbalance now = problem.imbalance(state.displacement);
-  for (; state.report.iterations < kMaxIterations; ++state.report.iterations) {
-    if (now.force.norm() <= kTolerance * scale) break;
-    const Eigen::Vector2d step = newton_step(now, reach);
-    if (step.norm() <= round_off(problem, state.displacement)) break;
-    state.displacement += step_fraction(problem, state.displacement, step, now.force.dot(step)) * step;
-    now = problem.imbalance(state.displacement);
-  }
-  state.report.residual = now.force.norm();
-  const double smallest_step = now.stiffness.trace() * round_off(problem, state.displacement);
-  state.report.converged = state.report.residual <= kAcceptableResidual * scale + smallest_step;
+  state.displacement = first_displacement(problem);
+  mechanics::Imbalance<2> now;
+  state.report = {mechanics::find_balance<2>(
+      [&](const Eigen::Vector2d& displacement) { return problem.imbalance(displacement); },
+      search_limits(problem), state.displacement, now)};
   if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
   fill_loads(problem, state);
   return state;

@@ -7,14 +7,9 @@
 #include "bearing/geometry.hpp"
 #include "bearing/quasi_static_state.hpp"
 #include "bearing/race_contact.hpp"
+#include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing {
-
-/// Force on the outer ring out of balance, and its stiffness.
-struct Imbalance {
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();      // [N]
-  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]  -d(force)/d(displacement)
-};
 
 /// What the races must balance at one cage angle. Arrays are over rollers.
 struct RaceEquilibrium {
@@ -28,13 +23,18 @@ struct RaceEquilibrium {
   /// Approach of the races at roller `j` [m] when the outer ring is displaced by `displacement` [m].
   double approach(Eigen::Index j, const Eigen::Vector2d& displacement) const;
   /// Forces on the outer ring at `displacement` [m].
-  Imbalance imbalance(const Eigen::Vector2d& displacement) const;
+  mechanics::Imbalance<2> imbalance(const Eigen::Vector2d& displacement) const;
 };
 
 /// Contacts of a roller at pure rolling, with the film of `lubricant` in the approach where one is given.
 RollerContacts rolling_contacts(const CylindricalRollerBearing& bearing,
                                 const RollerBearingGeometry& geometry, double inner_speed, double outer_speed,
                                 const std::optional<Lubricant>& lubricant);
+
+/// Where a search for the displacement of the races begins, and how far it may go: the rollers under the load
+/// in contact, as far as one loaded roller asks.
+Eigen::Vector2d first_displacement(const RaceEquilibrium& problem);
+mechanics::SearchLimits search_limits(const RaceEquilibrium& problem);
 
 /// Displacement at which the forces on the outer ring balance.
 QuasiStaticState solve(const RaceEquilibrium& problem);

@@ -4,10 +4,10 @@ include(CMakePackageConfigHelpers)
 set(orbearing_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Orbearing")
 set(orbearing_data_dir "${CMAKE_INSTALL_DATADIR}/orbearing")
 
-install(TARGETS orbearing_gearset orbearing_bearing orbearing_coupling orbearing_fmu_import
+install(TARGETS orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling orbearing_fmu_import
         EXPORT OrbearingTargets
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-foreach(folder IN ITEMS gearset bearing coupling)
+foreach(folder IN ITEMS mechanics gearset bearing coupling)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}"
           DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/orbearing"
           FILES_MATCHING PATTERN "*.hpp")

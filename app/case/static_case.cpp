@@ -37,7 +37,7 @@ bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& in) {
   return bearing;
 }
 
-bearing::static_load::BallBearing ball_bearing_of(const ResolvedCase& in) {
+bearing::equilibrium::BallBearing ball_bearing_of(const ResolvedCase& in) {
   return {.balls = in.integer("bearing.balls"),
           .ball_diameter = in.quantity("bearing.ball_diameter"),
           .pitch_diameter = in.quantity("bearing.pitch_diameter"),
@@ -48,13 +48,9 @@ bearing::static_load::BallBearing ball_bearing_of(const ResolvedCase& in) {
           .material = material_of(in)};
 }
 
-bearing::static_load::RollerBearingLoad roller_load_of(const ResolvedCase& in) {
-  return {.radial = in.quantity("load.radial"), .moment = in.quantity("load.moment"), .tilt = tilt_of(in)};
-}
-
-bearing::static_load::BallBearingLoad ball_load_of(const ResolvedCase& in) {
+bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& in) {
   return {.radial = in.quantity("load.radial"),
-          .axial = in.quantity("load.axial"),
+          .axial = in.model() == ball_bearing ? in.quantity("load.axial") : 0.0,
           .moment = in.quantity("load.moment"),
           .tilt = tilt_of(in)};
 }

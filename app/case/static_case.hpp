@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/case/resolved_case.hpp"
+#include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/rollers.hpp"
 #include "bearing/rating/roller_capacity.hpp"
-#include "bearing/static_load/ball_bearing.hpp"
-#include "bearing/static_load/roller_bearing.hpp"
 
 namespace orbearing::app {
 
@@ -13,10 +13,10 @@ inline constexpr int default_laminae = 40;
 
 /// Always cut into laminae. Throws std::invalid_argument where the profile has no meaning.
 bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& resolved);
-bearing::static_load::BallBearing ball_bearing_of(const ResolvedCase& resolved);
+bearing::equilibrium::BallBearing ball_bearing_of(const ResolvedCase& resolved);
 
-bearing::static_load::RollerBearingLoad roller_load_of(const ResolvedCase& resolved);
-bearing::static_load::BallBearingLoad ball_load_of(const ResolvedCase& resolved);
+/// On the inner ring of either.
+bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& resolved);
 
 bearing::rating::RollerSet roller_set_of(const ResolvedCase& resolved);
 

@@ -17,12 +17,12 @@ namespace {
 
 using bearing::Race;
 namespace rating = bearing::rating;
-namespace static_load = bearing::static_load;
+namespace equilibrium = bearing::equilibrium;
 
-void require_balance(const ResolvedCase& in, const static_load::BalanceReport& report) {
+void require_balance(const ResolvedCase& in, const equilibrium::BalanceReport& report) {
   if (report.converged) return;
-  throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} of the load unbalanced)",
-                                      in.text("name"), report.message, report.iterations, report.residual));
+  throw ComputationFailed(fmt::format("{}: {} ({} iterations, {:.2g} N unbalanced)", in.text("name"),
+                                      report.message, report.iterations, report.residual));
 }
 
 // Hertz's pressure of the most heavily loaded lamina on the inner race, where the curvature is largest.
@@ -34,51 +34,52 @@ double roller_pressure(const StaticStudy& study, const rating::RollerSet& set,
   return bearing::hertz_pressure(most, radius, lamina, material);
 }
 
-StaticStudy roller_study(const ResolvedCase& in) {
-  const bearing::CylindricalRollerBearing rollers = lamina_bearing_of(in);
-  const static_load::RollerBearingState state = static_load::static_state(rollers, roller_load_of(in));
-  require_balance(in, state.report);
-  StaticStudy study{.model = in.choice("model"),
-                    .radial = state.radial,
-                    .tilt = state.tilt,
-                    .moment = state.moment,
-                    .contact_load = state.roller_load,
-                    .lamina_load = state.lamina_load};
-  study.ratings = ratings_of(in);
-  const rating::RaceMotions motions = race_motions_of(in);
-  study.largest_pressure = roller_pressure(study, roller_set_of(in), rollers.material);
-  study.equivalent_load = in.quantity("load.radial");
-  study.reference_life =
-      rating::lamina_reference_life(study.ratings.contacts, state.lamina_load, state.lamina_load, motions);
-  study.lundberg_palmgren = bearing::lundberg_palmgren_life(
-      rollers, in.number("life.lambda"),
-      motions.inner == bearing::RaceMotion::standing ? Race::inner : Race::outer, state.roller_load,
-      state.roller_load);
-  rate(in, rating::RollingElement::roller, study);
-  return study;
-}
-
-StaticStudy ball_study(const ResolvedCase& in) {
-  const static_load::BallBearing bearing = ball_bearing_of(in);
-  const static_load::BallBearingState state = static_load::static_state(bearing, ball_load_of(in));
+// What balls and rollers have in common.
+StaticStudy study_of(const ResolvedCase& in, const equilibrium::RingState& state) {
   require_balance(in, state.report);
   StaticStudy study{.model = in.choice("model"),
                     .radial = state.radial,
                     .axial = state.axial,
                     .tilt = state.tilt,
                     .moment = state.moment,
-                    .contact_load = state.ball_load,
-                    .contact_angle = state.contact_angle};
+                    .contact_load = state.contact_load,
+                    .lamina_load = state.lamina_load};
   study.ratings = ratings_of(in);
-  const static_load::BallBearingGeometry geometry = static_load::geometry_of(bearing);
-  for (const bearing::PointContact& contact : {geometry.inner, geometry.outer})
-    study.largest_pressure = std::max(study.largest_pressure,
-                                      bearing::point_pressure(contact, state.ball_load.maxCoeff()).pressure);
+  return study;
+}
+
+StaticStudy roller_study(const ResolvedCase& in) {
+  const bearing::CylindricalRollerBearing rollers = lamina_bearing_of(in);
+  StaticStudy study =
+      study_of(in, equilibrium::balance_ring(equilibrium::RollerRow(rollers), ring_load_of(in)));
+  const rating::RaceMotions motions = race_motions_of(in);
+  study.largest_pressure = roller_pressure(study, roller_set_of(in), rollers.material);
+  study.equivalent_load = in.quantity("load.radial");
+  study.reference_life =
+      rating::lamina_reference_life(study.ratings.contacts, study.lamina_load, study.lamina_load, motions);
+  study.lundberg_palmgren = bearing::lundberg_palmgren_life(
+      rollers, in.number("life.lambda"),
+      motions.inner == bearing::RaceMotion::standing ? Race::inner : Race::outer, study.contact_load,
+      study.contact_load);
+  rate(in, rating::RollingElement::roller, study);
+  return study;
+}
+
+StaticStudy ball_study(const ResolvedCase& in) {
+  const equilibrium::BallBearing bearing = ball_bearing_of(in);
+  const equilibrium::BallRow row(bearing);
+  const equilibrium::RingState state = equilibrium::balance_ring(row, ring_load_of(in));
+  StaticStudy study = study_of(in, state);
+  study.contact_angle = state.contact_angle;
+  for (const Race race : {Race::inner, Race::outer})
+    study.largest_pressure =
+        std::max(study.largest_pressure,
+                 bearing::point_pressure(row.contact(race), study.contact_load.maxCoeff()).pressure);
   if (bearing.contact_angle == 0.0)
     study.equivalent_load = rating::deep_groove_equivalent_load(
-        static_load::ball_set(bearing), in.quantity("load.radial"), in.quantity("load.axial"));
-  study.reference_life = rating::ball_reference_life(study.ratings.contacts, state.ball_load, state.ball_load,
-                                                     race_motions_of(in));
+        equilibrium::ball_set(bearing), in.quantity("load.radial"), in.quantity("load.axial"));
+  study.reference_life = rating::ball_reference_life(study.ratings.contacts, study.contact_load,
+                                                     study.contact_load, race_motions_of(in));
   rate(in, rating::RollingElement::ball, study);
   return study;
 }

@@ -1,6 +1,5 @@
 #include "bearing/dynamics/driven_start.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -12,22 +11,11 @@ namespace orbearing::bearing::dynamics {
 
 namespace {
 
-constexpr int kMostIterations = 200;
-constexpr int kMostHalvings = 60;
-constexpr double kTolerance = 1e-12;   // of the sum of the forces on the pin
-constexpr double kAcceptable = 1e-8;   // of the same, should the iteration end above kTolerance
 constexpr double kLeastForce = 1e-12;  // [N]  a bearing that nothing loads is in balance
 
 Vector2 direction(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
-
-// Forces on the pin ring, and how stiffly they resist.
-struct PinForces {
-  Vector2 force = Vector2::Zero();                      // [N]
-  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]  -d(force)/d(place of the pin)
-  double size = 0.0;                                    // [N]  sum of the magnitudes
-};
 
 struct PinProblem {
   RaceEquilibrium races;
@@ -40,28 +28,28 @@ struct PinProblem {
                           races.approach(j, bore - pin));
   }
 
-  PinForces at(const Vector2& pin) const {
-    PinForces sum;
+  // Forces on the pin ring.
+  mechanics::Imbalance<2> at(const Vector2& pin) const {
+    mechanics::Imbalance<2> sum;
     sum.force = own_load - stiffness_support * pin;
     sum.stiffness = stiffness_support * Eigen::Matrix2d::Identity();
-    sum.size = own_load.norm() + stiffness_support * pin.norm() + kLeastForce;
+    sum.scale = own_load.norm() + stiffness_support * pin.norm() + kLeastForce;
     for (Eigen::Index j = 0; j < races.angle.size(); ++j) {
       const Vector2 outward = direction(races.angle[j]);
       const RollerBalance one = roller(j, pin);
       sum.force -= one.inner_load * outward;
       sum.stiffness += one.stiffness * outward * outward.transpose();
-      sum.size += one.inner_load;
+      sum.scale += one.inner_load;
     }
     return sum;
   }
 
-  // The force component along the step falls along it: the largest of the halved steps that does not
-  // overshoot by more than the force at the start is taken.
-  double fraction(const Vector2& from, const Vector2& step, double slope) const {
-    double share = 1.0;
-    for (int i = 0; i < kMostHalvings; ++i, share *= 0.5)
-      if (at(from + share * step).force.dot(step) >= -0.7 * slope) return share;
-    return share;
+  // The pin may have to follow its bore and give way by as much as its own load asks of the support.
+  mechanics::SearchLimits limits() const {
+    mechanics::SearchLimits limits = search_limits(races);
+    limits.size += bore.norm();
+    limits.reach += bore.norm() + own_load.norm() / stiffness_support;
+    return limits;
   }
 };
 
@@ -95,16 +83,9 @@ PinBalance balance_pin(const CylindricalRollerBearing& bearing, const BearingMod
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller) {
   const PinProblem problem = pin_problem(bearing, model, parameters, motion, first_roller);
   PinBalance balance;
-  SolverReport& report = balance.rollers.report;
-  PinForces now = problem.at(balance.pin);
-  for (; report.iterations < kMostIterations && now.force.norm() > kTolerance * now.size;
-       ++report.iterations) {
-    const Vector2 step = now.stiffness.inverse() * now.force;
-    balance.pin += problem.fraction(balance.pin, step, now.force.dot(step)) * step;
-    now = problem.at(balance.pin);
-  }
-  report.residual = now.force.norm();
-  report.converged = report.residual <= kAcceptable * now.size;
+  mechanics::Imbalance<2> now;
+  balance.rollers.report = {mechanics::find_balance<2>([&](const Vector2& pin) { return problem.at(pin); },
+                                                       problem.limits(), balance.pin, now)};
   fill_loads(problem, balance);
   return balance;
 }

@@ -94,15 +94,6 @@ NewtonLimits limits_of(const Ring& ring) {
           .iterations = 200};
 }
 
-// Brings the rollers under the load into contact, as far as one loaded roller asks.
-Eigen::Vector2d first_displacement(const RaceEquilibrium& problem) {
-  const double load = problem.load.norm();
-  if (load == 0.0) return Eigen::Vector2d::Zero();
-  const double share = 4.0 * load / static_cast<double>(problem.angle.size());
-  const double elastic = problem.contacts.inner.approach(share) + problem.contacts.outer.approach(share);
-  return problem.load / load * std::max(0.5 * problem.clearance + elastic, 0.0);
-}
-
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
   std::ostringstream text;
   text << "the races found no balance on laminae under " << problem.load.norm() << " N: " << residual

@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "bearing/equilibrium/balls.hpp"
 #include "bearing/rating/reference_life.hpp"
-#include "bearing/static_load/ball_bearing.hpp"
 
-namespace orbearing::bearing::static_load::ball_6305_test {
+namespace orbearing::bearing::equilibrium::ball_6305_test {
 namespace {
 
 constexpr double kDisplacement = 2e-5;  // half a unit of the last of five or six digits
@@ -35,13 +35,13 @@ TEST(Ball6305, DisplacementsAndLives) {
                          Row{"radial, 10 um", 1000.0, 0.0, 10.0, 21.223, 0.0, 10795.7948}}) {
     SCOPED_TRACE(row.name);
     const BallBearing bearing = bearing_6305(row.clearance);
-    const BallBearingState state = static_state(bearing, {.radial = row.radial, .axial = row.axial});
+    const RingState state = balance_ring(BallRow(bearing), {.radial = row.radial, .axial = row.axial});
     ASSERT_TRUE(state.report.converged) << state.report.message;
     EXPECT_NEAR(1e6 * state.radial, row.radial_displacement, kDisplacement * 21.0);
     EXPECT_NEAR(1e6 * state.axial, row.axial_displacement, kDisplacement * 134.0);
     EXPECT_NEAR(state.tilt, 0.0, 1e-12);
     const rating::ContactCapacities capacities = rating::contact_capacities(ball_set(bearing), 23400.0);
-    const BearingLife life = rating::ball_reference_life(capacities, state.ball_load, state.ball_load,
+    const BearingLife life = rating::ball_reference_life(capacities, state.contact_load, state.contact_load,
                                                          rating::turning(Race::inner));
     EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);
   }
@@ -49,9 +49,9 @@ TEST(Ball6305, DisplacementsAndLives) {
 
 // With clearance the ring rests at A sin a0 from the middle under no more than a touch of axial load.
 TEST(Ball6305, AxialPlay) {
-  const BallBearingState state = static_state(bearing_6305(10.0), {.axial = 1e-6});
+  const RingState state = balance_ring(BallRow(bearing_6305(10.0)), {.axial = 1e-6});
   EXPECT_NEAR(1e6 * state.axial, 75.66, 0.005);
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::static_load::ball_6305_test
+}  // namespace orbearing::bearing::equilibrium::ball_6305_test

@@ -4,11 +4,11 @@
 
 #include <vector>
 
+#include "bearing/equilibrium/rollers.hpp"
 #include "bearing/rating/reference_life.hpp"
-#include "bearing/static_load/roller_bearing.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing::static_load::harris_209_laminae_test {
+namespace orbearing::bearing::equilibrium::harris_209_laminae_test {
 namespace {
 
 constexpr double kPrinted = 0.05;  // [N]  half a unit of the last digit given
@@ -22,10 +22,10 @@ CylindricalRollerBearing bearing_209(double clearance) {
 }
 
 void expect_loads(const CylindricalRollerBearing& bearing, const std::vector<double>& printed) {
-  const RollerBearingState state = static_state(bearing, {.radial = 4450.0});
+  const RingState state = balance_ring(RollerRow(bearing), {.radial = 4450.0});
   ASSERT_TRUE(state.report.converged) << state.report.message;
   for (std::size_t j = 0; j < printed.size(); ++j)
-    EXPECT_NEAR(state.roller_load[static_cast<Eigen::Index>(j)], printed[j], kPrinted) << "roller " << j;
+    EXPECT_NEAR(state.contact_load[static_cast<Eigen::Index>(j)], printed[j], kPrinted) << "roller " << j;
   EXPECT_NEAR(state.tilt, 0.0, 1e-15);
 }
 
@@ -49,7 +49,7 @@ double planet_life(int laminae) {
   planet.roller_length = 5.7e-3;
   planet.pitch_diameter = 36e-3;
   planet.contact_law = ContactLaw::iso16281;
-  const RollerBearingState state = static_state(planet, {.radial = 3000.0});
+  const RingState state = balance_ring(RollerRow(planet), {.radial = 3000.0});
   EXPECT_TRUE(state.report.converged);
   const rating::RollerSet set = rating::roller_set(planet);
   return rating::lamina_reference_life(rating::contact_capacities(set, rating::dynamic_capacity(set)),
@@ -67,4 +67,4 @@ TEST(StraightRoller, LifeDependsOnTheNumberOfLaminae) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::static_load::harris_209_laminae_test
+}  // namespace orbearing::bearing::equilibrium::harris_209_laminae_test

@@ -21,7 +21,7 @@ endfunction()
 # link. AVX is left out since GCC does not align the stack of Windows for it (GCC bug 54412).
 orbearing_win64_sources(gearset
   "^(drivetrain/|mesh/[^p]|mesh/planetary|dynamics/(modes|mode_kind|bodies|energy)|tooth_|planet_body|contact_path|working_geometry|gear_pair|mean_loads|assembly|involute)")
-orbearing_win64_sources(bearing "^(half_space|static_load)/|^rating/(ball|basic|life)_|_avx[0-9]+\\.cpp$")
+orbearing_win64_sources(bearing "^(half_space|equilibrium)/|^rating/(ball|basic|life)_|_avx[0-9]+\\.cpp$")
 orbearing_win64_sources(coupling "^(study/|cosim/[^d])")
 set(interface ${ORBEARING_FMU_INTERFACE})
 list(TRANSFORM interface PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
@@ -31,7 +31,7 @@ set(lanes ${ORBEARING_SOURCES})
 list(FILTER lanes INCLUDE REGEX "_baseline\\.cpp$")
 
 set(views "")
-foreach(folder IN ITEMS gearset bearing coupling)
+foreach(folder IN ITEMS mechanics gearset bearing coupling)
   list(APPEND views "${PROJECT_BINARY_DIR}/view/${folder}")
 endforeach()
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)

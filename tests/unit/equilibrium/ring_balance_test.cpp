@@ -1,15 +1,16 @@
 // Forces of static bearings are slopes of their energy; balances hold for any load.
 #include <gtest/gtest.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <random>
 
+#include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/rollers.hpp"
 #include "bearing/quasi_static.hpp"
-#include "bearing/static_load/ball_bearing.hpp"
-#include "bearing/static_load/roller_bearing.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
-namespace orbearing::bearing::static_load::ring_balance_test {
+namespace orbearing::bearing::equilibrium::ring_balance_test {
 namespace {
 
 constexpr double kMicrometre = 1e-6;
@@ -35,37 +36,31 @@ BallBearing balls(double contact_angle, double clearance) {
 }
 
 // Central differences of the energy; the contacts' laws leave an error of step^2 beside their curvature.
-template <int N, typename Energy, typename Forces>
-void expect_slopes(const Eigen::Vector<double, N>& place, const Energy& energy, const Forces& forces) {
+template <class Row>
+void expect_slopes(const Row& row, const RingPlace& place) {
   constexpr double step = 1e-3 * kMicrometre;
   constexpr double truncation = 1e-5;
-  const RingForces<N> now = forces(place);
-  for (int i = 0; i < N; ++i) {
-    const Eigen::Vector<double, N> change = Eigen::Vector<double, N>::Unit(i) * step;
-    EXPECT_NEAR((energy(place + change) - energy(place - change)) / (2.0 * step), now.force[i],
-                truncation * now.force.norm());
-    const Eigen::Vector<double, N> slope =
-        (forces(place + change).force - forces(place - change).force) / (2.0 * step);
+  const RingImbalance now = row_forces(row, place);
+  for (int i = 0; i < 5; ++i) {
+    const RingPlace change = RingPlace::Unit(i) * step;
+    EXPECT_NEAR((row.stored_energy(place - change) - row.stored_energy(place + change)) / (2.0 * step),
+                now.force[i], truncation * now.force.norm());
+    const RingPlace slope =
+        (row_forces(row, place - change).force - row_forces(row, place + change).force) / (2.0 * step);
     EXPECT_LT((slope - now.stiffness.col(i)).norm(), truncation * now.stiffness.norm());
   }
 }
 
 TEST(StaticRollers, ForcesAreSlopesOfTheEnergy) {
-  const StaticRollers contacts = static_rollers(rollers());
-  const Eigen::Vector4d place = Eigen::Vector4d(15.0, -4.0, 3.0, 2.0) * kMicrometre;
-  expect_slopes<4>(
-      place, [&](const Eigen::Vector4d& at) { return stored_energy(contacts, at); },
-      [&](const Eigen::Vector4d& at) { return ring_forces(contacts, at); });
+  const RingPlace place = (RingPlace() << 15.0, -4.0, 2.0, 3.0, 2.0).finished() * kMicrometre;
+  expect_slopes(RollerRow(rollers(), 0.2), place);
 }
 
 TEST(StaticBalls, ForcesAreSlopesOfTheEnergy) {
-  using Place = Eigen::Vector<double, 5>;
-  const BallBearing bearing = balls(0.3, 0.0);
-  const BallBearingGeometry geometry = geometry_of(bearing);
-  const Place place = (Place() << 12.0, -5.0, 30.0, 14.0, -9.0).finished() * kMicrometre;
-  expect_slopes<5>(
-      place, [&](const Place& at) { return stored_energy(bearing, geometry, at); },
-      [&](const Place& at) { return ring_forces(bearing, geometry, at); });
+  BallBearing bearing = balls(0.3, 0.0);
+  bearing.first_element = 0.2;
+  const RingPlace place = (RingPlace() << 12.0, -5.0, 30.0, 14.0, -9.0).finished() * kMicrometre;
+  expect_slopes(BallRow(bearing), place);
 }
 
 // One lamina, no clearance: c_L (u cos phi)^(10/9) on the loaded half, summed by hand for four rollers of
@@ -77,33 +72,33 @@ TEST(StaticRollers, FourRollersByHand) {
   in.contact_law = ContactLaw::iso16281;
   in.roller_profile = profile::Straight{};
   in.laminae = 1;
-  const RollerBearingState state = static_state(in, {.radial = 1000.0});
+  const RingState state = balance_ring(RollerRow(in), {.radial = 1000.0});
   const double approach = 1e-3 * std::pow(1000.0 / (35948.0 * std::pow(5.7, 8.0 / 9.0)), 0.9);
   EXPECT_NEAR(state.radial, 10e-6 + approach, 1e-12);
-  EXPECT_NEAR(state.roller_load[0], 1000.0, 1e-8);
-  EXPECT_NEAR(state.roller_load[1] + state.roller_load[2] + state.roller_load[3], 0.0, 1e-8);
+  EXPECT_NEAR(state.contact_load[0], 1000.0, 1e-8);
+  EXPECT_NEAR(state.contact_load[1] + state.contact_load[2] + state.contact_load[3], 0.0, 1e-8);
 }
 
 TEST(StaticRollers, GivenTiltNeedsTheMomentThatGivesIt) {
-  const RollerBearingState held = static_state(rollers(), {.radial = 2000.0, .tilt = 1e-3});
+  const RingState held = balance_ring(RollerRow(rollers()), {.radial = 2000.0, .tilt = 1e-3});
   ASSERT_TRUE(held.report.converged);
   EXPECT_GT(held.moment, 0.0);
-  const RollerBearingState free = static_state(rollers(), {.radial = 2000.0, .moment = held.moment});
+  const RingState free = balance_ring(RollerRow(rollers()), {.radial = 2000.0, .moment = held.moment});
   ASSERT_TRUE(free.report.converged);
   EXPECT_NEAR(free.tilt, 1e-3, 1e-10);
   EXPECT_NEAR(free.radial, held.radial, 1e-13);
   // laminae at negative x carry more on the loaded side
   EXPECT_GT(held.lamina_load(0, 0), held.lamina_load(11, 0));
-  const RollerBearingState mirrored = static_state(rollers(), {.radial = 2000.0, .tilt = -1e-3});
+  const RingState mirrored = balance_ring(RollerRow(rollers()), {.radial = 2000.0, .tilt = -1e-3});
   EXPECT_NEAR(mirrored.lamina_load(11, 0), held.lamina_load(0, 0), 1e-8);
 }
 
 TEST(StaticBalls, GivenTiltNeedsTheMomentThatGivesIt) {
-  const BallBearingState held =
-      static_state(balls(0.0, 10e-6), {.radial = 2000.0, .axial = 700.0, .tilt = 5e-4});
+  const RingState held =
+      balance_ring(BallRow(balls(0.0, 10e-6)), {.radial = 2000.0, .axial = 700.0, .tilt = 5e-4});
   ASSERT_TRUE(held.report.converged);
-  const BallBearingState free =
-      static_state(balls(0.0, 10e-6), {.radial = 2000.0, .axial = 700.0, .moment = held.moment});
+  const RingState free =
+      balance_ring(BallRow(balls(0.0, 10e-6)), {.radial = 2000.0, .axial = 700.0, .moment = held.moment});
   ASSERT_TRUE(free.report.converged);
   EXPECT_NEAR(free.tilt, 5e-4, 1e-9);
   EXPECT_NEAR(free.axial, held.axial, 1e-11);
@@ -115,7 +110,7 @@ TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
     CylindricalRollerBearing in = rollers();
     in.roller_profile = profile::Straight{};
     in.contact_law = law;
-    const RollerBearingState cut = static_state(in, {.radial = 1500.0});
+    const RingState cut = balance_ring(RollerRow(in), {.radial = 1500.0});
     in.laminae = 0;
     const QuasiStaticState uncut =
         quasi_static_state(in, bearing::example_bearings::static_load(-1500.0), {}, 0.0);
@@ -128,8 +123,8 @@ TEST(StaticRollers, ProfilesOfRollersAndRacesAddUp) {
   CylindricalRollerBearing on_rollers = rollers(), on_races = rollers();
   on_races.roller_profile = profile::Straight{};
   on_races.inner_race_profile = on_races.outer_race_profile = on_rollers.roller_profile;
-  const RollerBearingState one = static_state(on_rollers, {.radial = 2000.0, .tilt = 5e-4});
-  const RollerBearingState other = static_state(on_races, {.radial = 2000.0, .tilt = 5e-4});
+  const RingState one = balance_ring(RollerRow(on_rollers), {.radial = 2000.0, .tilt = 5e-4});
+  const RingState other = balance_ring(RollerRow(on_races), {.radial = 2000.0, .tilt = 5e-4});
   EXPECT_LT((one.lamina_load - other.lamina_load).abs().maxCoeff(), 1e-9);
 }
 
@@ -138,14 +133,14 @@ TEST(StaticRollers, ProfilesOfRollersAndRacesAddUp) {
 TEST(StaticBalls, AxialLoadAlone) {
   for (const double nominal : {0.0, 0.26, 0.7}) {
     const BallBearing bearing = balls(nominal, nominal > 0.0 ? 0.0 : 15e-6);
-    const BallBearingGeometry geometry = geometry_of(bearing);
-    const BallBearingState state = static_state(bearing, {.axial = 1500.0});
+    const BallRow row(bearing);
+    const RingState state = balance_ring(row, {.axial = 1500.0});
     ASSERT_TRUE(state.report.converged);
     const double angle = state.contact_angle[0];
-    const double approach = geometry.radial_distance / std::cos(angle) - geometry.groove_distance;
-    EXPECT_NEAR(8.0 * geometry.constant * std::pow(approach, 1.5) * std::sin(angle), 1500.0, 1e-6);
-    EXPECT_NEAR(state.axial, geometry.radial_distance * std::tan(angle) - geometry.axial_distance, 1e-12);
-    EXPECT_NEAR(state.ball_load.maxCoeff(), state.ball_load.minCoeff(), 1e-6);
+    const double approach = row.radial_distance() / std::cos(angle) - row.groove_distance();
+    EXPECT_NEAR(8.0 * row.constant() * std::pow(approach, 1.5) * std::sin(angle), 1500.0, 1e-6);
+    EXPECT_NEAR(state.axial, row.radial_distance() * std::tan(angle) - row.axial_distance(), 1e-12);
+    EXPECT_NEAR(state.contact_load.maxCoeff(), state.contact_load.minCoeff(), 1e-6);
   }
 }
 
@@ -156,11 +151,11 @@ TEST(StaticBalls, LoadsOfAnySizeAndDirectionBalance) {
     SCOPED_TRACE(i);
     BallBearing bearing = balls(i % 3 == 0 ? 0.8 * unit(random) : 0.0, 60e-6 * unit(random) - 15e-6);
     bearing.balls = 3 + i % 20;
-    BallBearingLoad load{.radial = unit(random) < 0.2 ? 0.0 : std::pow(10.0, 5.0 * unit(random) - 1.0),
-                         .axial = unit(random) < 0.2 ? 0.0 : std::pow(10.0, 5.0 * unit(random) - 1.0)};
+    RingLoad load{.radial = unit(random) < 0.2 ? 0.0 : std::pow(10.0, 5.0 * unit(random) - 1.0),
+                  .axial = unit(random) < 0.2 ? 0.0 : std::pow(10.0, 5.0 * unit(random) - 1.0)};
     if (unit(random) < 0.3) load.moment = 0.02 * (load.radial + load.axial) * (unit(random) - 0.5);
     if (unit(random) < 0.2) load.tilt = 2e-3 * (unit(random) - 0.5);
-    const BallBearingState state = static_state(bearing, load);
+    const RingState state = balance_ring(BallRow(bearing), load);
     EXPECT_TRUE(state.report.converged) << state.report.residual << " after " << state.report.iterations;
   }
 }
@@ -175,11 +170,11 @@ TEST(StaticRollers, LoadsOfAnySizeAndTiltBalance) {
     in.rollers = 3 + i % 25;
     in.radial_clearance = 100e-6 * unit(random) - 20e-6;
     if (i % 4 == 0) in.roller_profile = profile::Iso16281{5.7e-3, 5.24e-3};
-    RollerBearingLoad load{.radial = std::pow(10.0, 6.0 * unit(random) - 1.0)};
+    RingLoad load{.radial = std::pow(10.0, 6.0 * unit(random) - 1.0)};
     // a single lamina has no arm to hold a moment
     if (in.laminae > 1 && unit(random) < 0.3) load.moment = 0.01 * load.radial * (unit(random) - 0.5);
     if (unit(random) < 0.3) load.tilt = 10e-3 * (unit(random) - 0.5);
-    const RollerBearingState state = static_state(in, load);
+    const RingState state = balance_ring(RollerRow(in), load);
     EXPECT_TRUE(state.report.converged) << state.report.residual << " after " << state.report.iterations;
   }
 }
@@ -187,26 +182,49 @@ TEST(StaticRollers, LoadsOfAnySizeAndTiltBalance) {
 TEST(StaticRollers, MomentOnASingleLaminaFindsNoBalanceAndSaysSo) {
   CylindricalRollerBearing in = rollers();
   in.laminae = 1;
-  const RollerBearingState state = static_state(in, {.radial = 1000.0, .moment = 1.0});
+  const RingState state = balance_ring(RollerRow(in), {.radial = 1000.0, .moment = 1.0});
   EXPECT_FALSE(state.report.converged);
   EXPECT_FALSE(state.report.message.empty());
 }
 
+// Turning the row by a pitch changes nothing; turning the moment with the plane it acts in turns the tilts.
+TEST(StaticBalls, AFullPitchOfTheFirstElementChangesNothing) {
+  const RingLoad load{.radial = 2000.0, .axial = 700.0, .moment = 3.0, .moment_across = -5.0};
+  BallBearing turned = balls(0.26, 0.0);
+  turned.first_element = 2.0 * boost::math::double_constants::two_pi / turned.balls;
+  const RingState one = balance_ring(BallRow(balls(0.26, 0.0)), load);
+  const RingState other = balance_ring(BallRow(turned), load);
+  ASSERT_TRUE(one.report.converged && other.report.converged);
+  EXPECT_NEAR(one.radial, other.radial, 1e-12);
+  EXPECT_NEAR(one.lateral_tilt, other.lateral_tilt, 1e-12);
+  EXPECT_NEAR(one.contact_load[2], other.contact_load[0], 1e-6);
+}
+
+// Eight balls look alike in both planes, so without a radial load the answers to both moments are alike.
+TEST(StaticBalls, AMomentAcrossTiltsAcross) {
+  const RingState along = balance_ring(BallRow(balls(0.0, 0.0)), {.axial = 900.0, .moment = 4.0});
+  const RingState across = balance_ring(BallRow(balls(0.0, 0.0)), {.axial = 900.0, .moment_across = 4.0});
+  ASSERT_TRUE(along.report.converged && across.report.converged);
+  EXPECT_GT(along.tilt, 0.0);
+  EXPECT_NEAR(across.lateral_tilt, along.tilt, 1e-12);
+  EXPECT_NEAR(across.tilt, 0.0, 1e-12);
+}
+
 TEST(StaticBalls, NoLoadInInterferenceBalances) {
-  const BallBearingState state = static_state(balls(0.0, -15e-6), {});
+  const RingState state = balance_ring(BallRow(balls(0.0, -15e-6)), {});
   EXPECT_TRUE(state.report.converged);
-  EXPECT_GT(state.ball_load.minCoeff(), 0.0);
+  EXPECT_GT(state.contact_load.minCoeff(), 0.0);
 }
 
 TEST(StaticBearings, WhatCannotBeIsRefused) {
   CylindricalRollerBearing none = rollers();
   none.laminae = 0;
-  EXPECT_THROW(static_state(none, {.radial = 1.0}), std::invalid_argument);
+  EXPECT_THROW(balance_ring(RollerRow(none), {.radial = 1.0}), std::invalid_argument);
   BallBearing tight = balls(0.0, 0.0);
   tight.inner_osculation = 0.5;
-  EXPECT_THROW(static_state(tight, {.radial = 1.0}), std::invalid_argument);
-  EXPECT_THROW(static_state(balls(0.0, 2e-3), {.radial = 1.0}), std::invalid_argument);
+  EXPECT_THROW(balance_ring(BallRow(tight), {.radial = 1.0}), std::invalid_argument);
+  EXPECT_THROW(balance_ring(BallRow(balls(0.0, 2e-3)), {.radial = 1.0}), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::static_load::ring_balance_test
+}  // namespace orbearing::bearing::equilibrium::ring_balance_test

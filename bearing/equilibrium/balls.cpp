@@ -1,0 +1,116 @@
+#include "bearing/equilibrium/balls.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace orbearing::bearing::equilibrium {
+
+namespace {
+
+[[noreturn]] void refuse_balls(const std::string& what, double found, const std::string& required) {
+  std::ostringstream text;
+  text << what << ": found " << found << "; required: " << required;
+  throw std::invalid_argument(text.str());
+}
+
+PointContact groove_contact(const BallBearing& bearing, Race race, double osculation) {
+  return point_contact(ball_race_curvature(race, bearing.ball_diameter, bearing.pitch_diameter,
+                                           osculation * bearing.ball_diameter, bearing.contact_angle),
+                       bearing.material);
+}
+
+}  // namespace
+
+rating::BallSet ball_set(const BallBearing& bearing) {
+  return {.balls = bearing.balls,
+          .diameter = bearing.ball_diameter,
+          .pitch_diameter = bearing.pitch_diameter,
+          .contact_angle = bearing.contact_angle,
+          .inner_osculation = bearing.inner_osculation,
+          .outer_osculation = bearing.outer_osculation};
+}
+
+BallRow::BallRow(const BallBearing& bearing) : lever_(0.5 * bearing.pitch_diameter) {
+  const double openness = bearing.inner_osculation + bearing.outer_osculation - 1.0;
+  for (const double osculation : {bearing.inner_osculation, bearing.outer_osculation})
+    if (!(osculation > 0.5))
+      refuse_balls("osculation", osculation, "groove radius over ball diameter above 0.5");
+  groove_distance_ = openness * bearing.ball_diameter;
+  radial_distance_ = groove_distance_ * std::cos(bearing.contact_angle) - 0.5 * bearing.radial_clearance;
+  axial_distance_ = groove_distance_ * std::sin(bearing.contact_angle);
+  if (!(radial_distance_ > 0.0))
+    refuse_balls("radial clearance [m]", bearing.radial_clearance,
+                 "less than twice the distance of groove centres");
+  inner_ = groove_contact(bearing, Race::inner, bearing.inner_osculation);
+  outer_ = groove_contact(bearing, Race::outer, bearing.outer_osculation);
+  constant_ = in_series(inner_, outer_);
+  const double pitch = boost::math::double_constants::two_pi / bearing.balls;
+  const Eigen::ArrayXd angle =
+      bearing.first_element + pitch * Eigen::ArrayXd::LinSpaced(bearing.balls, 0.0, bearing.balls - 1.0);
+  cosine_ = angle.cos();
+  sine_ = angle.sin();
+}
+
+// Where the groove centres of one ball stand to each other.
+struct BallRow::BallPlace {
+  double radial;    // [m]
+  double axial;     // [m]
+  double length;    // [m]
+  double approach;  // [m]  positive in contact
+};
+
+BallRow::BallPlace BallRow::place_of(Eigen::Index ball, const RingPlace& place) const {
+  const double radial = radial_distance_ + place[0] * cosine_[ball] + place[1] * sine_[ball];
+  const double axial = axial_distance_ + place[2] + place[3] * cosine_[ball] + place[4] * sine_[ball];
+  const double length = std::hypot(radial, axial);
+  return {radial, axial, length, length - groove_distance_};
+}
+
+// One loaded ball may have to bear all of it: the approach this asks, and the play, are the scale of the
+// place.
+double BallRow::reach(double load) const {
+  const double elastic = std::pow(load / constant_, 2.0 / 3.0);
+  const double play = std::sqrt(2.0 * groove_distance_ * std::abs(groove_distance_ - radial_distance_));
+  return 4.0 * elastic + play + 1e-3 * groove_distance_;
+}
+
+void BallRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
+  for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
+    const BallPlace at = place_of(j, place);
+    if (at.approach <= 0.0) continue;
+    const double root = std::sqrt(at.approach);
+    const double load = constant_ * at.approach * root;
+    const double stiffness = 1.5 * constant_ * root;
+    const double cosine = at.radial / at.length, sine = at.axial / at.length;
+    const RingPlace radial = (RingPlace() << cosine_[j], sine_[j], 0.0, 0.0, 0.0).finished();
+    const RingPlace axial = (RingPlace() << 0.0, 0.0, 1.0, cosine_[j], sine_[j]).finished();
+    const RingPlace along = cosine * radial + sine * axial;
+    const RingPlace across = cosine * axial - sine * radial;
+    sum.scale += load;
+    sum.force -= load * along;
+    sum.stiffness += stiffness * along * along.transpose() + load / at.length * across * across.transpose();
+  }
+}
+
+void BallRow::put_loads(const RingPlace& place, RingState& state) const {
+  state.contact_load = Eigen::ArrayXd::Zero(cosine_.size());
+  state.contact_angle = Eigen::ArrayXd::Zero(cosine_.size());
+  for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
+    const BallPlace at = place_of(j, place);
+    if (at.approach > 0.0) state.contact_load[j] = constant_ * std::pow(at.approach, 1.5);
+    state.contact_angle[j] = std::atan2(at.axial, at.radial);
+  }
+}
+
+double BallRow::stored_energy(const RingPlace& place) const {
+  double energy = 0.0;
+  for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
+    const double approach = place_of(j, place).approach;
+    if (approach > 0.0) energy += 0.4 * constant_ * std::pow(approach, 2.5);
+  }
+  return energy;
+}
+
+}  // namespace orbearing::bearing::equilibrium

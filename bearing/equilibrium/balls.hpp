@@ -1,0 +1,62 @@
+// A row of balls between two grooved races under a static load, without inertia, [ISO16281].
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/parameters.hpp"
+#include "bearing/point_contact.hpp"
+#include "bearing/rating/ball_capacity.hpp"
+
+namespace orbearing::bearing::equilibrium {
+
+/// One row of balls between two grooved races.
+struct BallBearing {
+  int balls = 0;                   // [-]
+  double ball_diameter = 0.0;      // [m]
+  double pitch_diameter = 0.0;     // [m]
+  double inner_osculation = 0.52;  // [-]    groove radius over ball diameter
+  double outer_osculation = 0.53;  // [-]
+  double contact_angle = 0.0;      // [rad]  nominal: without load where the clearance is zero
+  double radial_clearance = 0.0;   // [m]    diametral; beyond what the nominal contact angle takes
+  double first_element = 0.0;      // [rad]  place of the first ball, from the radial load
+  Material material;
+};
+
+/// The rating's view of the bearing.
+rating::BallSet ball_set(const BallBearing& bearing);
+
+/// What does not change with the load.
+class BallRow {
+ public:
+  /// Throws std::invalid_argument where grooves are no wider than balls or the clearance leaves no contact.
+  explicit BallRow(const BallBearing& bearing);
+
+  double lever() const { return lever_; }
+  double reach(double load) const;
+  void add_forces(const RingPlace& place, RingImbalance& sum) const;
+  void put_loads(const RingPlace& place, RingState& state) const;
+  double stored_energy(const RingPlace& place) const;
+
+  double groove_distance() const { return groove_distance_; }  // [m]  of the centres, just touching: A
+  double radial_distance() const { return radial_distance_; }  // [m]  concentric: A cos(alpha) - s/2
+  double axial_distance() const { return axial_distance_; }    // [m]  concentric: A sin(alpha)
+  double constant() const { return constant_; }                // [N/m^1.5]  of both contacts in series
+  const PointContact& contact(Race race) const { return race == Race::inner ? inner_ : outer_; }
+
+ private:
+  struct BallPlace;
+  BallPlace place_of(Eigen::Index ball, const RingPlace& place) const;
+
+  double groove_distance_ = 0.0;
+  double radial_distance_ = 0.0;
+  double axial_distance_ = 0.0;
+  double lever_ = 0.0;
+  double constant_ = 0.0;
+  PointContact inner_;
+  PointContact outer_;
+  Eigen::ArrayXd cosine_;  // (balls)  of their places
+  Eigen::ArrayXd sine_;
+};
+
+}  // namespace orbearing::bearing::equilibrium

@@ -1,0 +1,39 @@
+// A row of cylindrical rollers cut into laminae under a static load, without inertia, [ISO16281]. The contact
+// law of the bearing is taken for both contacts of a roller in series; its cage, rings and forms play no
+// part.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/laminae/lamina_contact.hpp"
+#include "bearing/parameters.hpp"
+
+namespace orbearing::bearing::equilibrium {
+
+/// What does not change with the load: both contacts of a roller as one, and where the rollers stand. The
+/// axial place is free: rollers without flanges bear no axial load.
+class RollerRow {
+ public:
+  /// `first_element` is the place of the first roller [rad] from the radial load. Throws
+  /// std::invalid_argument where there are no laminae or a profile has no meaning.
+  explicit RollerRow(const CylindricalRollerBearing& bearing, double first_element = 0.0);
+
+  double lever() const { return contact_.half_length(); }
+  double reach(double load) const;
+  void add_forces(const RingPlace& place, RingImbalance& sum) const;
+  void put_loads(const RingPlace& place, RingState& state) const;
+  double stored_energy(const RingPlace& place) const;
+
+ private:
+  struct Approach;
+  Approach approach_of(Eigen::Index roller, const RingPlace& place) const;
+
+  laminae::LaminaContact contact_;  // c_L in all, drops of both contacts
+  double clearance_;                // [m]  diametral
+  double constant_;                 // c_L of a whole roller
+  Eigen::ArrayXd cosine_;           // (rollers)  of their places
+  Eigen::ArrayXd sine_;
+};
+
+}  // namespace orbearing::bearing::equilibrium

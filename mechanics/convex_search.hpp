@@ -1,0 +1,110 @@
+// The least of a convex energy: Newton's method, damped along each step. Every static balance in this
+// library is such a search.
+//
+// A contact stores an energy that is convex in the displacement of its bodies: the approach is a convex
+// function of it, and the energy a convex, rising one of the approach. So there is one balance, and it is
+// found from any start: no step longer than the contacts' own scale, and none that ends where the force that
+// drove it points back by more than half.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace orbearing::mechanics {
+
+/// Forces out of balance at one place of N coordinates, and how stiffly they resist. All coordinates are
+/// lengths [m], tilts being taken at a lever, so that all forces are in [N].
+template <int N>
+struct Imbalance {
+  Eigen::Vector<double, N> force = Eigen::Vector<double, N>::Zero();            // [N]    -d(energy)
+  Eigen::Matrix<double, N, N> stiffness = Eigen::Matrix<double, N, N>::Zero();  // [N/m]  -d(force)
+  double scale = 0.0;  // [N]  the largest of the forces that balance
+};
+
+struct SearchLimits {
+  double reach = 0.0;         // [m]  longest step: the length on which the contacts change
+  double size = 0.0;          // [m]  lengths beside the coordinates whose differences the contacts take
+  double tolerance = 1e-12;   // [-]  of the force that remains, over the scale
+  double acceptable = 1e-9;   // [-]  the same, where round-off ends the search before
+  double resolution = 1e-15;  // [-]  of the lengths: a shorter step changes nothing
+  int most_iterations = 200;
+};
+
+/// How a search ended. What did not converge is the last iterate: ask before use.
+struct SearchReport {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0.0;  // [N]  force that remains
+};
+
+/// Lengths [m] that `force` causes on a stiffness that may be singular. A direction with next to no stiffness
+/// is given 1e-12 of the stiffest one's: forces along it ask for far too long a step, and no force for none.
+template <int N>
+Eigen::Vector<double, N> lengths_under(const Eigen::Vector<double, N>& force,
+                                       const Eigen::Matrix<double, N, N>& stiffness) {
+  constexpr double kFloor = 1e-12, kNothing = 1e-30;
+  const Eigen::LDLT<Eigen::Matrix<double, N, N>> factors(stiffness);  // the stiffest freedom first
+  const auto pivots = factors.vectorD().array();
+  const double least = std::max(kFloor * pivots.abs().maxCoeff(), kNothing);
+  Eigen::Vector<double, N> lengths = factors.transpositionsP() * force;
+  factors.matrixL().solveInPlace(lengths);
+  lengths.array() /= pivots.max(least);
+  factors.matrixU().solveInPlace(lengths);
+  return factors.transpositionsP().transpose() * lengths;
+}
+
+namespace detail {
+
+template <int N>
+Eigen::Vector<double, N> newton_step(const Imbalance<N>& now, double reach) {
+  const Eigen::Vector<double, N> step = lengths_under<N>(now.force, now.stiffness);
+  const double length = step.norm();
+  return length > reach ? Eigen::Vector<double, N>(step * (reach / length)) : step;
+}
+
+}  // namespace detail
+
+/// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes. `place` holds the start and
+/// then the balance, `now` the imbalance there.
+template <int N, class Function>
+SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
+                          Eigen::Vector<double, N>& place, Imbalance<N>& now) {
+  constexpr int kMostShortenings = 60;
+  constexpr double kOvershoot = 0.5;  // of the driving force, that may point back after a step
+  SearchReport report;
+  now = imbalance_at(place);
+  const auto round_off = [&] { return limits.resolution * (place.norm() + limits.size); };
+  for (; report.iterations < limits.most_iterations; ++report.iterations) {
+    if (!(now.force.norm() > limits.tolerance * now.scale)) break;
+    const Eigen::Vector<double, N> step = detail::newton_step<N>(now, limits.reach);
+    if (step.norm() <= round_off()) break;
+    const Eigen::Vector<double, N> from = place;
+    const double drive = now.force.dot(step);
+    double fraction = 1.0;
+    for (int i = 0; i < kMostShortenings; ++i) {
+      place = from + fraction * step;
+      now = imbalance_at(place);
+      const double left = now.force.dot(step);
+      if (left >= -kOvershoot * drive) break;
+      fraction *= std::max(0.1, drive / (drive - left));  // where the secant puts its zero
+    }
+  }
+  report.residual = now.force.norm();
+  report.converged = report.residual <= limits.acceptable * now.scale + now.stiffness.trace() * round_off();
+  return report;
+}
+
+/// Takes the freedoms out of a search whose coordinates are given: they bear any force.
+template <int N>
+void hold(const Eigen::Array<bool, N, 1>& held, Imbalance<N>& imbalance) {
+  for (int i = 0; i < N; ++i) {
+    if (!held[i]) continue;
+    imbalance.force[i] = 0.0;
+    imbalance.stiffness.row(i).setZero();
+    imbalance.stiffness.col(i).setZero();
+  }
+}
+
+}  // namespace orbearing::mechanics
