@@ -66,6 +66,13 @@ Eigen::Vector<double, N> newton_step(const Imbalance<N>& now, double reach) {
 
 }  // namespace detail
 
+/// Whether what remains of the force at `place` is as little as it need be, or as lengths can resolve.
+template <int N>
+bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& place, const SearchLimits& limits) {
+  const double round_off = limits.resolution * (place.norm() + limits.size);
+  return now.force.norm() <= limits.acceptable * now.scale + now.stiffness.trace() * round_off;
+}
+
 /// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes. `place` holds the start and
 /// then the balance, `now` the imbalance there.
 template <int N, class Function>
@@ -75,11 +82,10 @@ SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
   constexpr double kOvershoot = 0.5;  // of the driving force, that may point back after a step
   SearchReport report;
   now = imbalance_at(place);
-  const auto round_off = [&] { return limits.resolution * (place.norm() + limits.size); };
   for (; report.iterations < limits.most_iterations; ++report.iterations) {
     if (!(now.force.norm() > limits.tolerance * now.scale)) break;
     const Eigen::Vector<double, N> step = detail::newton_step<N>(now, limits.reach);
-    if (step.norm() <= round_off()) break;
+    if (step.norm() <= limits.resolution * (place.norm() + limits.size)) break;
     const Eigen::Vector<double, N> from = place;
     const double drive = now.force.dot(step);
     double fraction = 1.0;
@@ -92,7 +98,7 @@ SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
     }
   }
   report.residual = now.force.norm();
-  report.converged = report.residual <= limits.acceptable * now.scale + now.stiffness.trace() * round_off();
+  report.converged = is_balanced<N>(now, place, limits);
   return report;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "bearing/laminae/convex_newton.hpp"
+#include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing::laminae {
 
@@ -35,7 +35,7 @@ AdjointRoller adjoint_roller(const LaminaBearing& bearing, const RollerContacts&
   const Eigen::ArrayXd in = by_inner * adjoint.inner.stiffness, out = by_outer * adjoint.outer.stiffness;
   const Eigen::Vector2d by_place(out.sum() - in.sum(), (outer.places() * out - inner.places() * in).sum());
   adjoint.of_measure = -roller.per_approach * (in.sum() + roller.per_elastic.dot(by_place));
-  adjoint.settling = lengths_under(by_place, settling_stiffness(roller));
+  adjoint.settling = mechanics::lengths_under<2>(by_place, settling_stiffness(roller));
   return adjoint;
 }
 
@@ -67,7 +67,7 @@ Eigen::Vector2d ring_multiplier(const LaminaState& state, const std::vector<Adjo
     stiffness += state.rollers[j].stiffness * e * e.transpose();
     force += rollers[j].of_measure * e;
   }
-  return lengths_under(force, stiffness);
+  return mechanics::lengths_under<2>(force, stiffness);
 }
 
 DropGradient none(const LaminaBearing& bearing) {

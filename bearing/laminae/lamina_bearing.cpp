@@ -5,15 +5,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "bearing/laminae/convex_newton.hpp"
+#include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing::laminae {
 
 namespace {
-
-constexpr double kTolerance = 1e-12;          // of the largest force at hand
-constexpr double kAcceptableResidual = 1e-9;  // the same, should the search end at round-off
-constexpr double kRoundOff = 1e-15;           // of the lengths whose difference is the approach
 
 const CylindricalRollerBearing& sound(const CylindricalRollerBearing& bearing) {
   for (const profile::Profile* profile :
@@ -40,10 +36,10 @@ struct Ring {
 
   double scale() const { return std::max(problem.load.norm(), problem.inertial_load.abs().maxCoeff()); }
 
-  EnergySlope operator()(const Eigen::Vector2d& displacement) const {
+  mechanics::Imbalance<2> operator()(const Eigen::Vector2d& displacement) const {
     const TiltedRoller roller{bearing.contact(Race::inner), bearing.contact(Race::outer),
                               problem.contacts.inner.film(), problem.contacts.outer.film()};
-    EnergySlope slope;
+    mechanics::Imbalance<2> slope;
     slope.force = problem.load;
     slope.scale = scale();
     for (Eigen::Index j = 0; j < outward.cols(); ++j) {
@@ -82,16 +78,13 @@ double gaps(const Ring& ring) {
          2.0 * largest_drop(ring.bearing) + ring.outer_tip.abs().maxCoeff();
 }
 
-NewtonLimits limits_of(const Ring& ring) {
+mechanics::SearchLimits limits_of(const Ring& ring) {
   const RaceEquilibrium& problem = ring.problem;
   const double all = problem.load.norm() + problem.inertial_load.abs().sum();
   const double elastic =
       problem.contacts.inner.elastic().approach(all) + problem.contacts.outer.elastic().approach(all);
   const double known = gaps(ring);
-  return {.reach = std::max(known, 1e-6) + elastic,
-          .tolerance = kTolerance,
-          .round_off = kRoundOff * (known + elastic),
-          .iterations = 200};
+  return {.reach = std::max(known, 1e-6) + elastic, .size = known + elastic};
 }
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
@@ -101,15 +94,11 @@ std::string failure_text(const RaceEquilibrium& problem, double residual) {
   return text.str();
 }
 
-void put_report(const Ring& ring, const NewtonReport& newton, const NewtonLimits& limits,
-                const EnergySlope& now, LaminaState& state) {
+void put_report(const Ring& ring, const mechanics::SearchReport& search, LaminaState& state) {
   const bool rollers_settled =
       std::all_of(state.rollers.begin(), state.rollers.end(), [](const RollerState& r) { return r.settled; });
-  state.report.iterations = newton.iterations;
-  state.report.residual = now.force.norm();
-  state.report.converged =
-      rollers_settled &&
-      state.report.residual <= kAcceptableResidual * ring.scale() + now.stiffness.trace() * limits.round_off;
+  state.report = {search};
+  state.report.converged = rollers_settled && search.converged;
   if (!state.report.converged) state.report.message = failure_text(ring.problem, state.report.residual);
 }
 
@@ -160,14 +149,14 @@ LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& poi
   state.rollers.resize(static_cast<std::size_t>(problem.angle.size()));
   state.displacement = near != nullptr ? near->displacement : first_displacement(problem);
   const Ring ring = ring_of(bearing, point, problem, state.rollers);
-  const NewtonLimits limits = limits_of(ring);
-  EnergySlope now;
-  const NewtonReport newton = least_energy(ring, limits, state.displacement, now);
+  mechanics::Imbalance<2> now;
+  const mechanics::SearchReport search =
+      mechanics::find_balance<2>(ring, limits_of(ring), state.displacement, now);
   state.angle = problem.angle;
   for (Eigen::Index j = 0; j < state.angle.size(); ++j)
     state.moment += bearing.half_length() * state.rollers[static_cast<std::size_t>(j)].outer.tip_load *
                     ring.outward.col(j);
-  put_report(ring, newton, limits, now, state);
+  put_report(ring, search, state);
   return state;
 }
 

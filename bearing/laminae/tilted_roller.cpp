@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "bearing/laminae/convex_newton.hpp"
+#include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing::laminae {
 
@@ -13,8 +13,9 @@ namespace {
 
 constexpr double kRollerTolerance = 1e-13;  // of the loads
 constexpr double kRollerRoundOff = 2e-16;   // of the lengths at hand
-constexpr double kRollerAcceptable = 1e-9;  // of the loads, should the search end at what lengths can resolve
 constexpr int kMostFilmSteps = 60;
+
+using RollerImbalance = mechanics::Imbalance<2>;
 
 // The roller between races whose elastic approaches add up to `elastic`: the energy of both contacts and of
 // the inertial load is convex in its place and tip.
@@ -24,11 +25,11 @@ struct DryRoller {
   double elastic;
   RollerState& state;
 
-  EnergySlope operator()(const Eigen::Vector2d& at) const {
+  RollerImbalance operator()(const Eigen::Vector2d& at) const {
     state.inner = roller.inner.evaluate(elastic - at[0], setting.inner_tip - at[1]);
     state.outer = roller.outer.evaluate(at[0], at[1] - setting.outer_tip);
     const LaminaForce &in = state.inner, &out = state.outer;
-    EnergySlope slope;
+    RollerImbalance slope;
     slope.force << setting.inertial_load + in.load - out.load, in.tip_load - out.tip_load;
     slope.stiffness = settling_stiffness(state);
     slope.scale = std::abs(setting.inertial_load) + in.load + out.load;
@@ -54,12 +55,12 @@ Eigen::Vector2d first_guess(const TiltedRoller& roller, const RollerSetting& set
   return {place, 0.5 * (setting.inner_tip + setting.outer_tip)};
 }
 
-NewtonLimits limits_of(const TiltedRoller& roller, const RollerSetting& setting, double elastic) {
+mechanics::SearchLimits limits_of(const TiltedRoller& roller, const RollerSetting& setting, double elastic) {
   const double lengths = lengths_at_hand(roller, setting, elastic);
   return {.reach = lengths + straight_approach(roller.outer, std::abs(setting.inertial_load)) + 1e-9,
+          .size = lengths,
           .tolerance = kRollerTolerance,
-          .round_off = kRollerRoundOff * lengths,
-          .iterations = 200};
+          .resolution = kRollerRoundOff};
 }
 
 // Zero of a force that falls from at least zero at `low` to at most zero at `high`, to the last bit.
@@ -77,8 +78,8 @@ double zero_of_falling(const Force& force, double low, double high) {
 // The same least of the energy by two searches, one within the other, each along one unknown in which the
 // force falls: slow, and sure where a lamina or two barely touch and Newton's steps lead to and fro. The
 // energy that is least in the place is convex in the tip.
-EnergySlope settle_within_brackets(const DryRoller& roller, double reach, Eigen::Vector2d& at) {
-  EnergySlope now;
+RollerImbalance settle_within_brackets(const DryRoller& roller, double reach, Eigen::Vector2d& at) {
+  RollerImbalance now;
   const auto settle_place = [&](double tip) {
     at[1] = tip;
     at[0] = zero_of_falling([&](double place) { return roller({place, tip}).force[0]; }, -reach, reach);
@@ -89,16 +90,11 @@ EnergySlope settle_within_brackets(const DryRoller& roller, double reach, Eigen:
   return now;
 }
 
-// What lengths can resolve of the forces counts as balance.
-bool is_balanced(const EnergySlope& now, double round_off) {
-  return now.force.norm() <= kRollerAcceptable * now.scale + now.stiffness.trace() * round_off;
-}
-
 // Slopes of the settled roller by the sum of the elastic approaches: d(energy slope)/d(elastic) is minus the
 // inner contact's stiffness.
-double put_slopes(const EnergySlope& now, RollerState& state) {
+double put_slopes(const RollerImbalance& now, RollerState& state) {
   const Eigen::Vector2d by_elastic(state.inner.by_approach, state.inner.mixed);
-  state.per_elastic = lengths_under(by_elastic, now.stiffness);
+  state.per_elastic = mechanics::lengths_under<2>(by_elastic, now.stiffness);
   return std::max(0.0, state.inner.by_approach - by_elastic.dot(state.per_elastic));
 }
 
@@ -108,13 +104,13 @@ double settle_dry(const TiltedRoller& roller, const RollerSetting& setting, doub
   Eigen::Vector2d at = first_guess(roller, setting, elastic);
   if (state.known)
     at = Eigen::Vector2d(state.outer_approach, state.tip) + (elastic - state.elastic) * state.per_elastic;
-  EnergySlope now;
+  RollerImbalance now;
   const DryRoller problem{roller, setting, elastic, state};
-  const NewtonLimits limits = limits_of(roller, setting, elastic);
-  const NewtonReport report = least_energy(problem, limits, at, now);
-  if (!report.settled) now = settle_within_brackets(problem, 2.0 * limits.reach, at);
+  const mechanics::SearchLimits limits = limits_of(roller, setting, elastic);
+  const mechanics::SearchReport report = mechanics::find_balance<2>(problem, limits, at, now);
+  if (!report.converged) now = settle_within_brackets(problem, 2.0 * limits.reach, at);
   state.known = true;
-  state.settled = report.settled || is_balanced(now, limits.round_off);
+  state.settled = report.converged || mechanics::is_balanced<2>(now, at, limits);
   state.elastic = elastic;
   state.outer_approach = at[0];
   state.tip = at[1];

@@ -114,7 +114,7 @@ TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
     in.laminae = 0;
     const QuasiStaticState uncut =
         quasi_static_state(in, bearing::example_bearings::static_load(-1500.0), {}, 0.0);
-    EXPECT_LT((cut.roller_load - uncut.outer_load).abs().maxCoeff(), 1e-8);
+    EXPECT_LT((cut.contact_load - uncut.outer_load).abs().maxCoeff(), 1e-8);
   }
 }
 
