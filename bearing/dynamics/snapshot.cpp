@@ -29,6 +29,7 @@ void resize(Snapshot& into, Eigen::Index rollers) {
   resize(into.inner, rollers);
   resize(into.outer, rollers);
   into.angle.resize(rollers);
+  into.orbital_speed.resize(rollers);
   into.spin.resize(rollers);
   into.pocket_load.resize(rollers);
   into.loss = {};
@@ -155,6 +156,11 @@ double changing_film_power(const BearingModel& model, double time, const Eigen::
 
 }  // namespace
 
+RollerLoads loads_of(const Snapshot& snapshot) {
+  return {snapshot.angle.data(), snapshot.orbital_speed.data(), snapshot.inner.load.data(),
+          snapshot.outer.load.data(), snapshot.race_speeds};
+}
+
 Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time) {
   Snapshot result;
   take_snapshot(model, x, result, time);
@@ -173,6 +179,7 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
     record(forces.inner, model.inner_film, j, into.inner);
     record(forces.outer, model.outer_film, j, into.outer);
     into.angle[j] = wrapped(roller.angle);
+    into.orbital_speed[j] = roller.orbital_speed;
     into.spin[j] = roller.motion.speed;
     into.pocket_load[j] = forces.pocket.load;
     add_losses(model, roller, forces, into.loss);
@@ -183,6 +190,7 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
   into.loss.guidance = guidance.film_power + guidance.touch_down_power;
   into.loss.drag += model.cage_drag.power(rings.cage.speed);
   into.loss.support = model.support.power(rings.pin.velocity);
+  into.race_speeds = race_speeds(model.geometry, rings.pin.speed, rings.bore.speed);
   into.cage_angle = state.cage_angle;
   into.cage_speed = rings.cage.speed;
   into.cage_position = rings.cage.position;

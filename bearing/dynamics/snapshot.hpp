@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "bearing/dynamics/damage.hpp"
 #include "bearing/dynamics/model.hpp"
 
 namespace orbearing::bearing::dynamics {
@@ -62,6 +63,7 @@ struct Snapshot {
   RaceSnapshot inner;
   RaceSnapshot outer;
   Eigen::ArrayXd angle;                     // [rad]  (rollers)  place of each roller, from 0 to 2 pi
+  Eigen::ArrayXd orbital_speed;             // [rad/s]  (rollers)  relative to the carrier
   Eigen::ArrayXd spin;                      // [rad/s]  (rollers)
   Eigen::ArrayXd pocket_load;               // [N]    (rollers)  positive where the roller drives the cage
   double cage_angle = 0.0;                  // [rad]  grows without bound
@@ -69,8 +71,12 @@ struct Snapshot {
   Vector2 cage_position = Vector2::Zero();  // [m]
   double cage_eccentricity = 0.0;           // [-]  of the land's clearance
   double bore_friction_moment = 0.0;        // [N m]  of the bearing on the bore
+  RaceSpeeds race_speeds;
   PowerLoss loss;
 };
+
+/// What the races get of it; valid as long as `snapshot`.
+RollerLoads loads_of(const Snapshot& snapshot);
 
 /// Snapshot of the state `x` at `time` [s], which matters in a run-up and where waves turn with a race.
 Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time = 0.0);

@@ -1,20 +1,11 @@
 #include "bearing/dynamics/statistics.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
 namespace orbearing::bearing::dynamics {
-
-using boost::math::double_constants::two_pi;
-
-Eigen::Index place_of(double angle, Eigen::Index places) {
-  const double turns = angle / two_pi + 0.5 / static_cast<double>(places);
-  const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(places));
-  return std::min(place, places - 1);
-}
 
 PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other) {
   sum.race_damping += other.race_damping;
@@ -40,36 +31,29 @@ PowerLoss operator/(const PowerLoss& loss, double by) {
 }
 
 StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index places)
-    : rollers_(rollers), places_(places) {}
+    : rollers_(rollers), places_(places), damage_(places) {}
 
 void StatisticsCollector::begin(double time, const Snapshot& at_start) {
   for (RaceSums* sums : {&inner_, &outer_})
     *sums = {.roller_square = Eigen::ArrayXd::Zero(rollers_),
-             .load = Eigen::ArrayXd::Zero(places_),
-             .fourth_power = Eigen::ArrayXd::Zero(places_),
              .least_film = std::numeric_limits<double>::infinity()};
-  passages_ = Eigen::ArrayXd::Zero(places_);
+  damage_ = DamageSums(places_);
   weight_ = 0.0;
   sums_ = {};
   begin_time_ = time;
   begin_cage_angle_ = end_cage_angle_ = at_start.cage_angle;
 }
 
-void StatisticsCollector::add_loads(double weight, const double* angle, const double* inner,
-                                    const double* outer) {
-  for (Eigen::Index j = 0; j < rollers_; ++j) {
-    const Eigen::Index place = place_of(angle[j], places_);
-    passages_[place] += weight;
-    const auto add_race = [&](double load, RaceSums& sums) {
-      const double square = load * load;
-      sums.roller_square[j] += weight * square;
-      sums.load[place] += weight * load;
-      sums.fourth_power[place] += weight * square * square;
-      sums.largest = std::max(sums.largest, load);
-    };
-    add_race(inner[j], inner_);
-    add_race(outer[j], outer_);
-  }
+void StatisticsCollector::add_loads(double weight, const RollerLoads& loads) {
+  const auto add_race = [&](const double* load, RaceSums& sums) {
+    for (Eigen::Index j = 0; j < rollers_; ++j) {
+      sums.roller_square[j] += weight * load[j] * load[j];
+      sums.largest = std::max(sums.largest, load[j]);
+    }
+  };
+  add_race(loads.inner, inner_);
+  add_race(loads.outer, outer_);
+  damage_.add(weight, rollers_, loads);
   weight_ += weight;
 }
 
@@ -95,19 +79,18 @@ void StatisticsCollector::add_state(double time, const Snapshot& sample) {
 }
 
 void StatisticsCollector::add(double time, const Snapshot& sample) {
-  add_loads(1.0, sample.angle.data(), sample.inner.load.data(), sample.outer.load.data());
+  add_loads(1.0, loads_of(sample));
   add_state(time, sample);
 }
 
-RaceStatistics StatisticsCollector::means(const RaceSums& sums) const {
+RaceStatistics StatisticsCollector::means(const RaceSums& sums, const RacePassages& passages) const {
   const double samples = static_cast<double>(sums_.samples);
-  // A place without a passage has no load: zero over anything.
-  const Eigen::ArrayXd passages = (passages_ > 0.0).select(passages_, 1.0);
   return {.roller_rms = (sums.roller_square / weight_).sqrt(),
           .load_rms = std::sqrt(sums.roller_square.mean() / weight_),
           .load_max = sums.largest,
-          .mean_load = sums.load / passages,
-          .mean_fourth_power = sums.fourth_power / passages,
+          .mean_load = passages.mean_load(),
+          .passages = passages.passages(),
+          .damage = passages.damage(),
           .mean_sliding = sums.sliding / samples,
           .least_film = sums.least_film};
 }
@@ -116,8 +99,8 @@ WindowStatistics StatisticsCollector::means() const {
   assert(sums_.samples > 0);
   const double samples = static_cast<double>(sums_.samples);
   WindowStatistics result = sums_;
-  result.inner = means(inner_);
-  result.outer = means(outer_);
+  result.inner = means(inner_, damage_.inner);
+  result.outer = means(outer_, damage_.outer);
   result.cage_speed = (end_cage_angle_ - begin_cage_angle_) / sums_.duration;
   result.mean_spin /= samples;
   result.mean_cage_eccentricity /= samples;
@@ -127,23 +110,9 @@ WindowStatistics StatisticsCollector::means() const {
   return result;
 }
 
-double equivalent_load(const RaceStatistics& race, RaceMotion motion) {
-  const double largest = race.mean_fourth_power.maxCoeff();
-  if (largest <= 0.0) return 0.0;
-  const double exponent = motion == RaceMotion::turning ? 4.0 : 4.5;
-  const double mean = (race.mean_fourth_power / largest).pow(exponent / 4.0).mean();
-  return std::pow(largest, 0.25) * std::pow(mean, 1.0 / exponent);
-}
-
 BearingLife dynamic_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
                          const WindowStatistics& statistics) {
-  const auto life_of = [&](Race race, const RaceStatistics& loads) {
-    const RaceMotion motion = race == standing ? RaceMotion::standing : RaceMotion::turning;
-    return race_life(contact_capacity(bearing, race, lambda), equivalent_load(loads, motion));
-  };
-  const double inner = life_of(Race::inner, statistics.inner);
-  const double outer = life_of(Race::outer, statistics.outer);
-  return {inner, outer, combined_life(inner, outer)};
+  return life_under(bearing, lambda, standing, statistics.inner.damage, statistics.outer.damage);
 }
 
 }  // namespace orbearing::bearing::dynamics

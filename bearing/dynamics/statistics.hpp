@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "bearing/dynamics/damage.hpp"
 #include "bearing/dynamics/snapshot.hpp"
-#include "bearing/lundberg_palmgren.hpp"
 
 namespace orbearing::bearing::dynamics {
 
@@ -12,16 +12,16 @@ namespace orbearing::bearing::dynamics {
 PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other);
 PowerLoss operator/(const PowerLoss& loss, double by);
 
-/// Loads of one race over a window. Places are evenly spaced bins on the race in the carrier frame, the first
-/// centred on the outward direction.
+/// Loads of one race over a window. Places are the bins of place_of().
 struct RaceStatistics {
-  Eigen::ArrayXd roller_rms;         // [N]    (rollers)  unloaded time included
-  double load_rms = 0.0;             // [N]    over all rollers
-  double load_max = 0.0;             // [N]
-  Eigen::ArrayXd mean_load;          // [N]    (places)  over the passages of rollers
-  Eigen::ArrayXd mean_fourth_power;  // [N^4]  (places)
-  double mean_sliding = 0.0;         // [m/s]  mean of |sliding| over all rollers
-  double least_film = 0.0;           // [m]    least film of the most loaded roller
+  Eigen::ArrayXd roller_rms;  // [N]    (rollers)  unloaded time included
+  double load_rms = 0.0;      // [N]    over all rollers
+  double load_max = 0.0;      // [N]
+  Eigen::ArrayXd mean_load;   // [N]    (places)  over the passages of rollers
+  Eigen::ArrayXd passages;    // [-]    (places)  that happened, over those of pure rolling
+  Eigen::ArrayXd damage;      // [N^4]  (places)  fourth powers of all passages over those of pure rolling
+  double mean_sliding = 0.0;  // [m/s]  mean of |sliding| over all rollers
+  double least_film = 0.0;    // [m]    least film of the most loaded roller
 };
 
 /// One window.
@@ -39,9 +39,6 @@ struct WindowStatistics {
   PowerLoss loss;                                // [W]
 };
 
-/// The bin, of `places` on a race, in which `angle` [rad] lies.
-Eigen::Index place_of(double angle, Eigen::Index places);
-
 /// Gathers samples evenly spaced in time and turns them into means.
 class StatisticsCollector {
  public:
@@ -50,9 +47,8 @@ class StatisticsCollector {
   /// `at_start` is the snapshot at the beginning of the window.
   void begin(double time, const Snapshot& at_start);
   void add(double time, const Snapshot& sample);
-  /// As add(), in two parts: loads at `angle` [rad] (rollers) that count for `weight` (any unit), and all the
-  /// rest.
-  void add_loads(double weight, const double* angle, const double* inner, const double* outer);
+  /// As add(), in two parts: loads that count for `weight` (any unit), and all the rest.
+  void add_loads(double weight, const RollerLoads& loads);
   void add_state(double time, const Snapshot& sample);
   /// Means over all samples since begin(); at least one sample.
   WindowStatistics means() const;
@@ -60,31 +56,24 @@ class StatisticsCollector {
  private:
   struct RaceSums {
     Eigen::ArrayXd roller_square;  // [N^2]
-    Eigen::ArrayXd load;           // [N]    by place
-    Eigen::ArrayXd fourth_power;   // [N^4]  by place
     double largest = 0.0;          // [N]
     double sliding = 0.0;          // [m/s]
     double least_film = 0.0;       // [m]
   };
   void add_state(const RaceSnapshot& race, RaceSums& sums);
-  RaceStatistics means(const RaceSums& sums) const;
+  RaceStatistics means(const RaceSums& sums, const RacePassages& passages) const;
 
   Eigen::Index rollers_;
   Eigen::Index places_;
   RaceSums inner_;
   RaceSums outer_;
-  Eigen::ArrayXd passages_;  // weight by place
-  double weight_ = 0.0;      // of all loads
+  DamageSums damage_;
+  double weight_ = 0.0;  // of all loads
   WindowStatistics sums_;
   double begin_time_ = 0.0;        // [s]
   double begin_cage_angle_ = 0.0;  // [rad]
   double end_cage_angle_ = 0.0;    // [rad]
 };
-
-/// Equivalent load of a race [N] from the fourth powers of the loads by place: the standing race takes each
-/// place's own life, [(1/2pi) integral <Q^4>^(4.5/4)]^(1/4.5); the turning race the mean over all passages,
-/// Eqs. (37) and (39) of [Gai2025] with the sums over rollers taken over passages.
-double equivalent_load(const RaceStatistics& race, RaceMotion motion);
 
 /// Life by Lundberg and Palmgren from dynamic loads; arguments as in lundberg_palmgren_life().
 BearingLife dynamic_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,

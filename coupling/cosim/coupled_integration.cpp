@@ -18,7 +18,7 @@ namespace {
 using bearing::dynamics::BoreMotion;
 
 constexpr double kFirstStep = 1e-6;  // [s]
-constexpr double kSavedSystemKind = 30001.0;
+constexpr double kSavedSystemKind = 30002.0;
 constexpr std::ptrdiff_t kSavedSystemHead = 4;
 // Errors that linearly implicit steps may make in the gears, over those of dopri5.
 constexpr double kGearErrorFactor = 100.0;
@@ -99,7 +99,7 @@ void CoupledIntegration::forget() {
     turned_[place] = 0.0;
     angle_[place] = motion(b).angle;
     system_.loads[place].step_before = 0.0;
-    system_.sums[place] = LoadSums(setup_.bearing.places);
+    system_.sums[place] = bearing::dynamics::DamageSums(setup_.bearing.places);
   }
 }
 
@@ -230,8 +230,7 @@ void CoupledIntegration::each(Visit visit) {
     visit(all->data(), static_cast<long>(all->size()));
   for (std::size_t b = 0; b < turned_.size(); ++b) {
     visit(&system_.loads[b].step_before, 1);
-    for (Eigen::ArrayXd* sums : {&system_.sums[b].passages, &system_.sums[b].inner, &system_.sums[b].outer})
-      visit(sums->data(), static_cast<long>(sums->size()));
+    system_.sums[b].each(visit);
   }
 }
 

@@ -18,11 +18,12 @@ constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at o
 CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
     : loads(static_cast<std::size_t>(model.bearings()),
             LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
-      sums(static_cast<std::size_t>(model.bearings()), LoadSums(places)),
+      sums(static_cast<std::size_t>(model.bearings()), bearing::dynamics::DamageSums(places)),
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
       equations_(model.gears),
-      reactions_(static_cast<std::size_t>(model.bearings())) {
+      reactions_(static_cast<std::size_t>(model.bearings())),
+      bore_speed_(reactions_.size(), 0.0) {
   for (int b = 0; b < model.bearings(); ++b) bearings_.emplace_back(model.bearing);
   gear_size_ = (model.gears.layout.size() + kEight - 1) / kEight * kEight;
   bearing_size_ = bearings_.front().layout().size();
@@ -53,10 +54,12 @@ void CoupledSystem::evaluate(double time, const double* x, double* dx) {
     const PlanetPort& port = model_.port_of(b);
     if (b % model_.per_planet == 0) motion = bore_motion(model_, port, now, part(x, 0), part(x, n));
     VectorBearing& bearing = bearings_[static_cast<std::size_t>(b)];
-    if constexpr (WithSlopes)
+    if constexpr (WithSlopes) {
       bearing.linearise(motion, of_bearing(x, b), of_bearing(dx, b));
-    else
+      bore_speed_[static_cast<std::size_t>(b)] = motion.speed;
+    } else {
       bearing.derivative(motion, of_bearing(x, b), of_bearing(dx, b));
+    }
     const auto reaction = bearing.reaction();
     port_loads_.force.col(b / model_.per_planet) += reaction.force;
     port_loads_.moment[b / model_.per_planet] += reaction.moment;
@@ -140,9 +143,10 @@ void CoupledSystem::solve(const double* rhs, double* k) {
 }
 
 void CoupledSystem::begun(const std::vector<double>& x) {
-  for (int b = 0; b < bearings(); ++b)
-    loads[static_cast<std::size_t>(b)].take(of_bearing(x.data(), b) + bearing(b).layout().lanes(),
-                                            bearing(b).loads());
+  for (int b = 0; b < bearings(); ++b) {
+    const auto place = static_cast<std::size_t>(b);
+    loads[place].take(bearing(b), of_bearing(x.data(), b), bore_speed_[place]);
+  }
 }
 
 void CoupledSystem::stepped(double, double length) {

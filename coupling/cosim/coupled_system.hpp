@@ -52,10 +52,10 @@ class CoupledSystem {
   void stepped(double, double length);
   void settle(double time, std::vector<double>& x) const;
 
-  std::vector<LoadsAtStep> loads;  // (bearings)
-  std::vector<LoadSums> sums;      // (bearings)
-  std::vector<bool> counted;       // (bearings)  their loads of this step are in the sums already
-  long steps = 0;                  // [-]  accepted since construction
+  std::vector<LoadsAtStep> loads;                   // (bearings)
+  std::vector<bearing::dynamics::DamageSums> sums;  // (bearings)
+  std::vector<bool> counted;  // (bearings)  their loads of this step are in the sums already
+  long steps = 0;             // [-]  accepted since construction
 
   /// What the bearings did to their planets at the last evaluation, one entry a bearing.
   const std::vector<bearing::dynamics::BoreReaction>& reactions() const { return reactions_; }
@@ -69,6 +69,7 @@ class CoupledSystem {
   gearset::dynamics::PlanetarySetEquations equations_;
   std::vector<bearing::fast::VectorBearing> bearings_;
   std::vector<bearing::dynamics::BoreReaction> reactions_;
+  std::vector<double> bore_speed_;  // [rad/s]  (bearings)  at the last linearisation
   gearset::dynamics::PortLoads port_loads_;
   gearset::dynamics::ForceSlopes slopes_;
   SmallFactors::Matrix matrix_;

@@ -23,6 +23,7 @@ namespace {
 using bearing::dynamics::BearingModel;
 using bearing::dynamics::BoreMotion;
 using bearing::dynamics::BoreReaction;
+using bearing::dynamics::DamageSums;
 using bearing::dynamics::Snapshot;
 using bearing::fast::VectorBearing;
 
@@ -59,7 +60,7 @@ struct DrivenBearing::Inside {
     allowed = integration::bearing_allowed_errors(model.layout, setup.allowed_length_error,
                                                   model.geometry.pitch_radius,
                                                   integration::roller_frequency(model));
-    state.sums = LoadSums(setup.places);
+    state.sums = DamageSums(setup.places);
     state.flat = Eigen::VectorXd::Zero(model.layout.size());
     if (!bearing::fast::supports(model)) return;
     fast.emplace(model);
@@ -123,7 +124,7 @@ struct DrivenBearing::Inside {
     };
     const auto on_step = [&](double time, double step, const Eigen::Ref<const Eigen::VectorXd>& x) {
       const Snapshot now = driven_snapshot(model, motion_at(time), x);
-      loads.take(now.angle.data(), {now.inner.load.data(), now.outer.load.data()});
+      loads.take(loads_of(now));
       loads.count(step, state.sums);
     };
     state.flat = state_at(model, motion_at(0.0), state.flat);
@@ -173,7 +174,7 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
       driven_start(in.setup.bearing, in.model, in.setup.dynamics, motion, in.setup.first_roller);
   if (!start.allFinite()) throw std::runtime_error("driven bearing: the start is not finite");
   in.state = {};
-  in.state.sums = LoadSums(in.setup.places);
+  in.state.sums = DamageSums(in.setup.places);
   in.set(start);
 }
 
@@ -198,7 +199,7 @@ DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
   const BoreMotion here = in.here(motion);
   return driven_output(in.model.geometry, motion.speed, driven_snapshot(in.model, here, in.flat()),
                        in.reaction(here), in.state.turned,
-                       in.state.sums.life(in.setup.bearing, in.setup.lambda).bearing);
+                       in.state.sums.life(in.setup.bearing, in.setup.lambda, kStanding).bearing);
 }
 
 void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) const {

@@ -14,6 +14,9 @@
 
 namespace orbearing::cosim {
 
+/// The race at rest relative to the load: the pin's.
+inline constexpr bearing::Race kStanding = bearing::Race::inner;
+
 /// All that is fixed before a run.
 struct DrivenBearingSetup {
   bearing::CylindricalRollerBearing bearing;

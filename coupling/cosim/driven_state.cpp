@@ -7,7 +7,7 @@
 namespace orbearing::cosim {
 
 namespace {
-constexpr double kVersion = 1.0;
+constexpr double kVersion = 2.0;
 constexpr std::ptrdiff_t kHead = 4;  // version and kind
 }  // namespace
 

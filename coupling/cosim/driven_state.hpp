@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "coupling/cosim/load_sums.hpp"
+#include "bearing/dynamics/damage.hpp"
+#include "coupling/cosim/participant.hpp"
 
 namespace orbearing::cosim {
 
@@ -15,17 +16,15 @@ struct DrivenState {
   double angle = 0.0;        // [rad]  of the bore
   double turned = 0.0;       // [rad]  there and back
   double step_before = 0.0;  // [s]    half of it is not counted yet
-  LoadSums sums{0};
+  bearing::dynamics::DamageSums sums{0};
 
   /// Every number in turn, for `visit(double* first, size)`.
   template <class Visit>
   void each(Visit visit) {
     for (double* one : {&step, &angle, &turned, &step_before}) visit(one, 1);
     visit(x.data(), static_cast<long>(x.size()));
-    for (Eigen::Ref<Eigen::VectorXd> part :
-         {Eigen::Ref<Eigen::VectorXd>(flat), Eigen::Ref<Eigen::VectorXd>(sums.passages.matrix()),
-          Eigen::Ref<Eigen::VectorXd>(sums.inner.matrix()), Eigen::Ref<Eigen::VectorXd>(sums.outer.matrix())})
-      visit(part.data(), static_cast<long>(part.size()));
+    visit(flat.data(), static_cast<long>(flat.size()));
+    sums.each(visit);
   }
 };
 

@@ -4,29 +4,43 @@
 #include <algorithm>
 #include <vector>
 
+#include "bearing/dynamics/damage.hpp"
 #include "bearing/fast/vector_bearing.hpp"
 #include "coupling/cosim/driven_bearing.hpp"
-#include "coupling/cosim/load_sums.hpp"
 
 namespace orbearing::cosim {
 
 /// Loads of the state from which a step begins; they count for half the step before and half the one after.
 struct LoadsAtStep {
-  std::vector<double> angle, inner, outer;                      // [rad], [N]  (rollers)
+  std::vector<double> angle, orbital_speed, inner, outer;  // [rad], [rad/s], [N]  (rollers)
+  bearing::dynamics::RaceSpeeds races;
   double step_before = 0.0;                                     // [s]
   bearing::dynamics::StatisticsCollector* collector = nullptr;  // gets them too, where there is one
 
-  explicit LoadsAtStep(int rollers) : angle(static_cast<std::size_t>(rollers)), inner(angle), outer(angle) {}
+  explicit LoadsAtStep(int rollers)
+      : angle(static_cast<std::size_t>(rollers)), orbital_speed(angle), inner(angle), outer(angle) {}
 
-  void take(const double* angles, const bearing::fast::ContactLoads& loads) {
-    std::copy_n(angles, angle.size(), angle.begin());
+  void take(const bearing::dynamics::RollerLoads& loads) {
+    std::copy_n(loads.angle, angle.size(), angle.begin());
+    std::copy_n(loads.orbital_speed, angle.size(), orbital_speed.begin());
     std::copy_n(loads.inner, inner.size(), inner.begin());
     std::copy_n(loads.outer, outer.size(), outer.begin());
+    races = loads.races;
   }
-  void count(double step, LoadSums& sums) {
+  /// Those of the padded state `x`, at which `bearing` was evaluated last, with its bore at `bore_speed`
+  /// [rad/s].
+  void take(const bearing::fast::VectorBearing& bearing, const double* x, double bore_speed) {
+    const int lanes = bearing.layout().lanes();
+    const bearing::fast::ContactLoads loads = bearing.loads();
+    take({x + lanes, x + 3 * lanes, loads.inner, loads.outer,
+          bearing::dynamics::race_speeds(bearing.model().geometry, 0.0, bore_speed)});
+  }
+  void count(double step, bearing::dynamics::DamageSums& sums) {
     const double time = 0.5 * (step_before + step);
-    sums.add(time, static_cast<Eigen::Index>(angle.size()), angle.data(), inner.data(), outer.data());
-    if (collector) collector->add_loads(time, angle.data(), inner.data(), outer.data());
+    const bearing::dynamics::RollerLoads loads{angle.data(), orbital_speed.data(), inner.data(), outer.data(),
+                                               races};
+    sums.add(time, static_cast<Eigen::Index>(angle.size()), loads);
+    if (collector) collector->add_loads(time, loads);
     step_before = step;
   }
 };
@@ -36,7 +50,7 @@ struct LoadsAtStep {
 class DrivenSystem {
  public:
   DrivenSystem(bearing::fast::VectorBearing& bearing, const BoreCourse& inputs, double angle,
-               LoadsAtStep& loads, LoadSums& sums)
+               LoadsAtStep& loads, bearing::dynamics::DamageSums& sums)
       : bearing_(bearing),
         inputs_(inputs),
         angle_(integral(angle, inputs.speed)),
@@ -49,7 +63,11 @@ class DrivenSystem {
     return motion;
   }
 
-  void linearise(double time, const double* x, double* dx) { bearing_.linearise(at(time), x, dx); }
+  void linearise(double time, const double* x, double* dx) {
+    const bearing::dynamics::BoreMotion motion = at(time);
+    bore_speed_ = motion.speed;
+    bearing_.linearise(motion, x, dx);
+  }
   void derivative(double time, const double* x, double* dx) { bearing_.derivative(at(time), x, dx); }
   /// That of the bore's acceleration; speeds and frame change little in a step, and the order does not ask
   /// for theirs.
@@ -68,9 +86,7 @@ class DrivenSystem {
     bearing_.complete(rhs, rate, k);
   }
 
-  void begun(const std::vector<double>& x) {
-    loads_.take(x.data() + bearing_.layout().lanes(), bearing_.loads());
-  }
+  void begun(const std::vector<double>& x) { loads_.take(bearing_, x.data(), bore_speed_); }
   void stepped(double, double length) { loads_.count(length, sums_); }
   void settle(double time, std::vector<double>& x) const { put(at(time), x); }
 
@@ -90,7 +106,8 @@ class DrivenSystem {
   const BoreCourse& inputs_;
   Course angle_;
   LoadsAtStep& loads_;
-  LoadSums& sums_;
+  bearing::dynamics::DamageSums& sums_;
+  double bore_speed_ = 0.0;  // [rad/s]  at the last linearisation
   bearing::fast::PortMatrix port_;
 };
 

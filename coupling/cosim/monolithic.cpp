@@ -115,8 +115,8 @@ void Monolithic::collect_loads(int b, bearing::dynamics::StatisticsCollector* co
 }
 
 bearing::BearingLife Monolithic::life(int b) const {
-  return inside_->system().sums[static_cast<std::size_t>(b)].life(inside_->setup().bearing.bearing,
-                                                                  inside_->setup().bearing.lambda);
+  const DrivenBearingSetup& setup = inside_->setup().bearing;
+  return inside_->system().sums[static_cast<std::size_t>(b)].life(setup.bearing, setup.lambda, kStanding);
 }
 
 CoupledStart Monolithic::state() const {

@@ -65,6 +65,16 @@ IntegrationOptions integration_options(const BearingModel& model, const SteadySt
   return settings;
 }
 
+bool is_steady(const WindowStatistics& before, const WindowStatistics& now, double kinematic_cage_speed,
+               const SteadyStateOptions& options) {
+  const auto close = [&](double a, double b) {
+    return std::abs(a - b) <= options.load_drift * std::max(a, b);
+  };
+  return close(before.inner.load_rms, now.inner.load_rms) &&
+         close(before.outer.load_rms, now.outer.load_rms) &&
+         std::abs(before.cage_speed - now.cage_speed) <= options.cage_drift * std::abs(kinematic_cage_speed);
+}
+
 namespace {
 
 // Keeps the samples of the last window as series.
@@ -105,6 +115,8 @@ class SteadyRun {
         options_(options),
         result_(result),
         collector_(model().layout.rollers, options.places),
+        race_speeds_(bearing::dynamics::race_speeds(model().geometry, model().point.inner_speed,
+                                                    model().point.outer_speed)),
         window_(two_pi / std::abs(result.kinematic_cage_speed)) {
     settings_ = integration_options(model(), options);
     if (settings_.method == Method::linearly_implicit) vectorised_.emplace(model());
@@ -171,8 +183,9 @@ class SteadyRun {
       recorder.add(time, snapshot_);
     };
     const auto on_step = [&](const StepSample& step) {
-      collector_.add_loads(step.weight, step.state + vectorised_->layout().lanes(), step.inner_load,
-                           step.outer_load);
+      const int lanes = vectorised_->layout().lanes();
+      collector_.add_loads(step.weight, {step.state + lanes, step.state + 3 * lanes, step.inner_load,
+                                         step.outer_load, race_speeds_});
     };
     return integrate_bearing(*vectorised_, result_.final_state, output, settings_, observe, on_step);
   }
@@ -204,19 +217,10 @@ class SteadyRun {
   IntegrationOptions settings_;
   StatisticsCollector collector_;
   Snapshot snapshot_;
+  bearing::dynamics::RaceSpeeds race_speeds_;
   double window_;      // [s]
   double time_ = 0.0;  // [s]
 };
-
-bool is_steady(const WindowStatistics& before, const WindowStatistics& now, double kinematic_cage_speed,
-               const SteadyStateOptions& options) {
-  const auto close = [&](double a, double b) {
-    return std::abs(a - b) <= options.load_drift * std::max(a, b);
-  };
-  return close(before.inner.load_rms, now.inner.load_rms) &&
-         close(before.outer.load_rms, now.outer.load_rms) &&
-         std::abs(before.cage_speed - now.cage_speed) <= options.cage_drift * std::abs(kinematic_cage_speed);
-}
 
 // Windows until two in turn agree or there have been enough. False where the integration failed.
 bool settle(SteadyRun& run, const SteadyStateOptions& options, SteadyStateResult& result) {

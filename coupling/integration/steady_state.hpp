@@ -64,6 +64,11 @@ struct SteadyStateResult {
 void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples);
 void record(double time, const bearing::dynamics::Snapshot& now, Eigen::Index i, BearingSeries& series);
 
+/// Whether the means stand still from one window to the next.
+bool is_steady(const bearing::dynamics::WindowStatistics& before,
+               const bearing::dynamics::WindowStatistics& now, double kinematic_cage_speed,
+               const SteadyStateOptions& options);
+
 /// Options of the integrator with the errors allowed for the state of `model`.
 IntegrationOptions integration_options(const bearing::dynamics::BearingModel& model,
                                        const SteadyStateOptions& options);

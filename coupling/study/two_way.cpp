@@ -87,7 +87,8 @@ void add(const RaceStatistics& one, RaceStatistics& sum) {
   sum.load_rms += one.load_rms * one.load_rms;
   sum.load_max = std::max(sum.load_max, one.load_max);
   sum.mean_load += one.mean_load;
-  sum.mean_fourth_power += one.mean_fourth_power;
+  sum.passages += one.passages;
+  sum.damage += one.damage;
   sum.mean_sliding += one.mean_sliding;
   sum.least_film = std::min(sum.least_film, one.least_film);
 }
@@ -95,7 +96,8 @@ void add(const RaceStatistics& one, RaceStatistics& sum) {
 RaceStatistics zero(const RaceStatistics& like) {
   return {.roller_rms = Eigen::ArrayXd::Zero(like.roller_rms.size()),
           .mean_load = Eigen::ArrayXd::Zero(like.mean_load.size()),
-          .mean_fourth_power = Eigen::ArrayXd::Zero(like.mean_fourth_power.size()),
+          .passages = Eigen::ArrayXd::Zero(like.passages.size()),
+          .damage = Eigen::ArrayXd::Zero(like.damage.size()),
           .least_film = like.least_film};
 }
 
@@ -103,18 +105,9 @@ void divide(double number, RaceStatistics& sum) {
   sum.roller_rms = (sum.roller_rms / number).sqrt();
   sum.load_rms = std::sqrt(sum.load_rms / number);
   sum.mean_load /= number;
-  sum.mean_fourth_power /= number;
+  sum.passages /= number;
+  sum.damage /= number;
   sum.mean_sliding /= number;
-}
-
-bool is_steady(const WindowStatistics& before, const WindowStatistics& now, double kinematic_cage_speed,
-               const integration::SteadyStateOptions& options) {
-  const auto close = [&](double a, double b) {
-    return std::abs(a - b) <= options.load_drift * std::max(a, b);
-  };
-  return close(before.inner.load_rms, now.inner.load_rms) &&
-         close(before.outer.load_rms, now.outer.load_rms) &&
-         std::abs(before.cage_speed - now.cage_speed) <= options.cage_drift * std::abs(kinematic_cage_speed);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ TEST(DrivenBearingPath, HasOrderTwo) {
         fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
     LoadsAtStep loads(setup.bearing.rollers);
-    LoadSums sums(72);
+    bearing::dynamics::DamageSums sums(72);
     DrivenSystem system(fast, inputs, 0.0, loads, sums);
     double step = h;
     integration::through_window(stepper, system, x, kLength, {}, step);
