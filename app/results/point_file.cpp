@@ -105,6 +105,23 @@ void add_distribution(PointContent& content, const study::LoadDistribution& load
       {"outer_load", {"place"}, "N", "load of a roller on the outer race", loads.outer_load});
 }
 
+// Where planets carry unlike loads, or were computed one by one.
+void add_planets(PointContent& content, const std::vector<study::PlanetResult>& planets) {
+  content.dimensions.push_back({"planet", planets.size()});
+  const auto add = [&](const char* name, const char* units, const char* meaning,
+                       double study::PlanetResult::*member) {
+    NamedArray array{name, {"planet"}, units, meaning, {}};
+    for (const study::PlanetResult& planet : planets) array.values.push_back(planet.*member);
+    content.arrays.push_back(std::move(array));
+  };
+  add("planet_load_share", "1", "tangential load of a planet, mean over time, over the mean of all planets",
+      &study::PlanetResult::load_share);
+  add("planet_bearing_load", "N",
+      "load of the rollers on the bore of one bearing of a planet, mean over time",
+      &study::PlanetResult::load);
+  add("planet_life", "h", "fatigue life of one bearing of a planet", &study::PlanetResult::life_hours);
+}
+
 // Of a bearing cut into laminae, whose places are those of the distribution.
 void add_laminae(PointContent& content, const study::LaminaRecord& record) {
   content.dimensions.push_back({"lamina", record.lamina_place.size()});
@@ -154,6 +171,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   if (result.status == "ok" && !result.distribution.angle.empty())
     add_distribution(content, result.distribution);
   if (result.status == "ok" && result.laminae) add_laminae(content, *result.laminae);
+  if (result.status == "ok" && !result.planets.empty()) add_planets(content, result.planets);
   if (result.dynamic) add_series(result.dynamic->series, content);
   if (result.dynamic) add_final_state(result.dynamic->final_state, content);
   content.attributes = {{"Conventions", "CF-1.10"},

@@ -40,6 +40,18 @@ Column loss_column(const std::string& cause, const std::string& meaning, double 
           [part](const PointResult& r) { return r.dynamic ? part(r.dynamic->loss) : not_given; }};
 }
 
+std::vector<study::PlanetResult>::const_iterator shortest_lived(const PointResult& result) {
+  return std::min_element(result.planets.begin(), result.planets.end(),
+                          [](const auto& a, const auto& b) { return a.life_hours < b.life_hours; });
+}
+
+double shortest_life(const PointResult& result) {
+  if (result.two_way)
+    return *std::min_element(result.two_way->bearing_life_hours.begin(),
+                             result.two_way->bearing_life_hours.end());
+  return result.planets.empty() ? not_given : shortest_lived(result)->life_hours;
+}
+
 }  // namespace
 
 const std::vector<Column>& leading_columns() {
@@ -107,11 +119,22 @@ const std::vector<Column>& trailing_columns() {
       {"steady", "steady", "1", "1: the means stood still; 0: they drifted to the end", 1.0,
        [](const PointResult& r) { return r.dynamic ? (r.dynamic->steady ? 1.0 : 0.0) : not_given; }},
       {"shortest_life_h", "shortest_life", "h",
-       "life of the bearing that lives shortest, where bearings act back on the gears", 1.0,
+       "life of the bearing that lives shortest, where planets load unevenly or bearings act back on the "
+       "gears",
+       1.0, shortest_life},
+      {"shortest_life_planet", "shortest_life_planet", "1",
+       "planet whose bearings live shortest, counted from 1, where life_h is that of unlike planets together",
+       1.0,
        [](const PointResult& r) {
-         return r.two_way ? *std::min_element(r.two_way->bearing_life_hours.begin(),
-                                              r.two_way->bearing_life_hours.end())
-                          : not_given;
+         return r.planets.empty() ? not_given
+                                  : static_cast<double>(shortest_lived(r) - r.planets.begin() + 1);
+       }},
+      {"largest_load_share", "largest_load_share", "1",
+       "mean tangential load of the planet that carries most, over the mean of all planets", 1.0,
+       [](const PointResult& r) {
+         double most = not_given;
+         for (const study::PlanetResult& planet : r.planets) most = std::fmax(most, planet.load_share);
+         return most;
        }},
       {"interface_energy_residual", "interface_energy_residual", "1",
        "energy that the exchange of gears and bearings made or lost, over that which passed", 1.0,

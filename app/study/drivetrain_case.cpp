@@ -190,6 +190,19 @@ bearing::CylindricalRollerBearing bearing_of(const ResolvedCase& in) {
           .roller_profile = roller_profile_of(in)};
 }
 
+namespace {
+
+bool has_displaced_pins(const ResolvedCase& in) {
+  for (const char* path : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
+    if (!in.has(path)) continue;
+    const std::vector<double>& errors = in.list(path);
+    if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; })) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   if (!in.has("bearing.rollers")) return {.set = set_of(in), .drive = drive_of(in)};
   study::PlanetaryDrivetrain out = quasi_static_drivetrain(in);
@@ -200,6 +213,7 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   out.mesh_variation = in.flag("gearset.mesh_variation");
   if (!in.shape().several && !out.in_arrangement)
     out.gear_set = [in] { return gear_model_of(in).parameters; };
+  out.pins_displaced = has_displaced_pins(in);
   add_refinements(in, out);
   return out;
 }

@@ -80,7 +80,9 @@ Eigen::VectorXd state_at(const BearingModel& model, const BoreMotion& motion,
 
 Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
                          const Eigen::Ref<const Eigen::VectorXd>& x) {
-  return snapshot(model_at(model, motion), state_at(model, motion, x));
+  Snapshot now = snapshot(model_at(model, motion), state_at(model, motion, x));
+  now.laminae = cut_races(model);  // those of the instant are gone
+  return now;
 }
 
 }  // namespace orbearing::bearing::dynamics

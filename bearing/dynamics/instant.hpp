@@ -60,6 +60,7 @@ struct RollerForces {
   PocketForces pocket;
   double orbit_drag = 0.0;  // [N]    along e_theta
   double spin_drag = 0.0;   // [N m]
+  LaminaStand stand;        // of contacts cut into laminae
 };
 
 /// Direction of the pocket of roller `j` [-].
@@ -74,6 +75,7 @@ struct RollerContacts {
   FormedContact outer;
   double inner_load = 0.0;  // [N]
   double outer_load = 0.0;  // [N]
+  LaminaStand stand;        // of contacts cut into laminae
 };
 
 /// Elastic approach in the middle [m].
@@ -88,11 +90,14 @@ inline RollerContacts roller_contacts(const BearingModel& model, const RingBodie
   RollerContacts contacts{race_motion(model.inner, roller.motion, larger, rings.pin),
                           race_motion(model.outer, roller.motion, larger, rings.bore)};
   if (model.laminae) {
+    LaminaStand& stand = contacts.stand;
+    stand.inner_approach = elastic_approach(model.inner, contacts.inner.contact);
+    stand.outer_approach = elastic_approach(model.outer, contacts.outer.contact);
     const LaminaRaceLoads loads =
-        model.laminae->loads(elastic_approach(model.inner, contacts.inner.contact),
-                             elastic_approach(model.outer, contacts.outer.contact), roller.outward);
+        model.laminae->loads(stand.inner_approach, stand.outer_approach, roller.outward);
     contacts.inner_load = loads.inner;
     contacts.outer_load = loads.outer;
+    stand.tip = loads.tip;
   } else {
     contacts.inner_load = straight_load(model.inner, contacts.inner.contact);
     contacts.outer_load = straight_load(model.outer, contacts.outer.contact);
@@ -109,7 +114,8 @@ inline RollerForces roller_forces(const BearingModel& model, const RingBodies& r
           .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j),
                                   larger),
           .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
-          .spin_drag = model.spin_drag.force(roller.motion.speed)};
+          .spin_drag = model.spin_drag.force(roller.motion.speed),
+          .stand = contacts.stand};
 }
 
 /// The same for a model that is plain, at less cost.

@@ -16,13 +16,18 @@ bool symmetric(const laminae::LaminaContact& contact) {
   return (drops - drops.reverse()).abs().maxCoeff() <= 1e-15 * drops.abs().maxCoeff();
 }
 
+bool flat(const laminae::LaminaContact& contact) {
+  return contact.greatest_drop() == contact.least_drop();
+}
+
 }  // namespace
 
 LaminaRaces::LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact outer, const Vector2& bore_tilt)
     : inner_(std::move(inner)),
       outer_(std::move(outer)),
       bore_tip_(bore_tilt * outer_.half_length()),
-      upright_(bore_tilt == Vector2::Zero() && symmetric(inner_) && symmetric(outer_)) {}
+      upright_(bore_tilt == Vector2::Zero() && symmetric(inner_) && symmetric(outer_)),
+      even_(upright_ && flat(inner_) && flat(outer_)) {}
 
 // The elastic energy is convex in the tip, so that the moment out of balance falls with it: Newton's method
 // within a bracket.
@@ -54,6 +59,13 @@ LaminaRaceLoads LaminaRaces::loads(double inner_approach, double outer_approach,
   const double tip = upright_ ? 0.0 : roller_tip(inner_approach, outer_approach, outer_tip);
   return {inner_.evaluate(inner_approach, -tip).load, outer_.evaluate(outer_approach, tip - outer_tip).load,
           tip};
+}
+
+void LaminaRaces::put_loads(Race race, const LaminaStand& stand, const Vector2& outward, double* load) const {
+  if (race == Race::inner)
+    inner_.put_loads(stand.inner_approach, -stand.tip, load);
+  else
+    outer_.put_loads(stand.outer_approach, stand.tip - bore_tip_.dot(outward), load);
 }
 
 double LaminaRaces::energy(double inner_approach, double outer_approach, const Vector2& outward) const {

@@ -11,6 +11,13 @@
 
 namespace orbearing::bearing::dynamics {
 
+/// Where both contacts of a roller stand, from which the loads of their laminae follow.
+struct LaminaStand {
+  double inner_approach = 0.0;  // [m]  elastic, in the middle of the roller
+  double outer_approach = 0.0;  // [m]
+  double tip = 0.0;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
+};
+
 /// Elastic loads of both contacts of a roller.
 struct LaminaRaceLoads {
   double inner = 0.0;  // [N]
@@ -30,6 +37,11 @@ class LaminaRaces {
 
   const laminae::LaminaContact& inner() const { return inner_; }
   const laminae::LaminaContact& outer() const { return outer_; }
+  /// Loads [N] of the laminae of one contact, into an array of that many, of a roller in direction `outward`.
+  void put_loads(Race race, const LaminaStand& stand, const Vector2& outward, double* load) const;
+  /// Whether all laminae of a contact carry alike, whatever the loads: nothing tilts and nothing falls away.
+  bool even() const { return even_; }
+
   /// How much further outward the bore stands at x = l/2 for each direction [m].
   const Vector2& bore_tip() const { return bore_tip_; }
   /// Whether no roller ever tilts: the bore is not tilted and the profiles are symmetric.
@@ -42,6 +54,7 @@ class LaminaRaces {
   laminae::LaminaContact outer_;
   Vector2 bore_tip_;  // [m]
   bool upright_;
+  bool even_;
 };
 
 }  // namespace orbearing::bearing::dynamics

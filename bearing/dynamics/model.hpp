@@ -78,6 +78,12 @@ struct BearingModel {
 BearingModel bearing_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
                            const DynamicsParameters& parameters);
 
+/// The laminae of `model`; null where its contacts are not cut. Valid as long as the model stays in its
+/// place.
+inline const LaminaRaces* cut_races(const BearingModel& model) {
+  return model.laminae ? &*model.laminae : nullptr;
+}
+
 /// External load on the bore [N] at `time` [s], ripple included; in a run-up
 ///   meshes / s + centrifugal s^2 + euler,   s = 1 + growth t,
 /// the ripple falling and quickening with the meshes.

@@ -25,10 +25,12 @@ void resize(RaceSnapshot& race, Eigen::Index rollers) {
   race.least_film.resize(rollers);
 }
 
-void resize(Snapshot& into, Eigen::Index rollers) {
+void resize(Snapshot& into, Eigen::Index rollers, bool cut) {
   resize(into.inner, rollers);
   resize(into.outer, rollers);
   into.angle.resize(rollers);
+  for (Eigen::ArrayXd* stand : {&into.inner_approach, &into.outer_approach, &into.tip})
+    stand->resize(cut ? rollers : 0);
   into.orbital_speed.resize(rollers);
   into.spin.resize(rollers);
   into.pocket_load.resize(rollers);
@@ -40,6 +42,12 @@ void record(const RaceForces& forces, const FilmContact& film, Eigen::Index j, R
   race.sliding[j] = forces.sliding;
   race.entrainment[j] = forces.entrainment;
   race.least_film[j] = Film(film, forces.entrainment).least(forces.load);
+}
+
+void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
+  into.inner_approach[j] = stand.inner_approach;
+  into.outer_approach[j] = stand.outer_approach;
+  into.tip[j] = stand.tip;
 }
 
 void add_losses(const BearingModel& model, const RollerBody& roller, const RollerForces& forces,
@@ -157,8 +165,9 @@ double changing_film_power(const BearingModel& model, double time, const Eigen::
 }  // namespace
 
 RollerLoads loads_of(const Snapshot& snapshot) {
-  return {snapshot.angle.data(), snapshot.orbital_speed.data(), snapshot.inner.load.data(),
-          snapshot.outer.load.data(), snapshot.race_speeds};
+  return {snapshot.angle.data(),          snapshot.orbital_speed.data(),  snapshot.inner.load.data(),
+          snapshot.outer.load.data(),     snapshot.race_speeds,           snapshot.laminae,
+          snapshot.inner_approach.data(), snapshot.outer_approach.data(), snapshot.tip.data()};
 }
 
 Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time) {
@@ -172,7 +181,8 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
   const ConstStateViews state = state_views(model.layout, x.data());
   const RingBodies rings = ring_bodies(model, state, time);
   RingWrenches on_rings;
-  resize(into, model.layout.rollers);
+  into.laminae = cut_races(model);
+  resize(into, model.layout.rollers, into.laminae != nullptr);
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
     const RollerBody roller = roller_body(state, j);
     const RollerForces forces = roller_forces(model, rings, roller, j);
@@ -181,6 +191,7 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
     into.angle[j] = wrapped(roller.angle);
     into.orbital_speed[j] = roller.orbital_speed;
     into.spin[j] = roller.motion.speed;
+    if (into.laminae) put_stand(forces.stand, j, into);
     into.pocket_load[j] = forces.pocket.load;
     add_losses(model, roller, forces, into.loss);
     on_rings.add(forces);

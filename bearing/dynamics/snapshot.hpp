@@ -72,6 +72,9 @@ struct Snapshot {
   double cage_eccentricity = 0.0;           // [-]  of the land's clearance
   double bore_friction_moment = 0.0;        // [N m]  of the bearing on the bore
   RaceSpeeds race_speeds;
+  /// Where the contacts stand [m] (rollers), and the laminae; empty and none where contacts are not cut.
+  Eigen::ArrayXd inner_approach, outer_approach, tip;
+  const LaminaRaces* laminae = nullptr;
   PowerLoss loss;
 };
 

@@ -30,14 +30,14 @@ PowerLoss operator/(const PowerLoss& loss, double by) {
           .support = loss.support / by};
 }
 
-StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index places)
-    : rollers_(rollers), places_(places), damage_(places) {}
+StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index places, Eigen::Index laminae)
+    : rollers_(rollers), places_(places), laminae_(laminae), damage_(places, laminae) {}
 
 void StatisticsCollector::begin(double time, const Snapshot& at_start) {
   for (RaceSums* sums : {&inner_, &outer_})
     *sums = {.roller_square = Eigen::ArrayXd::Zero(rollers_),
              .least_film = std::numeric_limits<double>::infinity()};
-  damage_ = DamageSums(places_);
+  damage_ = DamageSums(places_, laminae_);
   weight_ = 0.0;
   sums_ = {};
   begin_time_ = time;
@@ -91,6 +91,8 @@ RaceStatistics StatisticsCollector::means(const RaceSums& sums, const RacePassag
           .mean_load = passages.mean_load(),
           .passages = passages.passages(),
           .damage = passages.damage(),
+          .lamina_damage = passages.lamina_damage(),
+          .lamina_load_max = passages.lamina_largest,
           .mean_sliding = sums.sliding / samples,
           .least_film = sums.least_film};
 }
@@ -112,7 +114,8 @@ WindowStatistics StatisticsCollector::means() const {
 
 BearingLife dynamic_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
                          const WindowStatistics& statistics) {
-  return life_under(bearing, lambda, standing, statistics.inner.damage, statistics.outer.damage);
+  const auto damage = [](const RaceStatistics& race) { return RaceDamage{race.damage, race.lamina_damage}; };
+  return life_under(bearing, lambda, standing, damage(statistics.inner), damage(statistics.outer));
 }
 
 }  // namespace orbearing::bearing::dynamics

@@ -14,14 +14,16 @@ PowerLoss operator/(const PowerLoss& loss, double by);
 
 /// Loads of one race over a window. Places are the bins of place_of().
 struct RaceStatistics {
-  Eigen::ArrayXd roller_rms;  // [N]    (rollers)  unloaded time included
-  double load_rms = 0.0;      // [N]    over all rollers
-  double load_max = 0.0;      // [N]
-  Eigen::ArrayXd mean_load;   // [N]    (places)  over the passages of rollers
-  Eigen::ArrayXd passages;    // [-]    (places)  that happened, over those of pure rolling
-  Eigen::ArrayXd damage;      // [N^4]  (places)  fourth powers of all passages over those of pure rolling
-  double mean_sliding = 0.0;  // [m/s]  mean of |sliding| over all rollers
-  double least_film = 0.0;    // [m]    least film of the most loaded roller
+  Eigen::ArrayXd roller_rms;      // [N]    (rollers)  unloaded time included
+  double load_rms = 0.0;          // [N]    over all rollers
+  double load_max = 0.0;          // [N]
+  Eigen::ArrayXd mean_load;       // [N]    (places)  over the passages of rollers
+  Eigen::ArrayXd passages;        // [-]    (places)  that happened, over those of pure rolling
+  Eigen::ArrayXd damage;          // [N^4]  (places)  fourth powers of all passages over those of pure rolling
+  Eigen::ArrayXXd lamina_damage;  // [N^4]  (laminae, places)  the same; no rows: all laminae carry alike
+  double lamina_load_max = 0.0;   // [N]
+  double mean_sliding = 0.0;      // [m/s]  mean of |sliding| over all rollers
+  double least_film = 0.0;        // [m]    least film of the most loaded roller
 };
 
 /// One window.
@@ -42,7 +44,8 @@ struct WindowStatistics {
 /// Gathers samples evenly spaced in time and turns them into means.
 class StatisticsCollector {
  public:
-  StatisticsCollector(Eigen::Index rollers, Eigen::Index places);
+  /// `laminae` as uneven_laminae() says.
+  StatisticsCollector(Eigen::Index rollers, Eigen::Index places, Eigen::Index laminae = 0);
 
   /// `at_start` is the snapshot at the beginning of the window.
   void begin(double time, const Snapshot& at_start);
@@ -65,6 +68,7 @@ class StatisticsCollector {
 
   Eigen::Index rollers_;
   Eigen::Index places_;
+  Eigen::Index laminae_;
   RaceSums inner_;
   RaceSums outer_;
   DamageSums damage_;

@@ -21,10 +21,15 @@ struct PaddedLayout {
   int size() const { return (end() + kPadding - 1) / kPadding * kPadding; }
 };
 
-/// Loads of all contacts at the last evaluation [N], lanes() entries each.
+/// Loads of all contacts at the last evaluation [N], lanes() entries each; of contacts cut into laminae also
+/// where they stand.
 struct ContactLoads {
   const double* inner;
   const double* outer;
+  const double* inner_approach = nullptr;  // [m]  elastic, in the middle of the roller; null: not cut
+  const double* outer_approach = nullptr;  // [m]
+  const double* tip =
+      nullptr;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
 };
 
 /// What each roller brings along, lanes() entries each.

@@ -51,10 +51,15 @@ inline Both contact_tips(const Pack& tip, const Pack& outer_tip) {
   return {-tip, tip - outer_tip};
 }
 
+/// Where the contacts of a pack of rollers stand at the last evaluation, for whoever asks for single laminae.
+struct LaminaStand {
+  Pack inner_approach{}, outer_approach{}, tip{};  // [m]
+};
+
 /// Each roller tilts to where the moments of both contacts balance: Newton's method within a bracket, since
 /// the moment out of balance falls with the tilt.
 [[gnu::noinline]] inline LaminaPackSums balanced_sums(const BothRaces& race, const Both& elastic,
-                                                      const Pack& outer_tip) {
+                                                      const Pack& outer_tip, Pack& tip) {
   constexpr int kMostIterations = 60;
   constexpr double kBalance = 1e-12;  // of the loads
   constexpr double kNothing = 1e-9;   // [N]  tip loads that move no roller
@@ -64,7 +69,7 @@ inline Both contact_tips(const Pack& tip, const Pack& outer_tip) {
   Pack low = -reach, high = reach;
   const Pack inner_only = only(~(elastic.high > 0.0), spread(1.0));
   const Pack outer_only = only(~(elastic.low > 0.0), spread(1.0));
-  Pack tip = outer_tip * (0.5 + 0.5 * outer_only) * (1.0 - inner_only + inner_only * outer_only);
+  tip = outer_tip * (0.5 + 0.5 * outer_only) * (1.0 - inner_only + inner_only * outer_only);
   LaminaPackSums sums;
   for (int i = 0; i < kMostIterations; ++i) {
     sums = tilted_sums(laminae, elastic, contact_tips(tip, outer_tip));
@@ -86,11 +91,13 @@ inline Both contact_tips(const Pack& tip, const Pack& outer_tip) {
 /// race to the other through that tilt is left out: the integrator keeps its order with any matrix, and
 /// nothing passes without tilt.
 inline LoadSlope lamina_load(const BothRaces& race, const ElasticApproach& e, const Pack& cosine,
-                             const Pack& sine) {
+                             const Pack& sine, LaminaStand& stand) {
   const LaminaConstants& laminae = race.laminae;
+  stand = {e.value.low, e.value.high, Pack{}};
   const LaminaPackSums sums =
-      laminae.upright ? upright_sums(laminae, e.value)
-                      : balanced_sums(race, e.value, laminae.bore_tip_x * cosine + laminae.bore_tip_y * sine);
+      laminae.upright
+          ? upright_sums(laminae, e.value)
+          : balanced_sums(race, e.value, laminae.bore_tip_x * cosine + laminae.bore_tip_y * sine, stand.tip);
   const PerRace share = race.stiffness * (1.0 / laminae.count);
   Both slope = sums.by_approach;
   if (!laminae.upright) {

@@ -55,7 +55,10 @@ class LaneEngine final : public Engine {
         linear_(packs_),
         block_(packs_),
         inner_load_(packs_),
-        outer_load_(packs_) {}
+        outer_load_(packs_),
+        inner_approach_(packs_),
+        outer_approach_(packs_),
+        tip_(packs_) {}
 
   [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
     evaluate<false>(x, load_x, load_y, dx);
@@ -66,8 +69,16 @@ class LaneEngine final : public Engine {
   bool factor(double g) override;
   void solve(const double* rhs, double* k) const override;
   ContactLoads loads() const override {
-    return {reinterpret_cast<const double*>(&inner_load_[0]),
-            reinterpret_cast<const double*>(&outer_load_[0])};
+    const auto numbers = [](const AlignedArray<Pack>& packs) {
+      return reinterpret_cast<const double*>(&packs[0]);
+    };
+    ContactLoads loads{numbers(inner_load_), numbers(outer_load_)};
+    if (c_.laminae.count > 0) {
+      loads.inner_approach = numbers(inner_approach_);
+      loads.outer_approach = numbers(outer_approach_);
+      loads.tip = numbers(tip_);
+    }
+    return loads;
   }
   void set_surroundings(const Surroundings& now) override;
   BoreForces bore_forces() const override { return on_bore_; }
@@ -109,6 +120,7 @@ class LaneEngine final : public Engine {
   AlignedArray<RollerBlock> block_;
   AlignedArray<Pack> inner_load_;
   AlignedArray<Pack> outer_load_;
+  AlignedArray<Pack> inner_approach_, outer_approach_, tip_;  // [m]  of contacts cut into laminae
   RingBlock rings_;
   double g_ = 0.0;
   GuidanceDual land_x_, land_y_, land_moment_;
@@ -179,10 +191,16 @@ void LaneEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     return relative_motion(r, radial, orbital, spin, cosine, sine, body);
   };
   ContactSlopes<Both> slopes;
+  LaminaStand stand;
   const ContactForce<Both> races = race_contact<WithSlopes>(
       races_, radius, here, cosine, sine,
       joined(motion_to({pin[0], pin[1], pin[2], pin[3]}), motion_to({bore[0], bore[1], bore[2], bore[3]})),
-      slopes);
+      slopes, stand);
+  if (c_.laminae.count > 0) {
+    inner_approach_[p] = stand.inner_approach;
+    outer_approach_[p] = stand.outer_approach;
+    tip_[p] = stand.tip;
+  }
   if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
   const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
              own_sine = load(given_.pocket_sine + p * kLanes);

@@ -112,13 +112,14 @@ struct RaceLoads {
 };
 
 template <bool WithSlopes>
-RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine) {
+RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine,
+                     LaminaStand& stand) {
   RaceLoads x;
   const bool needs_log = race.film || race.limiting_shear || race.mixed || race.rolling_resistance;
   const Both log_entrainment = needs_log ? logarithm(m.entrainment) : Both{};
   const ElasticApproach e = elastic_approach<WithSlopes>(race, m.approach, m.entrainment, log_entrainment);
   const LoadSlope elastic =
-      race.laminae.count > 0 ? lamina_load(race, e, cosine, sine) : straight_load(race, e);
+      race.laminae.count > 0 ? lamina_load(race, e, cosine, sine, stand) : straight_load(race, e);
   x.elastic = {elastic.load, elastic.slope * e.by_approach, elastic.slope * e.by_entrainment};
   x.damped = larger(1.0 + race.damping * m.closing, Both{});
   x.load = x.elastic.value * x.damped;
@@ -252,13 +253,14 @@ inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLo
 }
 
 /// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
-/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' places.
+/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' places. `stand` is
+/// set where the contacts are cut into laminae.
 template <bool WithSlopes>
 ContactForce<Both> race_contact(const BothRaces& race, const Pack& radius, const Mask& present,
                                 const Pack& cosine, const Pack& sine, const RelativeMotion<Both>& relative,
-                                ContactSlopes<Both>& slopes) {
+                                ContactSlopes<Both>& slopes, LaminaStand& stand) {
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
-  const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine);
+  const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
   ContactForce<Both> result;
   if (!any(x.elastic.value > 0.0)) {
     if constexpr (WithSlopes) slopes = ContactSlopes<Both>{};

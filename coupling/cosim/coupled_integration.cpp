@@ -99,7 +99,7 @@ void CoupledIntegration::forget() {
     turned_[place] = 0.0;
     angle_[place] = motion(b).angle;
     system_.loads[place].step_before = 0.0;
-    system_.sums[place] = bearing::dynamics::DamageSums(setup_.bearing.places);
+    system_.sums[place] = system_.no_damage(setup_.bearing.places);
   }
 }
 

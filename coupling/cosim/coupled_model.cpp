@@ -63,8 +63,9 @@ double change(const std::vector<PlanetForceCourse>& before, const std::vector<Pl
 
 }  // namespace
 
-DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int bearing) {
+DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int bearing) {
   DrivenBearingSetup own = setup.bearing;
+  if (!setup.bore_tilts.empty()) own.bore_tilt = setup.bore_tilts[static_cast<std::size_t>(planet)];
   const double pitch = two_pi / own.bearing.rollers;
   own.first_roller += pitch * bearing / setup.bearings_per_planet;
   return own;
@@ -83,6 +84,9 @@ CoupledModel coupled_model(const CoupledSetup& setup) {
                      {},
                      setup.bearings_per_planet};
   for (const PlanetBearing& bearing : model.gears.bearings) model.ports.push_back(port_of(bearing));
+  if (!setup.bore_tilts.empty())
+    for (int planet = 0; planet < setup.gears.set.planets; ++planet)
+      model.tilted.push_back(driven_model(bearing_of_planet(setup, planet, 0)));
   return model;
 }
 
@@ -108,7 +112,7 @@ CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model,
   DrivenGears gears(setup.gears);
   std::vector<DrivenBearing> bearings;
   for (int b = 0; b < model.bearings(); ++b)
-    bearings.emplace_back(bearing_of_planet(setup, b % model.per_planet));
+    bearings.emplace_back(bearing_of_planet(setup, b / model.per_planet, b % model.per_planet));
   gears.initialize(time);
   std::vector<PlanetForceCourse> forces = answer(model, gears.output(), bearings);
   for (int round = 0; round < kMostRounds; ++round) {

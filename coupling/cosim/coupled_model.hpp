@@ -19,10 +19,11 @@ struct CoupledSetup {
   DrivenBearingSetup bearing;  // of each; first_roller is that of the first bearing of a planet
   int bearings_per_planet = 2;
   int most_refined = 2;  // [-]  bearings that may take shorter steps than all others at a time
+  std::vector<Eigen::Vector2d> bore_tilts = {};  // [rad]  (planets) where unlike; empty: bearing.bore_tilt
 };
 
-/// That of one bearing of a planet, counted from 0.
-DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int bearing);
+/// That of one bearing of a planet, both counted from 0.
+DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int bearing);
 
 /// How the bore of a planet follows the gear set: linear in (x, y, u) of carrier and planet, less the error
 /// of its pin.
@@ -50,7 +51,11 @@ struct CoupledModel {
   bearing::dynamics::BearingModel bearing;
   std::vector<PlanetPort> ports;  // (planets)
   int per_planet = 1;
+  std::vector<bearing::dynamics::BearingModel> tilted = {};  // (planets) where their tilts are unlike
 
+  const bearing::dynamics::BearingModel& bearing_of(int b) const {
+    return tilted.empty() ? bearing : tilted[static_cast<std::size_t>(b / per_planet)];
+  }
   int bearings() const { return static_cast<int>(ports.size()) * per_planet; }
   const PlanetPort& port_of(int b) const { return ports[static_cast<std::size_t>(b / per_planet)]; }
 };

@@ -11,6 +11,10 @@ using bearing::dynamics::BoreMotion;
 using bearing::fast::VectorBearing;
 using gearset::dynamics::SetLayout;
 
+bearing::dynamics::DamageSums empty_sums(const CoupledModel& model, long places) {
+  return bearing::dynamics::DamageSums(places, uneven_laminae(cut_races(model.bearing_of(0))));
+}
+
 constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at once
 
 }  // namespace
@@ -18,19 +22,23 @@ constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at o
 CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
     : loads(static_cast<std::size_t>(model.bearings()),
             LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
-      sums(static_cast<std::size_t>(model.bearings()), bearing::dynamics::DamageSums(places)),
+      sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, places)),
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
       equations_(model.gears),
       reactions_(static_cast<std::size_t>(model.bearings())),
       bore_speed_(reactions_.size(), 0.0) {
-  for (int b = 0; b < model.bearings(); ++b) bearings_.emplace_back(model.bearing);
+  for (int b = 0; b < model.bearings(); ++b) bearings_.emplace_back(model.bearing_of(b));
   gear_size_ = (model.gears.layout.size() + kEight - 1) / kEight * kEight;
   bearing_size_ = bearings_.front().layout().size();
   port_loads_.force.setZero(2, model.gears.layout.planets);
   port_loads_.moment.setZero(model.gears.layout.planets);
   right_.resize(freedoms());
   rate_.resize(freedoms());
+}
+
+bearing::dynamics::DamageSums CoupledSystem::no_damage(long places) const {
+  return empty_sums(model_, places);
 }
 
 void CoupledSystem::set_piece(double begin, double first, double last) {

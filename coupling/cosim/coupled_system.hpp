@@ -52,6 +52,9 @@ class CoupledSystem {
   void stepped(double, double length);
   void settle(double time, std::vector<double>& x) const;
 
+  /// Sums of a bearing that nothing was counted of yet.
+  bearing::dynamics::DamageSums no_damage(long places) const;
+
   std::vector<LoadsAtStep> loads;                   // (bearings)
   std::vector<bearing::dynamics::DamageSums> sums;  // (bearings)
   std::vector<bool> counted;  // (bearings)  their loads of this step are in the sums already

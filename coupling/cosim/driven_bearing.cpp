@@ -60,7 +60,7 @@ struct DrivenBearing::Inside {
     allowed = integration::bearing_allowed_errors(model.layout, setup.allowed_length_error,
                                                   model.geometry.pitch_radius,
                                                   integration::roller_frequency(model));
-    state.sums = DamageSums(setup.places);
+    state.sums = no_damage();
     state.flat = Eigen::VectorXd::Zero(model.layout.size());
     if (!bearing::fast::supports(model)) return;
     fast.emplace(model);
@@ -69,6 +69,8 @@ struct DrivenBearing::Inside {
     rate = at_instant;
     set(Eigen::VectorXd::Zero(model.layout.size()));
   }
+
+  DamageSums no_damage() const { return DamageSums(setup.places, uneven_laminae(cut_races(model))); }
 
   void set(const Eigen::VectorXd& x) {
     if (fast) {
@@ -174,7 +176,7 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
       driven_start(in.setup.bearing, in.model, in.setup.dynamics, motion, in.setup.first_roller);
   if (!start.allFinite()) throw std::runtime_error("driven bearing: the start is not finite");
   in.state = {};
-  in.state.sums = DamageSums(in.setup.places);
+  in.state.sums = in.no_damage();
   in.set(start);
 }
 

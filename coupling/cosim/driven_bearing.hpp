@@ -24,9 +24,12 @@ struct DrivenBearingSetup {
   double orbit_radius = 0.0;                       // [m]    from the carrier's axis to the pin's
   double first_roller = 0.0;                       // [rad]  place of the first roller at the start
   double lambda = 0.83;                            // [-]    of the Lundberg-Palmgren life
-  double allowed_length_error = 2e-10;             // [m]    of one step; all other variables follow from it
-  long places = 72;                                // [-]    bins on the races, for the life
-  long most_steps = 10'000'000;                    // [-]    in one call of advance() before it gives up
+  /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Felt by
+  /// laminae only, and refused without them.
+  Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
+  double allowed_length_error = 2e-10;  // [m]    of one step; all other variables follow from it
+  long places = 72;                     // [-]    bins on the races, for the life
+  long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
 };
 
 /// Inputs over a window.

@@ -28,6 +28,10 @@ void check_numbers(const DrivenBearingSetup& setup) {
   require(std::isfinite(setup.allowed_length_error) && setup.allowed_length_error > 0.0,
           "allowed length error [m]", setup.allowed_length_error, "more than 0");
   require(setup.places >= 1, "places on the races", static_cast<double>(setup.places), "at least 1");
+  const double tilt = setup.bore_tilt.norm();
+  require(std::isfinite(tilt), "tilt of the bore [rad]", tilt, "a finite number");
+  require(tilt == 0.0 || setup.bearing.laminae > 0, "tilt of the bore [rad]", tilt,
+          "0 without laminae, which alone feel it");
   require(setup.most_steps >= 1, "largest number of steps", static_cast<double>(setup.most_steps),
           "at least 1");
 }
@@ -87,6 +91,7 @@ bearing::dynamics::BearingModel driven_model(const DrivenBearingSetup& setup) {
   check_effects(setup.dynamics);
   bearing::OperatingPoint point;
   point.carrier.orbit_radius = setup.orbit_radius;
+  point.bore_tilt = setup.bore_tilt;
   return bearing_model(setup.bearing, point, setup.dynamics);
 }
 

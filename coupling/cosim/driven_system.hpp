@@ -12,7 +12,9 @@ namespace orbearing::cosim {
 
 /// Loads of the state from which a step begins; they count for half the step before and half the one after.
 struct LoadsAtStep {
-  std::vector<double> angle, orbital_speed, inner, outer;  // [rad], [rad/s], [N]  (rollers)
+  std::vector<double> angle, orbital_speed, inner, outer;   // [rad], [rad/s], [N]  (rollers)
+  std::vector<double> inner_approach, outer_approach, tip;  // [m]  (rollers) or none
+  const bearing::dynamics::LaminaRaces* laminae = nullptr;  // where they are counted one by one
   bearing::dynamics::RaceSpeeds races;
   double step_before = 0.0;                                     // [s]
   bearing::dynamics::StatisticsCollector* collector = nullptr;  // gets them too, where there is one
@@ -26,6 +28,11 @@ struct LoadsAtStep {
     std::copy_n(loads.inner, inner.size(), inner.begin());
     std::copy_n(loads.outer, outer.size(), outer.begin());
     races = loads.races;
+    laminae = uneven_laminae(loads.laminae) > 0 ? loads.laminae : nullptr;
+    if (!laminae) return;
+    inner_approach.assign(loads.inner_approach, loads.inner_approach + angle.size());
+    outer_approach.assign(loads.outer_approach, loads.outer_approach + angle.size());
+    tip.assign(loads.tip, loads.tip + angle.size());
   }
   /// Those of the padded state `x`, at which `bearing` was evaluated last, with its bore at `bore_speed`
   /// [rad/s].
@@ -33,12 +40,14 @@ struct LoadsAtStep {
     const int lanes = bearing.layout().lanes();
     const bearing::fast::ContactLoads loads = bearing.loads();
     take({x + lanes, x + 3 * lanes, loads.inner, loads.outer,
-          bearing::dynamics::race_speeds(bearing.model().geometry, 0.0, bore_speed)});
+          bearing::dynamics::race_speeds(bearing.model().geometry, 0.0, bore_speed),
+          cut_races(bearing.model()), loads.inner_approach, loads.outer_approach, loads.tip});
   }
   void count(double step, bearing::dynamics::DamageSums& sums) {
     const double time = 0.5 * (step_before + step);
-    const bearing::dynamics::RollerLoads loads{angle.data(), orbital_speed.data(), inner.data(), outer.data(),
-                                               races};
+    const bearing::dynamics::RollerLoads loads{
+        angle.data(), orbital_speed.data(),  inner.data(),          outer.data(), races,
+        laminae,      inner_approach.data(), outer_approach.data(), tip.data()};
     sums.add(time, static_cast<Eigen::Index>(angle.size()), loads);
     if (collector) collector->add_loads(time, loads);
     step_before = step;

@@ -95,19 +95,20 @@ DrivenGearsOutput Monolithic::gears() const {
 }
 
 bearing::dynamics::BoreReaction Monolithic::reaction(int b) const {
-  return bearing::dynamics::reaction(inside_->model().bearing, inside_->motion(b), inside_->bearing_state(b));
+  return bearing::dynamics::reaction(inside_->model().bearing_of(b), inside_->motion(b),
+                                     inside_->bearing_state(b));
 }
 
 DrivenBearingOutput Monolithic::bearing(int b) const {
   const Inside& in = *inside_;
   const BoreMotion motion = in.motion(b);
-  const bearing::dynamics::BearingModel& model = in.model().bearing;
+  const bearing::dynamics::BearingModel& model = in.model().bearing_of(b);
   return driven_output(model.geometry, motion.speed, driven_snapshot(model, motion, in.bearing_state(b)),
                        reaction(b), in.turned(b), life(b).bearing);
 }
 
 void Monolithic::take_snapshot(int b, Snapshot& into) const {
-  into = driven_snapshot(inside_->model().bearing, inside_->motion(b), inside_->bearing_state(b));
+  into = driven_snapshot(inside_->model().bearing_of(b), inside_->motion(b), inside_->bearing_state(b));
 }
 
 void Monolithic::collect_loads(int b, bearing::dynamics::StatisticsCollector* collector) {

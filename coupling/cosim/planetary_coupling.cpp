@@ -22,7 +22,7 @@ PlanetaryCoupling planetary_coupling(const CoupledSetup& setup) {
   for (int planet = 0; planet < setup.gears.set.planets; ++planet)
     for (int bearing = 0; bearing < setup.bearings_per_planet; ++bearing)
       out.bearings.push_back(std::make_unique<BearingParticipant>(
-          bearing_of_planet(setup, bearing),
+          bearing_of_planet(setup, planet, bearing),
           BearingPlace{bearing_name(planet, bearing), planet, setup.gears.operation}));
   return out;
 }

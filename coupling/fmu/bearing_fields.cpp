@@ -132,6 +132,15 @@ void add_run(Fields& f) {
           {"first_roller", "rad", "place of the first roller at the start", parameter, any},
           [](auto& m) -> auto& { return m.setup.first_roller; })
       .number(
+          {"bearing.misalignment.x", "rad",
+           "tilt of the bore's axis against the pin's: outward at the bearing's positive end; felt by "
+           "laminae",
+           parameter, any},
+          [](auto& m) -> auto& { return m.setup.bore_tilt.x(); })
+      .number(
+          {"bearing.misalignment.y", "rad", "the same in the sense of carrier rotation", parameter, any},
+          [](auto& m) -> auto& { return m.setup.bore_tilt.y(); })
+      .number(
           {"life.lambda", "1", "product of lambda and nu of ISO/TR 1281-1", parameter, positive},
           [](auto& m) -> auto& { return m.setup.lambda; })
       .number(

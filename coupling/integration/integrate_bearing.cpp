@@ -49,12 +49,17 @@ class Interpolation {
 struct Waiting {
   State state, inner, outer;
   double step_before = 0.0;
+  State inner_approach, outer_approach, tip;  // of contacts cut into laminae
 
   void take(const State& x, const bearing::fast::ContactLoads& loads, double step) {
     state = x;
     std::copy(loads.inner, loads.inner + inner.size(), inner.begin());
     std::copy(loads.outer, loads.outer + outer.size(), outer.begin());
     step_before = step;
+    if (!loads.tip) return;
+    inner_approach.assign(loads.inner_approach, loads.inner_approach + inner.size());
+    outer_approach.assign(loads.outer_approach, loads.outer_approach + inner.size());
+    tip.assign(loads.tip, loads.tip + inner.size());
   }
 };
 
@@ -122,7 +127,8 @@ class BearingRun {
   void count(double step_after) const {
     if (!on_step_) return;
     const double weight = 0.5 * (waiting_.step_before + step_after);
-    on_step_({weight, waiting_.state.data(), waiting_.inner.data(), waiting_.outer.data()});
+    on_step_({weight, waiting_.state.data(), waiting_.inner.data(), waiting_.outer.data(),
+              waiting_.inner_approach.data(), waiting_.outer_approach.data(), waiting_.tip.data()});
   }
 
   VectorBearing& bearing_;

@@ -12,6 +12,10 @@ struct StepSample {
   const double* state = nullptr;       // padded
   const double* inner_load = nullptr;  // [N]  one for each roller
   const double* outer_load = nullptr;  // [N]
+  /// Where contacts that are cut into laminae stand [m], one for each roller; else null.
+  const double* inner_approach = nullptr;
+  const double* outer_approach = nullptr;
+  const double* tip = nullptr;
 };
 using StepObserver = std::function<void(const StepSample&)>;
 

@@ -41,7 +41,7 @@ void follow(const PlanetBearingEquations& equations, const SteadyStateOptions& o
   const long samples = samples_of(model, options, duration);
   const long stride = std::max(1L, samples / std::max(1L, options.series_samples));
   const double interval = duration / static_cast<double>(samples);
-  StatisticsCollector collector(model.layout.rollers, options.places);
+  StatisticsCollector collector(model.layout.rollers, options.places, uneven_laminae(cut_races(model)));
   Snapshot now;
   take_snapshot(model, result.final_state, now, 0.0);
   collector.begin(0.0, now);

@@ -114,7 +114,8 @@ class SteadyRun {
       : equations_(equations),
         options_(options),
         result_(result),
-        collector_(model().layout.rollers, options.places),
+        collector_(model().layout.rollers, options.places,
+                   bearing::dynamics::uneven_laminae(cut_races(model()))),
         race_speeds_(bearing::dynamics::race_speeds(model().geometry, model().point.inner_speed,
                                                     model().point.outer_speed)),
         window_(two_pi / std::abs(result.kinematic_cage_speed)) {
@@ -185,7 +186,8 @@ class SteadyRun {
     const auto on_step = [&](const StepSample& step) {
       const int lanes = vectorised_->layout().lanes();
       collector_.add_loads(step.weight, {step.state + lanes, step.state + 3 * lanes, step.inner_load,
-                                         step.outer_load, race_speeds_});
+                                         step.outer_load, race_speeds_, cut_races(model()),
+                                         step.inner_approach, step.outer_approach, step.tip});
     };
     return integrate_bearing(*vectorised_, result_.final_state, output, settings_, observe, on_step);
   }

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "coupling/study/load_sharing.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "gearset/dynamics/model.hpp"
 
@@ -14,6 +15,7 @@ cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivet
           .orbit_radius = geometry.gears.centre_distance,
           .first_roller = drivetrain.steady_state.first_roller,
           .lambda = drivetrain.lambda,
+          .bore_tilt = bearing_duty(drivetrain, geometry).point.bore_tilt,
           .allowed_length_error = drivetrain.steady_state.allowed_length_error,
           .places = drivetrain.steady_state.places};
 }
@@ -34,8 +36,12 @@ cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain
 }
 
 cosim::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
-  return {driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
-          drivetrain.bearings_per_planet};
+  cosim::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
+                            drivetrain.bearings_per_planet};
+  if (drivetrain.pins_displaced && drivetrain.misalignment.planet_tilt != 0.0)
+    for (const BearingDuty& duty : planet_duties(drivetrain, geometry))
+      setup.bore_tilts.push_back(duty.point.bore_tilt);
+  return setup;
 }
 
 }  // namespace orbearing::study

@@ -14,6 +14,14 @@ DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
   return geometry;
 }
 
+bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain) {
+  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
+                                      .cage_positions = drivetrain.cage_positions};
+  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
+  options.film_approach = drivetrain.film_approach;
+  return options;
+}
+
 Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load) {
   return misalignment.planet_tilt * load.normalized() +
          misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();

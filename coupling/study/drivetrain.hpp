@@ -54,8 +54,9 @@ struct PlanetaryDrivetrain {
   /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes
   /// give their mean forces. Called once for each operating point that is computed in time.
   std::function<gearset::dynamics::SetParameters()> gear_set;
-  bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
-  int cage_positions = 16;     // cage angles over one roller pitch that the quasi-static model averages
+  bool pins_displaced = false;  // of gear_set: pins stand off their places, so that planets load unevenly
+  bool mesh_variation = true;   // false: the meshes keep their mean stiffness, and give their mean forces
+  int cage_positions = 16;      // cage angles over one roller pitch that the quasi-static model averages
 };
 
 /// What follows from the parameters whatever the power and speed.
@@ -73,7 +74,11 @@ DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain);
 struct BearingDuty {
   gearset::MeanLoads gears;
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
+  int planet = 0;                 // [-]  whose, counted from 0
 };
+
+/// Film, inertia and cage angles of the quasi-static bearing.
+bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain);
 
 /// Inclination of the bore's axis against the pin's [rad], (x, y): the planet's tilt along `load` [N], the
 /// wind-up along y.

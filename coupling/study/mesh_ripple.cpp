@@ -36,8 +36,8 @@ bearing::dynamics::MeshRipple mesh_ripple(const PlanetaryDrivetrain& drivetrain,
   const GearRunOptions options;
   const GearRunResult run = run_gears(model, options);
   if (!run.completed) throw std::runtime_error("gears: " + run.message);
-  const SignalStatistics& sun = run.planets.front().sun_mesh_force;
-  const SignalStatistics& ring = run.planets.front().ring_mesh_force;
+  const SignalStatistics& sun = run.planets[static_cast<std::size_t>(duty.planet)].sun_mesh_force;
+  const SignalStatistics& ring = run.planets[static_cast<std::size_t>(duty.planet)].ring_mesh_force;
   const auto load = [&](double sun_force, double ring_force) {
     return load_of(sun_force, ring_force, drivetrain, geometry, duty);
   };

@@ -8,12 +8,12 @@
 
 #include "bearing/dynamics/layout.hpp"
 #include "bearing/laminae/lamina_bearing.hpp"
-#include "bearing/life/lamina_life.hpp"
 #include "bearing/line_contact.hpp"
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
 #include "coupling/integration/run_up.hpp"
 #include "coupling/study/coupled_motion.hpp"
+#include "coupling/study/load_sharing.hpp"
 #include "coupling/study/mesh_ripple.hpp"
 #include "coupling/study/two_way.hpp"
 
@@ -44,64 +44,65 @@ void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
       bearing::system_life(result.life_hours, drivetrain.set.planets * drivetrain.bearings_per_planet);
 }
 
-RaceResult race_result(const Eigen::ArrayXd& loads, const bearing::Film& film) {
-  return {.load_max = loads.maxCoeff(),
-          .load_rms = std::sqrt(loads.square().mean()),
-          .least_film = least_film(film, loads.maxCoeff())};
-}
-
-bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain) {
-  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
-                                      .cage_positions = drivetrain.cage_positions};
-  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
-  options.film_approach = drivetrain.film_approach;
-  return options;
-}
-
 std::vector<double> as_vector(const Eigen::ArrayXXd& array) {
   return {array.data(), array.data() + array.size()};
 }
 
-// Whole contacts are cut into one lamina, which carries all of the load.
-Eigen::ArrayXXd inner_pieces(const bearing::QuasiStaticResult& loads) {
-  return loads.inner_load.transpose();
+using bearing::dynamics::RaceStatistics;
+using bearing::dynamics::WindowStatistics;
+
+RaceResult race_result(const RaceStatistics& race) {
+  return {.load_max = race.load_max,
+          .load_rms = race.load_rms,
+          .least_film = race.least_film,
+          .lamina_load_max = race.lamina_load_max};
 }
-Eigen::ArrayXXd outer_pieces(const bearing::QuasiStaticResult& loads) {
-  return loads.outer_load.transpose();
+
+// Every place of the quasi-static bearing is passed alike, under one load.
+RaceStatistics race_means(const Eigen::ArrayXd& loads, const bearing::Film& film) {
+  return {.load_rms = std::sqrt(loads.square().mean()),
+          .load_max = loads.maxCoeff(),
+          .mean_load = loads,
+          .passages = Eigen::ArrayXd::Ones(loads.size()),
+          .damage = loads.square().square(),
+          .least_film = least_film(film, loads.maxCoeff())};
 }
-const Eigen::ArrayXXd& inner_pieces(const bearing::laminae::LaminaResult& loads) {
-  return loads.inner_lamina_load;
+
+void put_laminae(const Eigen::ArrayXXd& loads, RaceStatistics& means) {
+  means.lamina_damage = loads.square().square();
+  means.lamina_load_max = loads.maxCoeff();
 }
-const Eigen::ArrayXXd& outer_pieces(const bearing::laminae::LaminaResult& loads) {
-  return loads.outer_lamina_load;
-}
+
+// One bearing of one planet, at rest in the carrier's frame.
+struct QuasiStaticBearing {
+  Eigen::ArrayXd angle;  // [rad]  (places)
+  WindowStatistics means;
+  std::optional<LaminaRecord> laminae;
+};
 
 // Loads by place of either model.
 template <class Loads>
-PointResult point_of_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                           const BearingDuty& duty, const Loads& loads) {
+QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                 const BearingDuty& duty, const Loads& loads) {
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
   const bearing::RollerContacts rolling =
       bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
                                 duty.point.outer_speed, drivetrain.lubricant);
-  PointResult result;
-  result.inner = race_result(loads.inner_load, rolling.inner.film());
-  result.outer = race_result(loads.outer_load, rolling.outer.film());
-  result.distribution = {as_vector(loads.angle), as_vector(loads.inner_load), as_vector(loads.outer_load)};
-  const bearing::life::LaminaRating rating =
-      bearing::life::lamina_rating(drivetrain.bearing, bearing::life::race_motions(duty.point),
-                                   bearing::life::LifeMeasure::lundberg_palmgren, drivetrain.lambda);
-  put_life(drivetrain, duty, lamina_life(rating, inner_pieces(loads), outer_pieces(loads)), result);
+  QuasiStaticBearing result{.angle = loads.angle};
+  result.means.inner = race_means(loads.inner_load, rolling.inner.film());
+  result.means.outer = race_means(loads.outer_load, rolling.outer.film());
   return result;
 }
 
 // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
-PointResult lamina_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                         const BearingDuty& duty) {
+QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
+                                      const DrivetrainGeometry& geometry, const BearingDuty& duty) {
   const bearing::laminae::LaminaBearing cut(drivetrain.bearing, bearing::fast::InstructionSet::baseline);
   const bearing::laminae::LaminaResult loads =
       bearing::laminae::quasi_static_laminae(cut, duty.point, quasi_static_options(drivetrain));
-  PointResult result = point_of_loads(drivetrain, geometry, duty, loads);
+  QuasiStaticBearing result = bearing_under(drivetrain, geometry, duty, loads);
+  put_laminae(loads.inner_lamina_load, result.means.inner);
+  put_laminae(loads.outer_lamina_load, result.means.outer);
   const Eigen::ArrayXd places = cut.half_length() * cut.contact(Race::inner).places();
   result.laminae = {.lamina_place = as_vector(places),
                     .inner_load = as_vector(loads.inner_lamina_load),
@@ -112,16 +113,80 @@ PointResult lamina_point(const PlanetaryDrivetrain& drivetrain, const Drivetrain
   return result;
 }
 
-PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                               const BearingDuty& duty) {
-  if (drivetrain.bearing.laminae > 0) return lamina_point(drivetrain, geometry, duty);
-  return point_of_loads(
+QuasiStaticBearing quasi_static_bearing(const PlanetaryDrivetrain& drivetrain,
+                                        const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+  if (drivetrain.bearing.laminae > 0) return bearing_on_laminae(drivetrain, geometry, duty);
+  return bearing_under(
       drivetrain, geometry, duty,
       bearing::quasi_static_bearing(drivetrain.bearing, duty.point, quasi_static_options(drivetrain)));
 }
 
-RaceResult race_result(const bearing::dynamics::RaceStatistics& race) {
-  return {.load_max = race.load_max, .load_rms = race.load_rms, .least_film = race.least_film};
+// The one life of all fidelities.
+bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means) {
+  return bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, means);
+}
+
+// Bearings of which none may fail: the product law over unlike lives.
+double life_together(const std::vector<double>& lives) {
+  double together = lives.front();
+  for (std::size_t i = 1; i < lives.size(); ++i) together = bearing::combined_life(together, lives[i]);
+  return together;
+}
+
+// What the rollers do to the bore, mean over time [N].
+Eigen::Vector2d mean_bore_force(const RaceStatistics& outer, const Eigen::ArrayXd& angle, int rollers) {
+  const Eigen::ArrayXd load = outer.mean_load * outer.passages;
+  return rollers * Eigen::Vector2d((load * angle.cos()).mean(), (load * angle.sin()).mean());
+}
+
+// Planet by planet, from the means of one bearing of each.
+void put_planets(const PlanetaryDrivetrain& drivetrain, double outer_speed, const Eigen::ArrayXd& angle,
+                 const std::vector<WindowStatistics>& means, PointResult& result) {
+  double tangential = 0.0;
+  for (const WindowStatistics& one : means) {
+    const Eigen::Vector2d force = mean_bore_force(one.outer, angle, drivetrain.bearing.rollers);
+    const double life = bearing::hours(life_under_means(drivetrain, one).bearing, outer_speed);
+    result.planets.push_back({.load_share = force.y(), .load = force.norm(), .life_hours = life});
+    tangential += force.y() / static_cast<double>(means.size());
+  }
+  for (PlanetResult& planet : result.planets) planet.load_share /= tangential;
+}
+
+double system_life_of(const std::vector<PlanetResult>& planets, int bearings_per_planet) {
+  std::vector<double> lives;
+  for (const PlanetResult& planet : planets)
+    lives.push_back(bearing::system_life(planet.life_hours, bearings_per_planet));
+  return life_together(lives);
+}
+
+std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
+  const auto shortest = std::min_element(
+      planets.begin(), planets.end(),
+      [](const PlanetResult& a, const PlanetResult& b) { return a.life_hours < b.life_hours; });
+  return static_cast<std::size_t>(shortest - planets.begin());
+}
+
+PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                               const std::vector<BearingDuty>& duties) {
+  std::vector<QuasiStaticBearing> bearings;
+  std::vector<WindowStatistics> means;
+  for (const BearingDuty& duty : duties) {
+    bearings.push_back(quasi_static_bearing(drivetrain, geometry, duty));
+    means.push_back(bearings.back().means);
+  }
+  const WindowStatistics all = means.size() == 1 ? means.front() : pooled(means);
+  PointResult result;
+  result.inner = race_result(all.inner);
+  result.outer = race_result(all.outer);
+  const Eigen::ArrayXd& angle = bearings.front().angle;
+  result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load)};
+  put_life(drivetrain, duties.front(), life_under_means(drivetrain, all), result);
+  result.laminae = bearings.front().laminae;
+  if (duties.size() == 1) return result;
+  put_planets(drivetrain, duties.front().point.outer_speed, angle, means, result);
+  result.laminae = bearings[shortest_lived(result.planets)].laminae;
+  result.system_life_hours = system_life_of(result.planets, drivetrain.bearings_per_planet);
+  return result;
 }
 
 DynamicRecord record_of(const integration::SteadyStateResult& run) {
@@ -134,11 +199,14 @@ DynamicRecord record_of(const integration::SteadyStateResult& run) {
           .final_state = run.final_state};
 }
 
-LoadDistribution distribution_of(const bearing::dynamics::WindowStatistics& means) {
-  const Eigen::Index places = means.inner.mean_load.size();
+Eigen::ArrayXd place_angles(Eigen::Index places) {
   const double step = boost::math::double_constants::two_pi / static_cast<double>(places);
-  const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(places, 0.0, step * static_cast<double>(places - 1));
-  return {as_vector(angle), as_vector(means.inner.mean_load), as_vector(means.outer.mean_load)};
+  return Eigen::ArrayXd::LinSpaced(places, 0.0, step * static_cast<double>(places - 1));
+}
+
+LoadDistribution distribution_of(const WindowStatistics& means) {
+  return {as_vector(place_angles(means.inner.mean_load.size())), as_vector(means.inner.mean_load),
+          as_vector(means.outer.mean_load)};
 }
 
 integration::SteadyStateResult motion_of(const PlanetaryDrivetrain& drivetrain,
@@ -181,17 +249,42 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDu
   result.cage_slip = run.cage_slip();
   result.distribution = distribution_of(run.statistics);
   result.dynamic = record_of(run);
-  put_life(drivetrain, mean_duty(drivetrain, duty),
-           bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, run.statistics),
-           result);
+  put_life(drivetrain, mean_duty(drivetrain, duty), life_under_means(drivetrain, run.statistics), result);
   return result;
 }
 
-// Bearings of which none may fail: the product law over unlike lives.
-double life_together(const std::vector<double>& lives) {
-  double together = lives.front();
-  for (std::size_t i = 1; i < lives.size(); ++i) together = bearing::combined_life(together, lives[i]);
-  return together;
+// Of unlike planets: their loads as passages of one bearing, the series and the end of the first's motion.
+integration::SteadyStateResult together(const std::vector<integration::SteadyStateResult>& runs,
+                                        const std::vector<WindowStatistics>& means) {
+  integration::SteadyStateResult all = runs.front();
+  all.statistics = pooled(means);
+  for (const integration::SteadyStateResult& run : runs) all.steady = all.steady && run.steady;
+  return all;
+}
+
+PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                          const std::vector<BearingDuty>& duties) {
+  std::vector<integration::SteadyStateResult> runs;
+  std::vector<WindowStatistics> means;
+  for (const BearingDuty& duty : duties) {
+    runs.push_back(motion_of(drivetrain, geometry, duty));
+    if (!runs.back().completed) throw std::runtime_error(runs.back().message);
+    means.push_back(runs.back().statistics);
+  }
+  if (duties.size() == 1) return dynamic_point(drivetrain, duties.front(), runs.front());
+  PointResult result = dynamic_point(drivetrain, duties.front(), together(runs, means));
+  put_planets(drivetrain, mean_duty(drivetrain, duties.front()).point.outer_speed,
+              place_angles(means.front().outer.mean_load.size()), means, result);
+  result.system_life_hours = system_life_of(result.planets, drivetrain.bearings_per_planet);
+  return result;
+}
+
+// The bearings of each planet, taken together. Planet by planet.
+std::vector<WindowStatistics> by_planet(const std::vector<WindowStatistics>& bearings, int per_planet) {
+  std::vector<WindowStatistics> planets;
+  for (auto first = bearings.begin(); first != bearings.end(); first += per_planet)
+    planets.push_back(pooled({first, first + per_planet}));
+  return planets;
 }
 
 PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -207,10 +300,11 @@ PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
                   drivetrain.steady_state);
   PointResult result = dynamic_point(drivetrain, duty, run.pooled);
   TwoWayRecord record{.exchange = motion->report()};
-  for (const bearing::dynamics::WindowStatistics& one : run.bearings)
-    record.bearing_life_hours.push_back(bearing::hours(
-        bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, one).bearing,
-        point.outer_speed));
+  for (const WindowStatistics& one : run.bearings)
+    record.bearing_life_hours.push_back(
+        bearing::hours(life_under_means(drivetrain, one).bearing, point.outer_speed));
+  put_planets(drivetrain, point.outer_speed, place_angles(run.pooled.statistics.outer.mean_load.size()),
+              by_planet(run.bearings, drivetrain.bearings_per_planet), result);
   if (fidelity == Fidelity::co_simulated) {
     record.energy_residual = record.exchange.energy_residual / record.exchange.energy_passed;
     record.window = run.duration / static_cast<double>(record.exchange.windows);
@@ -220,41 +314,44 @@ PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   return result;
 }
 
-// Of the duty, whatever the bearing's model: the total on the bore holds what reaches it through the cage.
+// Of the duties, whatever the bearing's model, mean over unlike planets: the total on the bore holds what
+// reaches it through the cage.
 void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-               const BearingDuty& duty, PointResult& result) {
-  Eigen::Vector2d total = duty.point.bore_load;
-  if (drivetrain.bearing.cage.guidance == Race::outer)
-    total += bearing::load_through_cage(drivetrain.bearing, geometry.bearing, duty.point.carrier,
-                                        drivetrain.inertia);
+               const std::vector<BearingDuty>& duties, PointResult& result) {
   result.input_speed = drivetrain.drive.speed;
-  result.carrier_speed = duty.gears.carrier_speed;
-  result.planet_load = total.norm();
-  result.tangential_load = duty.gears.tangential_force / drivetrain.bearings_per_planet;
-  result.radial_mesh_load = duty.gears.radial_force / drivetrain.bearings_per_planet;
-  result.centrifugal_load = total.x() - result.radial_mesh_load;
+  result.carrier_speed = duties.front().gears.carrier_speed;
+  const double part = 1.0 / static_cast<double>(duties.size());
+  for (const BearingDuty& duty : duties) {
+    Eigen::Vector2d total = duty.point.bore_load;
+    if (drivetrain.bearing.cage.guidance == Race::outer)
+      total += bearing::load_through_cage(drivetrain.bearing, geometry.bearing, duty.point.carrier,
+                                          drivetrain.inertia);
+    const double radial = duty.gears.radial_force / drivetrain.bearings_per_planet;
+    result.planet_load += part * total.norm();
+    result.tangential_load += part * duty.gears.tangential_force / drivetrain.bearings_per_planet;
+    result.radial_mesh_load += part * radial;
+    result.centrifugal_load += part * (total.x() - radial);
+  }
 }
 
 // The load [N] that the whole roller would carry were it loaded all along as where it is loaded most.
-double largest_even_load(double roller_load, const std::vector<double>* lamina_loads, int laminae) {
-  return lamina_loads ? laminae * *std::max_element(lamina_loads->begin(), lamina_loads->end()) : roller_load;
+double largest_even_load(const RaceResult& race, int laminae) {
+  return race.lamina_load_max > 0.0 ? laminae * race.lamina_load_max : race.load_max;
 }
 
 double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                         const PointResult& result) {
-  const auto pressure = [&](Race race, double load, const std::vector<double>* lamina_loads) {
-    return bearing::hertz_pressure(largest_even_load(load, lamina_loads, drivetrain.bearing.laminae),
+  const auto pressure = [&](Race race, const RaceResult& loads) {
+    return bearing::hertz_pressure(largest_even_load(loads, drivetrain.bearing.laminae),
                                    bearing::equivalent_radius(geometry.bearing, race),
                                    drivetrain.bearing.roller_length, drivetrain.bearing.material);
   };
-  const LaminaRecord* cut = result.laminae ? &*result.laminae : nullptr;
-  return std::max(pressure(Race::inner, result.inner.load_max, cut ? &cut->inner_load : nullptr),
-                  pressure(Race::outer, result.outer.load_max, cut ? &cut->outer_load : nullptr));
+  return std::max(pressure(Race::inner, result.inner), pressure(Race::outer, result.outer));
 }
 
 PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                      const BearingDuty& duty, PointResult result) {
-  put_loads(drivetrain, geometry, duty, result);
+                      const std::vector<BearingDuty>& duties, PointResult result) {
+  put_loads(drivetrain, geometry, duties, result);
   result.contact_pressure = largest_pressure(drivetrain, geometry, result);
   return result;
 }
@@ -283,20 +380,24 @@ bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetr
 
 PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity) {
-  const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  if (fidelity == Fidelity::quasi_static)
-    return completed(drivetrain, geometry, duty, quasi_static_point(drivetrain, geometry, duty));
-  if (fidelity != Fidelity::dynamic)
-    return completed(drivetrain, geometry, duty, two_way_point(drivetrain, geometry, duty, fidelity));
-  const integration::SteadyStateResult run = motion_of(drivetrain, geometry, duty);
-  return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
+  const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
+  const auto point = [&] {
+    if (fidelity == Fidelity::quasi_static) return quasi_static_point(drivetrain, geometry, duties);
+    if (fidelity == Fidelity::dynamic) return one_way_point(drivetrain, geometry, duties);
+    return two_way_point(drivetrain, geometry, duties.front(), fidelity);
+  };
+  return completed(drivetrain, geometry, duties, point());
 }
 
 PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const Eigen::VectorXd& start) {
+  if (drivetrain.pins_displaced)
+    throw std::invalid_argument(
+        "state to start from: found one, and pins off their places, where each planet has its own; required: "
+        "pins in their places, or points that start from their quasi-static states");
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const integration::SteadyStateResult run = motion_from(start, drivetrain, geometry, duty);
-  return completed(drivetrain, geometry, duty, dynamic_point(drivetrain, duty, run));
+  return completed(drivetrain, geometry, {duty}, dynamic_point(drivetrain, duty, run));
 }
 
 }  // namespace orbearing::study

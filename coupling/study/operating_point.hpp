@@ -24,6 +24,7 @@ struct RaceResult {
   double load_rms = 0.0;    // [N]    over time for one roller, unloaded time included
   double life = 0.0;        // [rev]  revolutions of the turning race
   double least_film = 0.0;  // [m]    under the most loaded roller; NaN where nothing rolls or no oil is given
+  double lamina_load_max = 0.0;  // [N]  largest load of one lamina; 0: all carry alike
 };
 
 /// Roller loads by place on the race, in the carrier frame.
@@ -62,6 +63,13 @@ struct TwoWayRecord {
   cosim::CouplingReport exchange;
 };
 
+/// One planet where planets differ or were computed one by one. Loads and life are those of one bearing.
+struct PlanetResult {
+  double load_share = 1.0;  // [-]  tangential load, mean over time, over the mean of all planets
+  double load = 0.0;        // [N]  of the rollers on the bore, mean over time
+  double life_hours = 0.0;  // [h]
+};
+
 /// One of several sets at an operating point. Loads and life are those of one bearing.
 struct SetResult {
   std::string set;
@@ -91,6 +99,7 @@ struct PointResult {
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts
+  std::vector<PlanetResult> planets;     // none where all planets carry alike
   std::optional<TwoWayRecord> two_way;   // none where the bearings do not act back on the gears
   std::string limiting_set;              // of several sets, the one these numbers belong to
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given

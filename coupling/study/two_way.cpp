@@ -23,7 +23,8 @@ class TwoWayRun {
       : motion_(motion), samples_(options.series_samples), interval_(interval) {
     motion_.take_snapshot(0, snapshot_);
     for (int b = 0; b < motion_.bearings(); ++b) {
-      collectors_.emplace_back(snapshot_.angle.size(), options.places);
+      collectors_.emplace_back(snapshot_.angle.size(), options.places,
+                               bearing::dynamics::uneven_laminae(snapshot_.laminae));
       targets_.push_back(nullptr);
     }
   }
@@ -89,6 +90,8 @@ void add(const RaceStatistics& one, RaceStatistics& sum) {
   sum.mean_load += one.mean_load;
   sum.passages += one.passages;
   sum.damage += one.damage;
+  sum.lamina_damage += one.lamina_damage;
+  sum.lamina_load_max = std::max(sum.lamina_load_max, one.lamina_load_max);
   sum.mean_sliding += one.mean_sliding;
   sum.least_film = std::min(sum.least_film, one.least_film);
 }
@@ -98,6 +101,7 @@ RaceStatistics zero(const RaceStatistics& like) {
           .mean_load = Eigen::ArrayXd::Zero(like.mean_load.size()),
           .passages = Eigen::ArrayXd::Zero(like.passages.size()),
           .damage = Eigen::ArrayXd::Zero(like.damage.size()),
+          .lamina_damage = Eigen::ArrayXXd::Zero(like.lamina_damage.rows(), like.lamina_damage.cols()),
           .least_film = like.least_film};
 }
 
@@ -107,6 +111,7 @@ void divide(double number, RaceStatistics& sum) {
   sum.mean_load /= number;
   sum.passages /= number;
   sum.damage /= number;
+  sum.lamina_damage /= number;
   sum.mean_sliding /= number;
 }
 

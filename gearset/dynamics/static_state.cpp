@@ -72,22 +72,52 @@ VectorXd solve(const SetModel& model, Eigen::MatrixXd stiffness, VectorXd force)
   return factors.solve(force);
 }
 
+// Forces out of balance, where the teeth that touch are those that touch at `q`. Held freedoms have none.
+VectorXd imbalance(const SetModel& model, const Eigen::MatrixXd& centrifugal, const VectorXd& q) {
+  const ContactState contact = contact_at(model, q);
+  const VectorXd force = loads_with(model, contact) - (stiffness_with(model, contact) + centrifugal) * q;
+  return (model.mobility.array() > 0.0).select(force, 0.0);
+}
+
+// The share of a step at which the force along it vanishes, at most all of it: the energy of teeth that only
+// push is convex, so the force falls on the way.
+double share_of_step(const SetModel& model, const Eigen::MatrixXd& centrifugal, const VectorXd& from,
+                     const VectorXd& step) {
+  const auto force = [&](double share) {
+    return imbalance(model, centrifugal, from + share * step).dot(step);
+  };
+  if (force(1.0) >= 0.0) return 1.0;
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (force(middle) > 0.0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 }  // namespace
 
+// Newton's method from the state with all loaded flanks in contact. Steps from one state to the next leave
+// alone what has no stiffness there, such as the rotation of a planet whose teeth have parted.
 VectorXd static_state(const SetModel& model) {
-  constexpr int most_steps = 60;
+  constexpr int most_steps = 100;
   const Eigen::MatrixXd centrifugal = set_matrices(model).centrifugal;
   ContactState contact{std::vector<bool>(model.meshes.size(), true),
                        std::vector<bool>(model.meshes.size(), false)};
+  VectorXd q = solve(model, stiffness_with(model, contact) + centrifugal, loads_with(model, contact));
+  double share = 1.0;
   for (int step = 0; step < most_steps; ++step) {
-    const VectorXd q = solve(model, stiffness_with(model, contact) + centrifugal, loads_with(model, contact));
     const ContactState found = contact_at(model, q);
-    if (found == contact) {
+    if (found == contact && share == 1.0) {
       VectorXd x = VectorXd::Zero(model.layout.size());
       x.head(q.size()) = q;
       return x;
     }
     contact = found;
+    const VectorXd move =
+        solve(model, stiffness_with(model, contact) + centrifugal, imbalance(model, centrifugal, q));
+    share = share_of_step(model, centrifugal, q, move);
+    q += share * move;
   }
   throw std::runtime_error(
       "no static equilibrium of the gear set was found; its supports or its teeth do not hold it under load");

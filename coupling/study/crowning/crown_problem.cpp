@@ -13,14 +13,6 @@ using bearing::laminae::LaminaBearing;
 using bearing::laminae::LaminaResult;
 using bearing::profile::Profile;
 
-bearing::QuasiStaticOptions options_of(const PlanetaryDrivetrain& drivetrain) {
-  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
-                                      .cage_positions = drivetrain.cage_positions};
-  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
-  options.film_approach = drivetrain.film_approach;
-  return options;
-}
-
 void require_whole(const std::vector<SpectrumPoint>& spectrum) {
   double sum = 0.0;
   for (const SpectrumPoint& point : spectrum) {
@@ -72,7 +64,7 @@ std::vector<DropSlope> lamina_slopes(const LaminaBearing& bearing, const Profile
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae) {
   require_whole(spectrum);
-  CrownProblem problem{.bearing = drivetrain.bearing, .options = options_of(drivetrain)};
+  CrownProblem problem{.bearing = drivetrain.bearing, .options = quasi_static_options(drivetrain)};
   problem.bearing.laminae = laminae;
   for (const SpectrumPoint& at : spectrum) {
     PlanetaryDrivetrain there = drivetrain;

@@ -47,6 +47,8 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "power_loss_support_W",
                                            "steady",
                                            "shortest_life_h",
+                                           "shortest_life_planet",
+                                           "largest_load_share",
                                            "interface_energy_residual",
                                            "interface_window_us"};
 
@@ -104,10 +106,12 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .guidance = 64.0,
                                                  .support = 128.0}};
   result.two_way = {.bearing_life_hours = {22.0, 21.0}, .energy_residual = 23.0, .window = 24e-6};
+  result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};
   const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
-  const std::vector<double> expected = {0,  1,  2,  3,   4, 6, 7, 10, 11, 8,  12, 14,  15, 16, 9,  13, -1, 5,
-                                        20, 18, 19, 255, 1, 2, 4, 8,  16, 32, 64, 128, 1,  21, 23, 24, 17};
+  const std::vector<double> expected = {0,  1,  2,  3,   4, 6,  7,  10,  11,  8,  12, 14, 15,
+                                        16, 9,  13, -1,  5, 20, 18, 19,  255, 1,  2,  4,  8,
+                                        16, 32, 64, 128, 1, 21, 2,  1.5, 23,  24, 17};
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (i != head.status_place) {
       EXPECT_EQ(row.values.at(i), expected[i]) << head.names[i];

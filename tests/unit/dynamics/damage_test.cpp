@@ -104,6 +104,80 @@ TEST(Damage, CountsRollersThatStandCloser) {
   EXPECT_NEAR(bore.mean(), all, 1e-8);
 }
 
+// A bearing of `n` laminae whose rollers stand at rest at their places for equal times, under a load that the
+// damping has doubled.
+DamageSums lamina_damage(const LaminaRaces& races, Eigen::Index n, double tip) {
+  DamageSums sums(kPlaces, n);
+  const RaceSpeeds speeds = race_speeds(geometry(), 0.0, kBoreSpeed);
+  for (Eigen::Index place = 0; place < kPlaces; ++place) {
+    const double angle = 2.0 * M_PI * static_cast<double>(place) / kPlaces, orbital = rolling_speed();
+    const double inner = 1e-9 * load_at(place), outer = 0.9 * inner;  // [m]
+    const double inner_load = 2.0 * races.inner().evaluate(inner, -tip).load;
+    const double outer_tip = races.bore_tip().dot(Vector2(std::cos(angle), std::sin(angle)));
+    const double outer_load = 2.0 * races.outer().evaluate(outer, tip - outer_tip).load;
+    sums.add(1.0, 1, {&angle, &orbital, &inner_load, &outer_load, speeds, &races, &inner, &outer, &tip});
+  }
+  return sums;
+}
+
+laminae::LaminaContact contact(double crown, int n) {
+  constexpr double kLength = 5.7e-3;  // [m]
+  const std::vector<double> drops =
+      laminae::lamina_drops(profile::CircularCrown{kLength, crown}, profile::Straight{}, kLength, n);
+  return {{1.2e10}, kLength, drops};
+}
+
+// Laminae that carry alike live as the whole contact, whatever their number.
+TEST(LaminaDamage, OfEvenLoadsIsThatOfTheWholeContact) {
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  for (const int n : {1, 7, 40}) {
+    bearing.laminae = n;
+    const LaminaRaces races(contact(0.0, n), contact(0.0, n), Vector2::Zero());
+    EXPECT_TRUE(races.even());
+    EXPECT_EQ(uneven_laminae(&races), 0);
+    const BearingLife cut = lamina_damage(races, n, 0.0).life(bearing, kLambda, Race::inner);
+    const BearingLife whole = lamina_damage(races, 0, 0.0).life(bearing, kLambda, Race::inner);
+    EXPECT_NEAR(cut.inner, whole.inner, kRoundOff * whole.inner);
+    EXPECT_NEAR(cut.outer, whole.outer, kRoundOff * whole.outer);
+    EXPECT_NEAR(cut.bearing, whole.bearing, kRoundOff * whole.bearing);
+  }
+}
+
+// Against the sums written out: standing pin 4.5, turning bore 4, q_c = Q_c n^(-7/9), and the damping on all
+// laminae alike.
+TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
+  constexpr int kLaminae = 12;
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  bearing.laminae = kLaminae;
+  const Vector2 tilt(0.4e-3, -0.3e-3);
+  const LaminaRaces races(contact(0.6e-6, kLaminae), contact(0.6e-6, kLaminae), tilt);
+  EXPECT_EQ(uneven_laminae(&races), kLaminae);
+  constexpr double kTip = 0.2e-6;  // [m]
+  Eigen::ArrayXd inner = Eigen::ArrayXd::Zero(kLaminae), outer = inner;
+  double largest = 0.0;
+  for (Eigen::Index place = 0; place < kPlaces; ++place) {
+    const double angle = 2.0 * M_PI * static_cast<double>(place) / kPlaces;
+    const double outer_tip = 0.5 * 5.7e-3 * (tilt.x() * std::cos(angle) + tilt.y() * std::sin(angle));
+    const double approach = 1e-9 * load_at(place);
+    const Eigen::ArrayXd on_inner = 2.0 * races.inner().loads(approach, -kTip).load;
+    const Eigen::ArrayXd on_outer = 2.0 * races.outer().loads(0.9 * approach, kTip - outer_tip).load;
+    inner += on_inner.pow(4.5) / kPlaces;
+    outer += on_outer.pow(4.0) / kPlaces;
+    largest = std::max(largest, on_inner.maxCoeff());
+  }
+  const double share = std::pow(kLaminae, -7.0 / 9.0);
+  const double inner_capacity = share * contact_capacity(bearing, Race::inner, kLambda);
+  const double outer_capacity = share * contact_capacity(bearing, Race::outer, kLambda);
+  const double on_pin = (inner / std::pow(inner_capacity, 4.5)).sum();
+  const double on_bore = (outer.pow(4.5 / 4.0) / std::pow(outer_capacity, 4.5)).sum();
+  const DamageSums sums = lamina_damage(races, kLaminae, kTip);
+  const BearingLife life = sums.life(bearing, kLambda, Race::inner);
+  EXPECT_NEAR(life.inner, 1e6 * std::pow(on_pin, -8.0 / 9.0), kRoundOff * life.inner);
+  EXPECT_NEAR(life.outer, 1e6 * std::pow(on_bore, -8.0 / 9.0), kRoundOff * life.outer);
+  EXPECT_NEAR(sums.inner.lamina_largest, largest, kRoundOff * largest);
+  EXPECT_NE(life.inner, lamina_damage(races, 0, kTip).life(bearing, kLambda, Race::inner).inner);
+}
+
 TEST(Damage, NeedsLoadsAndSpeed) {
   const CylindricalRollerBearing bearing = test::reducer_bearing();
   EXPECT_TRUE(std::isinf(DamageSums(kPlaces).life(bearing, kLambda, Race::inner).bearing));

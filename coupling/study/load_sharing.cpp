@@ -1,0 +1,140 @@
+#include "coupling/study/load_sharing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "bearing/laminae/lamina_bearing.hpp"
+#include "gearset/dynamics/bearing_force.hpp"
+#include "gearset/dynamics/snapshot.hpp"
+#include "gearset/dynamics/static_state.hpp"
+
+namespace orbearing::study {
+
+namespace {
+
+using Eigen::Vector2d;
+using gearset::dynamics::SetModel;
+
+constexpr int kMostRounds = 100;
+constexpr double kSameForce = 1e-9;  // [-]  of the largest force
+
+// The bearings of one planet under the force [N] that they exert on it.
+class PlanetSupport {
+ public:
+  PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
+      : drivetrain_(drivetrain), point_(duty.point), options_(quasi_static_options(drivetrain)) {
+    if (drivetrain.bearing.laminae > 0)
+      cut_.emplace(drivetrain.bearing, bearing::fast::InstructionSet::baseline);
+  }
+
+  /// Of the planet from the place of its pin [m].
+  Vector2d displacement(const Vector2d& force) const {
+    bearing::OperatingPoint point = point_;
+    point.bore_load = -force / drivetrain_.bearings_per_planet;
+    point.bore_tilt = bore_tilt(drivetrain_.misalignment, point.bore_load);
+    return rollers(point) + point.bore_load / drivetrain_.dynamics.support.stiffness;
+  }
+
+ private:
+  Vector2d rollers(const bearing::OperatingPoint& point) const {
+    return cut_ ? balanced(bearing::laminae::quasi_static_laminae(*cut_, point, options_))
+                : balanced(bearing::quasi_static_bearing(drivetrain_.bearing, point, options_));
+  }
+  template <class Result>
+  static Vector2d balanced(const Result& result) {
+    if (!result.report.converged) throw std::runtime_error("load sharing: " + result.report.message);
+    return result.displacement;
+  }
+
+  const PlanetaryDrivetrain& drivetrain_;
+  bearing::OperatingPoint point_;
+  bearing::QuasiStaticOptions options_;
+  std::optional<bearing::laminae::LaminaBearing> cut_;
+};
+
+SetModel on_springs(const PlanetaryDrivetrain& drivetrain) {
+  if (!drivetrain.gear_set)
+    throw std::invalid_argument(
+        "pins off their places: found gears that cannot move; required: one set with teeth");
+  gearset::dynamics::SetParameters set = drivetrain.gear_set();
+  set.planet.coupled_bearing = false;
+  return gearset::dynamics::set_model(std::move(set),
+                                      gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
+}
+
+// The set at rest under its mean loads.
+struct AtRest {
+  Eigen::VectorXd state;
+  Eigen::Matrix2Xd forces;  // [N]  of the bearings on each planet (2, planets)
+};
+
+AtRest at_rest(const SetModel& model) {
+  AtRest result{gearset::dynamics::static_state(model), Eigen::Matrix2Xd(2, model.layout.planets)};
+  const Eigen::VectorXd q = result.state.head(model.layout.freedoms());
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(q.size());
+  for (Eigen::Index i = 0; i < result.forces.cols(); ++i)
+    result.forces.col(i) =
+        bearing_force(model.parameters.planet, model.bearings[static_cast<std::size_t>(i)], q, still);
+  return result;
+}
+
+// A spring that gives F at the displacement d has the deflection F / k there: the set rests on such springs
+// until they give the forces that the bearings give at their displacements.
+Eigen::VectorXd balanced_state(const SetModel& set, const PlanetSupport& support) {
+  SetModel springs = set;
+  AtRest now = at_rest(springs);
+  double change = 0.0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    for (Eigen::Index i = 0; i < now.forces.cols(); ++i) {
+      const auto planet = static_cast<std::size_t>(i);
+      springs.bearings[planet].pin_error = set.bearings[planet].pin_error +
+                                           support.displacement(now.forces.col(i)) +
+                                           now.forces.col(i) / set.parameters.planet.bearing_stiffness;
+    }
+    const Eigen::Matrix2Xd before = now.forces;
+    now = at_rest(springs);
+    change = (now.forces - before).colwise().norm().maxCoeff() / now.forces.colwise().norm().maxCoeff();
+    if (change <= kSameForce) return now.state;
+  }
+  std::ostringstream text;
+  text << "load sharing: after " << kMostRounds << " rounds the planets' loads still change by " << change
+       << " of the largest; required: bearings and gears that find a balance";
+  throw std::runtime_error(text.str());
+}
+
+}  // namespace
+
+std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  const BearingDuty even = bearing_duty(drivetrain, geometry);
+  const SetModel set = on_springs(drivetrain);
+  const Eigen::VectorXd state = balanced_state(set, {drivetrain, even});
+  gearset::dynamics::SetSnapshot snapshot;
+  Eigen::VectorXd workspace;
+  take_snapshot(gearset::dynamics::PlanetarySetEquations(averaged(set)), 0.0, state, workspace, snapshot);
+  const Eigen::ArrayXd shares = snapshot.sun_mesh_force / even.gears.normal_force;
+  return {shares.begin(), shares.end()};
+}
+
+std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
+                                       const DrivetrainGeometry& geometry) {
+  const BearingDuty even = bearing_duty(drivetrain, geometry);
+  if (!drivetrain.pins_displaced) return {even};
+  std::vector<BearingDuty> duties;
+  for (const double share : load_shares(drivetrain, geometry)) {
+    BearingDuty duty = even;
+    duty.planet = static_cast<int>(duties.size());
+    duty.gears.normal_force *= std::abs(share);
+    duty.gears.tangential_force *= share;
+    duty.gears.radial_force *= std::abs(share);  // teeth only push, whichever flank carries
+    const Vector2d more(duty.gears.radial_force - even.gears.radial_force,
+                        duty.gears.tangential_force - even.gears.tangential_force);
+    duty.point.bore_load += more / drivetrain.bearings_per_planet;
+    duty.point.bore_tilt = bore_tilt(drivetrain.misalignment, duty.point.bore_load);
+    duties.push_back(duty);
+  }
+  return duties;
+}
+
+}  // namespace orbearing::study

@@ -1,0 +1,134 @@
+// Planets whose pins stand off their places: who carries how much, and that every fidelity says the same.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "coupling/study/load_sharing.hpp"
+#include "coupling/study/operating_point.hpp"
+#include "tests/coupled_reducer.hpp"
+
+namespace orbearing::study::study_pin_error_test {
+namespace {
+
+constexpr double kBalance = 1e-6;  // of a load: the search ends at 1e-9 of the largest, gears take part of it
+constexpr double kRoundOff = 1e-9;
+
+// The first pin ahead of its place by `error` [m]; no case here parts the teeth unless it says so.
+PlanetaryDrivetrain displaced(int planets, double error, bool floating_sun) {
+  PlanetaryDrivetrain drivetrain = example::reducer();
+  drivetrain.set.planets = planets;
+  drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
+  gearset::dynamics::SetParameters gears = example::reducer_gears(drivetrain);
+  if (floating_sun) gears.sun.support = {};
+  gears.frame.centrifugal = false;  // of displaced bodies it would add what no closed form here has
+  gears.pin_error = Eigen::Matrix2Xd::Zero(2, planets);
+  gears.pin_error(1, 0) = error;
+  drivetrain.gear_set = [gears] { return gears; };
+  drivetrain.pins_displaced = true;
+  return drivetrain;
+}
+
+std::vector<double> shares_of(const PlanetaryDrivetrain& drivetrain) {
+  return load_shares(drivetrain, derive(drivetrain));
+}
+
+double sum(const std::vector<double>& shares) {
+  return std::accumulate(shares.begin(), shares.end(), 0.0);
+}
+
+TEST(LoadSharing, IsEvenWherePinsStandInTheirPlaces) {
+  for (const double share : shares_of(displaced(4, 0.0, false))) EXPECT_NEAR(share, 1.0, kBalance);
+}
+
+// Three planets about a sun that floats are statically determinate: no error of a pin changes their loads.
+TEST(LoadSharing, OfThreePlanetsAboutAFloatingSunIsEven) {
+  for (const double share : shares_of(displaced(3, 5e-6, true))) EXPECT_NEAR(share, 1.0, kBalance);
+}
+
+// Four about a floating sun: its balance leaves pairs of opposite planets alike, and the torque the sum.
+TEST(LoadSharing, OfFourPlanetsAboutAFloatingSunGoesByPairs) {
+  const std::vector<double> shares = shares_of(displaced(4, 5e-6, true));
+  EXPECT_NEAR(shares[0], shares[2], kBalance);
+  EXPECT_NEAR(shares[1], shares[3], kBalance);
+  EXPECT_NEAR(sum(shares), 4.0, kBalance);
+  // The pin that is ahead stands where the teeth push its planet to: they press it less.
+  EXPECT_LT(shares[0], shares[1] - 0.1);
+}
+
+// The planet that carries most after one error carries least after the opposite one; small errors act alike.
+TEST(LoadSharing, GoesWithTheError) {
+  const double ahead = shares_of(displaced(4, 1e-6, false))[0] - 1.0;
+  const double behind = shares_of(displaced(4, -1e-6, false))[0] - 1.0;
+  EXPECT_LT(ahead * behind, 0.0);
+  constexpr double kCurvature =
+      0.05;  // of the change: the bearings' stiffness goes with the ninth root of load
+  EXPECT_NEAR(-behind / ahead, 1.0, kCurvature);
+}
+
+// Errors that part the teeth of a planet leave nothing to it, however large they are, and all to the others.
+TEST(LoadSharing, OfALargeErrorPartsTheTeeth) {
+  const std::vector<double> shares = shares_of(displaced(4, 60e-6, false));
+  EXPECT_EQ(shares[0], 0.0);
+  EXPECT_NEAR(sum(shares), 4.0, kBalance);
+  const std::vector<double> further = shares_of(displaced(4, 90e-6, false));
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(shares[i], further[i], kBalance);
+  const std::vector<double> behind = shares_of(displaced(4, -60e-6, false));
+  EXPECT_NEAR(std::min(behind[1], behind[3]), 0.0, kBalance);
+  EXPECT_NEAR(sum(behind), 4.0, kBalance);
+}
+
+TEST(PinErrors, EveryPlanetLivesUnderItsOwnLoad) {
+  const PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
+  const PointResult point = evaluate(drivetrain, derive(drivetrain));
+  ASSERT_EQ(point.planets.size(), 4U);
+  const std::vector<double> shares = shares_of(drivetrain);
+  double damage = 0.0, mean = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(point.planets[i].load_share, shares[i], kBalance);
+    damage += 2.0 * std::pow(point.planets[i].life_hours, -9.0 / 8.0);
+    mean += 0.25 * point.planets[i].load;
+  }
+  EXPECT_NEAR(point.system_life_hours, std::pow(damage, -8.0 / 9.0), kRoundOff * point.system_life_hours);
+  // Pooled, the mean of fourth powers: between the shortest and the longest.
+  const auto [shortest, longest] = std::minmax_element(
+      point.planets.begin(), point.planets.end(),
+      [](const PlanetResult& a, const PlanetResult& b) { return a.life_hours < b.life_hours; });
+  EXPECT_GT(point.life_hours, shortest->life_hours);
+  EXPECT_LT(point.life_hours, longest->life_hours);
+  EXPECT_NEAR(mean, point.planet_load, kBalance * mean);
+  PlanetaryDrivetrain even = drivetrain;
+  even.pins_displaced = false;
+  EXPECT_TRUE(evaluate(even, derive(even)).planets.empty());
+}
+
+// Gears at mean mesh stiffness, so that motion adds little to rest: loads of every planet as at rest, one way
+// and as one system.
+TEST(PinErrors, LoadPlanetsAlikeInEveryFidelity) {
+  constexpr double kMotion = 0.03;  // of a load: what rollers in motion do to the stiffness of the bearings
+  PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
+  drivetrain.mesh_variation = false;
+  drivetrain.drive.speed = 9000.0 * example::rpm;
+  drivetrain.steady_state.observed_windows = 1;
+  drivetrain.steady_state.most_windows = 2;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const PointResult still = evaluate(drivetrain, geometry);
+  for (const Fidelity fidelity : {Fidelity::dynamic, Fidelity::monolithic}) {
+    const PointResult moving = evaluate(drivetrain, geometry, fidelity);
+    ASSERT_EQ(moving.planets.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(moving.planets[i].load_share, still.planets[i].load_share, kMotion) << i;
+      EXPECT_NEAR(moving.planets[i].load, still.planets[i].load, kMotion * still.planets[i].load) << i;
+    }
+    EXPECT_NEAR(moving.life_hours / still.life_hours, 1.0, 4.0 * kMotion);
+    EXPECT_NEAR(moving.system_life_hours / still.system_life_hours, 1.0, 4.0 * kMotion);
+  }
+}
+
+TEST(PinErrors, AskForNoStateToStartFrom) {
+  const PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
+  EXPECT_THROW(evaluate_from(drivetrain, derive(drivetrain), Eigen::VectorXd::Zero(86)),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace orbearing::study::study_pin_error_test
