@@ -26,6 +26,7 @@ report_packages='
 python3: reports
 python3-numpy: reports
 python3-matplotlib: figures of the reports
+python3-netcdf4: reports, and tests that open result files as users do
 '
 
 test_packages='
@@ -34,7 +35,6 @@ libgmock-dev: matchers of the C++ tests
 python3-yaml: tests of the command line
 python3-jsonschema: test of the schema of case files
 python3-xarray: tests that open result files as users do
-python3-netcdf4: tests that open result files as users do
 python3-venv: FMI tools of others, installed below the build folder
 libpython3.11: models that PythonFMU exported run in it
 '

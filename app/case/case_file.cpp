@@ -71,6 +71,8 @@ Outcome resolve_all(std::string_view text, const std::string& name,
   apply_settings(root ? *root : unread, settings, outcome.mistakes);
   if (!root) return outcome;
   outcome.resolved.emplace(resolve(*root, name, outcome.mistakes));
+  // What must fit together follows from the model.
+  if (outcome.resolved->model() == no_model) return outcome;
   check_consistency(*outcome.resolved, outcome.mistakes);
   check_sweep_consistency(*outcome.resolved, outcome.mistakes);
   return outcome;

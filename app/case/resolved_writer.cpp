@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "app/case/field_table.hpp"
+#include "app/checksum.hpp"
 
 namespace orbearing::app {
 
@@ -77,13 +77,7 @@ std::string write_resolved(const ResolvedCase& resolved) {
 }
 
 std::string case_hash(const ResolvedCase& resolved) {
-  // Fowler, Noll and Vo's offset basis and prime for 64 bits.
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : write_resolved(resolved)) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 0x100000001b3U;
-  }
-  return fmt::format("{:016x}", hash);
+  return checksum(write_resolved(resolved));
 }
 
 }  // namespace orbearing::app

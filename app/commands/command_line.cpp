@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
@@ -34,15 +35,23 @@ void add_case(CLI::App& command, Options& options) {
   add_settings(command, options);
 }
 
-void add_output(CLI::App& command, Options& options) {
-  command.add_option("-o,--output", options.output, "folder of the results; made where it is missing")
-      ->required()
-      ->type_name("DIR");
+CLI::Option& add_output(CLI::App& command, Options& options) {
+  return *command
+              .add_option("-o,--output", options.output, "folder of the results; made where it is missing")
+              ->check([](const std::string& name) { return std::string(name.empty() ? "empty name" : ""); })
+              ->type_name("DIR");
+}
+
+void add_output_or_json(CLI::App& command, Options& options) {
+  add_output(command, options)
+      .description(
+          "folder of the results; made where it is missing. With --json it may be left out: then "
+          "nothing is written");
 }
 
 void add_computing(CLI::App& command, Options& options) {
   add_case(command, options);
-  add_output(command, options);
+  add_output_or_json(command, options);
   command
       .add_option("--fidelity", options.fidelity,
                   "quasi-static (default); dynamic: the gears drive the bearing; co-simulated or monolithic: "
@@ -101,7 +110,7 @@ void add_crown_aims(CLI::App& command, CrownOptions& crown) {
 
 void add_crown(CLI::App& command, Options& options) {
   add_case(command, options);
-  add_output(command, options);
+  add_output_or_json(command, options);
   add_crown_choices(command, options.crown);
   add_crown_aims(command, options.crown);
   command.add_option("--jobs", options.jobs, "threads; default: one for each core")
@@ -150,7 +159,7 @@ void add_commands(CommandTable table) {
   CLI::App& merge = table.add("merge", "join the shards of a sweep", merge_command);
   add_settings(merge, options);
   merge.add_option("DIR", options.folders, "folders of the shards")->required();
-  add_output(merge, options);
+  add_output(merge, options).required();
   add_crown(table.add("crown", "roller profile trade study and optimum", crown_command), options);
   add_case(table.add("mesh", "mesh stiffness over a mesh period, contact ratio, phases", mesh_command),
            options);
@@ -214,7 +223,16 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
+void require_place_of_results(const Options& options) {
+  if (!options.output.empty()) return;
+  if (!options.json)
+    throw BadInput("--output: missing; required: a folder for the results, or --json to print them alone");
+  if (options.resume) throw BadInput("--resume: found without --output; required: the folder to go on with");
+}
+
 int run_command_line(int argc, char** argv) {
+  // A file grown beyond the user's limit is an error of the write then, which cleans up, not the end.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     return parse_and_run(argc, argv);
   } catch (const BadInput& error) {

@@ -15,7 +15,7 @@ struct Options {
   std::vector<std::string> cases;     // validate: none means all that ship
   std::vector<std::string> folders;   // merge, report
   std::vector<std::string> settings;  // path=value
-  std::string output;
+  std::string output;                 // empty: with --json, nothing is written
   std::string fidelity = "quasi-static";
   std::optional<std::string> speed;      // modes: none means at rest
   std::optional<std::string> shard;      // "i/n"
@@ -43,6 +43,10 @@ int mesh_command(const Options& options);
 int modes_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
+
+/// Throws BadInput where the result would go nowhere: neither --output nor --json; where there is nothing to
+/// resume.
+void require_place_of_results(const Options& options);
 
 /// Exit code: 0 done; 1 the computation failed, wholly or at some points; 2 bad input or usage.
 int run_command_line(int argc, char** argv);

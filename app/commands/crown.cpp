@@ -67,11 +67,12 @@ ResultRow done_row(const TableHead& head) {
 }  // namespace
 
 int crown_command(const Options& options) {
+  require_place_of_results(options);
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
   const CrownRequest request = crown_request(resolved, options.crown);
   const ManifestHeader header = manifest_header(resolved, options_text(options.crown));
-  ResultFolder folder(options.output, header, write_resolved(resolved),
-                      options.resume ? OpenMode::resume : OpenMode::fresh);
+  ResultFolder folder =
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
   const fs::path file = fs::path(options.output) / crown_file_name;
   CrownResult result;
   if (folder.finished().contains(0) && fs::exists(file)) {
@@ -79,7 +80,7 @@ int crown_command(const Options& options) {
   } else {
     const CrownStudy study = computed(request, options);
     result = {result_json(resolved, options.crown, study), crown_text(study), study.failed};
-    write_crown(options.output, result);
+    if (!options.output.empty()) write_crown(options.output, result);
     folder.keep({{0, netcdf_of(header, study), done_row(folder.head())}});
   }
   if (options.json)

@@ -75,17 +75,40 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
 
 }  // namespace
 
+namespace {
+
+// Makes the folder of `file` where it is missing; nothing is computed for a file that cannot be written.
+void require_place_of(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    throw BadInput(fmt::format("--output: {}: cannot be made: {}; required: a place that may be written to",
+                               folder.string(), error.message()));
+  require_writable(folder);
+}
+
+void write_fmu(const fs::path& file, const std::string& content) {
+  try {
+    write_aside_and_rename(file, content);
+  } catch (const WriteFailed& error) {
+    throw ComputationFailed(error.cause + "; no FMU was written: make room, then run it again");
+  }
+}
+
+}  // namespace
+
 int fmu_command(const Options& options) {
   const fs::path file = options.output;
   require_file_name(file);
   const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
   const fmu::NumberTable numbers =
       options.model == "gearset" ? gear_numbers(resolved) : bearing_numbers(resolved);
+  require_place_of(file);
   const fmu::DescriptionOptions description = description_options(resolved, options);
   const FmuLibraries libraries = fmu_libraries(numbers, description.interface, options.quiet);
   const std::string content = fmu_content(numbers, description, libraries.found);
-  if (file.has_parent_path()) fs::create_directories(file.parent_path());
-  write_aside_and_rename(file, content);
+  write_fmu(file, content);
   const fmu::ModelFacts facts = fmu::facts_of(numbers);
   Outcome outcome{facts.inputs.size(),    facts.outputs.size(),   facts.parameters.size(),
                   content.size(),         fmu::token_of(numbers), platforms_of(libraries.found),

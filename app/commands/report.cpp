@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <fstream>
 
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
+#include "app/results/durable_file.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/branches.hpp"
 #include "app/study/crown/crown_figures.hpp"
@@ -22,6 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* data_name = "report.json";
+constexpr const char* page_name = "report.html";
+
 // The Python package: of the source tree this program was built from, or beside an installed program.
 fs::path python_package() {
   const fs::path in_tree = fs::path(source_folder) / "python";
@@ -32,14 +35,15 @@ fs::path python_package() {
 }
 
 void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
-  const fs::path aside = file.string() + ".tmp";
-  std::ofstream out(aside);
-  out << data.dump(1) << '\n';
-  out.close();
-  if (!out)
-    throw BadInput(file.string() + ": cannot be written; required: a folder with leave to write and room");
-  fs::rename(aside, file);
+  try {
+    write_aside_and_rename(file, data.dump(1) + '\n');
+  } catch (const WriteFailed& error) {
+    throw ComputationFailed(error.cause + "; no report was written: make room, then run it again");
+  }
 }
+
+constexpr const char* python_program = "/usr/bin/python3";
+constexpr int kNotStarted = 127;
 
 // Runs Debian's own interpreter, which has the packages that the page needs, without a shell in between.
 int draw(const fs::path& folder) {
@@ -47,12 +51,29 @@ int draw(const fs::path& folder) {
   if (child == 0) {
     setenv("PYTHONPATH", python_package().c_str(), 1);
     const std::string target = folder.string();
-    execl("/usr/bin/python3", "python3", "-m", "orbearing.report", target.c_str(), nullptr);
-    _exit(127);
+    // By its first argument Python finds its packages: a bare name would lead to another on the PATH, as that
+    // of a virtual environment.
+    unsetenv("PYTHONHOME");
+    execl(python_program, python_program, "-m", "orbearing.report", target.c_str(), nullptr);
+    _exit(kNotStarted);
   }
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+// Numbers whose page could not be drawn are taken back.
+void draw_page(const fs::path& folder) {
+  const int code = draw(folder);
+  if (code == 0) return;
+  std::error_code ignored;
+  fs::remove(folder / data_name, ignored);
+  throw ComputationFailed((folder / page_name).string() + ": was not drawn; " +
+                          (code == kNotStarted
+                               ? std::string(python) +
+                                     " is required, with matplotlib and netCDF4 (Debian: python3-matplotlib "
+                                     "python3-netcdf4)"
+                               : std::string("the message above says why")));
 }
 
 // Of a crowning study: its result and what its pictures show beyond it.
@@ -83,15 +104,13 @@ int report_command(const Options& options) {
                    ": found with report; required: set it in the sweep");
   const fs::path folder = options.folders.front();
   const Manifest manifest = read_results(folder);
+  require_writable(folder);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
-  const fs::path page = folder / "report.html";
+  const fs::path page = folder / page_name;
   const nlohmann::ordered_json data =
       holds_crown(folder) ? crown_data(resolved, folder) : sweep_data(resolved, manifest, options);
-  write_data(folder / "report.json", data);
-  if (draw(folder) != 0)
-    throw ComputationFailed(page.string() +
-                            ": was not drawn; required: /usr/bin/python3 with numpy, matplotlib, "
-                            "xarray and netCDF4 (Debian: python3-matplotlib python3-xarray python3-netcdf4)");
+  write_data(folder / data_name, data);
+  draw_page(folder);
   if (options.json)
     fmt::print("{}\n", nlohmann::ordered_json{{"report", page.string()}}.dump(2));
   else if (!options.quiet)

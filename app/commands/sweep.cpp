@@ -24,6 +24,7 @@ void require_sequential(const Options& options) {
 }  // namespace
 
 int sweep_command(const Options& options) {
+  require_place_of_results(options);
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
   require_computable(resolved, options.fidelity, true);
   SweepRequest request = sweep_request(resolved, options.fidelity);

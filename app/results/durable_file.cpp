@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -92,6 +93,19 @@ void write_aside_and_rename(const std::vector<FileContent>& files) {
 
 void write_aside_and_rename(const std::filesystem::path& file, std::string_view content) {
   write_aside_and_rename({{file, content}});
+}
+
+void require_writable(const std::filesystem::path& folder) {
+  std::string probe = (folder / ".orbearing_XXXXXX").string() + aside_ending;
+  const Descriptor made(::mkstemps(probe.data(), static_cast<int>(std::strlen(aside_ending))));
+  if (made.number >= 0) {
+    ::unlink(probe.c_str());
+  } else if (errno == ENOSPC || errno == EDQUOT) {
+    fail_to_write(folder, errno);
+  } else {
+    throw BadInput(fmt::format("{}: cannot be written to: {}; a folder that may be written to is required",
+                               folder.string(), std::strerror(errno)));
+  }
 }
 
 void sync_folder(const std::filesystem::path& folder) {

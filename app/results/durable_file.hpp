@@ -31,6 +31,9 @@ struct FileContent {
 void write_aside_and_rename(const std::vector<FileContent>& files);
 void write_aside_and_rename(const std::filesystem::path& file, std::string_view content);
 
+/// Throws BadInput unless a file can be made in `folder`; WriteFailed where the disk is full.
+void require_writable(const std::filesystem::path& folder);
+
 /// Brings the names in `folder` to the disk. Throws WriteFailed.
 void sync_folder(const std::filesystem::path& folder);
 

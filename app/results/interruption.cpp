@@ -9,7 +9,7 @@ namespace {
 std::atomic<bool> wished = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing that locks");
 
-constexpr std::array<int, 3> signals = {SIGINT, SIGTERM, SIGXFSZ};
+constexpr std::array<int, 2> signals = {SIGINT, SIGTERM};
 
 }  // namespace
 
@@ -17,7 +17,7 @@ Interruption::Interruption() {
   wished = false;
   for (std::size_t i = 0; i < signals.size(); ++i) {
     struct sigaction action {};
-    action.sa_handler = signals[i] == SIGXFSZ ? SIG_IGN : [](int) { wished = true; };
+    action.sa_handler = [](int) { wished = true; };
     action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
     sigaction(signals[i], nullptr, &former_[i]);
     // A parent that ignores SIGINT, as nohup and shells do for work in the background, is respected.

@@ -6,8 +6,8 @@
 
 namespace orbearing::app {
 
-/// While it lives the first SIGINT or SIGTERM sets a flag; a second one ends the program at once. A file
-/// grown beyond the user's limit is an error of the write then, not the end. One object at a time.
+/// While it lives the first SIGINT or SIGTERM sets a flag; a second one ends the program at once. One object
+/// at a time.
 class Interruption {
  public:
   Interruption();
@@ -19,7 +19,7 @@ class Interruption {
   static bool requested();
 
  private:
-  std::array<struct sigaction, 3> former_{};
+  std::array<struct sigaction, 2> former_{};
 };
 
 }  // namespace orbearing::app

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int manifest_format = 1;
+constexpr int manifest_format = 2;
 
 ManifestHeader header_from(const Json& object) {
   if (object.at("orbearing_results").get<int>() != manifest_format)
@@ -40,7 +40,7 @@ void add_entry(Manifest& manifest, const Json& object) {
   if (!manifest.header->holds(point)) throw BadInput("a point that is not of this sweep");
   if (object.at("file") != point_file_name(point)) throw BadInput("a file of another name");
   manifest.entries[point] = {
-      point_file_name(point),
+      point_file_name(point), object.at("checksum").get<std::string>(),
       row_from_json(table_head(manifest.header->axes, manifest.header->sets), object.at("row"))};
 }
 
@@ -111,7 +111,10 @@ std::string header_line(const ManifestHeader& header) {
 }
 
 std::string entry_line(const TableHead& head, std::size_t point, const ManifestEntry& entry) {
-  const Json object = {{"point", point}, {"file", entry.file}, {"row", row_json(head, entry.row)}};
+  const Json object = {{"point", point},
+                       {"file", entry.file},
+                       {"checksum", entry.checksum},
+                       {"row", row_json(head, entry.row)}};
   return object.dump() + '\n';
 }
 

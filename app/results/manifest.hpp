@@ -50,7 +50,8 @@ struct ManifestHeader {
 std::string point_file_name(std::size_t point);
 
 struct ManifestEntry {
-  std::string file;  // point_file_name of the point
+  std::string file;      // point_file_name of the point
+  std::string checksum;  // of the file's bytes
   ResultRow row;
 };
 

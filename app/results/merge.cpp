@@ -87,7 +87,7 @@ void check_files(const std::vector<ShardResults>& shards, std::vector<std::strin
                       "required",
                       resolved_file(shard).string(), resolved_file(shards.front()).string()));
     for (const auto& [point, entry] : shard.manifest.entries) {
-      const std::string fault = fault_of_point_file(shard.folder / entry.file);
+      const std::string fault = fault_of_point(shard.folder, entry);
       if (!fault.empty() && ++faults <= most_told)
         messages.push_back(
             fmt::format("{}: {}; the file as its sweep wrote it is required: remove it and "

@@ -220,16 +220,4 @@ std::vector<double> read_final_state(const std::filesystem::path& file) {
   return state;
 }
 
-std::string fault_of_point_file(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) return "is missing";
-  if (!std::filesystem::is_regular_file(file, error)) return "is not a file";
-  if (std::filesystem::file_size(file, error) == 0) return "is empty";
-  int number = 0;
-  // Opening reads the file's head and compares its length with the one stored there.
-  if (nc_open(file.c_str(), NC_NOWRITE, &number) != NC_NOERR) return "is not a whole netCDF file";
-  nc_close(number);
-  return {};
-}
-
 }  // namespace orbearing::app

@@ -45,7 +45,4 @@ std::string netcdf_bytes(const PointContent& content);
 /// thread at a time.
 std::vector<double> read_final_state(const std::filesystem::path& file);
 
-/// What is wrong with a point's file: "is missing", "is empty", "is no netCDF file"; empty for a sound one.
-std::string fault_of_point_file(const std::filesystem::path& file);
-
 }  // namespace orbearing::app

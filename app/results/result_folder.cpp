@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdio>
 #include <system_error>
 
+#include "app/checksum.hpp"
 #include "app/errors.hpp"
 #include "app/results/row_text.hpp"
 
@@ -97,16 +99,20 @@ void remove_leftovers(const fs::path& folder) {
   }
 }
 
-bool is_whole(const fs::path& file) {
-  std::error_code error;
-  return fs::is_regular_file(file, error) && fs::file_size(file, error) > 0;
-}
-
 void write_where_unlike(const fs::path& file, const std::string& content) {
   if (!fs::exists(file) || read_file(file) != content) write_aside_and_rename(file, content);
 }
 
 }  // namespace
+
+std::string fault_of_point(const fs::path& folder, const ManifestEntry& entry) {
+  const fs::path file = folder / entry.file;
+  std::error_code error;
+  if (!fs::exists(file, error)) return "is missing";
+  if (!fs::is_regular_file(file, error)) return "is not a file";
+  if (fs::file_size(file, error) == 0) return "is empty";
+  return checksum(read_file(file)) == entry.checksum ? "" : "differs from what its sweep wrote";
+}
 
 ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const std::string& resolved_case,
                            OpenMode mode)
@@ -135,24 +141,31 @@ void ResultFolder::begin(const ManifestHeader& header, const std::string& resolv
   write_where_unlike(folder_ / resolved_name, resolved_case);
   sync_folder(folder_);
   finished_ = std::move(manifest.entries);
-  std::erase_if(finished_, [&](const auto& entry) { return !is_whole(folder_ / entry.second.file); });
+  std::erase_if(finished_, [&](const auto& entry) {
+    const std::string fault = fault_of_point(folder_, entry.second);
+    if (!fault.empty())
+      damaged_.push_back(fmt::format("{}: {}", (folder_ / entry.second.file).string(), fault));
+    return !fault.empty();
+  });
 }
 
 void ResultFolder::keep(std::vector<FinishedPoint> points) {
   std::vector<FileContent> files;
   for (const FinishedPoint& point : points)
     files.push_back({folder_ / point_file_name(point.index), point.content});
-  write_aside_and_rename(files);
-  sync_folder(folder_ / points_name);
+  if (!in_memory()) {
+    write_aside_and_rename(files);
+    sync_folder(folder_ / points_name);
+  }
   std::string lines;
   std::map<std::size_t, ManifestEntry> kept;
   for (FinishedPoint& point : points) {
     assert(point.row.values.size() == head_.names.size());
-    ManifestEntry entry{point_file_name(point.index), std::move(point.row)};
+    ManifestEntry entry{point_file_name(point.index), checksum(point.content), std::move(point.row)};
     lines += entry_line(head_, point.index, entry);
     kept.insert_or_assign(point.index, std::move(entry));
   }
-  manifest_.append(lines);
+  if (!in_memory()) manifest_.append(lines);
   for (auto& [index, entry] : kept) finished_.insert_or_assign(index, std::move(entry));
 }
 
@@ -166,10 +179,20 @@ void ResultFolder::discard() {
 }
 
 void ResultFolder::write_table() const {
+  if (in_memory()) return;
   std::string text = csv_head(head_);
   for (const auto& [index, entry] : finished_) text += csv_line(head_, entry.row);
   write_aside_and_rename(folder_ / table_name, text);
   sync_folder(folder_);
+}
+
+ResultFolder open_results(const fs::path& folder, const ManifestHeader& header,
+                          const std::string& resolved_case, bool resume, bool quiet) {
+  if (folder.empty()) return ResultFolder(header);
+  ResultFolder opened(folder, header, resolved_case, resume ? OpenMode::resume : OpenMode::fresh);
+  for (const std::string& file : opened.damaged())
+    if (!quiet) fmt::print(stderr, "{}; its point is computed again\n", file);
+  return opened;
 }
 
 Manifest read_results(const fs::path& folder) {

@@ -20,6 +20,10 @@ struct FinishedPoint {
   ResultRow row;
 };
 
+/// What is wrong with the file of a finished point: "is missing", "is empty", "differs from what its sweep
+/// wrote"; empty for a sound one.
+std::string fault_of_point(const std::filesystem::path& folder, const ManifestEntry& entry);
+
 /// An open result folder, locked against a second writer for as long as the object lives.
 ///
 /// Opening leaves a folder untouched unless it may be used: it is missing (made, parents too), empty, or -
@@ -31,8 +35,15 @@ class ResultFolder {
   ResultFolder(std::filesystem::path folder, const ManifestHeader& header, const std::string& resolved_case,
                OpenMode mode);
 
-  /// Points that stand in the folder, by number.
+  /// No folder: rows are kept in memory, and nothing is written.
+  explicit ResultFolder(const ManifestHeader& header) : head_(table_head(header.axes, header.sets)) {}
+
+  /// Points that stand whole in the folder, by number.
   const std::map<std::size_t, ManifestEntry>& finished() const { return finished_; }
+
+  /// Files of finished points that were found missing or damaged, one line each; their points are not among
+  /// `finished`.
+  const std::vector<std::string>& damaged() const { return damaged_; }
 
   /// Writes the files of `points`, then their manifest lines; all on the disk when it returns.
   /// Throws ComputationFailed where the disk does not take them; what was kept before stays sound.
@@ -48,13 +59,20 @@ class ResultFolder {
   const std::filesystem::path& path() const { return folder_; }
 
  private:
+  bool in_memory() const { return folder_.empty(); }
   void begin(const ManifestHeader& header, const std::string& resolved_case);
 
   std::filesystem::path folder_;
   TableHead head_;
   AppendOnlyFile manifest_;
   std::map<std::size_t, ManifestEntry> finished_;
+  std::vector<std::string> damaged_;
 };
+
+/// Opens `folder`, fresh or to be resumed, or memory alone where `folder` is empty. Files found missing or
+/// damaged are told on standard error unless `quiet`.
+ResultFolder open_results(const std::filesystem::path& folder, const ManifestHeader& header,
+                          const std::string& resolved_case, bool resume, bool quiet);
 
 /// Reads the manifest of a result folder without changing anything. Throws BadInput where it holds none.
 Manifest read_results(const std::filesystem::path& folder);

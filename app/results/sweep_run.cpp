@@ -111,6 +111,13 @@ void compute_chains(const SweepRequest& request, ResultFolder& folder) {
   }
 }
 
+std::string interrupted(const SweepRequest& request, std::size_t done) {
+  const std::string found =
+      fmt::format("interrupted with {} of {} points done", done, request.header.own_points());
+  if (request.folder.empty()) return found + "; nothing of it is kept without --output";
+  return fmt::format("{}: {}; go on with --resume", request.folder.string(), found);
+}
+
 }  // namespace
 
 SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder, std::size_t kept) {
@@ -125,17 +132,15 @@ SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder
 SweepOutcome run_sweep(const SweepRequest& request) {
   assert(request.header.points == request.points.size());
   const Interruption interruption;
-  ResultFolder folder(request.folder, request.header, request.resolved_case,
-                      request.resume ? OpenMode::resume : OpenMode::fresh);
+  ResultFolder folder =
+      open_results(request.folder, request.header, request.resolved_case, request.resume, request.quiet);
   const std::size_t kept = folder.finished().size();
   if (request.header.continued)
     compute_chains(request, folder);
   else
     compute_missing(request, folder);
   const std::size_t done = folder.finished().size();
-  if (done < request.header.own_points())
-    throw ComputationFailed(fmt::format("{}: interrupted with {} of {} points done; go on with --resume",
-                                        request.folder.string(), done, request.header.own_points()));
+  if (done < request.header.own_points()) throw ComputationFailed(interrupted(request, done));
   folder.write_table();
   return outcome_of(request.header, folder, kept);
 }

@@ -30,8 +30,8 @@ struct SweepRequest {
   /// Computes a point of a continued sweep (header.continued) from the final state of its neighbour, or from
   /// its own start where `start` is empty. Called from one thread.
   std::function<study::PointResult(std::size_t point, const Eigen::VectorXd& start)> evaluate_from{};
-  std::filesystem::path folder;
-  int jobs = 0;  // threads; 0: as many as the machine has
+  std::filesystem::path folder;  // empty: nothing is written
+  int jobs = 0;                  // threads; 0: as many as the machine has
   bool resume = false;
   bool quiet = false;  // no progress, even on a terminal
 };
@@ -45,12 +45,12 @@ struct SweepOutcome {
   std::size_t failed = 0;  // rows whose status is not "ok"; the command's exit code is 1 where there are any
 };
 
-/// Computes what is missing in the folder and writes points/*.nc, manifest.jsonl, case.resolved.yaml and
-/// sweep.csv. A continued sweep takes its chains one after the other; a point goes on from the last one
-/// before it in its chain that was computed, and a resumed chain from the state stored with that point, so
-/// that the results are those of an undisturbed run to the last bit. Throws BadInput (folder not to be used,
-/// no state stored to go on from) and ComputationFailed (disk full, or SIGINT or SIGTERM, after which the
-/// points computed so far are kept and `resume` goes on).
+/// Computes what is missing in the folder, or damaged, and writes points/*.nc, manifest.jsonl,
+/// case.resolved.yaml and sweep.csv. A continued sweep takes its chains one after the other; a point goes on
+/// from the last one before it in its chain that was computed, and a resumed chain from the state stored with
+/// that point, so that the results are those of an undisturbed run to the last bit. Throws BadInput (folder
+/// not to be used, no state stored to go on from) and ComputationFailed (disk full, or SIGINT or SIGTERM,
+/// after which the points computed so far are kept and `resume` goes on).
 SweepOutcome run_sweep(const SweepRequest& request);
 
 /// The rows of a folder; `kept` of its points were found finished.

@@ -73,8 +73,8 @@ int run_gear_case(const ResolvedCase& resolved, const Options& options) {
                    ": gearset.teeth: missing; required: teeth, which give loads and mesh frequency; "
                    "orbearing modes shows the natural frequencies of a set without");
   const ManifestHeader header = manifest_header(resolved, "gears");
-  ResultFolder folder(options.output, header, write_resolved(resolved),
-                      options.resume ? OpenMode::resume : OpenMode::fresh);
+  ResultFolder folder =
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
   const study::GearRunResult result = study::run_gears(model, gear_run_options(resolved));
   if (!result.completed) throw ComputationFailed(resolved.text("name") + ": " + result.message);
   if (!folder.finished().contains(0))

@@ -70,8 +70,8 @@ int run_static_case(const ResolvedCase& resolved, const Options& options) {
     throw BadInput("--fidelity: found " + options.fidelity +
                    "; required: quasi-static for a single bearing under a static load");
   const ManifestHeader header = manifest_header(resolved, "static");
-  ResultFolder folder(options.output, header, write_resolved(resolved),
-                      options.resume ? OpenMode::resume : OpenMode::fresh);
+  ResultFolder folder =
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
   const StaticStudy study = static_study(resolved);
   if (!folder.finished().contains(0))
     folder.keep({{0, file_of(header, study), row_of(folder.head(), study)}});

@@ -1,10 +1,10 @@
 #include "coupling/study/ablation.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <exception>
 #include <iterator>
 #include <utility>
+
+#include "coupling/study/parallel.hpp"
 
 namespace orbearing::study {
 
@@ -171,7 +171,7 @@ std::vector<PointResult> evaluate_all(const PlanetaryDrivetrain& drivetrain,
                                       const std::vector<Ablation>& ablations,
                                       const std::vector<double>& speeds, Fidelity fidelity) {
   std::vector<PointResult> points(ablations.size() * speeds.size());
-  tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t i) {
+  in_parallel(points.size(), 0, [&](std::size_t i) {
     PlanetaryDrivetrain changed = drivetrain;
     ablations[i / speeds.size()].change(changed);
     changed.drive.speed = speeds[i % speeds.size()];

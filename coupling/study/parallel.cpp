@@ -1,15 +1,13 @@
 #include "coupling/study/parallel.hpp"
 
 #include <tbb/concurrent_queue.h>
-#include <tbb/global_control.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <exception>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 namespace orbearing::study {
@@ -37,19 +35,20 @@ PointResult result_or_reason(const Evaluate& evaluate, std::size_t index) {
   }
 }
 
-/// Each worker takes the next point in line, so that an interrupted sweep is done up to some point.
+/// Points are taken in line, so that an interrupted sweep is done up to some point.
 void compute_all(const std::vector<std::size_t>& indices, int jobs, const Evaluate& evaluate, Queue& queue,
                  const StopRequested& stop_requested) {
-  std::atomic<std::size_t> next = 0;
-  const auto worker = [&](int) {
-    for (std::size_t place; !stop_requested() && (place = next++) < indices.size();)
+  in_parallel(indices.size(), jobs, [&](std::size_t place) {
+    if (!stop_requested())
       queue.push(ComputedPoint{indices[place], result_or_reason(evaluate, indices[place])});
-  };
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(jobs));
-  tbb::task_arena arena(jobs);
-  arena.execute([&] { tbb::parallel_for(0, jobs, worker, tbb::simple_partitioner()); });
+  });
   queue.push(std::nullopt);
+}
+
+std::size_t threads_for(std::size_t count, int jobs) {
+  const auto processors = static_cast<std::size_t>(tbb::info::default_concurrency());
+  const std::size_t allowed = jobs > 0 ? std::min(static_cast<std::size_t>(jobs), processors) : processors;
+  return std::clamp(count, std::size_t{1}, allowed);
 }
 
 /// Waits for a point, takes those behind it along. Empty at the end.
@@ -67,15 +66,36 @@ std::vector<ComputedPoint> next_points(Queue& queue, bool& ended) {
 
 }  // namespace
 
+void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::exception_ptr failure;
+  const auto take_in_line = [&] {
+    for (std::size_t i; !failed && (i = next++) < count;) try {
+        work(i);
+      } catch (...) {
+        if (!failed.exchange(true)) failure = std::current_exception();
+      }
+  };
+  std::vector<std::jthread> others;
+  try {
+    while (others.size() + 1 < threads_for(count, jobs)) others.emplace_back(take_in_line);
+  } catch (const std::system_error&) {
+    // Those that there are do it all, only later.
+  }
+  take_in_line();
+  others.clear();  // waits for them
+  if (failure) std::rethrow_exception(failure);
+}
+
 void compute_points(const std::vector<std::size_t>& indices, int jobs, const Evaluate& evaluate,
                     const Deliver& deliver, const StopRequested& stop_requested) {
   Queue queue;
   queue.set_capacity(most_waiting);
   std::atomic<bool> delivery_failed = false;
   std::exception_ptr failure;
-  const int threads = jobs > 0 ? jobs : tbb::info::default_concurrency();
   std::jthread computing([&] {
-    compute_all(indices, threads, evaluate, queue, [&] { return delivery_failed || stop_requested(); });
+    compute_all(indices, jobs, evaluate, queue, [&] { return delivery_failed || stop_requested(); });
   });
   for (bool ended = false; !ended;) {
     std::vector<ComputedPoint> points = next_points(queue, ended);

@@ -10,6 +10,11 @@
 
 namespace orbearing::study {
 
+/// Calls work(0) to work(count - 1) on at most `jobs` threads (0: no bound), never on more than there are
+/// processors or calls, and on fewer where the system does not give so many. What `work` throws first stops
+/// the others and is passed on.
+void in_parallel(std::size_t count, int jobs, const std::function<void(std::size_t)>& work);
+
 struct ComputedPoint {
   std::size_t index = 0;
   PointResult result;  // of an exception: its text as status, all else at its default
@@ -22,7 +27,7 @@ using Deliver = std::function<void(std::vector<ComputedPoint> points)>;
 /// True when no further point may be started; called from several threads.
 using StopRequested = std::function<bool()>;
 
-/// Computes the points `indices` on `jobs` threads (0: as many as the machine has) and delivers them in the
+/// Computes the points `indices` on the threads of `in_parallel` and delivers them in the
 /// order they finish, several together where delivery is slower than computing. Points do not see each
 /// other, so results do not depend on `jobs`. Returns when all started points are delivered. What `deliver`
 /// throws stops the computation and is passed on.

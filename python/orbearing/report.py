@@ -46,21 +46,37 @@ def _crown_pages(report) -> dict[str, str]:
         return {"report.html": crown_page.page(report, crown.blocks(report))}
 
 
-def write_aside(path: Path, text: str) -> None:
-    """Write beside the target and rename, so that a reader never meets half a page."""
-    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".tmp", dir=path.parent)
+def write_all(folder: Path, pages: dict[str, str]) -> None:
+    """Write beside the targets and rename when all are whole, so that a reader never meets half a page or half of the pages."""
+    made: list[Path] = []
+    aside: dict[Path, Path] = {}
     try:
-        with os.fdopen(handle, "w", encoding="utf-8", errors="replace", newline="\n") as stream:
-            stream.write(text)
-            stream.flush()
-            os.fsync(stream.fileno())
-        umask = os.umask(0)
-        os.umask(umask)
-        os.chmod(name, 0o666 & ~umask)
-        os.replace(name, path)
+        for name, text in pages.items():
+            path = folder / name
+            if not path.parent.exists():
+                path.parent.mkdir()
+                made.append(path.parent)
+            _write_aside(path, text, aside)
+        for path, name in aside.items():
+            os.replace(name, path)
     except BaseException:
-        Path(name).unlink(missing_ok=True)
+        for name in aside.values():
+            name.unlink(missing_ok=True)
+        for empty in made:
+            empty.rmdir()
         raise
+
+
+def _write_aside(path: Path, text: str, aside: dict[Path, Path]) -> None:
+    handle, name = tempfile.mkstemp(prefix=f".{path.name}.", suffix=".tmp", dir=path.parent)
+    aside[path] = Path(name)
+    with os.fdopen(handle, "w", encoding="utf-8", errors="replace", newline="\n") as stream:
+        stream.write(text)
+        stream.flush()
+        os.fsync(stream.fileno())
+    umask = os.umask(0)
+    os.umask(umask)
+    os.chmod(name, 0o666 & ~umask)
 
 
 def main(arguments: list[str]) -> int:
@@ -70,9 +86,7 @@ def main(arguments: list[str]) -> int:
         return 0 if arguments in (["-h"], ["--help"]) else 2
     folder = Path(arguments[0])
     try:
-        for name, text in build_all(folder).items():
-            (folder / name).parent.mkdir(exist_ok=True)
-            write_aside(folder / name, text)
+        write_all(folder, build_all(folder))
     except ImportError as error:
         print(f"report: {error}; numpy and matplotlib are required; on Debian install python3-matplotlib", file=sys.stderr)
         return 1
@@ -82,7 +96,7 @@ def main(arguments: list[str]) -> int:
     except OSError as error:
         print(f"{folder}: report.html cannot be written ({error.strerror}); free space and write permission are required",
               file=sys.stderr)
-        return 2
+        return 1
     return 0
 
 

@@ -189,6 +189,25 @@ class BadInput(unittest.TestCase):
                 with self.subTest(name):
                     self.expect_message(run("check", root / name), r":1:[0-9]+: \(file\): .*; .* required$")
 
+    def test_a_wrong_or_missing_model_is_named_in_every_case(self):
+        """Nothing that follows from the model may be looked for before it is known."""
+        with tempfile.TemporaryDirectory() as folder:
+            for shipped in sorted(SOURCE.glob("cases/*/case.yaml")):
+                text = shipped.read_text(encoding="utf-8")
+                path = pathlib.Path(folder) / "case.yaml"
+                for model in ("model: planetary-drivetrian\n", "model: [ball-bearing]\n", "model:\n", ""):
+                    with self.subTest(case=shipped.parent.name, model=model):
+                        path.write_text(re.sub(r"^model:.*\n", model, text, flags=re.MULTILINE), encoding="utf-8")
+                        self.expect_message(run("check", path), rf"^{re.escape(str(path))}:[0-9]+:[0-9]+: model: .* required")
+                        self.assertEqual(run("check", shipped, "--set", "model=ball-baering").returncode, 2)
+
+    def test_a_result_wants_a_place_or_json(self):
+        for command in ("run", "sweep", "crown"):
+            with self.subTest(command):
+                self.expect_message(run(command, SHIPPED), r"^--output: missing; required: .*--json")
+                self.expect_message(run(command, SHIPPED, "--json", "--resume"), r"^--resume: found without --output")
+                self.assertEqual(run(command, SHIPPED, "-o", "").returncode, 2)
+
     def test_all_mistakes_at_once_in_order(self):
         result = run("check", SHIPPED, "--set", "life.lambda=2", "--set", "input.power=1 m", "--set", "x=1")
         self.assertEqual(result.returncode, 2)

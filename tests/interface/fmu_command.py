@@ -100,6 +100,22 @@ class FmuCommand(unittest.TestCase):
                 self.assertIn(word, result.stderr)
                 self.assertFalse((self.folder / name).exists())
 
+    def test_a_file_size_limit_leaves_nothing(self):
+        command = [os.environ["ORBEARING"], "fmu", str(REDUCER), "-o", str(self.folder / "new" / "a.fmu")]
+        result = subprocess.run(["bash", "-c", 'ulimit -f 100; exec "$@"', "fmu", *command], capture_output=True, text=True,
+                                timeout=SECONDS, check=False)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("make room", result.stderr)
+        self.assertNotIn("--resume", result.stderr)
+        self.assertEqual(list((self.folder / "new").iterdir()), [])
+
+    def test_a_place_that_cannot_be_written_to(self):
+        (self.folder / "file").write_text("text")
+        for output in (self.folder / "file" / "a.fmu", "/proc/a.fmu", "/proc/none/a.fmu"):
+            result = fmu(REDUCER, output)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn("required", result.stderr)
+
     def test_a_folder_is_no_file(self):
         (self.folder / "a.fmu").mkdir()
         self.assertEqual(fmu(REDUCER, self.folder / "a.fmu").returncode, 2)

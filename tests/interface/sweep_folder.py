@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Where a sweep and a merge may write: exit 2 with place and remedy, and nothing touched, where they may not."""
 
+import os
 import signal
 import subprocess
 import tempfile
@@ -8,7 +9,7 @@ import time
 import unittest
 from pathlib import Path
 
-from sweep_runs import COARSE, FINE, PROGRAM, manifest_points, run, snapshot, sweep, sweep_call, table
+from sweep_runs import CASE, COARSE, FINE, PROGRAM, WAIT, manifest_points, run, snapshot, sweep, sweep_call, table
 
 
 class SweepFolder(unittest.TestCase):
@@ -90,6 +91,70 @@ class SweepFolder(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertIn("--resume", message)
         self.assertTrue(manifest_points(folder))
+
+    def test_damaged_points_are_told_and_computed_again(self):
+        finished = self.finished()
+        before = snapshot(finished)
+        points = finished / "points"
+        whole = (points / "00004.nc").read_bytes()
+        flipped = bytearray(whole)
+        flipped[len(whole) // 2] ^= 1
+        damages = {"00000.nc": None, "00003.nc": b"", "00004.nc": whole[:-1], "00007.nc": whole, "00009.nc": bytes(flipped)}
+        for name, content in damages.items():
+            (points / name).unlink()
+            if content is not None:
+                (points / name).write_bytes(content)
+        # --quiet stands in sweep_call(); what was wrong is told without it.
+        result = run([part for part in sweep_call(finished, "--resume") if part != "--quiet"])
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for name in damages:
+            self.assertIn(f"points/{name}", result.stderr)
+        self.assertEqual(result.stderr.count("computed again"), len(damages))
+        after = snapshot(finished)
+        for path in before:
+            if not path.endswith("manifest.jsonl"):
+                self.assertEqual(after[path], before[path], path)
+        self.assertEqual(run(sweep_call(finished, "--resume")).stderr, "")
+
+    def test_merge_names_what_resume_would_compute_again(self):
+        first, second = self.finished("s1", "--shard", "1/2"), self.finished("s2", "--shard", "2/2")
+        file = next((first / "points").iterdir())
+        content = bytearray(file.read_bytes())
+        content[len(content) // 2] ^= 1
+        file.write_bytes(content)
+        self.expect_refused(self.merge(first, second), str(file), "--resume")
+        self.assertEqual(sweep(first, "--shard", "1/2", "--resume").returncode, 0)
+        self.assertEqual(self.merge(first, second).returncode, 0)
+        self.finished("whole")
+        self.assertEqual(table(self.place / "merged"), table(self.place / "whole"))
+
+    def test_json_alone_writes_nothing(self):
+        finished = self.finished()
+        with_folder = run([*sweep_call(finished, "--resume"), "--json"])
+        alone = subprocess.run([PROGRAM, "sweep", str(CASE), "--set", COARSE, "--json"], cwd=self.place, capture_output=True,
+                               text=True, timeout=WAIT, check=False)
+        self.assertEqual((alone.returncode, alone.stderr), (0, ""))
+        self.assertEqual(alone.stdout, with_folder.stdout)
+        self.assertEqual([path.name for path in self.place.iterdir()], ["finished"])
+
+    def test_threads_are_bounded_by_the_machine(self):
+        """Threads beyond the processors cost memory and give nothing."""
+        megabytes = 500 + 80 * len(os.sched_getaffinity(0))  # [MB]  a stack and a heap for each thread
+        limit = f"ulimit -v {1024 * megabytes}; exec \"$@\""
+        for name, call in (("sweep", sweep_call(self.place / "sweep", "--jobs", "4096")),
+                           ("crown", [PROGRAM, "crown", str(CASE), "--json", "--jobs", "4096", "--starts", "1", "--drops",
+                                      "0 um, 2 um", "--tilts", "0 mrad"])):
+            with self.subTest(name):
+                result = run(["bash", "-c", limit, name, *call])
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_file_size_limit_keeps_what_is_done(self):
+        folder = self.place / "full"
+        result = run(["bash", "-c", 'ulimit -f 1; exec "$@"', "sweep", *sweep_call(folder)])
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("--resume", result.stderr)
+        self.assertEqual([path for path in folder.rglob("*.tmp")], [])
+        self.assertEqual(run(sweep_call(folder, "--resume")).returncode, 0)
 
     def test_grid_is_that_of_the_case(self):
         rows = table(self.finished()).decode().splitlines()

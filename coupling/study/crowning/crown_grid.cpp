@@ -1,25 +1,18 @@
 #include "coupling/study/crowning/crown_grid.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
 #include <limits>
 
+#include "coupling/study/parallel.hpp"
+
 namespace orbearing::study::crowning {
 
 namespace {
 
 using bearing::profile::Profile;
-
-template <class Work>
-void in_parallel(std::size_t count, int jobs, const Work& work) {
-  tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
-}
 
 // Loads are found once, for life and pressure.
 void put_duties(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,

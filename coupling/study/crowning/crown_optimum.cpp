@@ -1,14 +1,13 @@
 #include "coupling/study/crowning/crown_optimum.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlopt.hpp>
 #include <random>
 #include <stdexcept>
+
+#include "coupling/study/parallel.hpp"
 
 namespace orbearing::study::crowning {
 
@@ -170,11 +169,8 @@ CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family
   const std::vector<Crown> starts = random_starts(search);
   CrownOptimum optimum;
   optimum.ends.resize(starts.size());
-  tbb::task_arena arena(options.jobs > 0 ? options.jobs : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, starts.size(),
-                      [&](std::size_t i) { optimum.ends[i] = search_from(starts[i], search); });
-  });
+  in_parallel(starts.size(), options.jobs,
+              [&](std::size_t i) { optimum.ends[i] = search_from(starts[i], search); });
   const auto best =
       std::max_element(optimum.ends.begin(), optimum.ends.end(), [](const auto& a, const auto& b) {
         return (a.converged ? a.life_hours : 0.0) < (b.converged ? b.life_hours : 0.0);

@@ -1,11 +1,9 @@
 #include "coupling/study/crowning/pressure_life.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 
 #include "bearing/half_space/pressure_measures.hpp"
+#include "coupling/study/parallel.hpp"
 
 namespace orbearing::study::crowning {
 
@@ -72,12 +70,8 @@ double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pr
 std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPressure& pressure,
                                    const Profile& profile, const std::vector<double>& tilts, int jobs) {
   std::vector<double> lives(tilts.size());
-  tbb::task_arena arena(jobs > 0 ? jobs : tbb::task_arena::automatic);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, tilts.size(), [&](std::size_t i) {
-      lives[i] = pressure_life_hours(problem, pressure, profile, tilts[i]);
-    });
-  });
+  in_parallel(tilts.size(), jobs,
+              [&](std::size_t i) { lives[i] = pressure_life_hours(problem, pressure, profile, tilts[i]); });
   return lives;
 }
 

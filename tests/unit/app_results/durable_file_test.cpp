@@ -22,6 +22,7 @@ class FullDisk {
     getrlimit(RLIMIT_FSIZE, &former_);
     const rlimit limit{bytes, former_.rlim_max};
     setrlimit(RLIMIT_FSIZE, &limit);
+    std::signal(SIGXFSZ, SIG_IGN);  // as the program does
   }
   FullDisk(const FullDisk&) = delete;
   FullDisk& operator=(const FullDisk&) = delete;

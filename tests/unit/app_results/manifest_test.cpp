@@ -22,7 +22,7 @@ ManifestHeader header_with_all() {
 std::string line_of(const ManifestHeader& header, std::size_t point) {
   const ResultRow row =
       result_row(fake_sweep::fake_result(point), std::vector<double>(header.axes.size(), 0.1));
-  return entry_line(table_head(header.axes), point, {point_file_name(point), row});
+  return entry_line(table_head(header.axes), point, {point_file_name(point), "0123456789abcdef", row});
 }
 
 std::string message_of(const std::string& text) {

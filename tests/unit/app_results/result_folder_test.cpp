@@ -150,6 +150,33 @@ TEST(ResultFolder, PointWhoseFileIsGoneIsMissing) {
   EXPECT_TRUE(folder.finished().contains(1));
 }
 
+TEST(ResultFolder, DamagedPointsAreMissingAndTold) {
+  const TemporaryFolder place;
+  const fs::path path = begun(place);
+  const std::string whole = read_file(path / point_file_name(0));
+  std::string flipped = whole;
+  flipped[whole.size() / 2] ^= 1;
+  for (const std::string& damaged :
+       {std::string(), whole.substr(0, whole.size() - 1), whole + "more", flipped}) {
+    fake_sweep::write(path / point_file_name(0), damaged);
+    const ResultFolder folder(path, fake_header(5), resolved, OpenMode::resume);
+    EXPECT_FALSE(folder.finished().contains(0));
+    EXPECT_TRUE(folder.finished().contains(1));
+    ASSERT_EQ(folder.damaged().size(), 1U);
+    EXPECT_THAT(folder.damaged().front(), HasSubstr("points/00000.nc: "));
+  }
+}
+
+TEST(ResultFolder, WithoutAFolderNothingIsWritten) {
+  ResultFolder folder(fake_header(5));
+  folder.keep({finished(0), finished(3)});
+  folder.write_table();
+  EXPECT_EQ(folder.finished().size(), 2U);
+  EXPECT_FALSE(fs::exists("manifest.jsonl"));
+  EXPECT_FALSE(fs::exists("points"));
+  EXPECT_FALSE(fs::exists("sweep.csv"));
+}
+
 TEST(ResultFolder, SecondSweepAtTheSameTimeIsRefused) {
   const TemporaryFolder place;
   const ResultFolder first(place / "d", fake_header(5), resolved, OpenMode::fresh);
