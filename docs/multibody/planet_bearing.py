@@ -3,23 +3,40 @@
 The planet moves in the frame of its carrier, x outward and y in the sense of carrier rotation. All in SI units.
 """
 
+import json
 import math
+import pathlib
 import shutil
+from dataclasses import dataclass
 
 import fmpy
 import fmpy.fmi2
 import numpy as np
 
-MASS = 0.1858  # [kg]  planet per bearing: the whole planet where it has one bearing
-STATIC = np.array([609.0, 532.0])  # [N]  gears and centrifugal force, on one bearing
-RIPPLE = np.array([0.0, 100.0])  # [N]  of the meshes
-MESH = 2520.0  # [Hz]
+RIPPLE = np.array([0.0, 100.0])  # [N]  of the meshes: an example's
 LOST = 1e-3  # [m]  a planet so far from its pin is no longer on a bearing
 
 
-def gear_force(time):
-    """What everything but the bearing does to the planet. Your multibody tool has its own."""
-    return STATIC + RIPPLE * math.sin(2.0 * math.pi * MESH * time)
+@dataclass(frozen=True)
+class Duty:
+    """What everything but the bearing does to the planet, per bearing. Your multibody tool has its own."""
+
+    mass: float  # [kg]  planet per bearing: the whole planet where it has one bearing
+    static: np.ndarray  # [N]  (2,)  gears and centrifugal force, on one bearing
+    mesh: float  # [Hz]
+
+    def gear_force(self, time):
+        return self.static + RIPPLE * math.sin(2.0 * math.pi * self.mesh * time)
+
+
+def duty_of(check_file):
+    """From what `orbearing check CASE --json` prints."""
+    check = json.loads(pathlib.Path(check_file).read_text(encoding="utf-8"))
+    value = {row["path"]: float(row["value"]) for row in check["derived"] if row["unit"] in ("kg", "N", "Hz")}
+    bearings = next(int(row["value"]) for row in check["inputs"] if row["path"] == "bearing.per_planet")
+    return Duty(value["gearset.dynamics.planet.mass"] / bearings,
+                np.array([value["operation.bore_load_x"], value["operation.bore_load_y"]]),
+                value["gearset.dynamics.mesh_frequency"])
 
 
 class Bushing:
@@ -109,25 +126,58 @@ class Bearing:
         raise RuntimeError(f"no place under {load} N")
 
 
-def move(place, velocity, time, size, bearing_force):
-    """The planet over one step, by the classical Runge-Kutta scheme; `bearing_force` of the time since its start."""
-    def rate(since, y):
-        return np.concatenate((y[2:], (bearing_force(since, y) + gear_force(time + since)) / MASS))
+class Held:
+    """An integrator that holds the bearing's force over its step, as leapfrog does: the classical Runge-Kutta scheme,
+    so that all error comes from the exchange."""
 
-    y = np.concatenate((place, velocity))
-    k1 = rate(0.0, y)
-    k2 = rate(size / 2, y + size / 2 * k1)
-    k3 = rate(size / 2, y + size / 2 * k2)
-    k4 = rate(size, y + size * k3)
-    y = y + size / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-    return y[:2], y[2:]
+    def __init__(self, duty, force):
+        self.duty = duty
+
+    def move(self, place, velocity, time, size, bearing_force):
+        """Place and velocity after the step; `bearing_force` of the time since its start and of place and velocity."""
+        def rate(since, y):
+            force = bearing_force(since, y[:2], y[2:]) + self.duty.gear_force(time + since)
+            return np.concatenate((y[2:], force / self.duty.mass))
+
+        y = np.concatenate((place, velocity))
+        k1 = rate(0.0, y)
+        k2 = rate(size / 2, y + size / 2 * k1)
+        k3 = rate(size / 2, y + size / 2 * k2)
+        k4 = rate(size, y + size * k3)
+        y = y + size / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        return y[:2], y[2:]
 
 
-def run_bushing(bushing, place, steps, size):
+class GeneralisedAlpha:
+    """What implicit multibody codes use: forces belong to the end of the step, however they came about."""
+
+    RADIUS = 0.5  # [-]  spectral radius at infinite frequency
+
+    def __init__(self, duty, force):
+        self.duty = duty
+        self.true = self.carried = (force + duty.gear_force(0.0)) / duty.mass  # [m/s2]
+
+    def move(self, place, velocity, time, size, bearing_force):
+        r = self.RADIUS
+        mass_share, force_share = (2.0 * r - 1.0) / (r + 1.0), r / (r + 1.0)
+        gamma = 0.5 - mass_share + force_share
+        beta = 0.25 * (gamma + 0.5) ** 2
+        true = (bearing_force(size, place, velocity) + self.duty.gear_force(time + size)) / self.duty.mass
+        carried = ((1.0 - force_share) * true + force_share * self.true - mass_share * self.carried) / (1.0 - mass_share)
+        place = place + size * velocity + size**2 * ((0.5 - beta) * self.carried + beta * carried)
+        velocity = velocity + size * ((1.0 - gamma) * self.carried + gamma * carried)
+        self.true, self.carried = true, carried
+        return place, velocity
+
+
+INTEGRATORS = {"force held over the step": Held, "generalised alpha": GeneralisedAlpha}
+
+
+def run_bushing(bushing, duty, place, steps, size):
     """Places [m] (steps + 1, 2) of the planet on the bushing."""
-    velocity, places = np.zeros(2), [np.array(place)]
+    velocity, places, integrator = np.zeros(2), [np.array(place)], Held(duty, None)
     for k in range(steps):
-        place, velocity = move(places[-1], velocity, k * size, size, lambda _, y: bushing.force(y[:2], y[2:]))
+        place, velocity = integrator.move(places[-1], velocity, k * size, size, lambda _, u, v: bushing.force(u, v))
         places.append(place)
     return np.array(places)
 
@@ -156,46 +206,45 @@ def in_turn_with_slopes(bearing, time, size, state):
     state.force_before, state.force = state.force, bearing.force()
 
 
-def half_ahead(bearing, time, size, state, slopes=False):
-    """The FMU goes half a step ahead along the planet's velocity, so that its force is that of the middle of the
-    planet's step."""
-    back = time - state.fmu_time
-    bend = state.acceleration if slopes else np.zeros(2)
-    bearing.step(state.fmu_time, back + size / 2, state.place - back * state.velocity + back**2 / 2 * bend,
-                 state.velocity - back * bend, bend if slopes else None)
-    state.fmu_time = time + size / 2
-    velocity = state.velocity
-    state.force = bearing.force()
-    state.move(time, size, state.force)
-    state.acceleration = (state.velocity - velocity) / size
-
-
-def half_ahead_with_slopes(bearing, time, size, state):
-    """As half_ahead, and along the acceleration of the last step too."""
-    half_ahead(bearing, time, size, state, slopes=True)
+def ahead(share, slopes):
+    """The FMU goes that share of a step ahead along the planet's velocity - with slopes, along the acceleration of the
+    last step too -, so that its force is that of the middle (1/2) or of the end (1) of the planet's step."""
+    def exchange(bearing, time, size, state):
+        back = time - state.fmu_time
+        bend = state.acceleration if slopes else np.zeros(2)
+        bearing.step(state.fmu_time, back + share * size, state.place - back * state.velocity + back**2 / 2 * bend,
+                     state.velocity - back * bend, bend if slopes else None)
+        state.fmu_time = time + share * size
+        velocity = state.velocity
+        state.force = bearing.force()
+        state.move(time, size, state.force)
+        state.acceleration = (state.velocity - velocity) / size
+    return exchange
 
 
 EXCHANGES = {"parallel": parallel, "in turn": in_turn, "in turn, slopes": in_turn_with_slopes,
-             "half a step ahead": half_ahead, "half a step ahead, slopes": half_ahead_with_slopes}
+             "half a step ahead": ahead(0.5, False), "half a step ahead, slopes": ahead(0.5, True),
+             "a step ahead": ahead(1.0, False), "a step ahead, slopes": ahead(1.0, True)}
 
 
 class Planet:
     """What an exchange remembers from step to step."""
 
-    def __init__(self, place, force):
+    def __init__(self, duty, place, force, integrator):
         self.place, self.velocity, self.acceleration = np.array(place), np.zeros(2), np.zeros(2)
         self.force = self.force_before = np.array(force)
         self.fmu_time = 0.0
+        self.integrator = INTEGRATORS[integrator](duty, force)
 
     def move(self, time, size, force, slope=0.0):
-        self.place, self.velocity = move(self.place, self.velocity, time, size,
-                                         lambda since, _: force + slope * since)
+        self.place, self.velocity = self.integrator.move(self.place, self.velocity, time, size,
+                                                         lambda since, *_: force + slope * since)
 
 
-def run_bearing(bearing, place, steps, size, exchange, watch=()):
+def run_bearing(bearing, duty, place, steps, size, exchange, watch=(), integrator="force held over the step"):
     """Places [m] (steps + 1, 2) of the planet on the FMU, and what was watched (steps + 1, ...)."""
     bearing.begin(place)
-    planet = Planet(place, bearing.force())
+    planet = Planet(duty, place, bearing.force(), integrator)
     places, watched = [planet.place], [bearing.get(*watch)]
     for k in range(steps):
         EXCHANGES[exchange](bearing, k * size, size, planet)

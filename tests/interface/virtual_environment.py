@@ -46,15 +46,20 @@ def installed(interpreter, packages):
     return None
 
 
-def interpreter_with(*packages):
-    """Interpreter of an environment that has `packages` (kept for the next time); ends the test as skipped where
-    there is none, e.g. without a network."""
+def environment(*packages):
+    """Interpreter of an environment that has `packages` (kept for the next time), and why there is none, e.g. without
+    a network."""
     name = hashlib.sha256("\n".join((sys.version, *packages)).encode()).hexdigest()[:12]
     interpreter = build_folder() / "venv" / name / "bin" / "python"
     interpreter.parents[2].mkdir(parents=True, exist_ok=True)
     with open(interpreter.parents[2] / f"{name}.lock", "w") as lock:  # tests run side by side
         fcntl.flock(lock, fcntl.LOCK_EX)
-        reason = installed(interpreter, packages)
+        return interpreter, installed(interpreter, packages)
+
+
+def interpreter_with(*packages):
+    """The interpreter alone; ends the test as skipped where there is none."""
+    interpreter, reason = environment(*packages)
     if reason:
         skip(reason)
     return interpreter
