@@ -12,6 +12,8 @@ namespace orbearing::app {
 
 namespace {
 
+const std::string kFromSetting = "--set: input.speed: ";  // how a case that is changed names the option
+
 double speed_option(const std::string& text) {
   const Reading<double> speed = read_quantity(text, dimension::angular_speed);
   if (speed.value && *speed.value >= 0.0) return *speed.value;
@@ -25,7 +27,14 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
   const double speed = speed_option(*options.speed);
   if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
     return gear_model_at(resolved, speed);
-  return gear_model_of(resolved.with("input.speed", *options.speed));
+  try {
+    return gear_model_of(resolved.with("input.speed", *options.speed));
+  } catch (const BadInput& error) {
+    std::vector<std::string> lines = error.messages;
+    for (std::string& line : lines)
+      if (line.starts_with(kFromSetting)) line.replace(0, kFromSetting.size(), "--speed: ");
+    throw BadInput(lines);
+  }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int manifest_format = 2;
+constexpr std::size_t most_shards = 1'000'000;  // as many as a sweep may have points
 
 ManifestHeader header_from(const Json& object) {
   if (object.at("orbearing_results").get<int>() != manifest_format)
@@ -82,8 +83,11 @@ Shard parse_shard(const std::string& text) {
   Shard shard;
   const std::size_t stroke = text.find('/');
   if (stroke == std::string::npos || !is_number(text.substr(0, stroke), shard.index) ||
-      !is_number(text.substr(stroke + 1), shard.count) || shard.index < 1 || shard.index > shard.count)
-    throw BadInput(fmt::format("--shard: '{}'; i/n with i from 1 to n is required, as in --shard 2/3", text));
+      !is_number(text.substr(stroke + 1), shard.count) || shard.index < 1 || shard.index > shard.count ||
+      shard.count > most_shards)
+    throw BadInput(
+        fmt::format("--shard: '{}'; i/n with i from 1 to n, and n at most {}, is required, as in --shard 2/3",
+                    text, most_shards));
   return shard;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/study/drivetrain_case.hpp"
@@ -199,6 +200,32 @@ Json published_points(const std::vector<LedgerRow>& rows) {
   return list;
 }
 
+// Life and load over speed as the sweep itself computed them.
+LifeCurve swept_curve(const SweepOutcome& outcome) {
+  std::map<double, const ResultRow*> by_speed;
+  for (const ResultRow& row : outcome.rows)
+    if (row.ok()) by_speed[value_of(outcome.head, row, "input_speed_rpm")] = &row;
+  LifeCurve curve;
+  for (const auto& [speed, row] : by_speed) {
+    curve.speed_rpm.push_back(speed);
+    curve.life_h.push_back(value_of(outcome.head, *row, "life_h"));
+    curve.roller_load_rms.push_back(value_of(outcome.head, *row, "outer_load_rms_N"));
+  }
+  return curve;
+}
+
+// Beside what the quasi-static model gives for each published number: what the points of the sweep give.
+void add_numbers_of_sweep(const SweepOutcome& outcome, Json& rows) {
+  if (!outcome.header.axes.empty()) return;  // several curves
+  const LifeCurve curve = swept_curve(outcome);
+  for (Json& row : rows) {
+    row["of_sweep"] = nullptr;
+    if (curve.life_h.empty() || row["reading"] != "") continue;
+    const double value = property(curve, row["quantity"].get<std::string>());
+    if (std::isfinite(value)) row["of_sweep"] = value;
+  }
+}
+
 // The rows of the sweep as an outcome, so that they are shown just as after the sweep.
 SweepOutcome outcome_of(const Manifest& manifest) {
   SweepOutcome outcome;
@@ -244,6 +271,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["drawing"] = drawing(drivetrain, geometry, property(grid, "peak_speed_rpm"));
   data["ablation"] = ablation_curves(drivetrain, fine);
   data["ledger"] = rows_json(ledger);
+  add_numbers_of_sweep(outcome, data["ledger"]);
   data["worth"] = worth_json(ledger);
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;

@@ -69,7 +69,9 @@ nlohmann::ordered_json two_way_report(const study::PlanetaryDrivetrain& drivetra
                                       const std::vector<double>& speeds_rpm, const std::string& fidelity) {
   return {{"how", how(drivetrain.exchange, fidelity)},
           {"one_way", one_way(drivetrain, speeds_rpm)},
-          {"convergence", convergence(drivetrain)}};
+          // One system exchanges nothing.
+          {"convergence",
+           fidelity_of(fidelity) == study::Fidelity::monolithic ? Json(nullptr) : convergence(drivetrain)}};
 }
 
 }  // namespace orbearing::app

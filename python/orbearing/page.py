@@ -11,6 +11,7 @@ from orbearing.result_folder import Report, records
 from orbearing.summary import headline, summary_table
 
 STYLE_SHEET = Path(__file__).with_name("page.css")
+LEAST_CHANGE = 1e-3  # [h]
 SHORT, SHORT_CELL = 14, ' class="short"'  # letters of a text that stays on one line, as a number with its unit
 
 
@@ -88,16 +89,24 @@ def _assumptions(report: Report) -> str:
     rows = report.records("assumptions")
     if not rows:
         return _section("Assumptions", "<p>The case marks no value as assumed.</p>")
-    note = "<p>Values the source does not give, why each was chosen, and what another choice would do to the life at the peak.</p>"
+    note = ("<p>Values the source does not give, why each was chosen, and what another choice would do to the quasi-static life at the best "
+            "grid speed; the table of worths below says from what to what.</p>")
     cells = [(r.get("key"), r.get("value"), r.get("reason"), _worth(r)) for r in rows]
     return _section("Assumptions", note + table(Table(("assumed", "value", "why", "worth"), cells)))
 
 
 def _worth(row: dict) -> str:
     hours = row.get("worth_h")
-    parts = [format_quantity(hours, "h")] if is_number(hours) else []
+    parts = [_hours(hours)] if is_number(hours) else []
     parts += [str(row["worth_text"])] if row.get("worth_text") else []
     return ": ".join(parts) or "not computed"
+
+
+def _hours(change: float) -> str:
+    """A change of life with its sign; what is below a thousandth of an hour is round-off."""
+    if abs(change) < LEAST_CHANGE:
+        return "0 h"
+    return ("+" if change > 0 else "") + format_quantity(change, "h")
 
 
 def _warnings(report: Report) -> str:
@@ -112,10 +121,15 @@ def _ledger(report: Report) -> str:
     rows = [row for row in report.records("ledger") if not row.get("reading")]
     if not rows:
         return _section("Published numbers beside ours", "<p>No published numbers are compared for this case.</p>")
-    names = ("source", "quantity", "published", "ours", "deviation", "tolerance", "verdict")
-    cells = [(row.get("source"), row.get("quantity"), row.get("published"), row.get("ours"),
-              _percent(row.get("deviation")), _percent(row.get("tolerance")), row.get("verdict")) for row in rows]
-    note = "<p>The shipped case of this name, with this run's values.</p>"
+    moving = report.fidelity != "quasi-static"
+    names = ("source", "quantity", "published", "quasi-static", "deviation", "tolerance", "verdict", *((report.fidelity,) if moving else ()))
+    cells = [(row.get("source"), row.get("quantity"), row.get("published"), row.get("ours"), _percent(row.get("deviation")),
+              f"{100 * row['tolerance']:.1f} %" if is_number(row.get("tolerance")) else None, row.get("verdict"),
+              *((row.get("of_sweep"),) if moving else ())) for row in rows]
+    note = "<p>The values of this run's case, computed by the quasi-static model on the grid of its speeds, as the sources did theirs."
+    if moving:
+        note += f" The last column holds the same quantities of the points of this sweep ({escape(report.fidelity)})."
+    note += "</p>"
     return _section("Published numbers beside ours", note + table(Table(names, cells)))
 
 
@@ -123,10 +137,13 @@ def _worths(report: Report) -> str:
     rows = report.records("worth")
     if not rows:
         return ""
-    names = ("assumption", "other reading", "peak (rpm)", "life at the peak (h)", "worth (h)")
-    cells = [(row.get("assumption"), row.get("reading"), row.get("peak_speed_rpm"), row.get("peak_life_h"), row.get("worth_h"))
-             for row in rows]
-    note = "<p>The quasi-static sweep with one assumption read otherwise; worth is the change of the life at the peak.</p>"
+    names = ("assumption", "other reading", "peak (rpm)", "life at the peak (h)", "worth")
+    cells = [(row.get("assumption"), row.get("reading"), row.get("peak_speed_rpm"), row.get("peak_life_h"),
+              _hours(row["worth_h"]) if is_number(row.get("worth_h")) else None) for row in rows]
+    first = next((row for row in rows if is_number(row.get("peak_life_h")) and is_number(row.get("worth_h"))), None)
+    base = f", {format_quantity(first['peak_life_h'] - first['worth_h'], 'h')} as the case stands" if first else ""
+    note = ("<p>The quasi-static sweep over the grid of speeds with one assumption read otherwise; worth is the change of the life at its best "
+            f"grid speed{base}.</p>")
     return _section("What each assumption is worth", note + table(Table(names, cells)))
 
 

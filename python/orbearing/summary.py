@@ -7,6 +7,20 @@ import numpy as np
 from orbearing.blocks import MISSING, Table, format_change, format_number, format_quantity, is_number
 from orbearing.result_folder import Report, curve
 
+# By which rung of the ladder: the answer's own words, and what the rung computes.
+HOW = {
+    "quasi-static": ", by the quasi-static model",
+    "dynamic": ", with the bearing in motion, driven by the gears",
+    "co-simulated": ", with gears and bearings in motion, by exchange",
+    "monolithic": ", with gears and bearings in motion as one system",
+}
+FIDELITIES = {
+    "quasi-static": ": rollers and cage turn at their kinematic speeds under the mean loads",
+    "dynamic": ": rollers and cage in motion, shaken by the gears one way",
+    "co-simulated": ": gears and all bearings act on each other, by exchange in windows",
+    "monolithic": ": gears and all bearings act on each other as one system of equations",
+}
+
 
 def best(report: Report) -> tuple[float | None, float | None]:
     """Speed [rpm] and life [h] of the peak: the refined one, else the grid's."""
@@ -27,7 +41,7 @@ def headline(report: Report) -> str:
     where = f"at {format_number(speed, 4)} rpm input speed{others}"
     if len(report.records("points")) == 1:
         return f"{_capital(where)} the planet bearing lives {format_number(life, 3)} hours (a single point, no peak)."
-    return f"The planet bearing lives longest {where}: {format_number(life, 3)} hours."
+    return f"The planet bearing lives longest {where}: {format_number(life, 3)} hours{HOW.get(report.fidelity, '')}."
 
 
 def summary_table(report: Report) -> Table:
@@ -38,7 +52,7 @@ def summary_table(report: Report) -> Table:
     rows = [
         ("Case", f"{case.get('name') or MISSING} ({case.get('model') or 'model not named'})"),
         ("Source", case.get("source")),
-        ("Fidelity", report.fidelity),
+        ("Fidelity", f"{report.fidelity}{FIDELITIES.get(report.fidelity, '')}"),
         ("Points of the sweep", f"{len(points)}, of which {len(failed)} without a life"),
         *([("Shown over speed", f"the points with {line}, nearest to the case's own")] if line else []),
         ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h")) + _edge_note(report)),
@@ -77,7 +91,7 @@ def _least_load_rows(report: Report) -> list[tuple[str, str]]:
     if np.isfinite(load).sum() < 3:
         return []
     least = int(np.nanargmin(load))
-    return [("Least planet load", f"{format_quantity(load[least], 'N', 4)} at {format_quantity(speed[least], 'rpm', 4)} (one bearing)")]
+    return [("Least planet load", f"{format_quantity(load[least], 'N', 4)} at {format_quantity(speed[least], 'rpm', 4)} (one bearing, quasi-static)")]
 
 
 def _edge_note(report: Report) -> str:

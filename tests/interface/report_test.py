@@ -72,6 +72,14 @@ def make_page(content):
         return command.build(Path(folder))
 
 
+def best(content):
+    return content["peak"]["refined_speed_rpm"]
+
+
+def least_load(content):
+    return content["fine"]["speed_rpm"][int(np.argmin(content["fine"]["planet_load_N"]))]
+
+
 def run_command(*arguments):
     call = [sys.executable, "-B", "-m", "orbearing.report", *map(str, arguments)]
     return subprocess.run(call, capture_output=True, text=True, env={"PYTHONPATH": str(ROOT / "python"), "PATH": "/usr/bin:/bin"})
@@ -93,6 +101,48 @@ class CompletePage(unittest.TestCase):
                 for part in ("<svg", "<figcaption>", "<details>"):
                     self.assertIn(part, text)
                 self.assertNotIn('class="missing"', text)
+
+    def test_every_number_says_by_which_rung_it_was_computed(self):
+        heading = re.search(r"<h1>(.*?)</h1>", self.page).group(1)
+        self.assertIn("quasi-static", heading)
+        for slug in ("drawing", "ablation-inertia", "ablation-clearance", "polar"):
+            self.assertIn("uasi-static", self.section(slug), slug)
+        self.assertNotIn("with this run's values", self.page)
+
+    def test_a_sweep_in_motion_is_not_mixed_with_quasi_static_numbers(self):
+        content = fixture.make_report()
+        content["fidelity"] = "monolithic"
+        content["ledger"][0]["of_sweep"] = 40123.0
+        content["worth"] = [{"assumption": "contact.law", "reading": "another", "peak_speed_rpm": 6000, "peak_life_h": 49356.0,
+                             "worth_h": 2e-11}]
+        page = make_page(content)
+        self.assertIn("as one system", re.search(r"<h1>(.*?)</h1>", page).group(1))
+        ledger = re.search(r"<h2>Published numbers beside ours</h2>.*?</section>", page, re.S).group(0)
+        self.assertIn("<th scope=\"col\">quasi-static</th>", ledger)
+        self.assertIn("<th scope=\"col\">monolithic</th>", ledger)
+        self.assertIn("40,123", ledger)
+        worths = re.search(r"<h2>What each assumption is worth</h2>.*?</section>", page, re.S).group(0)
+        self.assertIn("0 h", worths)
+        self.assertNotIn("e\u2212", worths)  # round-off is no worth
+
+    def test_one_system_has_no_section_on_what_it_does_not_do(self):
+        content = fixture.make_report()
+        for fidelity, there in (("monolithic", False), ("co-simulated", True)):
+            content["fidelity"] = fidelity
+            content["points"] = [{**point, "interface_energy_residual": 1e-4} for point in content["points"]]
+            content["two_way"] = {"convergence": {"rows": [{"scheme": "Jacobi, degree 0", "window_us": 5.0, "force_error": 0.1,
+                                                            "energy_residual": 0.01}]}}
+            found = set(outline(make_page(content)).identifiers)
+            self.assertEqual("interface-energy" in found, there)
+            self.assertEqual("scheme-convergence" in found, there)
+            self.assertNotIn("dynamic-ablation", found)
+
+    def test_the_caption_of_the_planet_load_claims_only_what_is_so(self):
+        content = fixture.make_report()
+        claim = "Life peaks at a lower speed"
+        self.assertEqual(claim in make_page(content), best(content) < least_load(content))
+        content["peak"] |= {"refined_speed_rpm": 11000.0, "speed_rpm": 11000.0}
+        self.assertNotIn(claim, make_page(content))
 
     def test_three_polar_pictures(self):
         self.assertEqual(self.section("polar").count("<svg"), 3)

@@ -68,7 +68,7 @@ class SweepFolder(unittest.TestCase):
         self.expect_refused(sweep(finished, "--resume"), "manifest.jsonl:2:1")
 
     def test_bad_shards(self):
-        for shard in ("0/2", "3/2", "2", "a/b", "1/0"):
+        for shard in ("0/2", "3/2", "2", "a/b", "1/0", "1/99999999999"):
             self.expect_refused(sweep(self.place / "d", "--shard", shard), "--shard", "i/n")
         self.assertFalse((self.place / "d").exists())
 

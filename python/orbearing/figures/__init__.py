@@ -24,7 +24,6 @@ DYNAMIC_BLOCKS = (
     cage_orbit.block,
     slip.block,
     power_loss.block,
-    dynamic_ablation.block,
 )
 
 
@@ -32,6 +31,8 @@ def blocks_of(report: Report) -> list[FigureBlock]:
     """Every figure of this result; what only motion in time can show follows at the end."""
     line = report.along_speed()
     blocks = [block(line) for block in (*BLOCKS, *(DYNAMIC_BLOCKS if report.is_dynamic else ()))]
+    if report.is_dynamic and not report.is_two_way:  # effects are left out of runs one way only
+        blocks.append(dynamic_ablation.block(line))
     if report.is_dynamic and report.records("axes"):
         blocks.append(slip_map.block(report))
     if report.is_two_way:

@@ -19,7 +19,7 @@ SHORT = 30  # names of fewer letters stand in two columns of the legend
 
 def inertia_block(report: Report) -> FigureBlock:
     """Inertial terms of the carrier frame switched off one by one."""
-    caption = ("Each curve leaves out one inertial effect; dots mark the peaks. The lower picture shows the change of life against "
+    caption = ("Quasi-static. Each curve leaves out one inertial effect; dots mark the peaks. The lower picture shows the change of life against "
                "all effects together: above zero, life is overestimated without the effect. Its scale is linear up to 1 % and "
                "logarithmic beyond wherever effects of very unlike size meet.")
     return _block(report, INERTIA, "Worth of the inertial terms", caption)
@@ -27,7 +27,7 @@ def inertia_block(report: Report) -> FigureBlock:
 
 def clearance_block(report: Report) -> FigureBlock:
     """Other clearances, film, and whatever else was varied."""
-    caption = ("Each curve changes clearance, film or another single assumption. Clearance narrows the load zone, so fewer rollers carry "
+    caption = ("Quasi-static. Each curve changes clearance, film or another single assumption. Clearance narrows the load zone, so fewer rollers carry "
                "the same load; clearances are in diametral measure. Dots mark the peaks.")
     return _block(report, CLEARANCE, "Worth of clearance and film", caption)
 

@@ -136,7 +136,9 @@ def _set_frame(axes: Axes, drawing: dict) -> None:
 
 def _caption(drawing: dict) -> str:
     clearance = drawing.get("clearance_um")
-    text = ("All dimensions are to scale. Rollers are coloured by their load and white where they carry none; bars outside are loads "
+    speed = drawing.get("speed_rpm")
+    where = f", quasi-static at {format_number(speed, 4)} rpm" if is_number(speed) else ""
+    text = (f"All dimensions are to scale. Loads are those of one bearing{where}. Rollers are coloured by their load and white where they carry none; bars outside are loads "
             "on the outer race, bars inside on the inner race; a thin strip is a roller held there by its inertia alone. "
             "The orange-red arrow is the direction of the load on the planet; "
             "the load zone lies opposite. ")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from orbearing import style
-from orbearing.blocks import FigureBlock, columns_table, format_number
+from orbearing import style, summary
+from orbearing.blocks import FigureBlock, columns_table, format_number, is_number
 from orbearing.result_folder import Report, curve
 
 TITLE = "Planet load and its parts"
@@ -22,7 +22,7 @@ def block(report: Report) -> FigureBlock:
     if not any(np.isfinite(column).any() for column in (*fine[1:], *points[1:])):
         return FigureBlock("planet-load", TITLE, missing="No point of this result has a planet load.")
     table = columns_table(("input speed (rpm)", *(f"{label} (N)" for label in LABELS)), *(fine if len(fine[0]) else points))
-    return FigureBlock("planet-load", TITLE, _caption(fine if len(fine[0]) else points), (_draw(fine, points),), data=table)
+    return FigureBlock("planet-load", TITLE, _caption(fine if len(fine[0]) else points, report), (_draw(fine, points),), data=table)
 
 
 def _draw(fine: list[np.ndarray], points: list[np.ndarray]) -> str:
@@ -42,12 +42,16 @@ def _draw(fine: list[np.ndarray], points: list[np.ndarray]) -> str:
     return style.to_svg(figure, "planet-load", "Planet load and its tangential, radial and centrifugal parts over speed")
 
 
-def _caption(columns: list[np.ndarray]) -> str:
+def _caption(columns: list[np.ndarray], report: Report) -> str:
     text = ("Loads of one bearing; x points outward from the sun axis, y along carrier rotation. Lines: quasi-static; markers: "
             "points of the sweep. The tangential part falls with speed, the centrifugal part rises with its square; the "
             "total, their vector sum, is least where the one takes over from the other")
     speed, total = columns[0], columns[1]
-    if np.isfinite(total).sum() > 2:
-        least = int(np.nanargmin(total))
-        text += f": here {format_number(total[least], 4)} N at {format_number(speed[least], 4)} rpm"
-    return text + ". Life peaks at a lower speed, since hours also run down with speed."
+    if np.isfinite(total).sum() <= 2:
+        return text + "."
+    least = int(np.nanargmin(total))
+    text += f": here {format_number(total[least], 4)} N at {format_number(speed[least], 4)} rpm."
+    peak = summary.best(report)[0]
+    if is_number(peak) and peak < speed[least]:
+        text += f" Life peaks at a lower speed, {format_number(peak, 4)} rpm, since hours also run down with speed."
+    return text

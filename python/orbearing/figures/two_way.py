@@ -32,6 +32,8 @@ CONVERGENCE_CAPTION = (
 def blocks(report: Report) -> list[FigureBlock]:
     """All that a two-way sweep has to show."""
     found = [_comparison(report)]
+    if report.fidelity != "co-simulated":  # one system exchanges nothing
+        return found
     residual = report.point_column(RESIDUAL)
     if np.any(np.isfinite(residual)):
         found.append(_residual(report, residual))
