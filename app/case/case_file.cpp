@@ -97,6 +97,21 @@ ResolvedCase read_case(const std::string& file, const std::vector<std::string>& 
   return parse_case(read_file(file), file, settings);
 }
 
+ResolvedCase read_point(const std::string& file, const std::vector<std::string>& settings) {
+  const ResolvedCase resolved = read_case(file, settings);
+  std::vector<Mistake> mistakes;
+  for (const SweepAxis& axis : resolved.axes())
+    if (axis.place.option)
+      mistakes.push_back({axis.place,
+                          "sweep." + axis.path,
+                          {"a sweep for a command that computes one operating point",
+                           "one value, as in --set " + axis.path +
+                               "=..., is required; sweeps are those of "
+                               "orbearing sweep"}});
+  if (!mistakes.empty()) throw_mistakes(file, std::move(mistakes));
+  return resolved.without_sweep();
+}
+
 ResolvedCase parse_case(std::string_view text, const std::string& name,
                         const std::vector<std::string>& settings) {
   Outcome outcome = resolve_all(text, name, settings);

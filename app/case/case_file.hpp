@@ -13,6 +13,10 @@ namespace orbearing::app {
 /// Throws BadInput (app/errors.hpp) with all mistakes, also where the file cannot be read.
 ResolvedCase read_case(const std::string& file, const std::vector<std::string>& settings = {});
 
+/// The same for a command that computes one operating point: without the sweep of the file. An option that
+/// gives a sweep is a mistake.
+ResolvedCase read_point(const std::string& file, const std::vector<std::string>& settings);
+
 /// The same for a text in memory; `name` stands for the file in messages.
 ResolvedCase parse_case(std::string_view text, const std::string& name,
                         const std::vector<std::string>& settings = {});

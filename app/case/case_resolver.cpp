@@ -268,6 +268,11 @@ class Resolver {
 
   void read_sweep() {
     const Member* sweep = find_member(root_, "sweep");
+    if (sweep != nullptr && model_ != no_model && model_ != planetary_drivetrain) {
+      object(sweep->place, "sweep", fmt::format("a sweep of a {}", model_name(model_)),
+             "a case without it is required; planetary-drivetrain is the model that is swept");
+      return;
+    }
     if (sweep != nullptr && sweep->value.shape == Entry::Shape::block)
       data_.axes = std::make_shared<const std::vector<SweepAxis>>(
           read_axes(sweep->value, allowed_, data_.shape, mistakes_));

@@ -66,6 +66,7 @@ const Field& shaft_field() {
       .path = "shafts",
       .kind = Kind::list,
       .meaning = "what turns as one: members as in 'reduction.sun', and motor, load or ground",
+      .use = Use(use::lives, 0),
       .models = planetary_drivetrain,
       .element = Kind::text};
   return field;
@@ -95,7 +96,7 @@ Complaint unused_field(const CaseShape& shape) {
 bool is_of_bearing(const Field& field) {
   if (field.path == "inertia.own_orbit" || field.path == "input.acceleration") return true;
   for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
-                            "support.", "simulation.", "numerics.", "gearset.mesh_variation"})
+                            "support.", "simulation.", "numerics."})
     if (field.path.starts_with(block)) return true;
   return false;
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/field_table.hpp"
+#include "app/case/unused_inputs.hpp"
 
 namespace orbearing::app {
 
@@ -84,13 +85,33 @@ nlohmann::json value_json(const ResolvedCase& resolved, const Input& input) {
 
 nlohmann::json input_json(const ResolvedCase& resolved, const Input& input) {
   const auto& [path, field] = input;
+  nlohmann::json used_by = nlohmann::json::array(), not_felt_by = nlohmann::json::array();
+  for (const use::Analysis analysis : analyses_of(resolved)) {
+    if ((field->use.by & analysis) != 0) used_by.push_back(analysis_name(analysis));
+    if ((field->use.unfelt_by & analysis) != 0) not_felt_by.push_back(analysis_name(analysis));
+  }
   return {{"path", path},
+          {"used_by", used_by},
+          {"not_felt_by", not_felt_by},
           {"value", value_json(resolved, input)},
           {"unit", field->dimension.si.empty() ? "1" : std::string(field->dimension.si)},
           {"given", resolved.given(path)},
           {"standing", standing(resolved, path)},
           {"reason", reason(resolved, path)},
           {"origin", resolved.origin(path)}};
+}
+
+// What is given and cannot be felt, analysis by analysis.
+std::string unfelt_text(const ResolvedCase& resolved) {
+  std::string text;
+  for (const use::Analysis analysis : analyses_of(resolved)) {
+    std::string line;
+    for (const Input& input : resolved.inputs())
+      if (resolved.has(input.path) && standing_of(resolved, input, analysis) == Standing::unfelt)
+        line += (line.empty() ? "" : ", ") + input.path;
+    if (!line.empty()) text += fmt::format("not felt, by nature, by {}: {}\n", analysis_name(analysis), line);
+  }
+  return text.empty() ? text : "\n" + text;
 }
 
 }  // namespace
@@ -109,7 +130,7 @@ std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>
   }
   std::string text;
   for (const Row& row : rows) text += line(row, widths);
-  return text;
+  return text + unfelt_text(resolved);
 }
 
 nlohmann::json check_json(const ResolvedCase& resolved, const std::vector<Derived>& derived) {

@@ -20,8 +20,8 @@ struct Derived {
 /// The table as text, one line for each quantity.
 std::string check_table(const ResolvedCase& resolved, const std::vector<Derived>& derived);
 
-/// The same as JSON: `{name, model, inputs: [{path, value, unit, given, standing, reason, origin}], derived:
-/// [...]}`; `value` is SI and `unit` its SI unit.
+/// The same as JSON: `{name, model, inputs: [{path, value, unit, given, standing, reason, origin, used_by,
+/// not_felt_by}], derived: [...]}`; `value` is SI and `unit` its SI unit.
 nlohmann::json check_json(const ResolvedCase& resolved, const std::vector<Derived>& derived);
 
 }  // namespace orbearing::app

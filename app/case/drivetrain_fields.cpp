@@ -7,15 +7,21 @@ namespace {
 
 constexpr unsigned drivetrain = planetary_drivetrain;
 
+const Use& by_all() {
+  static const Use use(use::of_a_drivetrain, 0);
+  return use;
+}
+
 const std::vector<std::string>& members() {
   static const std::vector<std::string> names{"sun", "ring", "carrier"};
   return names;
 }
 
-Field count(std::string path, std::string meaning, double least, double most) {
+Field count(std::string path, std::string meaning, const Use& use, double least, double most) {
   return {.path = std::move(path),
           .kind = Kind::integer,
           .meaning = std::move(meaning),
+          .use = use,
           .models = drivetrain,
           .required_by = drivetrain,
           .range = {least, most}};
@@ -25,17 +31,19 @@ Field length(std::string path, std::string meaning, double most) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
+          .use = by_all(),
           .models = drivetrain,
           .required_by = drivetrain,
           .dimension = dimension::length,
           .range = {.least = 0.0, .most = most, .least_allowed = false}};
 }
 
-Field ratio(std::string path, std::string meaning, Range range, std::string default_text,
+Field ratio(std::string path, std::string meaning, const Use& use, Range range, std::string default_text,
             std::string reason) {
   return {.path = std::move(path),
           .kind = Kind::number,
           .meaning = std::move(meaning),
+          .use = use,
           .models = drivetrain,
           .range = range,
           .default_text = std::move(default_text),
@@ -46,6 +54,7 @@ Field shift(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::number,
           .meaning = std::move(meaning),
+          .use = by_all(),
           .models = drivetrain,
           .required_by = drivetrain,
           .range = {-2.0, 2.0}};
@@ -55,6 +64,7 @@ void add_input(std::vector<Field>& fields) {
   fields.push_back({.path = "input.member",
                     .kind = Kind::choice,
                     .meaning = "member that the power enters by",
+                    .use = by_all(),
                     .models = drivetrain,
                     .choices = members(),
                     .default_text = "sun",
@@ -62,6 +72,7 @@ void add_input(std::vector<Field>& fields) {
   fields.push_back({.path = "input.power",
                     .kind = Kind::quantity,
                     .meaning = "power that enters",
+                    .use = Use(use::lives | use::bearings_as_springs, use::mesh | use::fmu_bearing),
                     .models = drivetrain,
                     .required_by = drivetrain,
                     .dimension = dimension::power,
@@ -69,6 +80,7 @@ void add_input(std::vector<Field>& fields) {
   fields.push_back({.path = "input.speed",
                     .kind = Kind::quantity,
                     .meaning = "speed of the driven member relative to the housing",
+                    .use = Use(use::of_a_drivetrain & ~unsigned{use::mesh}, use::mesh),
                     .models = drivetrain,
                     .required_by = drivetrain,
                     .dimension = dimension::angular_speed,
@@ -80,6 +92,7 @@ void add_rack(std::vector<Field>& fields) {
   fields.push_back({.path = "gearset.pressure_angle",
                     .kind = Kind::quantity,
                     .meaning = "normal pressure angle of the basic rack",
+                    .use = by_all(),
                     .models = drivetrain,
                     .dimension = dimension::angle,
                     .range = {10.0, 35.0},
@@ -90,24 +103,28 @@ void add_rack(std::vector<Field>& fields) {
       shift("gearset.profile_shift.ring", "profile shift of the ring, in modules, positive outward"));
   fields.push_back(length("gearset.face_width", "width of the teeth", 1e4));
   fields.push_back(
-      ratio("gearset.addendum", "addendum of the basic rack, in modules", {0.5, 1.5}, "1.0", rack));
-  fields.push_back(
-      ratio("gearset.clearance", "bottom clearance of the basic rack, in modules", {0.0, 0.6}, "0.25", rack));
+      ratio("gearset.addendum", "addendum of the basic rack, in modules", by_all(), {0.5, 1.5}, "1.0", rack));
+  fields.push_back(ratio("gearset.clearance", "bottom clearance of the basic rack, in modules", by_all(),
+                         {0.0, 0.6}, "0.25", rack));
   fields.push_back(ratio("gearset.root_fillet_radius", "root fillet radius of the basic rack, in modules",
-                         {0.0, 0.6}, "0.38", rack));
+                         by_all(), {0.0, 0.6}, "0.38", rack));
 }
 
 void add_bodies(std::vector<Field>& fields) {
-  fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter",
+  const Use bodies(use::gears_in_motion | use::natural | use::mesh, use::rollers_at_rest | use::fmu_bearing);
+  const Use planet = Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing)
+                         .when(where_absent("bearing.rollers"));
+  fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter", bodies,
                          {0.02, 0.98}, "0.5",
                          "a sun on a shaft; mesh stiffness and mass of the sun feel it"));
   fields.push_back(ratio("gearset.ring_outside_ratio",
                          "outside diameter of the ring, where it is held, as a multiple of its root diameter",
-                         {1.005, 20.0}, "1.15",
+                         bodies, {1.005, 20.0}, "1.15",
                          "a rim of some five modules; mesh stiffness and mass of the ring feel it"));
   fields.push_back(ratio("gearset.planet_bore_ratio",
                          "bore of a planet that has no given bearing, as a share of module x (teeth - 2.5)",
-                         {0.02, 0.98}, "0.7", "room for roller bearings under a rim of a few modules"));
+                         planet, {0.02, 0.98}, "0.7",
+                         "room for roller bearings under a rim of a few modules"));
 }
 
 }  // namespace
@@ -117,14 +134,16 @@ void add_drivetrain_fields(std::vector<Field>& fields) {
   fields.push_back({.path = "gearset.fixed",
                     .kind = Kind::choice,
                     .meaning = "member held by the housing",
+                    .use = by_all(),
                     .models = drivetrain,
                     .choices = members(),
                     .default_text = "ring",
                     .default_reason = "the usual reduction gear"});
-  fields.push_back(count("gearset.planets", "number of equally spaced planets", 1, 24));
-  fields.push_back(count("gearset.teeth.sun", "teeth of the sun", 5, 2000));
-  fields.push_back(count("gearset.teeth.planet", "teeth of a planet", 5, 2000));
-  fields.push_back(count("gearset.teeth.ring", "teeth of the ring", 15, 4000));
+  fields.push_back(count("gearset.planets", "number of equally spaced planets",
+                         Use(use::of_a_drivetrain & ~unsigned{use::fmu_bearing}, use::fmu_bearing), 1, 24));
+  fields.push_back(count("gearset.teeth.sun", "teeth of the sun", by_all(), 5, 2000));
+  fields.push_back(count("gearset.teeth.planet", "teeth of a planet", by_all(), 5, 2000));
+  fields.push_back(count("gearset.teeth.ring", "teeth of the ring", by_all(), 15, 4000));
   fields.push_back(length("gearset.module", "normal module", 100.0));
   add_rack(fields);
   add_bodies(fields);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/case/field_use.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/units.hpp"
 #include "app/case/yaml_tree.hpp"
@@ -39,6 +40,7 @@ struct Field {
   std::string path{};  // "bearing.radial_clearance"
   Kind kind = Kind::text;
   std::string meaning{};                 // one sentence, shown by the schema
+  Use use;                               // who uses it; without it a row does not compile
   unsigned models = with_rollers;        // models that know the field
   unsigned required_by = no_model;       // models that cannot do without it
   Dimension dimension{};                 // quantity, and list of quantities

@@ -68,6 +68,8 @@ class ResolvedCase {
   const std::vector<std::string>& texts(std::string_view path) const;
   bool has(std::string_view path) const;
 
+  /// The value, whatever its kind.
+  const FieldValue& value(std::string_view path) const { return stored(path).value; }
   /// The value as written: "150 kW".
   const std::string& given(std::string_view path) const;
   /// "FILE:LINE:COLUMN", "--set" or "default".

@@ -194,7 +194,7 @@ Json model_schema(Model model) {
                  {"properties", Json::object()}};
   for (const Field* field : fields_of(model)) add_field(schema, *field, model);
   schema["properties"]["model"] = {{"const", model_name(model)}};
-  schema["properties"]["sweep"] = sweep_schema(model);
+  if (model == planetary_drivetrain) schema["properties"]["sweep"] = sweep_schema(model);
   schema["properties"]["assumed"] = assumed_schema(model);
   if (model == planetary_drivetrain) add_several_sets(schema);
   return schema;

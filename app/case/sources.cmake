@@ -12,6 +12,7 @@ set(ORBEARING_CASE_SOURCES
   case/dynamics_fields.cpp
   case/field.cpp
   case/field_table.cpp
+  case/field_use.cpp
   case/key_hints.cpp
   case/gear_dynamics_fields.cpp
   case/mistake.cpp
@@ -31,5 +32,6 @@ set(ORBEARING_CASE_SOURCES
   case/sweep_axes.cpp
   case/sweep_consistency.cpp
   case/units.cpp
+  case/unused_inputs.cpp
   case/yaml_tree.cpp)
 set(ORBEARING_CASE_LIBRARIES yaml-cpp udunits2 fmt::fmt nlohmann_json::nlohmann_json)

@@ -7,11 +7,22 @@ namespace {
 
 constexpr unsigned single_bearing = roller_bearing | ball_bearing;
 
+const Use& by_static_load() {
+  static const Use use(use::static_load, 0);
+  return use;
+}
+
+// What a modified life asks: a film, stated in either way.
+Use of_film() {
+  return by_static_load().when(where_given({"life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
+}
+
 Field optional_quantity(const Dimension& dimension, std::string path, std::string meaning, unsigned models,
                         Range range) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
+          .use = by_static_load(),
           .models = models,
           .dimension = dimension,
           .range = range};
@@ -21,6 +32,7 @@ Field ball_number(std::string path, std::string meaning, Range range, std::strin
   return {.path = std::move(path),
           .kind = Kind::number,
           .meaning = std::move(meaning),
+          .use = by_static_load(),
           .models = ball_bearing,
           .range = range,
           .default_text = std::move(text),
@@ -31,6 +43,7 @@ void add_balls(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.balls",
                     .kind = Kind::integer,
                     .meaning = "number of balls",
+                    .use = by_static_load(),
                     .models = ball_bearing,
                     .required_by = ball_bearing,
                     .range = {3, 500}});
@@ -59,6 +72,7 @@ void add_capacities(std::vector<Field>& fields) {
   fields.push_back(optional_quantity(dimension::force, "bearing.fatigue_load_limit",
                                      "fatigue load limit C_u; without it that of ISO 281 by C_0",
                                      single_bearing, above_zero));
+  fields.back().use = of_film();
 }
 
 void add_loads(std::vector<Field>& fields) {
@@ -83,6 +97,7 @@ Field life_number(std::string path, std::string meaning, Range range) {
   return {.path = std::move(path),
           .kind = Kind::number,
           .meaning = std::move(meaning),
+          .use = by_static_load(),
           .models = single_bearing,
           .range = range};
 }
@@ -99,6 +114,7 @@ void add_life(std::vector<Field>& fields) {
   fields.push_back({.path = "life.lubrication",
                     .kind = Kind::choice,
                     .meaning = "how the bearing is lubricated, for the contamination factor",
+                    .use = by_static_load().when(where_given({"life.cleanliness"})),
                     .models = single_bearing,
                     .choices = {"circulating-oil", "oil-bath", "grease"},
                     .default_text = "circulating-oil",
@@ -106,6 +122,7 @@ void add_life(std::vector<Field>& fields) {
   fields.push_back({.path = "life.cleanliness",
                     .kind = Kind::choice,
                     .meaning = "level of cleanliness, in place of the contamination factor",
+                    .use = by_static_load(),
                     .models = single_bearing,
                     .choices = {"highest", "high", "medium", "low", "lowest"}});
   fields.push_back(optional_quantity(dimension::kinematic_viscosity, "lubricant.kinematic_viscosity",

@@ -5,6 +5,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/check_table.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
@@ -41,7 +42,9 @@ Checked check(const ResolvedCase& resolved) {
 
 int check_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
-  const Checked checked = check(resolved);
+  Checked checked = check(resolved);
+  const std::vector<std::string> idle = idle_inputs(resolved);
+  checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());
   if (options.json) {
     nlohmann::json object = check_json(resolved, checked.derived);
     object["warnings"] = checked.warnings;

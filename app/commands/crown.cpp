@@ -6,6 +6,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/resolved_writer.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
@@ -47,12 +48,20 @@ CrownStudy computed(const CrownRequest& request, const Options& options) {
   });
 }
 
+// Of the swept values a spectrum takes the speeds.
+std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const CrownOptions& options) {
+  const bool spectrum = options.spectrum || !options.shares.empty();
+  return require_used(resolved, use::crown, spectrum ? Axes::speed : Axes::none);
+}
+
 nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
                                    const CrownStudy& study) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", options_json(options)}};
   object.update(crown_json(study));
   object["assumptions"] = assumptions_json(resolved);
   std::vector<std::string> warnings = gear_warnings(resolved);
+  const std::vector<std::string> unused = require_crown_uses(resolved, options);
+  warnings.insert(warnings.end(), unused.begin(), unused.end());
   warnings.insert(warnings.end(), study.warnings.begin(), study.warnings.end());
   object["warnings"] = warnings;
   object["versions"] = versions_json();
@@ -70,6 +79,7 @@ int crown_command(const Options& options) {
   require_place_of_results(options);
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
   const CrownRequest request = crown_request(resolved, options.crown);
+  require_crown_uses(resolved, options.crown);
   const ManifestHeader header = manifest_header(resolved, options_text(options.crown));
   ResultFolder folder =
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);

@@ -5,6 +5,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/resolved_writer.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
@@ -101,7 +102,9 @@ void write_fmu(const fs::path& file, const std::string& content) {
 int fmu_command(const Options& options) {
   const fs::path file = options.output;
   require_file_name(file);
-  const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
+  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  const std::vector<std::string> unused =
+      require_used(resolved, options.model == "gearset" ? use::fmu_gearset : use::fmu_bearing);
   const fmu::NumberTable numbers =
       options.model == "gearset" ? gear_numbers(resolved) : bearing_numbers(resolved);
   require_place_of(file);
@@ -113,6 +116,7 @@ int fmu_command(const Options& options) {
   Outcome outcome{facts.inputs.size(),    facts.outputs.size(),   facts.parameters.size(),
                   content.size(),         fmu::token_of(numbers), platforms_of(libraries.found),
                   gear_warnings(resolved)};
+  outcome.warnings.insert(outcome.warnings.end(), unused.begin(), unused.end());
   outcome.warnings.insert(outcome.warnings.end(), libraries.missing.begin(), libraries.missing.end());
   present(resolved, options, outcome);
   return 0;

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_file.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/study/mesh_output.hpp"
@@ -9,8 +10,10 @@
 namespace orbearing::app {
 
 int mesh_command(const Options& options) {
-  const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
-  const MeshStudy study = mesh_study(resolved);
+  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  MeshStudy study = mesh_study(resolved);
+  const std::vector<std::string> unused = require_used(resolved, use::mesh);
+  study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());
   if (options.json) {
     const nlohmann::ordered_json object{
         {"case", resolved.text("name")}, {"meshes", meshes_json(study)}, {"warnings", study.warnings}};

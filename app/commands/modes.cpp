@@ -3,6 +3,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/units.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
@@ -40,21 +41,25 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
 }  // namespace
 
 int modes_command(const Options& options) {
-  const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
-  const gearset::dynamics::SetModel model = model_at(resolved, options);
+  const ResolvedCase resolved = read_point(options.case_file, options.settings);
   const double speed = options.speed ? speed_option(*options.speed) : 0.0;
+  const gearset::dynamics::SetModel model = model_at(resolved, options);
+  std::vector<std::string> warnings = gear_dynamics_warnings(resolved);
+  const std::vector<std::string> unused =
+      require_used(resolved, speed > 0.0 ? use::modes_at_speed : use::modes);
+  warnings.insert(warnings.end(), unused.begin(), unused.end());
   const std::vector<gearset::dynamics::Mode> modes =
       speed > 0.0 ? modes_at_speed(model) : modes_at_rest(model);
   if (options.json) {
     nlohmann::ordered_json object{{"case", resolved.text("name")}, {"modes", modes_json(modes)}};
     if (speed > 0.0) object["campbell"] = campbell_json(model, speed);
-    object["warnings"] = gear_dynamics_warnings(resolved);
+    object["warnings"] = warnings;
     fmt::print("{}\n", object.dump(2));
     return 0;
   }
   if (options.quiet) return 0;
   fmt::print("{}", modes_text(modes));
-  for (const std::string& warning : gear_dynamics_warnings(resolved)) fmt::print("warning: {}\n", warning);
+  for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
   return 0;
 }
 

@@ -12,7 +12,7 @@ namespace orbearing::app {
 
 int run_command(const Options& options) {
   require_place_of_results(options);
-  const ResolvedCase resolved = read_case(options.case_file, options.settings).without_sweep();
+  const ResolvedCase resolved = read_point(options.case_file, options.settings);
   if (is_static_bearing(resolved) && !options.gears) return run_static_case(resolved, options);
   if (options.gears || runs_gears_alone(resolved)) return run_gear_case(resolved, options);
   require_computable(resolved, options.fidelity, false);

@@ -211,8 +211,7 @@ study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   out.steady_state = steady_state_of(in);
   out.exchange = exchange_of(in);
   out.mesh_variation = in.flag("gearset.mesh_variation");
-  if (!in.shape().several && !out.in_arrangement)
-    out.gear_set = [in] { return gear_model_of(in).parameters; };
+  out.gear_set = [in] { return gear_model_of(in).parameters; };
   out.pins_displaced = has_displaced_pins(in);
   add_refinements(in, out);
   return out;
@@ -238,6 +237,7 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
     study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
     const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
     drivetrain.in_arrangement = flow.sets[place];
+    drivetrain.gear_set = nullptr;  // a model of one set, which knows neither its place nor its share
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
     sets.push_back({name, std::move(drivetrain), geometry});
   }

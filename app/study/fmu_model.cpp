@@ -34,8 +34,12 @@ fmu::BearingModel bearing_model(const ResolvedCase& in) {
 
 // Gears without roller bearings have no drivetrain that could be computed as a whole.
 cosim::DrivenGearsSetup gears_setup(const ResolvedCase& in) {
-  if (in.shape().bearing) return study::driven_gears_setup(drivetrain_of(in));
-  const gearset::dynamics::SetModel set = gear_model_of(in);
+  const gearset::dynamics::SetModel set = moving_gears_of(in);
+  if (in.shape().bearing) {
+    cosim::DrivenGearsSetup setup = study::driven_gears_setup(drivetrain_of(in));
+    setup.operation.run_up = set.operation.run_up;
+    return setup;
+  }
   cosim::DrivenGearsSetup setup{.set = set.parameters, .operation = set.operation};
   setup.set.planet.coupled_bearing = true;
   return setup;

@@ -120,6 +120,13 @@ gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved) {
   return gear_model_at(resolved, 0.0);
 }
 
+gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& resolved) {
+  const gearset::dynamics::SetModel model = gear_model_of(resolved);
+  return resolved.shape().teeth && !resolved.flag("gearset.mesh_variation")
+             ? gearset::dynamics::averaged(model)
+             : model;
+}
+
 study::GearRunOptions gear_run_options(const ResolvedCase& resolved) {
   study::GearRunOptions options;
   options.observed_periods = resolved.integer(kBlock + "observed_periods");

@@ -17,6 +17,9 @@ gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved);
 /// The same, its carrier turning at `carrier_speed` [rad/s] if the set has no teeth.
 gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed);
 
+/// As they move in time: their meshes keep the mean stiffness where the case has no mesh variation.
+gearset::dynamics::SetModel moving_gears_of(const ResolvedCase& resolved);
+
 /// How a run in time is settled and observed.
 study::GearRunOptions gear_run_options(const ResolvedCase& resolved);
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/case/resolved_writer.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/gear_case.hpp"
@@ -46,6 +47,8 @@ std::string file_of(const ManifestHeader& header, const study::GearRunResult& re
 
 void present(const ResolvedCase& resolved, const study::GearRunResult& result, const Options& options) {
   std::vector<std::string> warnings = gear_dynamics_warnings(resolved);
+  const std::vector<std::string> unused = require_used(resolved, use::gears);
+  warnings.insert(warnings.end(), unused.begin(), unused.end());
   if (!result.steady) warnings.push_back(result.message);
   if (options.json) {
     nlohmann::ordered_json object{{"case", resolved.text("name")}};
@@ -67,7 +70,8 @@ bool runs_gears_alone(const ResolvedCase& resolved) {
 }
 
 int run_gear_case(const ResolvedCase& resolved, const Options& options) {
-  const gearset::dynamics::SetModel model = gear_model_of(resolved);
+  require_used(resolved, use::gears);
+  const gearset::dynamics::SetModel model = moving_gears_of(resolved);
   if (!resolved.shape().teeth)
     throw BadInput(resolved.file() +
                    ": gearset.teeth: missing; required: teeth, which give loads and mesh frequency; "

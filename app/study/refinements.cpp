@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
 
@@ -84,15 +85,13 @@ void add_refinements(const ResolvedCase& in, study::PlanetaryDrivetrain& drivetr
 
 namespace {
 
-// Gears and bearings that act on each other: one set with teeth at steady speed.
+// Gears and bearings that act on each other: one set with teeth.
 void require_two_way(const ResolvedCase& in, const std::string& fidelity) {
-  const std::string rung = "--fidelity " + fidelity;
   if (in.shape().several)
     throw BadInput(in.file() +
-                   ": sets: found several sets; required: one set, as gearset at the top of a case, for " +
-                   rung);
-  if (runs_up(in))
-    refuse(in, kAcceleration, in.given(kAcceleration), "0 rpm/s for " + rung + ", whose speeds are steady");
+                   ": sets: found several sets; required: one set, as gearset at the top of a case, for "
+                   "--fidelity " +
+                   fidelity);
 }
 
 }  // namespace
@@ -105,13 +104,7 @@ void require_computable(const ResolvedCase& in, const std::string& fidelity, boo
   if (sweep && (swept || runs_up(in)))
     refuse(in, kAcceleration, swept ? "a sweep of it" : in.given(kAcceleration),
            "0 rpm/s in a sweep, whose points are steady; a run-up is a run with --fidelity dynamic");
-  if (in_time(fidelity_of(fidelity))) return;
-  const std::string dynamic = "--fidelity dynamic; the quasi-static bearing takes ";
-  if (runs_up(in)) refuse(in, kAcceleration, in.given(kAcceleration), dynamic + "steady speeds");
-  for (const char* path : {"bearing.inner_race.turning_form.order", "bearing.outer_race.turning_form.order"})
-    if (in.has(path)) refuse(in, path, in.given(path), dynamic + "standing forms");
-  const std::string deviations = "bearing.roller_diameter_deviation";
-  if (in.has(deviations)) refuse(in, deviations, in.given(deviations), dynamic + "equal rollers");
+  require_used(in, rung_of(in, fidelity), sweep ? Axes::all : Axes::none);
 }
 
 }  // namespace orbearing::app

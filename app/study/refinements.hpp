@@ -12,7 +12,7 @@ namespace orbearing::app {
 /// misalignment and the run-up of a case into `drivetrain`.
 void add_refinements(const ResolvedCase& resolved, study::PlanetaryDrivetrain& drivetrain);
 
-/// Throws BadInput where the case holds what `fidelity` cannot compute, or what a sweep cannot.
+/// Throws BadInput where the case holds what `fidelity` ought to compute and cannot, or what a sweep cannot.
 void require_computable(const ResolvedCase& resolved, const std::string& fidelity, bool sweep);
 
 }  // namespace orbearing::app

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/case/resolved_writer.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/static_output.hpp"
@@ -69,10 +70,12 @@ int run_static_case(const ResolvedCase& resolved, const Options& options) {
   if (options.fidelity != "quasi-static")
     throw BadInput("--fidelity: found " + options.fidelity +
                    "; required: quasi-static for a single bearing under a static load");
+  const std::vector<std::string> unused = require_used(resolved, use::static_load);
   const ManifestHeader header = manifest_header(resolved, "static");
   ResultFolder folder =
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
-  const StaticStudy study = static_study(resolved);
+  StaticStudy study = static_study(resolved);
+  study.warnings.insert(study.warnings.begin(), unused.begin(), unused.end());
   if (!folder.finished().contains(0))
     folder.keep({{0, file_of(header, study), row_of(folder.head(), study)}});
   present(resolved, study, options);

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "app/case/unused_inputs.hpp"
 #include "app/study/drivetrain_case.hpp"
 
 namespace orbearing::app {
@@ -30,6 +31,9 @@ std::string rows_where(const SweepOutcome& outcome, const std::function<bool(con
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
                                         const FoundPeak& found) {
   std::vector<std::string> warnings = gear_warnings(resolved);
+  const std::vector<std::string> unused =
+      require_used(resolved, rung_of(resolved, outcome.header.fidelity), Axes::all);
+  warnings.insert(warnings.end(), unused.begin(), unused.end());
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);

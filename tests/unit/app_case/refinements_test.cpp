@@ -83,9 +83,9 @@ TEST(Refinements, WhatAComputationCannotTakeIsRefused) {
   EXPECT_THAT(refusal(run_up, "dynamic", true), HasSubstr("--set: input.acceleration: found 100 rpm/s"));
   EXPECT_THAT(refusal(run_up, "quasi-static", false), HasSubstr("input.acceleration"));
   EXPECT_THAT(refusal({"bearing.roller_diameter_deviation=[1 um]"}, "quasi-static", true),
-              HasSubstr("equal rollers"));
+              HasSubstr("cannot take into account"));
   EXPECT_THAT(refusal({kWaves + ".order=[2]", kWaves + ".amplitude=[1 um]"}, "quasi-static", false),
-              HasSubstr("standing forms"));
+              HasSubstr("turning_form.amplitude: '[1 um]', which --fidelity quasi-static cannot"));
   EXPECT_EQ(refusal({kWaves + ".order=[2]", kWaves + ".amplitude=[1 um]"}, "dynamic", true), "");
   EXPECT_EQ(refusal({}, "quasi-static", true), "");
 }

@@ -1,0 +1,74 @@
+// Who uses a field of a case: each command, rung of the fidelity ladder and export. Every row of the table of
+// fields says so; what is given and not used is refused or warned of from here.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace orbearing::app {
+
+/// Analyses as bits, so that a row can name several. A new one is a bit here and a name in field_use.cpp;
+/// until the rows name it, all that a case gives is warned of.
+namespace use {
+enum Analysis : unsigned {
+  quasi_static = 1u << 0,     // run and sweep of a drivetrain, rung by rung
+  dynamic = 1u << 1,          // of one set
+  dynamic_of_sets = 1u << 2,  // of several: their meshes give mean forces
+  co_simulated = 1u << 3,
+  monolithic = 1u << 4,
+  crown = 1u << 5,
+  gears = 1u << 6,  // run --gears, and run of a set without a bearing
+  modes = 1u << 7,
+  modes_at_speed = 1u << 8,
+  mesh = 1u << 9,
+  fmu_bearing = 1u << 10,
+  fmu_gearset = 1u << 11,
+  static_load = 1u << 12  // run of a single bearing
+};
+
+/// Analyses that share their physics.
+inline constexpr unsigned one_set_in_time = dynamic | co_simulated | monolithic;
+inline constexpr unsigned in_time = one_set_in_time | dynamic_of_sets;
+inline constexpr unsigned lives = quasi_static | in_time | crown;
+inline constexpr unsigned natural = modes | modes_at_speed;
+inline constexpr unsigned bearings_as_springs = gears | natural | fmu_gearset;
+inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
+inline constexpr unsigned rollers_at_rest = quasi_static | crown;
+inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
+inline constexpr unsigned of_a_drivetrain = lives | gears | natural | mesh | fmu_bearing | fmu_gearset;
+inline constexpr unsigned all = of_a_drivetrain | static_load;
+}  // namespace use
+
+/// What one of `paths` must be for a field to count: one of `values`; without values, given and not zero. A
+/// field that is absent counts as no value.
+struct Condition {
+  std::vector<std::string> paths;
+  std::vector<std::string> values{};
+  bool absent = false;  // instead: none of `paths` is given
+};
+
+/// Conditions of a row.
+Condition where(std::string path, std::vector<std::string> values);
+Condition where_given(std::vector<std::string> paths);
+Condition where_absent(std::string path);
+
+/// Who uses a field. There is no default: a row that does not say so does not compile. An analysis that is
+/// named nowhere in the row warns of a value that is given and neither the default nor zero.
+struct Use {
+  Use(unsigned used_by, unsigned not_felt_by, unsigned refused = 0)
+      : by(used_by), unfelt_by(not_felt_by), refused_by(refused) {}
+  Use when(Condition condition) const;
+
+  unsigned by;          // it changes their results
+  unsigned unfelt_by;   // they cannot feel it by nature: their results are equal to the last bit
+  unsigned refused_by;  // they ought to and cannot: exit code 2
+  std::vector<Condition> conditions{};  // all must hold, else the value is warned of
+};
+
+/// "run and sweep with --fidelity dynamic"
+std::string analysis_name(use::Analysis analysis);
+/// All of them, in the order of their bits.
+const std::vector<use::Analysis>& analyses();
+
+}  // namespace orbearing::app

@@ -1,0 +1,198 @@
+#include "app/case/unused_inputs.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "app/case/field_table.hpp"
+#include "app/case/settings.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+bool all_zero(const FieldValue& value) {
+  return value.number == 0.0 && value.texts.empty() &&
+         std::all_of(value.list.begin(), value.list.end(), [](double one) { return one == 0.0; });
+}
+
+bool has_magnitude(const Field& field) {
+  return field.kind == Kind::quantity || field.kind == Kind::number || field.kind == Kind::integer ||
+         field.kind == Kind::list;
+}
+
+// The default, or zero where the field may be left out: a case that says so says nothing.
+bool is_neutral(const ResolvedCase& in, const Input& input) {
+  const Field& field = *input.field;
+  if (in.origin(input.path) == "default") return true;
+  const FieldValue& value = in.value(input.path);
+  if (!field.default_text.empty() && !field.default_without_bearing) {
+    const FieldValue usual = read_field_text(field, field.default_text).value;
+    return field.kind == Kind::choice ? value.given == usual.given
+                                      : value.number == usual.number && value.list == usual.list;
+  }
+  return has_magnitude(field) && all_zero(value);
+}
+
+// A condition speaks of the same set as the field it is for.
+std::string beside(const std::string& path, const std::string& other) {
+  const Field* field = find_field(other);
+  const std::size_t prefix = field != nullptr && in_each_set(*field) ? set_prefix_length(path) : 0;
+  return path.substr(0, prefix) + other;
+}
+
+bool counts(const ResolvedCase& in, const std::string& path, const std::vector<std::string>& values) {
+  if (!in.has(path)) return false;
+  if (!values.empty()) return std::find(values.begin(), values.end(), in.given(path)) != values.end();
+  const Field& field = *find_field(path);
+  return !(has_magnitude(field) && all_zero(in.value(path)));
+}
+
+bool holds(const ResolvedCase& in, const Input& input, const Condition& condition) {
+  const auto one = [&](const std::string& path) {
+    const std::string other = beside(input.path, path);
+    return condition.absent ? in.has(other) : counts(in, other, condition.values);
+  };
+  return std::any_of(condition.paths.begin(), condition.paths.end(), one) != condition.absent;
+}
+
+const Condition* first_unmet(const ResolvedCase& in, const Input& input) {
+  for (const Condition& condition : input.field->use.conditions)
+    if (!holds(in, input, condition)) return &condition;
+  return nullptr;
+}
+
+std::string condition_text(const ResolvedCase& in, const Input& input, const Condition& condition) {
+  std::vector<std::string> paths;
+  for (const std::string& path : condition.paths) paths.push_back(beside(input.path, path));
+  const std::string either = fmt::format("{}", fmt::join(paths, " or "));
+  if (condition.absent) return fmt::format("it counts only where {} is not given", either);
+  if (condition.values.empty()) return fmt::format("it counts only beside {}", either);
+  const std::string now = in.has(paths.front()) ? in.given(paths.front()) : "not given";
+  return fmt::format("it counts only where {} is {}, and here it is {}", either,
+                     fmt::join(condition.values, " or "), now);
+}
+
+std::string users_text(const ResolvedCase& in, const Field& field) {
+  std::vector<std::string> names;
+  for (const use::Analysis analysis : analyses_of(in))
+    if ((field.use.by & analysis) != 0) names.push_back(analysis_name(analysis));
+  return names.empty() ? "nothing in a case of this kind uses it"
+                       : fmt::format("used by {}", fmt::join(names, ", "));
+}
+
+Standing standing_in_row(const Use& use, use::Analysis analysis) {
+  if ((use.by & analysis) != 0) return Standing::used;
+  if ((use.unfelt_by & analysis) != 0) return Standing::unfelt;
+  return (use.refused_by & analysis) != 0 ? Standing::refused : Standing::unused;
+}
+
+std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis,
+                       Standing standing) {
+  const std::string found = fmt::format("{}: {}", input.path, in.given(input.path));
+  if (standing == Standing::idle)
+    return fmt::format("{} has no effect: {}", found, condition_text(in, input, *first_unmet(in, input)));
+  return fmt::format("{} has no effect on {}; {}", found, analysis_name(analysis),
+                     users_text(in, *input.field));
+}
+
+// Axes that the analysis goes through, and those that an option gives to one that goes through none.
+class AxisCheck {
+ public:
+  AxisCheck(const ResolvedCase& in, use::Analysis analysis, Axes sweeps)
+      : in_(in), analysis_(analysis), sweeps_(sweeps) {}
+
+  void add(const SweepAxis& axis, std::vector<Mistake>& mistakes, std::vector<std::string>& warnings) const {
+    const std::string path = "sweep." + axis.path;
+    const bool goes_through = sweeps_ == Axes::all || (sweeps_ == Axes::speed && axis.path == "input.speed");
+    if (goes_through && standing_in_row(find_field(axis.path)->use, analysis_) == Standing::used) return;
+    if (sweeps_ != Axes::none)
+      mistakes.push_back(
+          {axis.place,
+           path,
+           {"a sweep of what " + analysis_name(analysis_) + " does not vary", required(axis)}});
+    else if (axis.place.option)
+      warnings.push_back(path + ": has no effect on " + analysis_name(analysis_) + "; used by sweep");
+  }
+
+ private:
+  std::string required(const SweepAxis& axis) const {
+    if (sweeps_ == Axes::speed) return "one value of it, under " + axis.path + ", is required";
+    return "a case without this axis is required; " + users_text(in_, *find_field(axis.path));
+  }
+
+  const ResolvedCase& in_;
+  use::Analysis analysis_;
+  Axes sweeps_;
+};
+
+}  // namespace
+
+Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+  if (is_neutral(resolved, input)) return Standing::neutral;
+  const Standing standing = standing_in_row(input.field->use, analysis);
+  if (standing == Standing::refused || standing == Standing::unfelt) {
+    // What counts for nothing anyway need not be refused.
+    return standing == Standing::refused && first_unmet(resolved, input) != nullptr ? Standing::idle
+                                                                                    : standing;
+  }
+  return first_unmet(resolved, input) != nullptr ? Standing::idle : standing;
+}
+
+std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis, Axes sweeps) {
+  std::vector<Mistake> mistakes;
+  std::vector<std::string> warnings;
+  for (const Input& input : resolved.inputs()) {
+    if (!resolved.has(input.path)) continue;
+    const Standing standing = standing_of(resolved, input, analysis);
+    const Place place = resolved.place(input.path);
+    if (standing == Standing::refused)
+      mistakes.push_back({place,
+                          input.path,
+                          {fmt::format("{}, which {} cannot take into account",
+                                       quote(resolved.given(input.path)), analysis_name(analysis)),
+                           "none is required, or what would use it: " + users_text(resolved, *input.field)}});
+    else if (standing == Standing::idle || standing == Standing::unused ||
+             (standing == Standing::unfelt && place.option))
+      warnings.push_back(warning_of(resolved, input, analysis, standing));
+  }
+  const AxisCheck axes(resolved, analysis, sweeps);
+  for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
+  if (!mistakes.empty()) throw_mistakes(resolved.file(), std::move(mistakes));
+  return warnings;
+}
+
+use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity) {
+  if (fidelity == "dynamic") return resolved.shape().several ? use::dynamic_of_sets : use::dynamic;
+  if (fidelity == "co-simulated") return use::co_simulated;
+  return fidelity == "monolithic" ? use::monolithic : use::quasi_static;
+}
+
+std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  for (const Input& input : resolved.inputs())
+    if (resolved.has(input.path) && !is_neutral(resolved, input) && first_unmet(resolved, input) != nullptr)
+      warnings.push_back(warning_of(resolved, input, use::quasi_static, Standing::idle));
+  return warnings;
+}
+
+std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
+  unsigned allowed = use::static_load;
+  const CaseShape& shape = resolved.shape();
+  if (resolved.model() == gear_pair) allowed = use::mesh;
+  if (resolved.model() == planetary_drivetrain) {
+    if (shape.several)
+      allowed = use::quasi_static | use::dynamic_of_sets | use::crown;
+    else if (shape.bearing)
+      allowed = use::of_a_drivetrain & ~unsigned{use::dynamic_of_sets};
+    else
+      allowed = shape.teeth ? use::bearings_as_springs | use::mesh : use::natural;
+  }
+  std::vector<use::Analysis> found;
+  for (const use::Analysis analysis : analyses())
+    if ((allowed & analysis) != 0) found.push_back(analysis);
+  return found;
+}
+
+}  // namespace orbearing::app

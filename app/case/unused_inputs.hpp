@@ -1,0 +1,40 @@
+// What a case gives and an analysis does not use: nothing is ignored in silence.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::app {
+
+/// How a value that a case gives stands towards an analysis.
+enum class Standing {
+  used,
+  neutral,  // the default, or zero where there is none: nothing is lost
+  unfelt,   // by nature: see Use
+  idle,     // one of its conditions does not hold
+  unused,   // warned of
+  refused
+};
+
+/// Of the value at `path`, which the case has.
+Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
+
+/// Throws BadInput with all that `analysis` ought to use and cannot; else warnings of all that it does not
+/// use: values without effect, and what it cannot feel by nature where an option of this very command gives
+/// it. Of the sweep's axes those are looked at that `sweeps` names: a sweep over what is not used is refused.
+enum class Axes { none, speed, all };
+std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysis analysis,
+                                      Axes sweeps = Axes::none);
+
+/// The rung of a drivetrain's run or sweep: "dynamic" is another one for several sets.
+use::Analysis rung_of(const ResolvedCase& resolved, const std::string& fidelity);
+
+/// Values of the case whose conditions do not hold, for `check`.
+std::vector<std::string> idle_inputs(const ResolvedCase& resolved);
+
+/// Analyses that the case's model and shape allow.
+std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved);
+
+}  // namespace orbearing::app

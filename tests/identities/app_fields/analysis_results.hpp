@@ -1,0 +1,131 @@
+// What each analysis shows of a case, as one text with all digits: equal texts are results equal to the last
+// bit.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/field_use.hpp"
+#include "app/results/result_row.hpp"
+#include "app/study/crown/crown_study.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/fidelity.hpp"
+#include "app/study/fmu_model.hpp"
+#include "app/study/gear_case.hpp"
+#include "app/study/gear_output.hpp"
+#include "app/study/mesh_output.hpp"
+#include "app/study/mesh_study.hpp"
+#include "app/study/static_output.hpp"
+#include "app/study/static_study.hpp"
+#include "coupling/fmu/machine.hpp"
+#include "coupling/study/crowning/crown_grid.hpp"
+#include "coupling/study/several_sets.hpp"
+
+namespace orbearing::app::fields_test {
+
+template <class Numbers>
+std::string digits(const Numbers& numbers) {
+  std::string text;
+  for (const double number : numbers) text += fmt::format("{} ", number);
+  return text;
+}
+
+/// One point of a run or sweep: all columns, the loads by place, the final state.
+inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity) {
+  const study::PointResult point = study::evaluate(bearing_sets(in), fidelity);
+  std::vector<double> numbers;
+  for (const Column& column : leading_columns()) numbers.push_back(column.value(point));
+  for (const Column& column : trailing_columns()) numbers.push_back(column.value(point));
+  for (const study::SetResult& set : point.sets)
+    for (const SetColumn& column : set_columns()) numbers.push_back(column.value(set));
+  std::string text =
+      digits(numbers) + digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
+  if (point.dynamic) text += digits(point.dynamic->final_state);
+  if (point.two_way) text += digits(point.two_way->bearing_life_hours);
+  return text + point.status;
+}
+
+/// One profile of the study, at one tilt.
+inline std::string crown_result(const ResolvedCase& in) {
+  using namespace study::crowning;
+  constexpr double drop = 4e-6, tilt = 1e-3;  // [m], [rad]  any that load a part of the roller less
+  CrownOptions options;
+  if (in.shape().several) options.of_set = in.shape().sets.front();
+  const CrownRequest request = crown_request(in, options);
+  const CrownProblem problem = problem_of(request);
+  const ProfileFamily family = family_in(problem, request.profiles.front());
+  const CrownPoint point =
+      crown_grid(problem, RollerPressure(problem), {profile_of(family, {drop, usual_share(family)})}, {drop},
+                 {tilt}, 1, {})
+          .front();
+  return digits(std::vector{point.life_hours, point.pressure.peak, point.pressure.edge_ratio}) + point.status;
+}
+
+/// The machine inside an FMU, driven for a while at fixed inputs.
+inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing) {
+  constexpr double step = 2e-5;  // [s]
+  constexpr int steps = 200;     // some revolutions of the cage pockets past the load
+  const fmu::ModelFacts facts = fmu::facts_of(numbers);
+  std::vector<double> parameters, inputs;
+  for (const fmu::ShownField& parameter : facts.parameters) parameters.push_back(parameter.start);
+  for (const fmu::InputFacts& input : facts.inputs) inputs.push_back(input.start);
+  if (bearing) {
+    inputs.at(0) = 2e-6;  // [m]        outward
+    inputs.at(1) = 6e-6;  // [m]        under load
+    inputs.at(6) = 2e3;   // [rad/s^2]  of the carrier
+  }
+  const std::unique_ptr<fmu::Machine> machine = fmu::make_machine(numbers, parameters);
+  machine->initialize(0.0, inputs);
+  for (int i = 0; i < steps; ++i) {
+    std::vector<cosim::Course> courses;
+    for (const double input : inputs) courses.push_back(cosim::Course::constant(input));
+    machine->advance({i * step, (i + 1) * step}, courses);
+  }
+  return digits(machine->outputs(inputs));
+}
+
+inline std::string modes_result(const ResolvedCase& in, bool turning) {
+  constexpr double carrier_speed = 100.0, nominal_speed = 900.0;  // [rad/s]
+  const auto model = in.shape().teeth ? gear_model_of(in) : gear_model_at(in, turning ? carrier_speed : 0.0);
+  if (!turning) return modes_json(modes_at_rest(model)).dump();
+  return modes_json(modes_at_speed(model)).dump() + campbell_json(model, nominal_speed).dump();
+}
+
+inline std::string gears_result(const ResolvedCase& in) {
+  return gear_run_json(study::run_gears(moving_gears_of(in), gear_run_options(in))).dump();
+}
+
+inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
+  switch (analysis) {
+    case use::quasi_static:
+      return point_result(in, study::Fidelity::quasi_static);
+    case use::dynamic:
+    case use::dynamic_of_sets:
+      return point_result(in, study::Fidelity::dynamic);
+    case use::co_simulated:
+      return point_result(in, study::Fidelity::co_simulated);
+    case use::monolithic:
+      return point_result(in, study::Fidelity::monolithic);
+    case use::crown:
+      return crown_result(in);
+    case use::gears:
+      return gears_result(in);
+    case use::modes:
+    case use::modes_at_speed:
+      return modes_result(in, analysis == use::modes_at_speed);
+    case use::mesh:
+      return meshes_json(mesh_study(in)).dump();
+    case use::fmu_bearing:
+      return machine_result(bearing_numbers(in), true);
+    case use::fmu_gearset:
+      return machine_result(gear_numbers(in), false);
+    case use::static_load:
+      return static_json(static_study(in)).dump();
+  }
+  return {};
+}
+
+}  // namespace orbearing::app::fields_test

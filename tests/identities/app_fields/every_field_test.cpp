@@ -1,0 +1,261 @@
+// Nothing is ignored in silence: every field of every kind of case, changed under every analysis, changes the
+// result, or is refused, or is warned of; and what an analysis is said not to feel by nature, or to ignore,
+// leaves its result equal to the last bit. So the table of fields cannot lie in either direction.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+#include "app/case/unused_inputs.hpp"
+#include "app/errors.hpp"
+#include "tests/identities/app_fields/analysis_results.hpp"
+#include "tests/identities/app_fields/field_bases.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using namespace fields_test;
+using testing::HasSubstr;
+
+struct Subject {
+  const Base* base = nullptr;
+  use::Analysis analysis = use::quasi_static;
+};
+
+ResolvedCase case_of(const Base& base, const std::vector<std::string>& settings) {
+  return parse_case(base.text, base.name + ".yaml", settings);
+}
+
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  for (const Base& base : bases())
+    for (const use::Analysis analysis : analyses_of(case_of(base, {}))) all.push_back({&base, analysis});
+  return all;
+}
+
+std::string subject_name(const testing::TestParamInfo<Subject>& info) {
+  std::string name = info.param.base->name + "_" + analysis_name(info.param.analysis);
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+// Words, not numbers: nothing is computed from them, or there is one choice alone.
+bool is_label(const Field& field) {
+  static const std::set<std::string> labels{"name", "source", "model", "bearing.type", "shafts"};
+  return labels.contains(field.path);
+}
+
+// A set without bearings has springs of a stated stiffness: at rest nothing there follows from loads.
+bool felt_through_loads_alone(const Subject& subject, const Field& field) {
+  return subject.base->name == "gears_alone" && (subject.analysis & use::natural) != 0 &&
+         (field.path == "input.power" || field.path.starts_with("inertia.") ||
+          (field.path == "input.speed" && subject.analysis == use::modes));
+}
+
+// What happened to one pair of field and analysis.
+struct Verdict {
+  bool refused = false;
+  bool warned = false;
+  bool changed = false;
+  std::string text;  // refusal or warnings
+};
+
+class EveryField : public testing::TestWithParam<Subject> {
+ protected:
+  std::string in_set(const std::string& setting) const {
+    const std::string path = setting.substr(0, setting.find('='));
+    const Field* field = find_field(path);
+    const bool of_set = !base().set.empty() && field != nullptr && in_each_set(*field);
+    return (of_set ? set_prefix(base().set) : "") + setting;
+  }
+
+  // What a run-up of another part needs is left out where this analysis does not take it.
+  std::vector<std::string> beside(const Change& change) const {
+    std::vector<std::string> settings;
+    for (const std::string& setting : change.beside) {
+      const std::string path = setting.substr(0, setting.find('='));
+      const bool run_up = path.find("run_up") != std::string::npos || path == "input.acceleration";
+      if (run_up && (find_field(path)->use.by & GetParam().analysis) == 0) continue;
+      settings.push_back(in_set(setting));
+    }
+    return settings;
+  }
+
+  Verdict judge(const Input& input, const std::vector<std::string>& beside, const std::string& value) {
+    std::vector<std::string> settings = beside;
+    settings.push_back(input.path + "=" + value);
+    Verdict verdict;
+    try {
+      const ResolvedCase changed = case_of(base(), settings);
+      for (const std::string& warning : require_used(changed, GetParam().analysis))
+        if (warning.starts_with(input.path + ":")) verdict.text += warning;
+      verdict.warned = !verdict.text.empty();
+      verdict.changed = result_of(changed, GetParam().analysis) != reference(beside);
+    } catch (const BadInput& refusal) {
+      verdict.refused = true;
+      verdict.text = refusal.what();
+    }
+    return verdict;
+  }
+
+  Standing row_standing(const Input& input, const std::vector<std::string>& beside,
+                        const std::string& value) const {
+    std::vector<std::string> settings = beside;
+    settings.push_back(input.path + "=" + value);
+    return standing_of(case_of(base(), settings), input, GetParam().analysis);
+  }
+
+  const Base& base() const { return *GetParam().base; }
+
+ private:
+  const std::string& reference(const std::vector<std::string>& settings) {
+    const auto found = references_.find(settings);
+    if (found != references_.end()) return found->second;
+    return references_[settings] = result_of(case_of(base(), settings), GetParam().analysis);
+  }
+
+  std::map<std::vector<std::string>, std::string> references_;
+};
+
+struct Count {
+  int used = 0, refused = 0, warned = 0, by_nature = 0;
+};
+
+void expect(Standing standing, const Verdict& verdict, Count& count) {
+  switch (standing) {
+    case Standing::used:
+      EXPECT_FALSE(verdict.refused) << verdict.text;
+      EXPECT_FALSE(verdict.warned) << verdict.text;
+      EXPECT_TRUE(verdict.changed) << "said to be used, and the result is the same";
+      ++count.used;
+      return;
+    case Standing::unfelt:
+      EXPECT_TRUE(verdict.refused || verdict.warned) << "set by an option and not told";
+      EXPECT_FALSE(verdict.changed) << "said not to be felt by nature, and the result changed";
+      ++count.by_nature;
+      return;
+    case Standing::idle:
+    case Standing::unused:
+      EXPECT_TRUE(verdict.warned) << "not used and not told";
+      EXPECT_FALSE(verdict.changed) << "warned of as without effect, and the result changed";
+      ++count.warned;
+      return;
+    case Standing::refused:
+      EXPECT_TRUE(verdict.refused);
+      EXPECT_THAT(verdict.text, HasSubstr("required"));
+      ++count.refused;
+      return;
+    case Standing::neutral:
+      ADD_FAILURE() << "the changed value is the default: nothing was tried";
+  }
+}
+
+TEST_P(EveryField, ChangesTheResultOrIsToldOf) {
+  const ResolvedCase plain = case_of(base(), {});
+  Count count;
+  for (const Input& input : plain.inputs()) {
+    if (is_label(*input.field) || felt_through_loads_alone(GetParam(), *input.field)) continue;
+    if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
+    const Change change = change_of(*input.field, plain, input.path);
+    SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
+    ASSERT_FALSE(change.value.empty()) << "no other value is known; add one to stated_changes()";
+    expect(row_standing(input, beside(change), change.value), judge(input, beside(change), change.value),
+           count);
+  }
+  std::cout << fmt::format("pairs: {} used, {} refused, {} warned, {} not felt by nature\n", count.used,
+                           count.refused, count.warned, count.by_nature);
+}
+
+// Without what must stand beside it, a value has no effect, and that is said.
+TEST_P(EveryField, WithoutItsConditionIsToldOf) {
+  const ResolvedCase plain = case_of(base(), {});
+  int tried = 0;
+  for (const Input& input : plain.inputs()) {
+    if (input.field->use.conditions.empty()) continue;
+    if ((input.field->use.by & GetParam().analysis) == 0) continue;
+    if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
+    const Change change = change_of(*input.field, plain, input.path);
+    SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
+    const Verdict verdict = judge(input, {}, change.value);
+    if (verdict.changed && !verdict.warned) continue;  // its condition holds in the plain case
+    EXPECT_TRUE(verdict.refused || (verdict.warned && !verdict.changed)) << verdict.text;
+    ++tried;
+  }
+  std::cout << fmt::format("pairs: {} without their condition\n", tried);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllCases, EveryField, testing::ValuesIn(subjects()), subject_name);
+
+// Rows say one thing of each analysis.
+TEST(FieldUse, AnalysesOfARowAreDisjoint) {
+  for (const Field& field : all_fields()) {
+    SCOPED_TRACE(field.path);
+    EXPECT_EQ(field.use.by & field.use.unfelt_by, 0u);
+    EXPECT_EQ(field.use.by & field.use.refused_by, 0u);
+    EXPECT_EQ(field.use.unfelt_by & field.use.refused_by, 0u);
+    EXPECT_NE(field.use.by, 0u) << "a field that nothing uses";
+  }
+}
+
+// An analysis that no row names yet: everything that the case gives is told of.
+TEST(FieldUse, ANewAnalysisCannotForgetAField) {
+  const auto unheard_of = static_cast<use::Analysis>(1u << 30);
+  const ResolvedCase in = case_of(bases().front(), {"contact.damping=0.2 s/m"});
+  const std::vector<std::string> warnings = require_used(in, unheard_of);
+  EXPECT_THAT(warnings, testing::Contains(HasSubstr("contact.damping")));
+  EXPECT_THAT(warnings, testing::Contains(HasSubstr("bearing.rollers")));
+}
+
+// What cannot be felt is no nuisance where the file gives it: one case serves all rungs.
+TEST(FieldUse, AFileIsNotWarnedOfWhatCannotBeFeltByNature) {
+  EXPECT_TRUE(require_used(case_of(bases().front(), {}), use::quasi_static).empty());
+  for (const char* name : {"reducer_150kW", "coupling_set_150kW", "three_sets_150kW", "lin_parker_1999",
+                           "mesh_62_62", "planet_bearing_iso16281", "harris_209", "ball_6305_iso16281"}) {
+    const ResolvedCase in = read_case(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml");
+    for (const use::Analysis analysis : analyses_of(in))
+      EXPECT_THAT(require_used(in, analysis), testing::IsEmpty()) << name << ", " << analysis_name(analysis);
+  }
+}
+
+std::string refusal_of(const Base& base, const std::vector<std::string>& settings, use::Analysis analysis,
+                       Axes axes) {
+  try {
+    require_used(case_of(base, settings), analysis, axes);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FieldUse, ASweepOfWhatIsNotUsedIsRefused) {
+  const std::vector<std::string> pocket{"sweep.bearing.cage.pocket_friction=[0.05, 0.1]"};
+  EXPECT_THAT(refusal_of(bases().front(), pocket, use::quasi_static, Axes::all),
+              HasSubstr("sweep.bearing.cage.pocket_friction"));
+  EXPECT_EQ(refusal_of(bases().front(), pocket, use::dynamic, Axes::all), "");
+}
+
+TEST(FieldUse, ASpectrumOfCrownTakesSpeedsAlone) {
+  const std::string speeds = "sweep.input.speed=[1000 rpm, 2000 rpm]";
+  EXPECT_EQ(refusal_of(bases().front(), {speeds}, use::crown, Axes::speed), "");
+  EXPECT_THAT(
+      refusal_of(bases().front(), {speeds, "sweep.input.power=[20 kW, 30 kW]"}, use::crown, Axes::speed),
+      HasSubstr("sweep.input.power"));
+}
+
+TEST(FieldUse, ASingleBearingHasNoSweep) {
+  for (const Base& base : bases()) {
+    if (base.text.find("planetary") != std::string::npos) continue;
+    try {
+      case_of(base, {"sweep.material.youngs_modulus=[200 GPa, 210 GPa]"});
+      ADD_FAILURE() << base.name;
+    } catch (const BadInput& error) {
+      EXPECT_THAT(error.what(), HasSubstr("sweep: a sweep of a"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::app

@@ -1,0 +1,266 @@
+// Small cases of every kind, and for each field a value that differs: what the test of all fields changes.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/case/case_file.hpp"
+#include "app/case/field_table.hpp"
+
+namespace orbearing::app::fields_test {
+
+/// A set of gears and a bearing, indented for a case of one set; small, so that motion in time is short.
+inline const std::string kGears = R"(gearset:
+  planets: 2
+  teeth: {sun: 37, planet: 22, ring: 79}
+  module: 3 mm
+  profile_shift: {sun: 0.2618, ring: 0.4146}
+  face_width: 28 mm
+  dynamics: {observed_periods: 20, settling_periods: 100}
+)";
+
+inline const std::string kBearing = R"(bearing:
+  type: cylindrical-roller
+  per_planet: 1
+  rollers: 10
+  roller_diameter: 5.24 mm
+  roller_length: 5.7 mm
+  pitch_diameter: 35.64 mm
+  radial_clearance: 5 um
+  bore: 25 mm
+  outside_diameter: 47 mm
+  width: 11.9 mm
+  cage: {inner_diameter: 33.44 mm, outer_diameter: 38.54 mm, width: 9 mm, density: 1310 kg/m3}
+)";
+
+inline const std::string kDrivetrain = R"(name: all fields
+source: none
+model: planetary-drivetrain
+input: {power: 75 kW, speed: 9000 rpm}
+)";
+
+inline const std::string kShortRun = "simulation: {observed_revolutions: 1, most_revolutions: 2}\n";
+
+inline std::string indented(const std::string& block) {
+  std::string text = "    ";
+  for (const char c : block) text += c == '\n' ? std::string("\n    ") : std::string(1, c);
+  return text.substr(0, text.size() - 4);
+}
+
+inline std::string several_sets() {
+  const std::string set = indented(kGears) + indented(kBearing);
+  return kDrivetrain + kShortRun +
+         "shafts:\n  input: [motor, first.sun]\n  middle: [first.carrier, second.sun]\n"
+         "  output: [second.carrier, load]\n  housing: [ground, first.ring, second.ring]\n"
+         "sets:\n  first:\n" +
+         set + "  second:\n" + set;
+}
+
+inline const std::string kToothless = R"(name: masses and springs
+source: none
+model: planetary-drivetrain
+gearset:
+  planets: 3
+  pressure_angle: 24.6 deg
+  dynamics:
+    sun: {mass: 0.4 kg, equivalent_mass: 0.39 kg}
+    ring: {mass: 2.35 kg, equivalent_mass: 3 kg}
+    carrier: {mass: 5.43 kg, equivalent_mass: 6.29 kg}
+    planet: {mass: 0.66 kg, equivalent_mass: 0.61 kg}
+    mesh_stiffness: {sun: 5e8 N/m, ring: 5e8 N/m}
+)";
+
+inline const std::string kPair = R"(name: a pair
+source: none
+model: gear-pair
+pair: {teeth: [30, 40], module: 2 mm, face_width: 20 mm, bore: 25 mm}
+)";
+
+inline const std::string kRollers = R"(name: a roller bearing
+source: none
+model: roller-bearing
+load: {radial: 3000 N}
+)";
+
+inline const std::string kBalls = R"(name: a ball bearing
+source: none
+model: ball-bearing
+load: {radial: 1000 N}
+bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um}
+)";
+
+struct Base {
+  std::string name;
+  std::string text;
+  std::string set{};  // of several sets, the one whose fields are changed
+};
+
+inline std::string rollers_case() {
+  std::string bearing = kBearing;
+  const std::string own = "  per_planet: 1\n";
+  return kRollers + bearing.erase(bearing.find(own), own.size());
+}
+
+inline const std::vector<Base>& bases() {
+  static const std::vector<Base> all{{"bearing_in_a_set", kDrivetrain + kGears + kBearing + kShortRun},
+                                     {"gears_alone", kDrivetrain + kGears},
+                                     {"masses_and_springs", kToothless},
+                                     {"several_sets", several_sets(), "first"},
+                                     {"pair_of_gears", kPair},
+                                     {"roller_bearing", rollers_case()},
+                                     {"ball_bearing", kBalls}};
+  return all;
+}
+
+/// Another value of a field, and what must stand beside it so that it counts.
+struct Change {
+  std::string value;
+  std::vector<std::string> beside{};
+};
+
+/// Values that no rule finds. Paths without the set's prefix.
+inline const std::map<std::string, Change>& stated_changes() {
+  const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
+  const std::string land = "bearing.cage.guide_land_diameter=38.88 mm";
+  const std::vector<std::string> table{laminae, kind + "table", "bearing.profile.x=[-4 mm, 0 mm, 4 mm]",
+                                       "bearing.profile.drops=[5 um, 0 um, 5 um]"};
+  const std::vector<std::string> kawase{laminae, kind + "fujiwara-kawase"};
+  const std::vector<std::string> run_up{"input.acceleration=1000 rpm/s", "simulation.run_up_time=0.003 s"};
+  const std::vector<std::string> gears_run_up{"gearset.dynamics.run_up.from=0.5",
+                                              "gearset.dynamics.run_up.duration=0.01 s"};
+  const std::vector<std::string> film{"life.viscosity_ratio=2", "life.contamination_factor=0.4"};
+  const std::vector<std::string> clean{"life.viscosity_ratio=2", "life.cleanliness=high"};
+  const std::vector<std::string> turning{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
+                                         "operation.shaft_speed=1000 rpm"};
+  const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
+                                               "gearset.dynamics.damping_ratio.bearing=0.001",
+                                               "gearset.dynamics.damping_ratio.support=0.001"};
+  std::vector<std::string> both = run_up;
+  both.insert(both.end(), gears_run_up.begin(), gears_run_up.end());
+  static const std::map<std::string, Change> all{
+      {"input.member", {"carrier"}},
+      {"input.acceleration", {"1100 rpm/s", run_up}},
+      {"simulation.run_up_time", {"0.004 s", run_up}},
+      {"inertia.euler", {"false", both}},
+      {"gearset.fixed", {"sun", {"input.member=carrier"}}},
+      {"gearset.planets", {"4"}},
+      {"gearset.teeth.sun", {"35"}},
+      {"gearset.teeth.planet", {"21"}},
+      {"gearset.teeth.ring", {"81"}},
+      {"gearset.dynamics.sun.mass", {"1.3 kg"}},
+      {"gearset.dynamics.sun.equivalent_mass", {"1.3 kg"}},
+      {"gearset.dynamics.ring.mass", {"3.1 kg"}},
+      {"gearset.dynamics.carrier.mass", {"3.1 kg"}},
+      {"gearset.dynamics.carrier.equivalent_mass", {"3.1 kg"}},
+      {"gearset.dynamics.planet.mass", {"0.8 kg"}},
+      {"gearset.dynamics.planet.equivalent_mass", {"0.8 kg"}},
+      {"gearset.dynamics.planet.bearing_stiffness", {"2.5e8 N/m"}},
+      {"gearset.dynamics.mesh_stiffness.sun", {"4e8 N/m"}},
+      {"gearset.dynamics.mesh_stiffness.ring", {"4e8 N/m"}},
+      {"gearset.dynamics.sun.torsional_stiffness", {"1e7 N/m"}},
+      {"gearset.dynamics.ring.torsional_stiffness", {"1e7 N/m"}},
+      {"gearset.dynamics.carrier.torsional_stiffness", {"1e7 N/m"}},
+      {"bearing.radial_clearance", {"8 um"}},
+      {"gearset.dynamics.ring.equivalent_mass",
+       {"3.3 kg", {"gearset.dynamics.ring.torsional_stiffness=1e9 N/m"}}},
+      {"gearset.dynamics.run_up.from", {"0.9", gears_run_up}},
+      {"gearset.dynamics.run_up.duration", {"0.02 s", gears_run_up}},
+      {"gearset.dynamics.settling_periods", {"200", hardly_damped}},
+      {"gearset.dynamics.pin_error.radial", {"[0 um, 10 um]"}},
+      {"gearset.dynamics.pin_error.tangential", {"[0 um, 10 um]"}},
+      {"gearset.dynamics.transmission_error.sun", {"[0 um, 3 um, 1 um]"}},
+      {"gearset.dynamics.transmission_error.ring", {"[0 um, 3 um, 1 um]"}},
+      {"bearing.cage.outer_diameter", {"38.2 mm"}},
+      {"bearing.cage.guide_land_diameter", {"39 mm", {land}}},
+      {"bearing.cage.guidance_film", {"as-printed", {land}}},
+      {"bearing.cage.largest_eccentricity", {"0.1", {land}}},
+      {"bearing.cage.touch_down_stiffness", {"2e7 N/m", {land, "bearing.cage.largest_eccentricity=0.1"}}},
+      {"bearing.cage.pocket_roughness", {"0.6 um", {"bearing.cage.pocket_film=hydrodynamic"}}},
+      {"bearing.laminae", {"20"}},
+      {"bearing.misalignment.planet_tilt", {"1 mrad", {laminae}}},
+      {"bearing.misalignment.carrier_wind_up", {"1 mrad", {laminae}}},
+      {"bearing.profile.kind", {"circular", {laminae}}},
+      {"bearing.profile.drop", {"7 um", {laminae, kind + "circular"}}},
+      {"bearing.profile.design_load", {"700 N", {laminae, kind + "lundberg"}}},
+      {"bearing.profile.chamfer_length", {"1 mm", {laminae, kind + "chamfer"}}},
+      {"bearing.profile.straight_length", {"2 mm", {laminae, kind + "straight-circular"}}},
+      {"bearing.profile.k1",
+       {"1.5", {laminae, kind + "fujiwara-kawase", "bearing.profile.design_load=700 N"}}},
+      {"bearing.profile.k2", {"0.8", kawase}},
+      {"bearing.profile.end_drop", {"9 um", kawase}},
+      {"bearing.profile.x", {"[-3 mm, 0 mm, 3 mm]", table}},
+      {"bearing.profile.drops", {"[6 um, 0 um, 6 um]", table}},
+      {"bearing.roller_diameter_deviation", {"[1 um]"}},
+      {"contact.roughness", {"0.3 um", {"contact.lubrication=mixed"}}},
+      {"contact.boundary_friction", {"0.13", {"contact.lubrication=mixed"}}},
+      {"film.approach", {"as-printed", {"film.enabled=true"}}},
+      {"lubricant.viscosity", {"0.02 Pa.s", {"film.enabled=true"}}},
+      {"lubricant.pressure_viscosity", {"2e-8 Pa-1", {"film.enabled=true"}}},
+      {"traction.limiting_friction", {"0.08", {"traction.law=limiting-shear"}}},
+      {"simulation.load_drift",
+       {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
+      {"simulation.cage_drift",
+       {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
+      {"load.tilt", {"1 mrad"}},
+      {"load.moment", {"2 N.m"}},
+      {"load.axial", {"200 N"}},
+      {"bearing.contact_angle", {"15 deg"}},
+      {"bearing.dynamic_capacity", {"12345 N"}},
+      {"bearing.fatigue_load_limit", {"1234 N", film}},
+      {"life.contamination_factor", {"0.5", film}},
+      {"life.viscosity_ratio", {"2.1", film}},
+      {"life.cleanliness", {"low", clean}},
+      {"life.lubrication", {"oil-bath", clean}},
+      {"lubricant.kinematic_viscosity", {"30 mm2/s", turning}},
+      {"operation.shaft_speed", {"1200 rpm", turning}},
+      {"operation.outer_speed", {"-1200 rpm", turning}},
+      {"pair.teeth", {"[30, 41]"}},
+      {"pair.profile_shift", {"[0.1, 0]"}}};
+  return all;
+}
+
+/// Waves stand in blocks of three lists.
+inline Change wave_change(const std::string& path) {
+  const std::string block = path.substr(0, path.rfind('.'));
+  const std::vector<std::string> beside{block + ".order=[2]", block + ".amplitude=[1 um]"};
+  if (path.ends_with("order")) return {"[3]", beside};
+  if (path.ends_with("amplitude")) return {"[2 um]", beside};
+  return {"[30 deg]", beside};
+}
+
+inline Change quantity_change(const std::string& given) {
+  constexpr double factor = 1.04;  // near enough to stay in range and within the checks of consistency
+  const WrittenQuantity now = *split_quantity(given).value;
+  return {fmt::format("{} {}", factor * now.value, now.unit)};
+}
+
+/// The change of `path` in the case `in`; an empty value for a field that has but one.
+inline Change change_of(const Field& field, const ResolvedCase& in, const std::string& path) {
+  if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
+    return stated->second;
+  if (field.path.find("_form.") != std::string::npos) return wave_change(field.path);
+  const std::string now = in.has(path) ? in.given(path) : "";
+  switch (field.kind) {
+    case Kind::flag:
+      return {now == "true" ? "false" : "true"};
+    case Kind::choice:
+      for (const std::string& choice : field.choices)
+        if (choice != now) return {choice};
+      return {};
+    case Kind::integer:
+      return {fmt::format("{}", in.integer(path) + 1)};
+    case Kind::number: {
+      const double more = 1.04 * in.number(path);
+      return {fmt::format("{}", more > field.range.most ? 0.96 * in.number(path) : more)};
+    }
+    case Kind::quantity:
+      return now.empty() ? Change{} : quantity_change(now);
+    default:
+      return {};
+  }
+}
+
+}  // namespace orbearing::app::fields_test
