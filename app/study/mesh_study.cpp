@@ -64,18 +64,6 @@ MeshStudy pair_study(const ResolvedCase& in) {
   return study;
 }
 
-// The pinion, the smaller gear, comes first in the standard's formula.
-gearset::Iso6336Stiffness sun_standard(const gearset::PlanetarySet& set, double planet_shift, double ratio,
-                                       const gearset::Elasticity& material) {
-  gearset::Iso6336Pair pair{set.planet_teeth, set.sun_teeth, planet_shift, set.sun_shift,
-                            set.rack,         ratio,         material};
-  if (set.sun_teeth < set.planet_teeth) {
-    std::swap(pair.first_teeth, pair.second_teeth);
-    std::swap(pair.first_shift, pair.second_shift);
-  }
-  return gearset::iso6336_stiffness(pair);
-}
-
 gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
                                    const gearset::WorkingGeometry& geometry) {
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
@@ -95,9 +83,11 @@ MeshStudy set_study(const ResolvedCase& in) {
   const double shift = geometry.planet_shift;
   NamedMesh sun{.first = "sun", .second = "planet", .stiffness = meshes.sun, .face_width = set.face_width};
   NamedMesh ring{.first = "ring", .second = "planet", .stiffness = meshes.ring, .face_width = set.face_width};
-  sun.standard = sun_standard(set, shift, sun.stiffness.contact_ratio, material);
+  sun.standard = gearset::iso6336_stiffness({set.sun_teeth, set.planet_teeth, set.sun_shift, shift, set.rack,
+                                             sun.stiffness.contact_ratio, material});
+  // The standard counts the shift of a ring as that of an external gear: positive inward.
   ring.standard = gearset::iso6336_stiffness(
-      {set.planet_teeth, 0, shift, 0.0, set.rack, ring.stiffness.contact_ratio, material});
+      {set.planet_teeth, 0, shift, -set.ring_shift, set.rack, ring.stiffness.contact_ratio, material});
   MeshStudy study;
   const auto add = [&study](NamedMesh mesh, const std::vector<double>& lags) {
     for (std::size_t n = 0; n < lags.size(); ++n) {

@@ -1,6 +1,6 @@
 #include "gearset/mesh/iso6336.hpp"
 
-#include <cmath>
+#include <utility>
 
 namespace orbearing::gearset {
 
@@ -9,6 +9,16 @@ namespace {
 constexpr double newton_per_millimetre_micrometre = 1e9;  // [Pa]
 constexpr double steel = 206e9;                           // [Pa]  modulus that the regression is for
 constexpr double degree = 0.017453292519943295;           // [rad]
+
+// The formula is not symmetric in the two gears; its first is the pinion.
+Iso6336Pair pinion_first(Iso6336Pair pair) {
+  if (pair.second_teeth == 0) return pair;
+  if (std::pair(pair.first_teeth, -pair.first_shift) > std::pair(pair.second_teeth, -pair.second_shift)) {
+    std::swap(pair.first_teeth, pair.second_teeth);
+    std::swap(pair.first_shift, pair.second_shift);
+  }
+  return pair;
+}
 
 // q' of ISO 6336-1, method B [mm um / N].
 double flexibility(const Iso6336Pair& pair) {
@@ -29,7 +39,8 @@ double rack_factor(const BasicRack& rack) {
 
 }  // namespace
 
-Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& pair) {
+Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& of_pair) {
+  const Iso6336Pair pair = pinion_first(of_pair);
   constexpr double measured = 0.8;  // C_M: measured gears are softer than the theory
   const double modulus = pair.material.youngs_modulus / steel;
   Iso6336Stiffness result;

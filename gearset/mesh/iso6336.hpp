@@ -6,12 +6,13 @@
 
 namespace orbearing::gearset {
 
-/// What method B of ISO 6336-1 asks of a spur pair. The first gear is the pinion.
+/// What method B of ISO 6336-1 asks of a spur pair, in either order: the gear with fewer teeth is the pinion,
+/// of two with as many that of the larger shift.
 struct Iso6336Pair {
   int first_teeth = 0;
-  int second_teeth = 0;  // 0: a ring, counted as infinitely many teeth
-  double first_shift = 0.0;
-  double second_shift = 0.0;  // [module]  of a ring: 0
+  int second_teeth = 0;       // 0: a ring, counted as infinitely many teeth
+  double first_shift = 0.0;   // [module]
+  double second_shift = 0.0;  // [module]  of a ring: positive inward, less that of PlanetarySet
   BasicRack rack;
   double contact_ratio = 0.0;  // [-]
   Elasticity material;
@@ -22,10 +23,10 @@ struct Iso6336Stiffness {
   double theoretical_single = 0.0;  // [Pa]  c'_th, of one pair of teeth
   double single = 0.0;              // [Pa]  c'
   double mesh = 0.0;                // [Pa]  c_gamma_alpha, the mean over the mesh period
-  bool in_range = true;             // first shift >= second, and their sum from -0.5 to 2
+  bool in_range = true;             // the pinion's shift >= the wheel's, and their sum from -0.5 to 2
 };
 
 /// Method B. Eqs. (9) and (10) of gearset/mesh/README.md [ISO6336].
-Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& pair);
+Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& of_pair);
 
 }  // namespace orbearing::gearset

@@ -75,9 +75,9 @@ TEST(Iso6336MethodB, OfTwoPairs) {
   EXPECT_NEAR(standard(62, 62).theoretical_single, 18.554 * unit, half_digit);
   EXPECT_NEAR(standard(62, 62).single, 14.472 * unit, half_digit);
   EXPECT_NEAR(standard(62, 62).mesh, 23.04 * unit, 10.0 * half_digit);
-  EXPECT_NEAR(standard(30, 20).theoretical_single, 15.312 * unit, half_digit);
-  EXPECT_NEAR(standard(30, 20).single, 11.943 * unit, half_digit);
-  EXPECT_NEAR(standard(30, 20).mesh, 17.364 * unit, half_digit);
+  EXPECT_NEAR(standard(30, 20).theoretical_single, 15.723 * unit, half_digit);
+  EXPECT_NEAR(standard(30, 20).single, 12.264 * unit, half_digit);
+  EXPECT_NEAR(standard(30, 20).mesh, 17.830 * unit, half_digit);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
+#include "app/study/drivetrain_case.hpp"
 #include "app/study/ledger.hpp"
 #include "app/study/mesh_output.hpp"
 #include "tests/unit/app_case/small_case.hpp"
@@ -61,6 +62,25 @@ TEST(MeshStudy, FollowsTheSettings) {
               1e-9 * mean);
   EXPECT_NEAR(mesh_property(mesh_study(pair_case({"material.youngs_modulus=103 GPa"})), "mean_N_per_m"),
               0.5 * mean, 1e-9 * mean);
+}
+
+TEST(MeshStudy, StandardStiffnessOfAPairDoesNotDependOnTheOrderOfItsGears) {
+  const auto single = [](const std::string& teeth) {
+    return mesh_property(mesh_study(pair_case({"pair.teeth=" + teeth, "pair.bore=20 mm"})),
+                         "c_prime_N_per_mm_um");
+  };
+  EXPECT_EQ(single("[30, 20]"), single("[20, 30]"));
+}
+
+// The shift of the ring, positive outward in a case, counts as -x_2 in the standard's formula.
+TEST(MeshStudy, StandardStiffnessOfARingMeshFeelsTheRingsShift) {
+  const MeshStudy study = mesh_study(shipped());
+  constexpr double ring_shift = 0.4146;
+  const double planet_shift = gearset::working_geometry(drivetrain_of(shipped()).set).planet_shift;
+  const double without =
+      gearset::iso6336_stiffness({22, 0, planet_shift, 0.0, {}, 1.6, {}}).theoretical_single;
+  EXPECT_NEAR(1e9 / study.meshes[7].standard.theoretical_single,
+              1e9 / without + 0.00193 * ring_shift + 0.00182 * ring_shift * ring_shift, 1e-12);
 }
 
 TEST(MeshStudy, OfAModelWithoutMeshesIsRefused) {
@@ -124,7 +144,7 @@ TEST(PairLedger, TakesASettingIntoItsRow) {
           {.source = "made up",
            .quantity = "c_th_N_per_mm_um",
            .meaning = "",
-           .value = 15.312,
+           .value = 15.7227,
            .tolerance = 1e-4,
            .settings = {"pair.teeth=[30, 20]"}},
           {.source = "made up", .quantity = "contact_ratio", .meaning = "", .value = 2.0, .tolerance = 1e-3},

@@ -26,6 +26,27 @@ TEST(Iso6336Stiffness, IsThatOfOnePairAtContactRatioOne) {
   EXPECT_NEAR(iso6336_stiffness(one).mesh, iso6336_stiffness(one).single, 1.0);
 }
 
+TEST(Iso6336Stiffness, TakesTheGearWithFewerTeethForThePinion) {
+  for (const auto& [first, second] : {std::pair{19, 17}, {30, 20}, {62, 62}}) {
+    const Iso6336Pair pair{first, second, 0.1, 0.4, {}, 1.6, {}};
+    const Iso6336Pair turned{second, first, 0.4, 0.1, {}, 1.6, {}};
+    EXPECT_EQ(iso6336_stiffness(pair).theoretical_single, iso6336_stiffness(turned).theoretical_single);
+    EXPECT_TRUE(iso6336_stiffness(pair).in_range);
+  }
+  const Iso6336Pair pair{30, 20, 0.0, 0.0, {}, 1.6, {}};
+  EXPECT_NEAR(1e9 / iso6336_stiffness(pair).theoretical_single, 0.04723 + 0.15551 / 20.0 + 0.25791 / 30.0,
+              1e-12);
+}
+
+// The wheel is a ring: only x_2 of its terms is left.
+TEST(Iso6336Stiffness, KeepsTheShiftOfARing) {
+  Iso6336Pair ring = standard;
+  ring.second_teeth = 0;
+  ring.second_shift = -0.5;
+  EXPECT_NEAR(1e9 / iso6336_stiffness(ring).theoretical_single,
+              0.04723 + 0.15551 / 30.0 + 0.00193 * 0.5 + 0.00182 * 0.25, 1e-12);
+}
+
 TEST(Iso6336Stiffness, KnowsItsRange) {
   Iso6336Pair pair = standard;
   EXPECT_TRUE(iso6336_stiffness(pair).in_range);
