@@ -175,6 +175,12 @@ void add_commands(CommandTable table) {
   CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
   add_settings(validate, options);
   validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
+  validate.add_flag(
+      "--motion", options.motion,
+      "in place of the published numbers: what the assumptions that only motion feels are worth "
+      "at the peak; takes minutes");
+  validate.add_option("--jobs", options.jobs, "with --motion: threads; default: one for each core")
+      ->check(CLI::Range(1, 4096));
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);
   add_settings(report, options);
   report.add_option("DIR", options.folders, "folder of a sweep")->required()->expected(1);

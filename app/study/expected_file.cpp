@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/errors.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 
 namespace orbearing::app {
@@ -15,12 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Evidence evidence_of(const YAML::Node& node) {
+  const auto name = node["evidence"].as<std::string>("published");
+  if (name == "published") return Evidence::published;
+  if (name == "recomputed") return Evidence::recomputed;
+  throw YAML::Exception(node["evidence"].Mark(), "evidence: found " + name);
+}
+
 PublishedValue published_value(const YAML::Node& node) {
   PublishedValue row{.source = node["source"].as<std::string>(),
                      .quantity = node["quantity"].as<std::string>(),
                      .meaning = node["meaning"].as<std::string>(),
                      .tolerance = node["tolerance"].as<double>(),
-                     .trend = node["trend"].as<bool>(false)};
+                     .trend = node["trend"].as<bool>(false),
+                     .evidence = evidence_of(node)};
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
   if (!node["value"].IsNull()) row.value = node["value"].as<double>();
   return row;
@@ -29,6 +38,17 @@ PublishedValue published_value(const YAML::Node& node) {
 Alternative alternative(const YAML::Node& node) {
   return {node["assumption"].as<std::string>(), node["reading"].as<std::string>(),
           node["settings"].as<std::vector<std::string>>()};
+}
+
+MotionPlan motion_plan(const YAML::Node& node) {
+  MotionPlan plan{.fidelity = node["fidelity"].as<std::string>(),
+                  .speed_rpm = node["speeds_rpm"].as<std::vector<double>>()};
+  const std::vector<std::string>& names = fidelity_names();
+  if (std::find(names.begin(), names.end(), plan.fidelity) == names.end())
+    throw YAML::Exception(node["fidelity"].Mark(), "motion.fidelity: found " + plan.fidelity);
+  if (plan.speed_rpm.empty()) throw YAML::Exception(node.Mark(), "motion.speeds_rpm: found none");
+  for (const YAML::Node& entry : node["alternatives"]) plan.alternatives.push_back(alternative(entry));
+  return plan;
 }
 
 // The folder of cases: of the source tree this program was built from, or beside an installed program.
@@ -49,10 +69,12 @@ ExpectedFile read_expected(const std::string& file) {
     ExpectedFile expected;
     for (const YAML::Node& node : root["published"]) expected.published.push_back(published_value(node));
     for (const YAML::Node& node : root["alternatives"]) expected.alternatives.push_back(alternative(node));
+    if (root["motion"]) expected.motion = motion_plan(root["motion"]);
     return expected;
   } catch (const YAML::Exception& error) {
     throw BadInput(
-        fmt::format("{}:{}:{}: {}; required: published numbers and alternatives as in the shipped cases",
+        fmt::format("{}:{}:{}: {}; required: published numbers (evidence: published or recomputed) and "
+                    "alternatives as in the shipped cases",
                     file, error.mark.line + 1, error.mark.column + 1, error.msg));
   }
 }

@@ -7,6 +7,12 @@
 
 namespace orbearing::app {
 
+/// Where a number that ours is compared with comes from.
+enum class Evidence {
+  published,   // printed by the source, or a result of a program of others
+  recomputed,  // from the source's formulas and data, by scripts independent of this project
+};
+
 /// One published number.
 struct PublishedValue {
   std::string source;    // with its key in REFERENCES.md
@@ -15,6 +21,7 @@ struct PublishedValue {
   std::optional<double> value;  // none: the source has it, the project cannot compare it yet
   double tolerance = 0.0;       // [-]  relative
   bool trend = false;           // only a direction is claimed
+  Evidence evidence = Evidence::published;
   std::vector<std::string>
       settings{};  // path=value  of the case, where the number belongs to a variant of it
 };
@@ -26,9 +33,17 @@ struct Alternative {
   std::vector<std::string> settings;  // path=value
 };
 
+/// Readings that only the motion in time feels, and where they are looked at.
+struct MotionPlan {
+  std::string fidelity = "monolithic";
+  std::vector<double> speed_rpm;
+  std::vector<Alternative> alternatives;
+};
+
 struct ExpectedFile {
   std::vector<PublishedValue> published;
   std::vector<Alternative> alternatives;
+  std::optional<MotionPlan> motion{};
 };
 
 /// Reads `file`; empty where there is none. Throws BadInput with file and line where it is not as described

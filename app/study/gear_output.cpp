@@ -84,12 +84,20 @@ std::string modes_text(const std::vector<Mode>& modes) {
   return text;
 }
 
-double mode_property(const std::vector<Mode>& modes, const std::string& quantity) {
+ModeStudy mode_study(const gearset::dynamics::SetModel& model) {
+  const auto& planet = model.parameters.planet;
+  return {modes_at_rest(model),
+          std::sqrt(planet.bearing_stiffness / planet.mass) / boost::math::double_constants::two_pi};
+}
+
+double mode_property(const ModeStudy& study, const std::string& quantity) {
   std::map<std::string, int> count;
-  for (const Mode& mode : modes) {
+  for (const Mode& mode : study.modes) {
+    if (!(mode.frequency > 0.0)) continue;
     const std::string kind = kind_name(mode.kind);
-    if (mode.frequency > 0.0 && fmt::format("{}_{}_Hz", kind, ++count[kind]) == quantity)
-      return mode.frequency;
+    const std::string name = fmt::format("{}_{}", kind, ++count[kind]);
+    if (name + "_Hz" == quantity) return mode.frequency;
+    if (name + "_1" == quantity) return mode.frequency / study.planet_frequency;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }

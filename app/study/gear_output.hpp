@@ -15,9 +15,18 @@ namespace orbearing::app {
 nlohmann::ordered_json modes_json(const std::vector<gearset::dynamics::Mode>& modes);
 std::string modes_text(const std::vector<gearset::dynamics::Mode>& modes);
 
-/// A frequency [Hz] by its name in the ledger, as "rotational_2_Hz": the second of its kind, counted from the
-/// first above zero; NaN for a name that is not known or a mode that is not there.
-double mode_property(const std::vector<gearset::dynamics::Mode>& modes, const std::string& quantity);
+/// Modes at rest and the frequency that published ones may be told by.
+struct ModeStudy {
+  std::vector<gearset::dynamics::Mode> modes;
+  double planet_frequency = 0.0;  // [Hz]  of a planet on its bearing alone
+};
+
+ModeStudy mode_study(const gearset::dynamics::SetModel& model);
+
+/// A frequency by its name in the ledger: "rotational_2_Hz" in hertz, "rotational_2_1" over that of a planet
+/// on its bearing; the second of its kind, counted from the first above zero. NaN for a name that is not
+/// known or a mode that is not there.
+double mode_property(const ModeStudy& study, const std::string& quantity);
 
 /// Natural frequencies over speed from rest to the nominal speed, and mesh harmonics, for a Campbell diagram.
 nlohmann::ordered_json campbell_json(const gearset::dynamics::SetModel& model, double nominal_speed);

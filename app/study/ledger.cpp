@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
@@ -31,7 +33,8 @@ LedgerRow compare(const PublishedValue& published, double ours, const std::strin
                 .quantity = published.quantity,
                 .reading = reading,
                 .published = published.value,
-                .tolerance = published.tolerance};
+                .tolerance = published.tolerance,
+                .evidence = published.evidence};
   if (std::isfinite(ours)) row.ours = ours;
   return judged(std::move(row), published.trend);
 }
@@ -50,6 +53,45 @@ std::string key_with_reading(const LedgerRow& row) {
 
 nlohmann::ordered_json number(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+nlohmann::ordered_json comparisons_json(const std::string& case_name, const std::vector<LedgerRow>& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const LedgerRow& row : rows)
+    list.push_back({{"source", row.source},
+                    {"quantity", row.quantity},
+                    {"published", number(row.published)},
+                    {"ours", number(row.ours)},
+                    {"deviation", number(row.deviation)},
+                    {"tolerance", row.tolerance},
+                    {"verdict", row.verdict},
+                    {"case", case_name},
+                    {"reading", row.reading},
+                    {"evidence", row.evidence == Evidence::published ? "published" : "recomputed"}});
+  return list;
+}
+
+// One line for each reading: our value of each quantity, marked where it misses the published one.
+std::string other_readings_text(const Ledger& ledger) {
+  if (ledger.other_readings.empty()) return "";
+  std::vector<std::string> quantities;
+  for (const LedgerRow& row : ledger.rows)
+    if (row.published) quantities.push_back(row.quantity);
+  std::string text = "\nThe same values under other readings (* where a published one is missed)\n";
+  for (const std::string& quantity : quantities) text += fmt::format("{:>{}}", quantity, quantity.size() + 2);
+  text += "  reading\n";
+  const LedgerRow* row = ledger.other_readings.data();
+  for (std::size_t left = ledger.other_readings.size(); left >= quantities.size();
+       left -= quantities.size()) {
+    std::string line;
+    for (const std::string& quantity : quantities) {
+      const std::string shown = cell(row->ours) + (row->verdict == "missed" ? "*" : " ");
+      line += fmt::format("{:>{}}", shown, quantity.size() + 2);
+      ++row;
+    }
+    text += line + "  " + (row - 1)->reading + "\n";
+  }
+  return text;
 }
 
 std::string worth_text(const Ledger& ledger) {
@@ -83,14 +125,15 @@ Ledger study_ledger(const ResolvedCase& resolved, const ExpectedFile& expected, 
   return ledger;
 }
 
-std::vector<gearset::dynamics::Mode> modes_of(const ResolvedCase& resolved) {
-  return modes_at_rest(gear_model_of(resolved));
+ModeStudy modes_of(const ResolvedCase& resolved) {
+  return mode_study(gear_model_of(resolved));
 }
 
 }  // namespace
 
 LedgerRow judged(LedgerRow row, bool trend) {
   if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
+  row.trend = trend;
   row.verdict = verdict_of(row, trend);
   return row;
 }
@@ -109,26 +152,51 @@ Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected) {
   for (const Worth& worth : ledger.worth)
     for (const PublishedValue& published : expected.published)
       if (published.value)
-        ledger.rows.push_back(
+        ledger.other_readings.push_back(
             compare(published, property(worth.curve, published.quantity), worth.alternative.reading));
   return ledger;
 }
 
-nlohmann::ordered_json rows_json(const Ledger& ledger) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const LedgerRow& row : ledger.rows)
-    rows.push_back({{"source", row.source},
-                    {"quantity", row.quantity},
-                    {"published", number(row.published)},
-                    {"ours", number(row.ours)},
-                    {"deviation", number(row.deviation)},
-                    {"tolerance", row.tolerance},
-                    {"verdict", row.verdict},
-                    {"case", ledger.case_name},
-                    {"reading", row.reading}});
-  return rows;
+LedgerCount counted(const std::vector<Ledger>& ledgers) {
+  LedgerCount count;
+  std::set<std::tuple<std::string, std::string, std::string, std::string, double>> seen;
+  for (const Ledger& ledger : ledgers) {
+    count.comparisons_under_other_readings += static_cast<int>(ledger.other_readings.size());
+    for (const LedgerRow& row : ledger.rows) {
+      if (!row.published ||
+          !seen.emplace(ledger.case_name, row.source, row.quantity, row.reading, *row.published).second)
+        continue;
+      ++(row.evidence == Evidence::recomputed ? count.recomputed : count.published);
+      count.trends += row.trend ? 1 : 0;
+    }
+  }
+  return count;
 }
 
+std::string count_text(const std::vector<Ledger>& ledgers) {
+  const LedgerCount count = counted(ledgers);
+  std::map<std::string, int> verdicts;
+  for (const Ledger& ledger : ledgers)
+    for (const LedgerRow& row : ledger.rows)
+      if (row.evidence == Evidence::published) ++verdicts[row.verdict];
+  std::string text =
+      fmt::format("\n{} distinct published values ({} of them trends):", count.published, count.trends);
+  for (const auto& [verdict, number] : verdicts) text += fmt::format(" {} {},", number, verdict);
+  text.back() = '\n';
+  return text +
+         fmt::format(
+             "{} values recomputed from their sources' data; {} comparisons of the same values under other "
+             "readings\n",
+             count.recomputed, count.comparisons_under_other_readings);
+}
+
+nlohmann::ordered_json rows_json(const Ledger& ledger) {
+  return comparisons_json(ledger.case_name, ledger.rows);
+}
+
+nlohmann::ordered_json other_readings_json(const Ledger& ledger) {
+  return comparisons_json(ledger.case_name, ledger.other_readings);
+}
 nlohmann::ordered_json worth_json(const Ledger& ledger) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Worth& worth : ledger.worth)
@@ -150,7 +218,7 @@ std::string ledger_text(const Ledger& ledger) {
     text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}\n", row.source,
                         cell(row.published), cell(row.ours), deviation_cell(row.deviation), row.tolerance,
                         row.verdict, key_with_reading(row));
-  return ledger.worth.empty() ? text : text + worth_text(ledger);
+  return text + other_readings_text(ledger) + worth_text(ledger);
 }
 
 }  // namespace orbearing::app

@@ -27,7 +27,8 @@ Ledger stage_ledger() {
                            .quantity = "mean_planet_bearing_load_kN",
                            .published = recomputed,
                            .ours = 1e-3 * load,
-                           .tolerance = half_a_digit},
+                           .tolerance = half_a_digit,
+                           .evidence = Evidence::recomputed},
                           false)}};
 }
 
