@@ -95,9 +95,7 @@ void add_cage(std::vector<Field>& fields) {
                     .use = of_cage_motion(),
                     .models = drivetrain,
                     .dimension = dimension::length,
-                    .range = {.least = 0.0, .most = 10.0, .least_allowed = false},
-                    .default_text = "0.1 mm",
-                    .default_reason = "a usual play for rollers of a few millimetres"});
+                    .range = {.least = 0.0, .most = 10.0, .least_allowed = false}});
 }
 
 Field profile_length(std::string path, std::string meaning, const Use& use, const Dimension& dimension,

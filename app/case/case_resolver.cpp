@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/key_hints.hpp"
 #include "app/case/settings.hpp"
@@ -28,6 +29,7 @@ class Resolver {
     read_block(root_, "");
     report_missing();
     fill_defaults();
+    fill_derived_defaults(data_);
     read_assumed();
     read_sweep();
     return std::move(data_);

@@ -29,7 +29,8 @@ const Use& of_exchange() {
   return use;
 }
 
-// All are values that sources rarely print, so each has a default with its reason.
+// All are values that sources rarely print, so each has a default with its reason, or one that follows from
+// its parts (derived_defaults).
 struct Defaulted {
   std::string path;
   std::string meaning;
@@ -112,9 +113,8 @@ void add_friction(std::vector<Field>& fields) {
 }
 
 void add_cage(std::vector<Field>& fields) {
-  fields.push_back(
-      quantity(dimension::stiffness, {"bearing.cage.pocket_stiffness", "stiffness of a cage bar", of_motion(),
-                                      positive(1e12), "3e7 N/m", "glass-filled polyamide"}));
+  fields.push_back(quantity(dimension::stiffness, {"bearing.cage.pocket_stiffness", "stiffness of a cage bar",
+                                                   of_motion(), positive(1e12), "", ""}));
   fields.push_back(
       quantity(dimension::inverse_speed, {"bearing.cage.pocket_damping",
                                           "share by which a pocket load grows per speed of approach",
@@ -134,9 +134,9 @@ void add_cage(std::vector<Field>& fields) {
                           {.least = 0.1, .most = 1.0, .most_allowed = false},
                           "0.98",
                           "finish of the land"}));
-  fields.push_back(
-      quantity(dimension::stiffness, {"bearing.cage.touch_down_stiffness", "stiffness of cage on land",
-                                      of_land(), positive(1e12), "1e7 N/m", "glass-filled polyamide"}));
+  fields.push_back(quantity(
+      dimension::stiffness,
+      {"bearing.cage.touch_down_stiffness", "stiffness of cage on land", of_land(), positive(1e12), "", ""}));
 }
 
 void add_guidance_film(std::vector<Field>& fields) {
@@ -165,9 +165,9 @@ void add_surroundings(std::vector<Field>& fields) {
                           "oil mist with jets"}));
   fields.push_back(
       quantity(dimension::stiffness,
-               {"support.stiffness", "radial stiffness of the pin in the carrier",
+               {"support.stiffness", "radial stiffness of the pin in the carrier, for each bearing on it",
                 Use(use::rollers_in_motion | use::bearings_as_springs, use::rollers_at_rest | use::mesh),
-                positive(1e13), "5e8 N/m", "short steel pin in both walls"}));
+                positive(1e13), "", ""}));
   fields.push_back(ratio({"support.damping_ratio",
                           "damping of planet and pin on the support",
                           of_motion(),

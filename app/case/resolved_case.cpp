@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "app/case/consistency.hpp"
+#include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/settings.hpp"
 
@@ -108,6 +109,7 @@ ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vecto
   CaseData data = data_;
   int number = 0;
   for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);
+  fill_derived_defaults(data);
   ResolvedCase changed(std::move(data));
   check_consistency(changed, mistakes);
   return changed;
@@ -129,6 +131,7 @@ ResolvedCase ResolvedCase::of_set(std::string_view set) const {
   };
   take(data_.values, data.values);
   take(data_.assumed, data.assumed);
+  fill_derived_defaults(data);
   return ResolvedCase(std::move(data));
 }
 

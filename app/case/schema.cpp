@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_shape.hpp"
+#include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 
 namespace orbearing::app {
@@ -56,6 +57,8 @@ Json field_schema(const Field& field) {
     schema["description"] =
         field.meaning + " (" + requirement(field).substr(0, requirement(field).size() - 1) + ")";
   if (field.kind == Kind::quantity) schema["examples"] = {field.dimension.example};
+  if (const std::string_view rule = default_rule(field.path); !rule.empty())
+    schema["description"] = schema["description"].get<std::string>() + "; left out: " + std::string(rule);
   if (!field.default_text.empty()) schema["default"] = default_value(field);
   return schema;
 }

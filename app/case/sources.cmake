@@ -8,6 +8,7 @@ set(ORBEARING_CASE_SOURCES
   case/check_table.cpp
   case/condition_fields.cpp
   case/consistency.cpp
+  case/derived_defaults.cpp
   case/drivetrain_fields.cpp
   case/dynamics_fields.cpp
   case/field.cpp

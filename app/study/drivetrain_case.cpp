@@ -268,6 +268,9 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
     add_duty(study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
+      of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",
+                        "of the pin at one bearing, from its dimensions"});
     for (Derived& row : of_set) {
       if (!set.name.empty()) row.path = set_prefix(set.name) + row.path;
       rows.push_back(std::move(row));

@@ -1,0 +1,15 @@
+// Defaults that follow from the size and the material of the parts they belong to.
+#pragma once
+
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::app {
+
+/// What a value of this field follows from where it is left out; empty for a field without such a rule.
+std::string_view default_rule(std::string_view path);
+
+/// Gives a value to each input with a `default_rule` that the case leaves out and whose own inputs it has,
+/// and gives it anew where it was a default before: so they follow whatever is set. The reason says how.
+void fill_derived_defaults(CaseData& data);
+
+}  // namespace orbearing::app

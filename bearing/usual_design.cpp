@@ -1,0 +1,76 @@
+#include "bearing/usual_design.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace orbearing::bearing {
+
+namespace {
+
+constexpr std::array<CageMaterial, 4> usual_materials{{
+    {"glass-filled polyamide", 1310.0, 6e9},  // moist and warm; dry and cold 8e9
+    {"aluminium", 2700.0, 70e9},
+    {"steel", 7850.0, 206e9},
+    {"brass", 8500.0, 105e9},
+}};
+
+constexpr double cage_poisson_ratio = 0.35;  // [-]  between polymers and metals; felt by the shear alone
+
+double gap_between_rollers(double roller_diameter, double pitch_diameter, int rollers) {
+  return pitch_diameter * std::sin(std::numbers::pi / rollers) - roller_diameter;
+}
+
+double shear_modulus(double youngs_modulus, double poisson_ratio) {
+  return 0.5 * youngs_modulus / (1.0 + poisson_ratio);
+}
+
+}  // namespace
+
+const CageMaterial& usual_cage_material(double density) {
+  const auto distance = [density](const CageMaterial& material) {
+    return std::abs(material.density - density);
+  };
+  return *std::min_element(
+      usual_materials.begin(), usual_materials.end(),
+      [&](const CageMaterial& a, const CageMaterial& b) { return distance(a) < distance(b); });
+}
+
+double usual_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers) {
+  const double gap = gap_between_rollers(roller_diameter, pitch_diameter, rollers);
+  return std::max(0.0, std::min(roller_diameter / 50.0, 0.5 * gap));
+}
+
+double cage_bar_thickness(double roller_diameter, double pocket_clearance, double pitch_diameter,
+                          int rollers) {
+  return gap_between_rollers(roller_diameter, pitch_diameter, rollers) - pocket_clearance;
+}
+
+double cage_bar_stiffness(const CageBar& bar) {
+  constexpr double warping = 1.2;  // kappa of a rectangle
+  const double area = bar.height * bar.thickness;
+  const double second_moment = area * bar.thickness * bar.thickness / 12.0;
+  const double bending = std::pow(bar.length, 3) / (720.0 * bar.youngs_modulus * second_moment);
+  const double shear =
+      warping * bar.length / (12.0 * shear_modulus(bar.youngs_modulus, cage_poisson_ratio) * area);
+  return 1.0 / (bending + shear);
+}
+
+double usual_touch_down_stiffness(double youngs_modulus, double width) {
+  return 0.2 * youngs_modulus * width;
+}
+
+double pin_stiffness(const PlanetPin& pin) {
+  const double b = pin.loaded_length, a = 0.5 * (pin.span - b), c = 0.125 * (2.0 * pin.span - b);
+  const double area = 0.25 * std::numbers::pi * pin.diameter * pin.diameter;
+  const double second_moment = area * pin.diameter * pin.diameter / 16.0;
+  const double nu = pin.poisson_ratio;
+  const double warping = (7.0 + 6.0 * nu) / (6.0 * (1.0 + nu));  // kappa of a circle
+  const double bending = 2.0 / (pin.youngs_modulus * second_moment) *
+                         (a * a * a / 12.0 + 0.5 * c * c * b - c * b * b / 24.0 + b * b * b / 640.0);
+  const double shear = warping / (shear_modulus(pin.youngs_modulus, nu) * area) * (0.5 * a + b / 12.0);
+  return 1.0 / (bending + shear);
+}
+
+}  // namespace orbearing::bearing

@@ -1,0 +1,57 @@
+// What stands in for parts of a planet bearing that are not drawn yet: values that follow from the size and
+// the material of the parts they belong to.
+#pragma once
+
+#include <string_view>
+
+namespace orbearing::bearing {
+
+/// What a cage of a given density is made of.
+struct CageMaterial {
+  std::string_view name;
+  double density = 0.0;         // [kg/m^3]
+  double youngs_modulus = 0.0;  // [Pa]
+};
+
+/// The usual cage material nearest in density: glass-filled polyamide (warm), aluminium, steel or brass.
+const CageMaterial& usual_cage_material(double density);
+
+/// Play of a roller in its pocket in diametral measure: a fiftieth of its diameter, at most half of the gap
+/// between neighbours on the pitch circle. [m]; 0 where the rollers touch
+double usual_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers);
+
+/// A bar between two pockets, held at both ends by the side rings of the cage.
+struct CageBar {
+  double length = 0.0;          // [m]  of the pocket
+  double height = 0.0;          // [m]  radial
+  double thickness = 0.0;       // [m]  along the pitch circle
+  double youngs_modulus = 0.0;  // [Pa]
+};
+
+/// Thickness on the pitch circle that rollers with their play leave. [m]; not positive where there is no room
+double cage_bar_thickness(double roller_diameter, double pocket_clearance, double pitch_diameter,
+                          int rollers);
+
+/// Load over mean deflection of a clamped beam with shear under a load spread over its length. [N/m]
+/// delta/F = l^3/(720 E I) + 1.2 l/(12 G A)
+double cage_bar_stiffness(const CageBar& bar);
+
+/// Stiffness of a cage's land of that width on the ring. Assumption: a line contact, a fifth of modulus times
+/// width. [N/m]
+double usual_touch_down_stiffness(double youngs_modulus, double width);
+
+/// Pin of a planet, a solid round beam that rests in the middles of both walls of the carrier and carries its
+/// load spread over the length between the walls.
+struct PlanetPin {
+  double diameter = 0.0;        // [m]
+  double loaded_length = 0.0;   // [m]  b
+  double span = 0.0;            // [m]  S, at least the loaded length
+  double youngs_modulus = 0.0;  // [Pa]
+  double poisson_ratio = 0.0;   // [-]
+};
+
+/// Load over mean deflection of the loaded length. [N/m]  With a = (S - b)/2, C = (2 S - b)/8:
+/// delta/F = 2/(E I) (a^3/12 + C^2 b/2 - C b^2/24 + b^3/640) + kappa/(G A) (a/2 + b/12)
+double pin_stiffness(const PlanetPin& pin);
+
+}  // namespace orbearing::bearing
