@@ -1,7 +1,9 @@
 // The dynamic operating point of the reducer against the rung below it, and what the mesh ripple does.
 #include <gtest/gtest.h>
 
+#include "coupling/study/gear_dynamics.hpp"
 #include "coupling/study/gear_model.hpp"
+#include "coupling/study/mesh_ripple.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
 
@@ -78,6 +80,60 @@ TEST(StudyDynamicPoint, MeshStiffnessRaisesTheLargestLoad) {
   const PointResult shaken = dynamic_point(drivetrain);
   EXPECT_GT(shaken.inner.load_max, 1.01 * calm.inner.load_max);
   EXPECT_NEAR(shaken.life_hours / calm.life_hours, 1.0, 0.2);
+}
+
+// A planet's mass times its acceleration is what its meshes and its bearing push it with; the ripple is the
+// meshes' part of that, shared by the bearings of the planet. Without the forces of the turning frame, and
+// with so much backlash that no back flank touches: its force has another direction.
+TEST(StudyDynamicPoint, MeshRippleIsWhatAcceleratesThePlanetLessItsBearings) {
+  PlanetaryDrivetrain drivetrain = short_run();
+  gearset::dynamics::SetParameters gears = gears_of(drivetrain);
+  gears.frame = {.coriolis = false, .centrifugal = false, .euler = false};
+  gears.sun_mesh.backlash = gears.ring_mesh.backlash = 1e-3;  // [m]
+  drivetrain.gear_set = [=] { return gears; };
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const bearing::dynamics::MeshRipple ripple =
+      mesh_ripple(drivetrain, geometry, bearing_duty(drivetrain, geometry));
+  const gearset::dynamics::SetModel model =
+      set_model(gears, gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
+  const PlanetStatistics planet = run_gears(model, {}).planets.front();
+  ASSERT_FALSE(ripple.harmonics.empty());
+  double largest = 0.0;  // [N]
+  for (const bearing::dynamics::LoadHarmonic& harmonic : ripple.harmonics)
+    largest = std::max({largest, harmonic.cosine.norm(), harmonic.sine.norm()});
+  EXPECT_GT(largest, 1.0);
+  constexpr double kSameRun = 1e-9;  // of the largest harmonic
+  const double mass = gears.planet.mass;
+  for (const bearing::dynamics::LoadHarmonic& harmonic : ripple.harmonics) {
+    const auto i = static_cast<std::size_t>(harmonic.order) - 1;
+    const auto meshes = [&](const SignalStatistics& acceleration, const SignalStatistics& bearing,
+                            const std::vector<double> SignalStatistics::*part) {
+      return (mass * (acceleration.*part)[i] - (bearing.*part)[i]) / drivetrain.bearings_per_planet;
+    };
+    const double tolerance = kSameRun * largest;
+    EXPECT_NEAR(harmonic.cosine.x(),
+                meshes(planet.radial_acceleration, planet.radial_force, &SignalStatistics::cosines),
+                tolerance);
+    EXPECT_NEAR(harmonic.sine.x(),
+                meshes(planet.radial_acceleration, planet.radial_force, &SignalStatistics::sines), tolerance);
+    EXPECT_NEAR(harmonic.cosine.y(),
+                meshes(planet.tangential_acceleration, planet.tangential_force, &SignalStatistics::cosines),
+                tolerance);
+    EXPECT_NEAR(harmonic.sine.y(),
+                meshes(planet.tangential_acceleration, planet.tangential_force, &SignalStatistics::sines),
+                tolerance);
+  }
+}
+
+// All bearings of a planet together move its gear and their own rings, whatever their number.
+TEST(StudyDynamicPoint, BearingsOfAPlanetShareItsMass) {
+  for (const int bearings : {1, 2, 3}) {
+    PlanetaryDrivetrain drivetrain = reducer();
+    drivetrain.bearings_per_planet = bearings;
+    const DrivetrainGeometry geometry = derive(drivetrain);
+    const double mass = geometry.planet_gear.mass + bearings * geometry.bearing.outer_ring_mass;
+    EXPECT_NEAR(bearing_dynamics(drivetrain, geometry).bore_mass * bearings, mass, 1e-12 * mass);
+  }
 }
 
 }  // namespace

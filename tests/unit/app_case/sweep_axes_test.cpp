@@ -96,6 +96,23 @@ TEST(SweepAxes, LimitTheNumberOfPoints) {
       ElementsAre(HasSubstr("132012 operating points")));
 }
 
+// Every combination of the axes once, the first axis slowest.
+TEST(SweepAxes, PointsAreAllCombinations) {
+  const ResolvedCase resolved = shipped({"sweep={}", "sweep.input.speed=[1000 rpm, 2000 rpm, 3000 rpm]",
+                                         "sweep.bearing.rollers=[13, 14]",
+                                         "sweep.bearing.radial_clearance=[0 um, 5 um, 10 um, 15 um, 20 um]"});
+  ASSERT_EQ(sweep_size(resolved), 30U);
+  std::size_t index = 0;
+  for (const char* speed : {"1000 rpm", "2000 rpm", "3000 rpm"})
+    for (const char* rollers : {"13", "14"})
+      for (const char* clearance : {"0 um", "5 um", "10 um", "15 um", "20 um"}) {
+        const std::vector<Setting> expected{
+            {"input.speed", speed}, {"bearing.rollers", rollers}, {"bearing.radial_clearance", clearance}};
+        EXPECT_EQ(sweep_point(resolved, index), expected) << "point " << index;
+        ++index;
+      }
+}
+
 TEST(SweepAxes, ReportDuplicateAxes) {
   const std::string axis = "  input.speed: [1 rpm]\n";
   const std::string text = replaced(text_of(shipped_path()), "sweep:\n", "sweep:\n" + axis);
