@@ -7,7 +7,7 @@
 #include "gearset/mesh/iso6336.hpp"
 #include "gearset/working_geometry.hpp"
 
-namespace orbearing::gearset {
+namespace orbearing::gearset::kisssoft_stages_test {
 namespace {
 
 constexpr double printed_shift = 0.5e-4;      // [module]  half of the last digit
@@ -98,4 +98,4 @@ TEST(KisssoftStages, MeshStiffnessFollowsTheContactRatio) {
 }
 
 }  // namespace
-}  // namespace orbearing::gearset
+}  // namespace orbearing::gearset::kisssoft_stages_test

@@ -9,7 +9,7 @@
 #include "gearset/dynamics/modes.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::gearset::dynamics {
+namespace orbearing::gearset::dynamics::planetary_modes_test {
 namespace {
 
 struct Published {
@@ -103,4 +103,4 @@ INSTANTIATE_TEST_SUITE_P(
                     Published{5, planet, 2, {0.9617, 4.320, 5.672}}));
 
 }  // namespace
-}  // namespace orbearing::gearset::dynamics
+}  // namespace orbearing::gearset::dynamics::planetary_modes_test

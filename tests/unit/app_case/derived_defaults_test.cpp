@@ -11,7 +11,7 @@
 #include "bearing/usual_design.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::derived_defaults_test {
 namespace {
 
 using testing::HasSubstr;
@@ -114,4 +114,4 @@ TEST(DerivedDefaults, BelongToBearings) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::derived_defaults_test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "app/case/case_file.hpp"
@@ -11,7 +12,7 @@
 #include "tests/gear_sets.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::ledger_test {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +84,4 @@ TEST(ModeProperty, IsInHertzOrOverThePlanetsOwnFrequency) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::ledger_test

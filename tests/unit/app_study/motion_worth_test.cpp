@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/study/worth.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app {
+namespace orbearing::app::motion_worth_test {
 namespace {
 
 using testing::HasSubstr;
@@ -72,4 +73,4 @@ TEST(MotionPlan, OfTheReducerIsRead) {
 }
 
 }  // namespace
-}  // namespace orbearing::app
+}  // namespace orbearing::app::motion_worth_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace orbearing::bearing {
+namespace orbearing::bearing::usual_design_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -100,4 +100,4 @@ TEST(UsualPocketClearance, LeavesRoomForBars) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing
+}  // namespace orbearing::bearing::usual_design_test

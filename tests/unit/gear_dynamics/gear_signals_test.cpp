@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace orbearing::study {
+namespace orbearing::study::gear_signals_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -59,4 +59,4 @@ TEST(GearSignals, CountTheAngleFromTheBeginningOfTheMeshPeriod) {
 }
 
 }  // namespace
-}  // namespace orbearing::study
+}  // namespace orbearing::study::gear_signals_test
