@@ -49,11 +49,15 @@ def lies_on(row: dict, line: dict) -> bool:
     return all(same(row.get(column), value) for column, value in line.items())
 
 
-def grid_peak(points: list[dict]) -> dict:
-    """The longest life among these points."""
+def peak_of(points: list[dict]) -> dict:
+    """The longest life among these points: of the grid's, and of all where points were added to it."""
     alive = [p for p in points if is_number(p.get("life_h")) and is_number(p.get("input_speed_rpm"))]
-    best = max(alive, key=lambda p: p["life_h"], default={})
-    return {"speed_rpm": best.get("input_speed_rpm"), "life_h": best.get("life_h")}
+    grid = [p for p in alive if p.get("refined") is not True]
+    peak = {}
+    for prefix, those in (("", grid), *([("refined_", alive)] if len(grid) < len(alive) else [])):
+        best = max(those, key=lambda p: p["life_h"], default={})
+        peak |= {f"{prefix}speed_rpm": best.get("input_speed_rpm"), f"{prefix}life_h": best.get("life_h")}
+    return peak
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,7 @@ class Report:
         if not line:
             return self
         points = [point for point in self.records("points") if lies_on(point, line)]
-        return replace(self, content={**self.content, "points": points, "peak": grid_peak(points)})
+        return replace(self, content={**self.content, "points": points, "peak": peak_of(points)})
 
     @property
     def line(self) -> str:
@@ -102,9 +106,10 @@ class Report:
 
     @property
     def peak_speed(self) -> float | None:
-        """Speed [rpm] of the best point of the sweep."""
-        speed = self.record("peak").get("speed_rpm")
-        return speed if is_number(speed) else None
+        """Speed [rpm] of the best point of the sweep, those added to its grid included."""
+        peak = self.record("peak")
+        speeds = (peak.get("refined_speed_rpm"), peak.get("speed_rpm"))
+        return next((speed for speed in speeds if is_number(speed)), None)
 
     @property
     def shown_speeds(self) -> list[float]:

@@ -53,10 +53,10 @@ def summary_table(report: Report) -> Table:
         ("Case", f"{case.get('name') or MISSING} ({case.get('model') or 'model not named'})"),
         ("Source", case.get("source")),
         ("Fidelity", f"{report.fidelity}{FIDELITIES.get(report.fidelity, '')}"),
-        ("Points of the sweep", f"{len(points)}, of which {len(failed)} without a life"),
+        ("Points of the sweep", f"{len(points)}, of which {len(failed)} without a life{_added(points)}"),
         *([("Shown over speed", f"the points with {line}, nearest to the case's own")] if line else []),
-        ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h")) + _edge_note(report)),
-        ("Refined peak", _speed_and_life(peak.get("refined_speed_rpm"), peak.get("refined_life_h"))),
+        ("Peak of the grid", _speed_and_life(peak.get("speed_rpm"), peak.get("life_h"))),
+        ("Peak of all points", _speed_and_life(*best(report)) + _edge_note(report)),
         *_published_rows(report),
         *_least_load_rows(report),
         ("Assumptions and warnings", f"{len(report.records('assumptions'))} and {_count(report.content.get('warnings'))}, listed below"),
@@ -98,7 +98,7 @@ def _edge_note(report: Report) -> str:
     """A best point at the end of the sweep need not be the peak."""
     speeds = report.point_column("input_speed_rpm")
     speeds = speeds[np.isfinite(speeds)]
-    speed = report.record("peak").get("speed_rpm")
+    speed = best(report)[0]
     if len(speeds) > 1 and is_number(speed) and speed in (speeds.min(), speeds.max()):
         return "; at the edge of the sweep, so the true peak may lie beyond it"
     return ""
@@ -108,6 +108,11 @@ def _speed_and_life(speed: object, life: object) -> str:
     if not (is_number(speed) and is_number(life)):
         return MISSING
     return f"{format_number(speed)} rpm, {format_number(life)} h"
+
+
+def _added(points: list[dict]) -> str:
+    added = sum(point.get("refined") is True for point in points)
+    return f"; {added} of them added around the peak" if added else ""
 
 
 def _capital(text: str) -> str:

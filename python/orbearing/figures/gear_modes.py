@@ -95,12 +95,26 @@ def _draw_shape(axes: Axes, content: dict, mode: dict) -> None:
     axes.set_title(f"{mode.get('name')}: {mode.get('kind')}{twice}\n{format_number(mode['frequency_Hz'])} Hz", fontsize=9.5)
 
 
-def campbell_block(gears: dict) -> FigureBlock:
-    """Natural frequencies and mesh harmonics over the speeds of the sweep."""
+def campbell_lines(gears: dict) -> tuple[np.ndarray, np.ndarray, list[dict]]:
+    """Speeds, mesh frequencies and modes; no modes where there are too few speeds for a diagram."""
     content = record(gears.get("campbell"))
     speed, mesh = curve(content, "speed_rpm", "mesh_frequency_Hz")
     modes = [m for m in records(content.get("modes")) if len(numbers(m.get("frequency_Hz"))) == len(speed)]
-    if np.isfinite(speed).sum() < 2 or not modes:
+    return speed, mesh, modes if np.isfinite(speed).sum() >= 2 else []
+
+
+def campbell_beside_life(gears: dict, low: float, high: float, size: tuple[float, float]) -> str | None:
+    """The same diagram between two speeds, at the size of the picture of life that stands beside it."""
+    speed, mesh, modes = campbell_lines(gears)
+    if not modes:
+        return None
+    return _draw_campbell(speed, mesh, modes, excited_meetings(gears), "life-campbell", size, (low, high))
+
+
+def campbell_block(gears: dict) -> FigureBlock:
+    """Natural frequencies and mesh harmonics over the speeds of the sweep."""
+    speed, mesh, modes = campbell_lines(gears)
+    if not modes:
         return FigureBlock(CAMPBELL_SLUG, CAMPBELL_TITLE, missing="A Campbell diagram needs natural frequencies at two speeds or more.")
     caption = ("Natural frequencies in the frame of the carrier, gyroscopic and centrifugal terms included, and the harmonics 1 to 4 of the "
                "mesh frequency. Pairs of translational modes split with speed. Rings: a harmonic meets a mode that it can excite, for with "
@@ -108,7 +122,7 @@ def campbell_block(gears: dict) -> FigureBlock:
                "planets; other crossings stay without effect.")
     head = ("input speed (rpm)", "mesh frequency (Hz)", *(f"{m.get('name')} (Hz)" for m in modes))
     data = Table(head, list(zip(speed, mesh, *(numbers(m["frequency_Hz"]) for m in modes))))
-    return FigureBlock(CAMPBELL_SLUG, CAMPBELL_TITLE, caption, (_draw_campbell(speed, mesh, modes, excited_meetings(gears)),), data=data)
+    return FigureBlock(CAMPBELL_SLUG, CAMPBELL_TITLE, caption, (_draw_campbell(speed, mesh, modes, excited_meetings(gears), CAMPBELL_SLUG, (7.2, 5.4)),), data=data)
 
 
 def excited_meetings(gears: dict) -> list[dict]:
@@ -117,8 +131,9 @@ def excited_meetings(gears: dict) -> list[dict]:
             and all(is_number(m.get(name)) for name in ("order", "speed_rpm", "frequency_Hz"))]
 
 
-def _draw_campbell(speed: np.ndarray, mesh: np.ndarray, modes: list[dict], meetings: list[dict]) -> str:
-    figure, axes = style.panel((7.2, 5.4))
+def _draw_campbell(speed: np.ndarray, mesh: np.ndarray, modes: list[dict], meetings: list[dict], slug: str,
+                   size: tuple[float, float], speeds: tuple[float, float] | None = None) -> str:
+    figure, axes = style.panel(size)
     top = 1.06 * max(np.nanmax(np.append(numbers(m["frequency_Hz"]), 0.0)) for m in modes) / 1e3
     seen = set()
     for mode in modes:
@@ -130,13 +145,13 @@ def _draw_campbell(speed: np.ndarray, mesh: np.ndarray, modes: list[dict], meeti
         _name_harmonic(axes, order, speed, mesh / 1e3, modes, top)
     axes.plot([m["speed_rpm"] for m in meetings], [m["frequency_Hz"] / 1e3 for m in meetings], "o", color=style.BLACK, markersize=6,
               markerfacecolor="none", linestyle="", label="excited meeting", zorder=5)
-    axes.set_xlim(np.nanmin(speed), np.nanmax(speed))
+    axes.set_xlim(*(speeds or (np.nanmin(speed), np.nanmax(speed))))
     axes.set_ylim(0, max(top, 1e-6))
     _name_modes(axes, speed, modes, top)
     axes.set_ylabel("frequency (kHz)")
     style.speed_axis(axes)
-    style.legend_above(axes, columns=5)
-    return style.to_svg(figure, CAMPBELL_SLUG, "Natural frequencies and mesh harmonics over input speed")
+    style.legend_above(axes, columns=5 if size[0] > 6 else 2)
+    return style.to_svg(figure, slug, "Natural frequencies and mesh harmonics over input speed")
 
 
 def _name_harmonic(axes: Axes, order: int, speed: np.ndarray, mesh: np.ndarray, modes: list[dict], top: float) -> None:

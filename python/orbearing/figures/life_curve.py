@@ -7,11 +7,13 @@ from matplotlib.axes import Axes
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, columns_table, format_number, is_number
+from orbearing.figures.gear_modes import campbell_beside_life, excited_meetings
 from orbearing.result_folder import Report, curve
 
 TITLE = "Life over speed"
 # Half-width of the second picture relative to the peak's speed: wide enough for neighbours on a coarse grid.
 ZOOM = 0.3
+CAMPBELL_SIZE = (4.6, 4.4)
 
 
 def block(report: Report) -> FigureBlock:
@@ -20,19 +22,27 @@ def block(report: Report) -> FigureBlock:
     if not np.any(np.isfinite(speed) & (life > 0)):
         return FigureBlock("life", TITLE, missing="No point of this sweep has a life, so there is no curve to show.")
     pictures = [_whole_range(report)]
-    if is_number(_peak_speed(report)):
+    if is_number(report.peak_speed):
         pictures.append(_near_peak(report))
+    swept = speed[np.isfinite(speed)]
+    campbell = campbell_beside_life(report.record("gears"), swept.min(), swept.max(), CAMPBELL_SIZE) if report.is_dynamic else None
+    if campbell:
+        pictures.append(campbell)
+    points = report.records("points")
     table = columns_table(
-        ("input speed (rpm)", "life of one bearing (h)", "life of all bearings (h)", "status"),
-        speed, life, report.point_column("system_life_h"), [p.get("status") for p in report.records("points")],
+        ("input speed (rpm)", "life of one bearing (h)", "life of all bearings (h)", "nearest resonance", "status"),
+        speed, life, report.point_column("system_life_h"), [resonance_of(p) for p in points],
+        [f"{p.get('status')}, added" if p.get("refined") is True else p.get("status") for p in points],
     )
     return FigureBlock("life", TITLE, _caption(report), tuple(pictures), data=table)
 
 
-def _peak_speed(report: Report) -> float | None:
-    peak = report.record("peak")
-    refined = peak.get("refined_speed_rpm")
-    return refined if is_number(refined) else peak.get("speed_rpm")
+def resonance_of(point: dict) -> str:
+    """The nearest resonance of a point in words, as 2 × P1 at 6,063 rpm."""
+    order, speed = point.get("resonance_harmonic"), point.get("resonance_speed_rpm")
+    if not (is_number(order) and is_number(speed)):
+        return ""
+    return f"{order:g} × {point.get('resonance_mode')} at {speed:,.0f} rpm"
 
 
 def _whole_range(report: Report) -> str:
@@ -48,7 +58,7 @@ def _whole_range(report: Report) -> str:
 def _near_peak(report: Report) -> str:
     figure, axes = style.panel()
     _draw_curves(axes, report)
-    centre = _peak_speed(report)
+    centre = report.peak_speed
     low, high = (1 - ZOOM) * centre, (1 + ZOOM) * centre
     heights = [y for line in axes.lines for x, y in zip(line.get_xdata(), line.get_ydata()) if low <= x <= high and y > 0]
     axes.set_xlim(low, high)
@@ -56,6 +66,7 @@ def _near_peak(report: Report) -> str:
         margin = 0.12 * (max(heights) - min(heights)) or 0.1 * max(heights)
         axes.set_ylim(max(min(heights) - margin, 0), max(heights) + margin)
     axes.set_title("near the peak, linear scale", loc="left")
+    _draw_resonances(axes, report, low, high)
     style.speed_axis(axes)
     axes.set_ylabel("life of one bearing (h)")
     style.thousands(axes.yaxis)
@@ -66,15 +77,45 @@ def _draw_curves(axes: Axes, report: Report) -> None:
     fine_speed, fine_life = curve(report.record("fine"), "speed_rpm", "life_h")
     if np.any(fine_life > 0):
         axes.plot(fine_speed, _positive(fine_life), color=style.BLUE, label="quasi-static, fine grid")
-    speed, life = report.point_column("input_speed_rpm"), _positive(report.point_column("life_h"))
-    look = {"marker": "o", "linestyle": "", **style.points_look(len(speed), len(fine_speed) > 0)}
-    colour = style.GREEN if report.is_dynamic else style.BLUE
-    axes.plot(speed, life, color=colour, markerfacecolor="white", label=f"points of the sweep ({report.fidelity})", **look)
+    _draw_points(axes, report, with_fine_curve=len(fine_speed) > 0)
     _draw_peaks(axes, report)
     for published, marker in zip(_published(report), "DvP<>hp8"):
         label = f"published: {published['source']}, {format_number(published['life_h'])} h"
         axes.plot([published["speed_rpm"]], [published["life_h"]], marker, color=style.VERMILION,
                   label=style.legend_label(label), zorder=6, markeredgecolor="white")
+
+
+def _draw_points(axes: Axes, report: Report, with_fine_curve: bool) -> None:
+    """The grid's points, those added around the peak, and in motion the line through all, with its dips."""
+    speed, life = report.point_column("input_speed_rpm"), _positive(report.point_column("life_h"))
+    added = np.array([point.get("refined") is True for point in report.records("points")], dtype=bool)
+    colour = style.GREEN if report.is_dynamic else style.BLUE
+    look = {"marker": "o", "linestyle": "", **style.points_look(int((~added).sum()), with_fine_curve)}
+    if added.any() and report.is_dynamic:
+        order = np.argsort(speed, kind="stable")
+        axes.plot(speed[order], life[order], color=colour, linewidth=0.9, zorder=2.1)
+    if added.any():
+        look["linestyle"] = ""
+        axes.plot(speed[added], life[added], color=colour, marker="o", markersize=2.6, linestyle="", zorder=2.2,
+                  label="points added until the peak is known")
+    axes.plot(speed[~added], life[~added], color=colour, markerfacecolor="white", zorder=2.3,
+              label=f"points of the sweep ({report.fidelity})", **look)
+
+
+def _draw_resonances(axes: Axes, report: Report, low: float, high: float) -> None:
+    """Where a mesh harmonic meets a mode that it excites; named at the top, close ones once."""
+    if not report.is_dynamic:
+        return
+    last = -np.inf
+    for meeting in sorted(excited_meetings(report.record("gears")), key=lambda m: m["speed_rpm"]):
+        speed = meeting["speed_rpm"]
+        if not low < speed < high:
+            continue
+        axes.axvline(speed, color=style.GREY, linewidth=0.8, linestyle=(0, (2, 2)), zorder=1)
+        if speed - last > 0.03 * (high - low):
+            axes.text(speed, 0.02, f" {meeting['order']} × {meeting.get('mode')}", transform=axes.get_xaxis_transform(), rotation=90,
+                      ha="right", va="bottom", fontsize=8, color=style.GREY)
+            last = speed
 
 
 def _draw_peaks(axes: Axes, report: Report) -> None:
@@ -109,9 +150,12 @@ def _published(report: Report) -> list[dict]:
 def _caption(report: Report) -> str:
     text = ("At constant power torque and tooth forces fall as speed rises, while the planet's centrifugal force grows with the "
             "square of speed: life climbs where the first rule and falls where the second does, and the peak lies between. ")
+    if any(point.get("refined") is True for point in report.records("points")):
+        text += "Small points were added by the sweep until the speed of the longest life was known; each of them was computed. "
     if report.is_dynamic and report.record("gears"):
         text += ("Points are those in motion, shaken by the meshes unless the case leaves that out: they lie below the line most "
-                 "where a mesh harmonic meets a mode of the gears (acceleration of the planets, below). ")
+                 "where a mesh harmonic meets a mode of the gears: dashed lines, and rings in the Campbell diagram beside. The modes are those of gears "
+                 "on springs as stiff as the bearings under the mean load, so that a dip lies near its line and not on it. ")
     if len(report.records("points")) == 1:
         text += "This result has a single point, so there is no curve of points to follow. "
     if report.failed_points:
