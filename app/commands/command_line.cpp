@@ -60,10 +60,18 @@ void add_computing(CLI::App& command, Options& options) {
   command.add_flag("--resume", options.resume, "go on in DIR with the points that are missing");
 }
 
-void add_sweep(CLI::App& command, Options& options) {
-  add_computing(command, options);
+void add_peak(CLI::App& command, Options& options) {
   command.add_option("--jobs", options.jobs, "threads; default: one for each core")
       ->check(CLI::Range(1, 4096));
+  command.add_flag(
+      "--grid-only", options.grid_only,
+      "the points that the case lists and no more; without it points are added until the speed of "
+      "the longest life is known to 10 rpm in motion, to 2 rpm quasi-static");
+}
+
+void add_sweep(CLI::App& command, Options& options) {
+  add_computing(command, options);
+  add_peak(command, options);
   command.add_option("--shard", options.shard, "compute part i of n, to be joined by merge")
       ->type_name("i/n");
   command
@@ -160,6 +168,7 @@ void add_commands(CommandTable table) {
   add_settings(merge, options);
   merge.add_option("DIR", options.folders, "folders of the shards")->required();
   add_output(merge, options).required();
+  add_peak(merge, options);
   add_crown(table.add("crown", "roller profile trade study and optimum", crown_command), options);
   add_case(table.add("mesh", "mesh stiffness over a mesh period, contact ratio, phases", mesh_command),
            options);

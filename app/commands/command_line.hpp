@@ -21,6 +21,7 @@ struct Options {
   std::optional<std::string> shard;      // "i/n"
   std::optional<std::string> direction;  // sweep --continue: "up" or "down"
   std::string other;                     // report --with: folder of the branch to draw beside
+  bool grid_only = false;                // sweep, merge: no points are added around the peak
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all ablations of the motion in time
   bool motion = false;                   // validate: what assumptions are worth in motion, alone

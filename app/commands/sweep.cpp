@@ -1,6 +1,7 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
+#include "app/study/peak_refinement.hpp"
 #include "app/study/refinements.hpp"
 #include "app/study/sweep_study.hpp"
 
@@ -32,6 +33,8 @@ int sweep_command(const Options& options) {
   if (options.direction) {
     require_sequential(options);
     continue_from_neighbours(resolved, parse_direction(*options.direction), request);
+  } else if (!options.grid_only) {
+    refine_peak_of(resolved, request);
   }
   request.folder = options.output;
   request.jobs = options.jobs;

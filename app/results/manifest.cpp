@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/errors.hpp"
@@ -33,16 +35,18 @@ ManifestHeader header_from(const Json& object) {
   if (object.contains("continue"))
     header.continued = parse_direction(object.at("continue").get<std::string>());
   if (object.contains("sets")) header.sets = object.at("sets").get<std::vector<std::string>>();
+  header.refined = object.at("refined").get<bool>();
+  header.resonances = object.at("resonances").get<bool>();
   return header;
 }
 
 void add_entry(Manifest& manifest, const Json& object) {
   const auto point = object.at("point").get<std::size_t>();
-  if (!manifest.header->holds(point)) throw BadInput("a point that is not of this sweep");
+  if (!manifest.header->holds(point) && !manifest.header->adds(point))
+    throw BadInput("a point that is not of this sweep");
   if (object.at("file") != point_file_name(point)) throw BadInput("a file of another name");
-  manifest.entries[point] = {
-      point_file_name(point), object.at("checksum").get<std::string>(),
-      row_from_json(table_head(manifest.header->axes, manifest.header->sets), object.at("row"))};
+  manifest.entries[point] = {point_file_name(point), object.at("checksum").get<std::string>(),
+                             row_from_json(head_of(*manifest.header), object.at("row"))};
 }
 
 void add_line(Manifest& manifest, std::string_view line) {
@@ -60,6 +64,61 @@ bool is_number(const std::string& text, std::size_t& number) {
 }
 
 }  // namespace
+
+TableHead head_of(const ManifestHeader& header) {
+  return table_head(header.axes, header.sets, header.resonances);
+}
+
+namespace {
+
+using Entries = std::map<std::size_t, ManifestEntry>;
+
+double speed_in_row(const TableHead& head, const ResultRow& row) {
+  return value_of(head, row, "input_speed_rpm");
+}
+
+/// The grid's point with the next lower speed among those that differ from `row` in speed alone.
+std::size_t grid_point_below(const ManifestHeader& header, const TableHead& head, const Entries& entries,
+                             const ResultRow& row) {
+  std::optional<std::size_t> below;
+  double best = -std::numeric_limits<double>::infinity();
+  for (const auto& [point, entry] : entries) {
+    const double speed = speed_in_row(head, entry.row);
+    if (!header.holds(point) || !on_one_line(head, entry.row, row)) continue;
+    if (speed > speed_in_row(head, row) || speed < best) continue;
+    best = speed;
+    below = point;
+  }
+  return below.value_or(0);
+}
+
+/// Added rows by the number of the grid's point that they follow, in ascending order of speed.
+std::multimap<std::size_t, const ResultRow*> added_rows(const ManifestHeader& header, const TableHead& head,
+                                                        const Entries& entries) {
+  std::vector<const ResultRow*> added;
+  for (const auto& [point, entry] : entries)
+    if (header.adds(point)) added.push_back(&entry.row);
+  std::sort(added.begin(), added.end(), [&](const ResultRow* one, const ResultRow* other) {
+    return speed_in_row(head, *one) < speed_in_row(head, *other);
+  });
+  std::multimap<std::size_t, const ResultRow*> following;
+  for (const ResultRow* row : added) following.emplace(grid_point_below(header, head, entries, *row), row);
+  return following;
+}
+
+}  // namespace
+
+std::vector<ResultRow> rows_in_table_order(const ManifestHeader& header, const Entries& entries) {
+  const auto following = added_rows(header, head_of(header), entries);
+  std::vector<ResultRow> rows;
+  for (const auto& [point, entry] : entries) {
+    if (!header.holds(point)) break;
+    rows.push_back(entry.row);
+    const auto [begin, end] = following.equal_range(point);
+    for (auto next = begin; next != end; ++next) rows.push_back(*next->second);
+  }
+  return rows;
+}
 
 std::string point_file_name(std::size_t point) {
   return fmt::format("points/{:05}.nc", point);
@@ -105,7 +164,9 @@ std::string header_line(const ManifestHeader& header) {
                  {"fidelity", header.fidelity},
                  {"points", header.points},
                  {"shard", nullptr},
-                 {"axes", Json::array()}};
+                 {"axes", Json::array()},
+                 {"refined", header.refined},
+                 {"resonances", header.resonances}};
   if (header.shard) object["shard"] = to_string(*header.shard);
   for (const SweptAxis& axis : header.axes)
     object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
@@ -156,6 +217,8 @@ std::vector<std::string> differences(const ManifestHeader& found, const Manifest
     return header.continued ? to_string(*header.continued) : "none";
   };
   compare("direction of --continue", way(found), way(required));
+  const auto grid_or_peak = [](const ManifestHeader& header) { return header.refined ? "on" : "off"; };
+  compare("refinement of the peak", grid_or_peak(found), grid_or_peak(required));
   compare("number of points", std::to_string(found.points), std::to_string(required.points));
   return lines;
 }

@@ -36,15 +36,23 @@ struct ManifestHeader {
   std::string program_version;
   std::string instruction_set;  // results are equal to the last bit within one only
   std::string fidelity;
-  std::size_t points = 0;                // of the whole sweep, all shards together
+  std::size_t points = 0;                // of the whole sweep's grid, all shards together
   std::optional<Shard> shard;            // none: the whole sweep
   std::vector<SweptAxis> axes;           // other than input.speed
   std::vector<std::string> sets{};       // with bearings, of a drivetrain of several sets
   std::optional<Direction> continued{};  // none: each point starts from its own quasi-static state
+  bool refined = false;                  // points are added around the peak, numbered from `points` on
+  bool resonances = false;               // rows name their nearest resonance
 
+  /// Whether a point of the grid is one of this part of the sweep.
   bool holds(std::size_t point) const { return point < points && (!shard || shard->holds(point)); }
+  /// Whether a point was added to the grid. A shard has none: `merge` adds them.
+  bool adds(std::size_t point) const { return refined && !shard && point >= points; }
   std::size_t own_points() const;
 };
+
+/// Columns of the rows of these results.
+TableHead head_of(const ManifestHeader& header);
 
 /// points/NNNNN.nc, relative to the result folder.
 std::string point_file_name(std::size_t point);
@@ -68,6 +76,11 @@ std::string entry_line(const TableHead& head, std::size_t point, const ManifestE
 /// Reads the text of a manifest; a torn last line is left out. Throws BadInput with file and line where
 /// another line is not what this program writes. `place` is the file's name for messages.
 Manifest parse_manifest(std::string_view text, const std::string& place);
+
+/// Rows as a table shows them: the grid's points in their order, each followed by the points that were added
+/// between it and the next higher speed, in ascending order.
+std::vector<ResultRow> rows_in_table_order(const ManifestHeader& header,
+                                           const std::map<std::size_t, ManifestEntry>& entries);
 
 /// What differs between two headers, one line each, in the words of a message; the shard apart.
 std::vector<std::string> differences(const ManifestHeader& found, const ManifestHeader& required);

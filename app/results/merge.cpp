@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/errors.hpp"
@@ -51,11 +52,14 @@ void check_alike(const std::vector<ShardResults>& shards, std::vector<std::strin
 }
 
 void check_unfinished(const std::vector<ShardResults>& shards, std::vector<std::string>& messages) {
-  for (const ShardResults& shard : shards)
-    if (shard.manifest.entries.size() < shard.manifest.header->own_points())
+  for (const ShardResults& shard : shards) {
+    const ManifestHeader& header = *shard.manifest.header;
+    const auto found = std::count_if(shard.manifest.entries.begin(), shard.manifest.entries.end(),
+                                     [&](const auto& entry) { return header.holds(entry.first); });
+    if (static_cast<std::size_t>(found) < header.own_points())
       messages.push_back(fmt::format("{}: {} of {} points were found; finish it with --resume first",
-                                     shard.folder.string(), shard.manifest.entries.size(),
-                                     shard.manifest.header->own_points()));
+                                     shard.folder.string(), found, header.own_points()));
+  }
 }
 
 /// Every shard once; of alike shards only.
@@ -108,9 +112,10 @@ void check(const std::vector<ShardResults>& shards) {
   if (!messages.empty()) throw BadInput(messages);
 }
 
-void copy_points(const ShardResults& shard, ResultFolder& folder) {
+void copy_points(const ShardResults& shard, bool grid_only, ResultFolder& folder) {
   std::vector<FinishedPoint> points;
   for (const auto& [point, entry] : shard.manifest.entries) {
+    if (grid_only && !shard.manifest.header->holds(point)) continue;
     points.push_back({point, read_file(shard.folder / entry.file), entry.row});
     if (points.size() < points_at_once) continue;
     if (Interruption::requested())
@@ -133,7 +138,7 @@ std::vector<fs::path> missing_folders(fs::path folder) {
 SweepOutcome fill(ResultFolder& merged, const ManifestHeader& header,
                   const std::vector<ShardResults>& shards) {
   try {
-    for (const ShardResults& shard : shards) copy_points(shard, merged);
+    for (const ShardResults& shard : shards) copy_points(shard, !header.refined, merged);
     merged.write_table();
     return outcome_of(header, merged, header.points);
   } catch (...) {
@@ -142,9 +147,10 @@ SweepOutcome fill(ResultFolder& merged, const ManifestHeader& header,
   }
 }
 
-SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::path& folder) {
+SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::path& folder, bool grid_only) {
   ManifestHeader header = *shards.front().manifest.header;
   header.shard.reset();
+  if (grid_only) header.refined = false;
   const std::string resolved = read_file(resolved_file(shards.front()));
   const Interruption interruption;
   ResultFolder merged(folder, header, resolved, OpenMode::fresh);
@@ -153,7 +159,7 @@ SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::pat
 
 }  // namespace
 
-SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& folder) {
+SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& folder, bool grid_only) {
   if (folders.empty()) throw BadInput("merge: no folder was given; those of all shards are required");
   const std::vector<ShardResults> shards = read_shards(folders);
   check(shards);
@@ -163,7 +169,7 @@ SweepOutcome merge_shards(const std::vector<fs::path>& folders, const fs::path& 
     for (const fs::path& made : missing) fs::remove(made, ignored);  // if empty
   };
   try {
-    return write_merged(shards, folder);
+    return write_merged(shards, folder, grid_only);
   } catch (const WriteFailed& error) {
     remove_made();
     throw ComputationFailed(error.cause + "; nothing of the merge is kept: make room, then merge again");

@@ -188,6 +188,20 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   return content;
 }
 
+void add_place_in_sweep(bool refined, const std::optional<Resonance>& resonance, PointContent& content) {
+  content.attributes.emplace_back("refined", refined ? "true" : "false");
+  if (!resonance) return;
+  content.attributes.emplace_back("resonance_kind", resonance->kind);
+  content.attributes.emplace_back("resonance_mode", resonance->mode);
+  const auto add = [&](const char* name, const char* units, const char* meaning, double value) {
+    content.arrays.push_back({name, {}, units, meaning, {value}});
+  };
+  add("resonance_frequency", "Hz", "natural frequency of the gear set at the nearest resonance",
+      resonance->frequency);
+  add("resonance_harmonic", "1", "harmonic of the mesh frequency that meets it", resonance->harmonic);
+  add("resonance_speed", "rad s-1", "input speed at which it does", resonance->speed);
+}
+
 std::string netcdf_bytes(const PointContent& content) {
   MemoryFile file;
   std::map<std::string, int> dimensions;

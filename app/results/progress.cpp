@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace orbearing::app {
 namespace {
@@ -28,8 +29,8 @@ std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, d
   return text;
 }
 
-Progress::Progress(std::size_t kept, std::size_t all, bool shown)
-    : kept_(kept), all_(all), shown_(shown && ::isatty(STDERR_FILENO) == 1) {
+Progress::Progress(std::size_t kept, std::size_t all, bool shown, std::string doing)
+    : kept_(kept), all_(all), shown_(shown && ::isatty(STDERR_FILENO) == 1), doing_(std::move(doing)) {
   show(kept);
 }
 
@@ -42,7 +43,7 @@ void Progress::show(std::size_t done) {
   if (!shown_ || now - last_ < least_pause) return;
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "{}{}", wiped_line, progress_text(done, kept_, all_, seconds));
+  fmt::print(stderr, "{}{}{}", wiped_line, doing_, progress_text(done, kept_, all_, seconds));
   std::fflush(stderr);
 }
 

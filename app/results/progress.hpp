@@ -13,7 +13,8 @@ std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, d
 /// Shows nothing unless `shown` and standard error is a terminal. Wipes its line at the end of its life.
 class Progress {
  public:
-  Progress(std::size_t kept, std::size_t all, bool shown);
+  /// `doing` begins the line: "peak, round 2: ".
+  Progress(std::size_t kept, std::size_t all, bool shown, std::string doing = {});
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
@@ -25,6 +26,7 @@ class Progress {
   std::size_t kept_;
   std::size_t all_;
   bool shown_;
+  std::string doing_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_{};
 };

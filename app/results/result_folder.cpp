@@ -116,7 +116,7 @@ std::string fault_of_point(const fs::path& folder, const ManifestEntry& entry) {
 
 ResultFolder::ResultFolder(fs::path folder, const ManifestHeader& header, const std::string& resolved_case,
                            OpenMode mode)
-    : folder_(std::move(folder)), head_(table_head(header.axes, header.sets)) {
+    : folder_(std::move(folder)), header_(header), head_(head_of(header)) {
   require_usable(folder_, header, mode);
   make_folder(folder_);
   manifest_ = AppendOnlyFile(folder_ / manifest_name);
@@ -181,7 +181,7 @@ void ResultFolder::discard() {
 void ResultFolder::write_table() const {
   if (in_memory()) return;
   std::string text = csv_head(head_);
-  for (const auto& [index, entry] : finished_) text += csv_line(head_, entry.row);
+  for (const ResultRow& row : rows_in_table_order(header_, finished_)) text += csv_line(head_, row);
   write_aside_and_rename(folder_ / table_name, text);
   sync_folder(folder_);
 }

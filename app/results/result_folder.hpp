@@ -49,7 +49,7 @@ class ResultFolder {
   /// Throws ComputationFailed where the disk does not take them; what was kept before stays sound.
   void keep(std::vector<FinishedPoint> points);
 
-  /// Writes sweep.csv from the finished points, in their order.
+  /// Writes sweep.csv from the finished points, `rows_in_table_order`.
   void write_table() const;
 
   /// Takes back all that stands in the folder. For a fresh one only; nothing may be kept afterwards.
@@ -63,6 +63,7 @@ class ResultFolder {
   void begin(const ManifestHeader& header, const std::string& resolved_case);
 
   std::filesystem::path folder_;
+  ManifestHeader header_;
   TableHead head_;
   AppendOnlyFile manifest_;
   std::map<std::size_t, ManifestEntry> finished_;

@@ -1,6 +1,7 @@
 #include "app/results/result_row.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -160,20 +161,37 @@ const std::vector<SetColumn>& set_columns() {
   return columns;
 }
 
-TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets) {
+namespace {
+
+// Text first, then the numbers.
+constexpr std::array resonance_columns = {"resonance_kind", "resonance_mode", "resonance_frequency_Hz",
+                                          "resonance_harmonic", "resonance_speed_rpm"};
+
+void add_set_columns(const std::vector<std::string>& sets, TableHead& head) {
+  head.set_place = head.names.size();
+  head.names.emplace_back(limiting_set_column);
+  for (const std::string& set : sets)
+    for (const SetColumn& column : set_columns()) head.names.push_back("sets." + set + "." + column.name);
+}
+
+}  // namespace
+
+TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets,
+                     bool resonances) {
   TableHead head;
   for (const Column& column : leading_columns()) head.names.push_back(column.name);
   head.status_place = head.names.size();
   head.names.emplace_back(status_column);
   for (const Column& column : trailing_columns()) head.names.push_back(column.name);
+  head.refined_place = head.names.size();
+  head.names.emplace_back(refined_column);
   head.first_axis = head.names.size();
   head.axes = axes.size();
   for (const SweptAxis& axis : axes) head.names.push_back(axis.column);
-  if (sets.empty()) return head;
-  head.set_place = head.names.size();
-  head.names.emplace_back(limiting_set_column);
-  for (const std::string& set : sets)
-    for (const SetColumn& column : set_columns()) head.names.push_back("sets." + set + "." + column.name);
+  if (!sets.empty()) add_set_columns(sets, head);
+  if (!resonances) return head;
+  head.first_resonance = head.names.size();
+  head.names.insert(head.names.end(), resonance_columns.begin(), resonance_columns.end());
   return head;
 }
 
@@ -188,6 +206,10 @@ double in_table_unit(double value, double per_unit) {
   double rounded = not_given;
   std::from_chars(text, end, rounded);
   return std::isfinite(rounded) ? rounded : not_given;
+}
+
+double speed_in_rpm(double speed) {
+  return in_table_unit(speed, rpm_per_rad_s);
 }
 
 namespace {
@@ -218,9 +240,28 @@ ResultRow result_row(const PointResult& result, const std::vector<double>& axis_
   for (const Column& column : leading_columns()) add(column);
   row.values.push_back(not_given);
   for (const Column& column : trailing_columns()) add(column);
+  row.values.push_back(not_given);  // refined
   for (const double value : axis_values) row.values.push_back(in_table_unit(value, 1.0));
   add_sets(result, sets.size(), row);
   return row;
+}
+
+void add_resonance(const std::optional<Resonance>& resonance, ResultRow& row) {
+  row.values.insert(row.values.end(), resonance_columns.size(), not_given);
+  if (!resonance) return;
+  row.resonance_kind = resonance->kind;
+  row.resonance_mode = resonance->mode;
+  double* const numbers = row.values.data() + row.values.size() - 3;
+  numbers[0] = in_table_unit(resonance->frequency, 1.0);
+  numbers[1] = resonance->harmonic;
+  numbers[2] = speed_in_rpm(resonance->speed);
+}
+
+bool on_one_line(const TableHead& head, const ResultRow& one, const ResultRow& other) {
+  const auto first = static_cast<std::ptrdiff_t>(head.first_axis);
+  const auto axes = static_cast<std::ptrdiff_t>(head.axes);
+  return std::equal(one.values.begin() + first, one.values.begin() + first + axes,
+                    other.values.begin() + first);
 }
 
 double value_of(const TableHead& head, const ResultRow& row, const std::string& name) {

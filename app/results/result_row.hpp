@@ -30,6 +30,8 @@ inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 /// Names of the columns that hold text; the second only where there are several sets.
 inline constexpr std::string_view status_column = "status";
 inline constexpr std::string_view limiting_set_column = "limiting_set";
+/// The column that says which points were added to the grid around the peak: true or false.
+inline constexpr std::string_view refined_column = "refined";
 
 /// Columns before `status`, and those that follow it; swept axes come after both.
 const std::vector<Column>& leading_columns();
@@ -60,19 +62,35 @@ struct SweptAxis {
 struct TableHead {
   std::vector<std::string> names;  // all columns, status included
   std::size_t status_place = 0;
-  std::size_t first_axis = 0;            // swept axes stand from here
-  std::size_t axes = 0;                  // as many
-  std::optional<std::size_t> set_place;  // of the limiting set's name; none with one set
+  std::size_t first_axis = 0;                    // swept axes stand from here
+  std::size_t axes = 0;                          // as many
+  std::optional<std::size_t> set_place;          // of the limiting set's name; none with one set
+  std::optional<std::size_t> refined_place{};    // of the column that says which points were added
+  std::optional<std::size_t> first_resonance{};  // columns of the nearest resonance stand from here, if any
   bool operator==(const TableHead&) const = default;
 };
 
-/// `sets` are the names of several sets with bearings; none for a case of one set.
-TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets = {});
+/// `sets` are the names of several sets with bearings; none for a case of one set. `resonances`: whether the
+/// rows name their nearest resonance.
+TableHead table_head(const std::vector<SweptAxis>& axes, const std::vector<std::string>& sets = {},
+                     bool resonances = false);
+
+/// Where a harmonic of the mesh frequency meets a natural frequency of the gear set that it can excite.
+struct Resonance {
+  std::string kind;        // rotational, translational or planet
+  std::string mode;        // "T2": the second of the translational ones, as the report names it
+  double frequency = 0.0;  // [Hz]
+  int harmonic = 0;        // of the mesh frequency
+  double speed = 0.0;      // [rad/s]  of the driving member
+};
 
 struct ResultRow {
-  std::vector<double> values;  // one per name; NaN where there is none (and at the places of text)
-  std::string status;          // "ok" or the reason of the failure
-  std::string limiting_set{};  // of several sets; empty where the point failed
+  std::vector<double> values;    // one per name; NaN where there is none (and at the places of text)
+  std::string status;            // "ok" or the reason of the failure
+  std::string limiting_set{};    // of several sets; empty where the point failed
+  bool refined = false;          // added to the grid around the peak
+  std::string resonance_kind{};  // of the nearest resonance; empty where none is known
+  std::string resonance_mode{};
   bool ok() const { return status == "ok"; }
 };
 
@@ -80,11 +98,20 @@ struct ResultRow {
 ResultRow result_row(const study::PointResult& result, const std::vector<double>& axis_values,
                      const std::vector<std::string>& sets = {});
 
+/// Writes the nearest resonance into the last columns of a row whose table has them; none: they stay empty.
+void add_resonance(const std::optional<Resonance>& resonance, ResultRow& row);
+
 /// Value in the column called `name`; NaN where the table has none.
 double value_of(const TableHead& head, const ResultRow& row, const std::string& name);
+
+/// Whether two rows of a sweep differ in speed alone: all other axes have equal values.
+bool on_one_line(const TableHead& head, const ResultRow& one, const ResultRow& other);
 
 /// `value` x `per_unit` to 15 significant digits, which is what a conversion leaves of a double; so that
 /// 6000 rpm, held as rad/s, is 6000 rpm again. Anything not finite becomes NaN.
 double in_table_unit(double value, double per_unit);
+
+/// A speed [rad/s] as the columns of speeds [rpm] show it.
+double speed_in_rpm(double speed);
 
 }  // namespace orbearing::app

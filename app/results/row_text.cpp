@@ -16,6 +16,15 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
+/// Where a row keeps the text of column `i`; null for a column of another kind.
+std::string ResultRow::*text_member(const TableHead& head, std::size_t i) {
+  if (i == head.status_place) return &ResultRow::status;
+  if (i == head.set_place) return &ResultRow::limiting_set;
+  if (i == head.first_resonance) return &ResultRow::resonance_kind;
+  if (head.first_resonance && i == *head.first_resonance + 1) return &ResultRow::resonance_mode;
+  return nullptr;
+}
+
 }  // namespace
 
 std::string csv_head(const TableHead& head) {
@@ -28,10 +37,10 @@ std::string csv_line(const TableHead& head, const ResultRow& row) {
   std::string line;
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     if (i > 0) line += ',';
-    if (i == head.status_place)
-      line += quoted(row.status);
-    else if (i == head.set_place)
-      line += quoted(row.limiting_set);
+    if (const auto text = text_member(head, i))
+      line += quoted(row.*text);
+    else if (i == head.refined_place)
+      line += row.refined ? "true" : "false";
     else if (std::isfinite(row.values[i]))
       line += fmt::format("{}", row.values[i]);
   }
@@ -42,10 +51,10 @@ nlohmann::ordered_json row_json(const TableHead& head, const ResultRow& row) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     nlohmann::ordered_json& field = object[head.names[i]];
-    if (i == head.status_place)
-      field = row.status;
-    else if (i == head.set_place)
-      field = row.limiting_set;
+    if (const auto text = text_member(head, i))
+      field = row.*text;
+    else if (i == head.refined_place)
+      field = row.refined;
     else if (std::isfinite(row.values[i]))
       field = row.values[i];
   }
@@ -56,10 +65,14 @@ ResultRow row_from_json(const TableHead& head, const nlohmann::ordered_json& obj
   ResultRow row;
   for (std::size_t i = 0; i < head.names.size(); ++i) {
     const nlohmann::ordered_json& field = object.at(head.names[i]);
-    const bool text = i == head.status_place || i == head.set_place;
-    if (i == head.status_place) row.status = field.get<std::string>();
-    if (i == head.set_place) row.limiting_set = field.get<std::string>();
-    row.values.push_back(text || field.is_null() ? not_given : field.get<double>());
+    double value = not_given;
+    if (const auto text = text_member(head, i))
+      row.*text = field.get<std::string>();
+    else if (i == head.refined_place)
+      row.refined = field.get<bool>();
+    else if (!field.is_null())
+      value = field.get<double>();
+    row.values.push_back(value);
   }
   return row;
 }

@@ -18,7 +18,8 @@ Json peak_json(const LifePeak& peak) {
   return {{"speed_rpm", number_or_null(peak.speed_rpm)},
           {"life_h", number_or_null(peak.life_h)},
           {"refined_speed_rpm", number_or_null(peak.refined_speed_rpm)},
-          {"refined_life_h", number_or_null(peak.refined_life_h)}};
+          {"refined_life_h", number_or_null(peak.refined_life_h)},
+          {"between_rpm", {number_or_null(peak.lower_rpm), number_or_null(peak.upper_rpm)}}};
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows) {
   LifePeak peak;
   for (const ResultRow& row : rows) {
     const double life = value_of(head, row, "life_h");
-    if (std::isnan(life) || life <= peak.life_h) continue;
+    if (row.refined || std::isnan(life) || life <= peak.life_h) continue;
     peak.life_h = life;
     peak.speed_rpm = value_of(head, row, "input_speed_rpm");
   }

@@ -9,15 +9,19 @@
 
 namespace orbearing::app {
 
-/// Longest life over speed: the best grid point and, between grid points, the continuous one.
+/// Longest life over speed: the best point of the grid, and the best of all where points were added around
+/// it. Every number is that of a point that was computed; NaN where there is none.
 struct LifePeak {
   double speed_rpm = std::numeric_limits<double>::quiet_NaN();
   double life_h = std::numeric_limits<double>::quiet_NaN();
   double refined_speed_rpm = std::numeric_limits<double>::quiet_NaN();
   double refined_life_h = std::numeric_limits<double>::quiet_NaN();
+  double lower_rpm = std::numeric_limits<double>::quiet_NaN();  // neighbours of the refined peak, which live
+  double upper_rpm = std::numeric_limits<double>::quiet_NaN();  // shorter; NaN beyond an end of the range
 };
 
-/// Best row of the grid; the refined values are left for the caller. NaN where no point has a life.
+/// Best row of the grid, those added to it left out; the refined values are left for the caller. NaN where no
+/// point has a life.
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
 
 /// Object with `points`, `peak`, `assumptions`, `warnings`, `versions`, in this order; no number where a

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
 #include <exception>
 #include <utility>
@@ -24,7 +25,7 @@ std::vector<std::size_t> missing_points(const SweepRequest& request, const Resul
 }
 
 /// A failed point keeps the speed it was asked for and nothing else.
-study::PointResult evaluate_with_speed(const SweepRequest& request, std::size_t point,
+study::PointResult evaluate_with_speed(const SweepPoint& point,
                                        const std::function<study::PointResult()>& evaluate) {
   study::PointResult result;
   try {
@@ -32,32 +33,107 @@ study::PointResult evaluate_with_speed(const SweepRequest& request, std::size_t 
   } catch (const std::exception& error) {
     result.status = error.what();
   }
-  if (result.status != "ok") result.input_speed = request.points[point].input_speed;
+  if (result.status != "ok") result.input_speed = point.input_speed;
   return result;
 }
 
-FinishedPoint finished_point(const SweepRequest& request, study::ComputedPoint computed) {
-  const std::vector<double>& axes = request.points[computed.index].axis_values;
-  FinishedPoint point{computed.index, {}, result_row(computed.result, axes, request.header.sets)};
+FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& asked,
+                             study::ComputedPoint computed) {
+  const bool refined = request.header.adds(computed.index);
+  FinishedPoint point{
+      computed.index, {}, result_row(computed.result, asked.axis_values, request.header.sets)};
+  point.row.refined = refined;
   computed.result.status = point.row.status;
-  point.content = netcdf_bytes(point_content(request.header, computed.index, axes, computed.result));
+  PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
+  std::optional<Resonance> resonance;
+  if (request.header.resonances) {
+    resonance = request.resonance_of(asked);
+    add_resonance(resonance, point.row);
+  }
+  add_place_in_sweep(refined, resonance, content);
+  point.content = netcdf_bytes(content);
   return point;
 }
 
-void compute_missing(const SweepRequest& request, ResultFolder& folder) {
-  Progress progress(folder.finished().size(), request.header.own_points(), !request.quiet);
+/// Points to be computed, and how.
+struct Work {
+  std::vector<std::size_t> missing;                        // their numbers
+  std::function<const SweepPoint&(std::size_t)> point_of;  // by number
+  std::function<study::PointResult(std::size_t, const SweepPoint&)> evaluate;
+  std::string doing;  // begins the line of progress; empty: the grid
+};
+
+void compute(const SweepRequest& request, const Work& work, ResultFolder& folder) {
+  const std::size_t before = folder.finished().size();
+  Progress progress(before, before + work.missing.size(), !request.quiet, work.doing);
   const auto deliver = [&](std::vector<study::ComputedPoint> computed) {
     std::vector<FinishedPoint> points;
-    for (study::ComputedPoint& point : computed) points.push_back(finished_point(request, std::move(point)));
+    for (study::ComputedPoint& point : computed)
+      points.push_back(finished_point(request, work.point_of(point.index), std::move(point)));
     folder.keep(std::move(points));
     progress.show(folder.finished().size());
   };
   study::compute_points(
-      missing_points(request, folder), request.jobs,
-      [&](std::size_t point) {
-        return evaluate_with_speed(request, point, [&] { return request.evaluate(point); });
+      work.missing, request.jobs,
+      [&](std::size_t index) {
+        const SweepPoint& point = work.point_of(index);
+        return evaluate_with_speed(point, [&] { return work.evaluate(index, point); });
       },
       deliver, [] { return Interruption::requested(); });
+}
+
+void compute_missing(const SweepRequest& request, ResultFolder& folder) {
+  compute(request,
+          {missing_points(request, folder),
+           [&](std::size_t point) -> const SweepPoint& { return request.points[point]; },
+           [&](std::size_t point, const SweepPoint&) { return request.evaluate(point); },
+           {}},
+          folder);
+}
+
+[[noreturn]] void refuse_other_refinement(const ResultFolder& folder, std::size_t point) {
+  throw BadInput(fmt::format(
+      "{}: --resume: point {}, which refines the peak, was found at another speed than the points "
+      "before it ask for; give another folder",
+      folder.path().string(), point));
+}
+
+/// One round of refinement: the points asked for, numbered from `first`. False where it was interrupted.
+bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& points, std::size_t first,
+                   const std::string& doing, ResultFolder& folder) {
+  Work work{{},
+            [&](std::size_t index) -> const SweepPoint& { return points[index - first]; },
+            [&](std::size_t, const SweepPoint& point) { return request.refinement->evaluate(point); },
+            doing};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto found = folder.finished().find(first + i);
+    if (found == folder.finished().end())
+      work.missing.push_back(first + i);
+    else if (found->second.row.values.front() != speed_in_rpm(points[i].input_speed))
+      refuse_other_refinement(folder, first + i);
+  }
+  compute(request, work, folder);
+  return std::all_of(work.missing.begin(), work.missing.end(),
+                     [&](std::size_t index) { return folder.finished().contains(index); });
+}
+
+/// Adds points until the peak is known. Rounds that stand in the folder are gone through again, so that each
+/// follows from the same rows as in an undisturbed sweep. False where it was interrupted.
+bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
+  std::vector<ResultRow> rows;
+  const auto take_up_to = [&](std::size_t end) {
+    while (rows.size() < end) rows.push_back(folder.finished().at(rows.size()).row);
+  };
+  take_up_to(request.header.points);
+  for (int round = 1;; ++round) {
+    const std::vector<SweepPoint> points = request.refinement->next(folder.head(), rows);
+    if (points.empty()) break;
+    const std::size_t first = rows.size();
+    if (!compute_round(request, points, first, fmt::format("peak, round {}: ", round), folder)) return false;
+    take_up_to(first + points.size());
+  }
+  if (folder.finished().size() > rows.size()) refuse_other_refinement(folder, rows.size());
+  return true;
 }
 
 /// A chain in progress: where the next point starts.
@@ -74,12 +150,13 @@ class Chain {
  private:
   void compute(std::size_t point) {
     if (!last_.empty()) state_ = stored_state(std::exchange(last_, {}));
+    const SweepPoint& asked = request_.points[point];
     study::PointResult result =
-        evaluate_with_speed(request_, point, [&] { return request_.evaluate_from(point, state_); });
+        evaluate_with_speed(asked, [&] { return request_.evaluate_from(point, state_); });
     // A failed point has no state to go on from: the next one starts where the failed one did.
     if (result.status == "ok" && result.dynamic) state_ = result.dynamic->final_state;
     std::vector<FinishedPoint> kept;
-    kept.push_back(finished_point(request_, {point, std::move(result)}));
+    kept.push_back(finished_point(request_, asked, {point, std::move(result)}));
     folder_.keep(std::move(kept));
   }
 
@@ -121,11 +198,14 @@ std::string interrupted(const SweepRequest& request, std::size_t done) {
 }  // namespace
 
 SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder, std::size_t kept) {
-  SweepOutcome outcome{header, folder.head(), {}, kept, 0};
-  for (const auto& [point, entry] : folder.finished()) {
-    outcome.rows.push_back(entry.row);
-    if (!entry.row.ok()) ++outcome.failed;
-  }
+  return outcome_of(header, folder.finished(), kept);
+}
+
+SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t, ManifestEntry>& entries,
+                        std::size_t kept) {
+  SweepOutcome outcome{header, head_of(header), rows_in_table_order(header, entries), kept, 0};
+  for (const ResultRow& row : outcome.rows)
+    if (!row.ok()) ++outcome.failed;
   return outcome;
 }
 
@@ -139,8 +219,13 @@ SweepOutcome run_sweep(const SweepRequest& request) {
     compute_chains(request, folder);
   else
     compute_missing(request, folder);
-  const std::size_t done = folder.finished().size();
-  if (done < request.header.own_points()) throw ComputationFailed(interrupted(request, done));
+  if (const std::size_t missing = missing_points(request, folder).size(); missing > 0)
+    throw ComputationFailed(interrupted(request, request.header.own_points() - missing));
+  if (request.refinement && request.header.refined && !request.header.shard && !refine_peak(request, folder))
+    throw ComputationFailed(fmt::format(
+        "{}: interrupted while the peak was refined, with {} points added to the {} of the grid; "
+        "go on with --resume",
+        request.folder.string(), folder.finished().size() - request.header.points, request.header.points));
   folder.write_table();
   return outcome_of(request.header, folder, kept);
 }

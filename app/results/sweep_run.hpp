@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/results/manifest.hpp"
@@ -17,8 +19,19 @@ namespace orbearing::app {
 struct SweepPoint {
   std::string label;  // for messages: "input.speed = 6000 rpm"
   double input_speed =
-      std::numeric_limits<double>::quiet_NaN();  // [rad/s]  kept in the row of a failed point
-  std::vector<double> axis_values;               // one per header.axes, in the axis' unit
+      std::numeric_limits<double>::quiet_NaN();                 // [rad/s]  kept in the row of a failed point
+  std::vector<double> axis_values;                              // one per header.axes, in the axis' unit
+  std::vector<std::pair<std::string, std::string>> settings{};  // that make the case's operating point
+};
+
+/// Points that a sweep adds to its grid until its peak is known.
+struct Refinement {
+  /// The points to be added when those of `rows` are done (the grid's in their order, then those added
+  /// before, in the order in which they were asked for); none: the peak is known. Depends on nothing but the
+  /// rows, so that a resumed sweep asks for the same points.
+  std::function<std::vector<SweepPoint>(const TableHead& head, const std::vector<ResultRow>& rows)> next;
+  /// Computes one of them; as SweepRequest::evaluate.
+  std::function<study::PointResult(const SweepPoint& point)> evaluate;
 };
 
 struct SweepRequest {
@@ -30,13 +43,16 @@ struct SweepRequest {
   /// Computes a point of a continued sweep (header.continued) from the final state of its neighbour, or from
   /// its own start where `start` is empty. Called from one thread.
   std::function<study::PointResult(std::size_t point, const Eigen::VectorXd& start)> evaluate_from{};
-  std::filesystem::path folder;  // empty: nothing is written
-  int jobs = 0;                  // threads; 0: as many as the machine has
+  /// Nearest resonance of a point; asked of every point where header.resonances, on one thread.
+  std::function<std::optional<Resonance>(const SweepPoint& point)> resonance_of{};
+  std::optional<Refinement> refinement{};  // there where header.refined; shards leave it to `merge`
+  std::filesystem::path folder;            // empty: nothing is written
+  int jobs = 0;                            // threads; 0: as many as the machine has
   bool resume = false;
   bool quiet = false;  // no progress, even on a terminal
 };
 
-/// Rows in the order of the points.
+/// Rows in the order of the table.
 struct SweepOutcome {
   ManifestHeader header;
   TableHead head;
@@ -45,23 +61,27 @@ struct SweepOutcome {
   std::size_t failed = 0;  // rows whose status is not "ok"; the command's exit code is 1 where there are any
 };
 
-/// Computes what is missing in the folder, or damaged, and writes points/*.nc, manifest.jsonl,
-/// case.resolved.yaml and sweep.csv. A continued sweep takes its chains one after the other; a point goes on
-/// from the last one before it in its chain that was computed, and a resumed chain from the state stored with
-/// that point, so that the results are those of an undisturbed run to the last bit. Throws BadInput (folder
-/// not to be used, no state stored to go on from) and ComputationFailed (disk full, or SIGINT or SIGTERM,
-/// after which the points computed so far are kept and `resume` goes on).
+/// Computes what is missing in the folder, or damaged, then the points that refine the peak round by round,
+/// and writes points/*.nc, manifest.jsonl, case.resolved.yaml and sweep.csv. A continued sweep takes its
+/// chains one after the other; a point goes on from the last one before it in its chain that was computed,
+/// and a resumed chain from the state stored with that point, so that the results are those of an undisturbed
+/// run to the last bit. Throws BadInput (folder not to be used, no state stored to go on from) and
+/// ComputationFailed (disk full, or SIGINT or SIGTERM, after which the points computed so far are kept and
+/// `resume` goes on).
 SweepOutcome run_sweep(const SweepRequest& request);
 
 /// The rows of a folder; `kept` of its points were found finished.
 SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder, std::size_t kept);
+SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t, ManifestEntry>& entries,
+                        std::size_t kept = 0);
 
 /// Joins the shards of one sweep into `folder`, which must be missing or empty. Its table equals that of the
 /// sweep run in one piece, byte for byte. Throws BadInput where shards are missing, unfinished, given twice,
 /// of unlike cases, versions, fidelities or instruction sets, or with files missing or damaged, before
 /// anything is written. Throws ComputationFailed where the disk does not take the result, or on SIGINT or
-/// SIGTERM; whatever it throws, nothing is left that it wrote.
+/// SIGTERM; whatever it throws, nothing is left that it wrote. Where header.refined the folder lacks the
+/// points that refine the peak: `run_sweep` with `resume` adds them. `grid_only`: the result is one without.
 SweepOutcome merge_shards(const std::vector<std::filesystem::path>& shards,
-                          const std::filesystem::path& folder);
+                          const std::filesystem::path& folder, bool grid_only = false);
 
 }  // namespace orbearing::app

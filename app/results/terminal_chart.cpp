@@ -126,9 +126,11 @@ std::string drawing(const Curve& curve, const LifePeak& peak, Glyphs glyphs) {
   constexpr double least_decades = 0.05;
   const Scale up = scale_of(exponents, least_decades, canvas.height() - 1);
   draw(canvas, curve, across, up);
-  if (peak.life_h > 0.0)
-    canvas.mark(across.place(peak.speed_rpm), up.place(std::log10(peak.life_h)),
-                glyphs == Glyphs::ascii ? "O" : "●");
+  const bool refined = std::isfinite(peak.refined_life_h);
+  const double peak_rpm = refined ? peak.refined_speed_rpm : peak.speed_rpm;
+  const double peak_life = refined ? peak.refined_life_h : peak.life_h;
+  if (peak_life > 0.0)
+    canvas.mark(across.place(peak_rpm), up.place(std::log10(peak_life)), glyphs == Glyphs::ascii ? "O" : "●");
   return with_life_axis(canvas, up, glyphs) + speed_axis(across, canvas.width() / columns, glyphs);
 }
 
@@ -150,10 +152,12 @@ Glyphs glyphs_of_locale() {
 
 std::string peak_line(const LifePeak& peak) {
   if (!std::isfinite(peak.life_h)) return "longest life: no point has one\n";
-  std::string line = fmt::format("longest life: {:.5g} h at {:g} rpm", peak.life_h, peak.speed_rpm);
-  if (std::isfinite(peak.refined_life_h))
-    line += fmt::format("; between grid points {:.5g} h at {:.5g} rpm", peak.refined_life_h,
-                        peak.refined_speed_rpm);
+  if (!std::isfinite(peak.refined_life_h))
+    return fmt::format("longest life: {:.5g} h at {:g} rpm\n", peak.life_h, peak.speed_rpm);
+  std::string line =
+      fmt::format("longest life: {:.5g} h at {:g} rpm", peak.refined_life_h, peak.refined_speed_rpm);
+  if (peak.refined_speed_rpm != peak.speed_rpm)
+    line += fmt::format("; of the grid's points {:.5g} h at {:g} rpm", peak.life_h, peak.speed_rpm);
   return line + '\n';
 }
 

@@ -17,7 +17,7 @@ Glyphs glyphs_of_locale();
 std::string life_chart(const TableHead& head, const std::vector<ResultRow>& rows, const LifePeak& peak,
                        Glyphs glyphs);
 
-/// "longest life: 47100 h at 6000 rpm; between grid points 47300 h at 6120 rpm"
+/// "longest life: 47300 h at 6120 rpm; of the grid's points 47100 h at 6000 rpm"
 std::string peak_line(const LifePeak& peak);
 
 }  // namespace orbearing::app

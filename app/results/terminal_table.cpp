@@ -41,9 +41,49 @@ std::string number(double value) {
   return std::abs(value) >= 1000.0 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
+/// "2 x P1 at 6063 rpm": harmonic, mode, speed.
+std::string resonance_text(const TableHead& head, const ResultRow& row) {
+  if (row.resonance_mode.empty()) return "-";
+  return fmt::format("{:g} x {} at {:.0f} rpm", value_of(head, row, "resonance_harmonic"), row.resonance_mode,
+                     value_of(head, row, "resonance_speed_rpm"));
+}
+
+/// The rows that are shown, and what a last line says of the others.
+struct ShownRows {
+  std::vector<const ResultRow*> rows;
+  std::string note;
+};
+
+/// All of a few; else the grid's every so many-th and, of the points added to it, the one that lives longest.
+ShownRows shown_rows(const TableHead& head, const std::vector<ResultRow>& rows) {
+  ShownRows shown;
+  const ResultRow* longest = nullptr;
+  double life = 0.0;
+  std::size_t grid = 0, added = 0;
+  for (const ResultRow& row : rows) {
+    ++(row.refined ? added : grid);
+    if (!(value_of(head, row, "life_h") > life)) continue;
+    life = value_of(head, row, "life_h");
+    longest = &row;
+  }
+  const bool all = rows.size() <= most_rows;
+  const std::size_t step = all ? 1 : (grid + most_rows - 1) / most_rows;
+  std::size_t place = 0;
+  for (const ResultRow& row : rows) {
+    const bool of_grid = !row.refined && place++ % step == 0;
+    if (of_grid || (row.refined && (all || &row == longest))) shown.rows.push_back(&row);
+  }
+  if (step > 1) shown.note = fmt::format("one row in {} of {}", step, grid);
+  if (const std::size_t hidden = added - (longest != nullptr && longest->refined ? 1 : 0); !all && hidden > 0)
+    shown.note +=
+        fmt::format("{}{} points added around the peak are not shown", step > 1 ? "; " : "", hidden);
+  return shown;
+}
+
 }  // namespace
 
 std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& rows) {
+  constexpr int resonance_width = 20;
   const std::vector<std::string> names = shown_columns(head);
   const auto width = [](const std::string& name) {
     return std::max<std::size_t>(heading(name).first.size(), 8);
@@ -54,16 +94,18 @@ std::string sweep_table(const TableHead& head, const std::vector<ResultRow>& row
     words += fmt::format("{:>{}}  ", heading(name).first, width(name));
     units += fmt::format("{:>{}}  ", heading(name).second, width(name));
   }
+  if (head.first_resonance) words += fmt::format("{:<{}}  ", "nearest resonance", resonance_width);
   const std::string last = head.set_place ? "limiting set: status\n" : "status\n";
   std::string text = words + last + units + '\n';
-  const std::size_t step = (rows.size() + most_rows - 1) / most_rows;
-  for (std::size_t i = 0; i < rows.size(); i += step) {
+  const ShownRows shown = shown_rows(head, rows);
+  for (const ResultRow* row : shown.rows) {
     for (const std::string& name : names)
-      text += fmt::format("{:>{}}  ", number(value_of(head, rows[i], name)), width(name));
-    text += (rows[i].limiting_set.empty() ? "" : rows[i].limiting_set + ": ") + rows[i].status + '\n';
+      text += fmt::format("{:>{}}  ", number(value_of(head, *row, name)), width(name));
+    if (head.first_resonance) text += fmt::format("{:<{}}  ", resonance_text(head, *row), resonance_width);
+    text += (row->limiting_set.empty() ? "" : row->limiting_set + ": ") + row->status;
+    text += row->refined ? ", added\n" : "\n";
   }
-  if (step > 1)
-    text += fmt::format("(one row in {} of {}; all of them stand in sweep.csv)\n", step, rows.size());
+  if (!shown.note.empty()) text += fmt::format("({}; all of them stand in sweep.csv)\n", shown.note);
   return text;
 }
 

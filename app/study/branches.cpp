@@ -19,9 +19,11 @@ std::string name_of(const Manifest& manifest) {
 }
 
 Json rows_of(const Manifest& manifest) {
-  const TableHead head = table_head(manifest.header->axes, manifest.header->sets);
+  const TableHead head = head_of(*manifest.header);
   Json rows = Json::array();
-  for (const auto& [index, entry] : manifest.entries) rows.push_back(row_json(head, entry.row));
+  // Points that only one of two sweeps added to their common grid have nothing beside them.
+  for (const auto& [index, entry] : manifest.entries)
+    if (manifest.header->holds(index)) rows.push_back(row_json(head, entry.row));
   return rows;
 }
 
@@ -31,6 +33,7 @@ void require_two_branches(const Branch& one, const Branch& other) {
   std::vector<std::string> messages;
   ManifestHeader alike = *other.manifest.header;
   alike.continued = one.manifest.header->continued;
+  alike.refined = one.manifest.header->refined;
   for (const std::string& line : differences(alike, *one.manifest.header))
     messages.push_back(
         fmt::format("--with: {}: {}, as in {}", other.folder.string(), line, one.folder.string()));

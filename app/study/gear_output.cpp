@@ -20,18 +20,6 @@ using study::GearRunResult;
 using study::PlanetStatistics;
 using study::SignalStatistics;
 
-const char* kind_name(ModeKind kind) {
-  switch (kind) {
-    case ModeKind::rotational:
-      return "rotational";
-    case ModeKind::translational:
-      return "translational";
-    case ModeKind::planet:
-      break;
-  }
-  return "planet";
-}
-
 using Signal = SignalStatistics PlanetStatistics::*;
 
 // rms over all planets, and the largest of all.
@@ -65,6 +53,18 @@ Json load_sharing(const GearRunResult& result) {
 }
 
 }  // namespace
+
+const char* kind_name(ModeKind kind) {
+  switch (kind) {
+    case ModeKind::rotational:
+      return "rotational";
+    case ModeKind::translational:
+      return "translational";
+    case ModeKind::planet:
+      break;
+  }
+  return "planet";
+}
 
 Json modes_json(const std::vector<Mode>& modes) {
   Json list = Json::array();

@@ -13,6 +13,8 @@ namespace orbearing::app {
 
 /// [{frequency_Hz, kind, multiplicity, growth_per_s, central_share}]
 nlohmann::ordered_json modes_json(const std::vector<gearset::dynamics::Mode>& modes);
+/// "rotational", "translational" or "planet".
+const char* kind_name(gearset::dynamics::ModeKind kind);
 std::string modes_text(const std::vector<gearset::dynamics::Mode>& modes);
 
 /// Modes at rest and the frequency that published ones may be told by.

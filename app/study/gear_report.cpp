@@ -13,6 +13,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_output.hpp"
+#include "app/study/resonance.hpp"
 #include "app/study/tooth_drawing.hpp"
 #include "coupling/study/parallel.hpp"
 
@@ -25,7 +26,6 @@ using boost::math::double_constants::two_pi;
 using gearset::dynamics::Mode;
 using gearset::dynamics::ModeKind;
 using gearset::dynamics::SetModel;
-constexpr int kHarmonics = 4;            // of the mesh frequency, that meet modes
 constexpr std::size_t kFewestRuns = 45;  // a resonance is narrower than a usual step of the sweep
 constexpr int kShapesOfKind = 2;
 constexpr long kSpectrumPeriods = 32;  // of the series: lines 1/32 of an order apart
@@ -48,48 +48,10 @@ std::vector<double> with_speeds_between(const std::vector<double>& speeds) {
   return all;
 }
 
-// Modes of one kind at one frequency of the set at rest: "T1" is the lowest translational pair. At speed a
-// group of several splits.
-int group_size(ModeKind kind, int planets) {
-  if (kind == ModeKind::rotational) return 1;
-  return kind == ModeKind::translational ? 2 : std::max(1, planets - 3);
-}
-
-const char* letter(ModeKind kind) {
-  if (kind == ModeKind::rotational) return "R";
-  return kind == ModeKind::translational ? "T" : "P";
-}
-
-std::string mode_name(ModeKind kind, int rank, int planets) {
-  return fmt::format("{}{}", letter(kind), rank / group_size(kind, planets) + 1);
-}
-
-struct NamedFrequency {
-  std::string name;
-  ModeKind kind = ModeKind::rotational;
-  int rank = 0;            // among the vibrating modes of its kind
-  double frequency = 0.0;  // [Hz]
-};
-
-std::vector<NamedFrequency> named_frequencies(const std::vector<Mode>& modes, int planets) {
-  std::vector<NamedFrequency> list;
-  std::map<ModeKind, int> rank;
-  for (const Mode& mode : modes) {
-    if (mode.frequency <= kStill * modes.back().frequency) continue;
-    for (int i = 0; i < mode.multiplicity; ++i) {
-      const int place = rank[mode.kind]++;
-      list.push_back({mode_name(mode.kind, place, planets), mode.kind, place, mode.frequency});
-    }
-  }
-  return list;
-}
-
 // One speed of the report.
 struct SpeedPoint {
-  double rpm = 0.0;
+  ModesAtSpeed modes;
   std::string status = "ok";
-  double mesh_frequency = 0.0;  // [Hz]
-  std::vector<NamedFrequency> modes;
   study::GearRunResult run;
 };
 
@@ -97,8 +59,8 @@ SpeedPoint computed_point(const ResolvedCase& resolved, double rpm, long series_
   const SetModel model = gear_model_of(at_rpm(resolved, rpm));
   study::GearRunOptions options = gear_run_options(resolved);
   options.series_periods = std::min(series_periods, options.observed_periods);
-  SpeedPoint point{.rpm = rpm, .mesh_frequency = model.operation.mesh_frequency};
-  point.modes = named_frequencies(modes_at_speed(model), model.parameters.planets);
+  SpeedPoint point{.modes = {rpm, model.operation.mesh_frequency,
+                             named_frequencies(modes_at_speed(model), model.parameters.planets)}};
   point.run = run_gears(model, options);
   if (!point.run.message.empty()) point.status = point.run.message;
   return point;
@@ -109,7 +71,7 @@ std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std:
   std::vector<std::size_t> indices(rpm.size());
   for (std::size_t i = 0; i < rpm.size(); ++i) {
     indices[i] = i;
-    points[i].rpm = rpm[i];
+    points[i].modes.rpm = rpm[i];
   }
   study::compute_points(
       indices, 0,
@@ -129,8 +91,8 @@ std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std:
 Json runs_json(const std::vector<SpeedPoint>& points, const std::vector<double>& swept) {
   Json list = Json::array();
   for (const SpeedPoint& point : points) {
-    Json row{{"speed_rpm", point.rpm},
-             {"swept", std::find(swept.begin(), swept.end(), point.rpm) != swept.end()},
+    Json row{{"speed_rpm", point.modes.rpm},
+             {"swept", std::find(swept.begin(), swept.end(), point.modes.rpm) != swept.end()},
              {"status", point.status}};
     if (point.run.completed) {
       const Json run = gear_run_json(point.run);
@@ -150,9 +112,9 @@ Json campbell(const std::vector<SpeedPoint>& points) {
   Json result{{"speed_rpm", Json::array()}, {"mesh_frequency_Hz", Json::array()}};
   std::map<std::pair<ModeKind, int>, Json> lines;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    result["speed_rpm"].push_back(points[i].rpm);
-    result["mesh_frequency_Hz"].push_back(points[i].mesh_frequency);
-    for (const NamedFrequency& mode : points[i].modes) {
+    result["speed_rpm"].push_back(points[i].modes.rpm);
+    result["mesh_frequency_Hz"].push_back(points[i].modes.mesh_frequency);
+    for (const NamedFrequency& mode : points[i].modes.modes) {
       Json& line = lines[{mode.kind, mode.rank}];
       if (line.is_null()) line = {{"name", mode.name}, {"frequency_Hz", Json(points.size(), nullptr)}};
       line["frequency_Hz"][i] = mode.frequency;
@@ -163,38 +125,16 @@ Json campbell(const std::vector<SpeedPoint>& points) {
   return result;
 }
 
-// Eq. (14) of gearset/dynamics/README.md; with planets that differ it is a rule no more.
-ModeKind excited_kind(int order, int sun_teeth, int planets) {
-  const int component = order * sun_teeth % planets;
-  if (component == 0) return ModeKind::rotational;
-  return component == 1 || component == planets - 1 ? ModeKind::translational : ModeKind::planet;
-}
-
-const NamedFrequency* same_mode(const NamedFrequency& mode, const SpeedPoint& point) {
-  const auto found = std::find_if(point.modes.begin(), point.modes.end(), [&](const NamedFrequency& other) {
-    return other.kind == mode.kind && other.rank == mode.rank;
-  });
-  return found == point.modes.end() ? nullptr : &*found;
-}
-
-// Speeds where a mesh harmonic meets a mode, on straight lines between neighbours.
-Json meetings(const std::vector<SpeedPoint>& points, int sun_teeth, int planets) {
+Json meetings_json(const std::vector<SpeedPoint>& points, int sun_teeth, int planets) {
+  std::vector<ModesAtSpeed> modes;
+  for (const SpeedPoint& point : points) modes.push_back(point.modes);
   Json list = Json::array();
-  for (int order = 1; order <= kHarmonics; ++order)
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      for (const NamedFrequency& mode : points[i].modes) {
-        const NamedFrequency* next = same_mode(mode, points[i + 1]);
-        if (!next) continue;
-        const double before = order * points[i].mesh_frequency - mode.frequency;
-        const double after = order * points[i + 1].mesh_frequency - next->frequency;
-        if (before > 0.0 || after <= 0.0) continue;
-        const double share = before / (before - after);
-        list.push_back({{"order", order},
-                        {"mode", mode.name},
-                        {"speed_rpm", std::lerp(points[i].rpm, points[i + 1].rpm, share)},
-                        {"frequency_Hz", std::lerp(mode.frequency, next->frequency, share)},
-                        {"excited", excited_kind(order, sun_teeth, planets) == mode.kind}});
-      }
+  for (const Meeting& meeting : meetings(modes, sun_teeth, planets))
+    list.push_back({{"order", meeting.order},
+                    {"mode", meeting.mode.name},
+                    {"speed_rpm", meeting.rpm},
+                    {"frequency_Hz", meeting.mode.frequency},
+                    {"excited", meeting.excited}});
   return list;
 }
 
@@ -241,8 +181,9 @@ Json spectrum(const ResolvedCase& resolved, double rpm) {
   const auto samples = static_cast<double>(load.size());
   const long periods = std::min(kSpectrumPeriods, gear_run_options(resolved).observed_periods);
   const Eigen::ArrayXd angle =
-      two_pi * point.mesh_frequency / static_cast<double>(periods) * (series.time - series.time[0]);
-  Json result{{"speed_rpm", rpm}, {"status", point.status}, {"mesh_frequency_Hz", point.mesh_frequency}};
+      two_pi * point.modes.mesh_frequency / static_cast<double>(periods) * (series.time - series.time[0]);
+  Json result{
+      {"speed_rpm", rpm}, {"status", point.status}, {"mesh_frequency_Hz", point.modes.mesh_frequency}};
   result["mean_N"] = mean;
   for (long line = 1; line <= kSpectrumOrders * periods; ++line) {
     const Eigen::ArrayXd turned = static_cast<double>(line) * angle;
@@ -279,7 +220,7 @@ nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<dou
           {"meshes", one_of_each_kind(mesh_study(at_middle))},
           {"mode_shapes", mode_shapes(gear_model_of(at_middle))},
           {"campbell", campbell(points)},
-          {"meetings", meetings(points, set.sun_teeth, set.planets)},
+          {"meetings", meetings_json(points, set.sun_teeth, set.planets)},
           {"runs", runs_json(points, speeds_rpm)},
           {"spectrum", spectrum(fixed, middle)}};
 }

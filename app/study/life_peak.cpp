@@ -1,113 +1,107 @@
 #include "app/study/life_peak.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
+#include <fmt/format.h>
 
-#include "app/study/drivetrain_case.hpp"
-#include "app/units.hpp"
-#include "coupling/study/peak.hpp"
+#include <algorithm>
+
+#include "app/study/fidelity.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-// A point of the axis of speed that runs through the best point.
-struct AxisPoint {
-  std::size_t row = 0;
-  double speed = 0.0;   // [rad/s]
-  double life_h = 0.0;  // [h]
-};
+constexpr const char* kRangeOfSpeeds = "sweep.input.speed: ";
 
-std::size_t point_of_row(const SweepOutcome& outcome, std::size_t row) {
-  const auto& shard = outcome.header.shard;
-  return shard ? row * shard->count + shard->index - 1 : row;
+using SpeedLine = std::vector<LivedSpeed>;
+
+SpeedLine::const_iterator longest_lived(const SpeedLine& line) {
+  return std::max_element(line.begin(), line.end(), [](const LivedSpeed& one, const LivedSpeed& other) {
+    return one.life_h < other.life_h;
+  });
 }
 
-std::vector<Setting> without_speed(std::vector<Setting> settings) {
-  std::erase_if(settings, [](const Setting& setting) { return setting.first == kSpeedPath; });
-  return settings;
+void put_refined(const SpeedLine& line, LifePeak& peak) {
+  const auto best = longest_lived(line);
+  peak.refined_speed_rpm = best->rpm;
+  peak.refined_life_h = best->life_h;
+  if (best != line.begin()) peak.lower_rpm = (best - 1)->rpm;
+  if (best + 1 != line.end()) peak.upper_rpm = (best + 1)->rpm;
 }
 
-// Rows that differ from row `best` in speed alone and have a life, in ascending order of speed.
-std::vector<AxisPoint> axis_through(const ResolvedCase& resolved, const SweepOutcome& outcome,
-                                    std::size_t best) {
-  const std::vector<Setting> others = without_speed(sweep_point(resolved, point_of_row(outcome, best)));
-  std::vector<AxisPoint> axis;
-  for (std::size_t row = 0; row < outcome.rows.size(); ++row) {
-    const double life = value_of(outcome.head, outcome.rows[row], "life_h");
-    if (!(life > 0.0) || without_speed(sweep_point(resolved, point_of_row(outcome, row))) != others) continue;
-    const double rpm = value_of(outcome.head, outcome.rows[row], "input_speed_rpm");
-    axis.push_back({row, rpm * kRadiansPerSecond, life});
-  }
-  std::sort(axis.begin(), axis.end(),
-            [](const AxisPoint& a, const AxisPoint& b) { return a.speed < b.speed; });
-  return axis;
+void warn_of_ends(const SpeedLine& line, std::vector<std::string>& warnings) {
+  const auto best = longest_lived(line);
+  if (best == line.begin())
+    warnings.push_back(fmt::format(
+        "{}life falls from the lowest swept speed, {:g} rpm, on; sweep lower speeds to find where "
+        "it peaks",
+        kRangeOfSpeeds, best->rpm));
+  else if (best + 1 == line.end())
+    warnings.push_back(
+        fmt::format("{}life still rises at the highest swept speed, {:g} rpm; sweep higher speeds to find "
+                    "where it peaks",
+                    kRangeOfSpeeds, best->rpm));
 }
 
-// The best point and its neighbours.
-std::vector<AxisPoint> around(const std::vector<AxisPoint>& axis, std::size_t best_row) {
-  const auto best =
-      std::find_if(axis.begin(), axis.end(), [&](const AxisPoint& p) { return p.row == best_row; });
-  return {best == axis.begin() ? best : best - 1, best + 1 == axis.end() ? best + 1 : best + 2};
-}
-
-// Lagrange's polynomial through (x_i, y_i).
-double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    double weight = 1.0;
-    for (std::size_t j = 0; j < x.size(); ++j)
-      if (j != i) weight *= (at - x[j]) / (x[i] - x[j]);
-    sum += weight * y[i];
-  }
-  return sum;
-}
-
-// Between grid points life follows the quasi-static model, lifted by the ratio of the rows to it: smooth
-// where a dynamic life holds the scatter of its run, and the quasi-static life itself where the rows are
-// quasi-static.
-std::function<double(double)> continuous_life(const ResolvedCase& at_best,
-                                              const std::vector<AxisPoint>& near) {
-  const std::vector<study::NamedSet> sets = bearing_sets(at_best);
-  const auto quasi_static = [sets](double speed) {
-    return study::evaluate(study::at_speed(sets, speed)).life_hours;
+void warn_of_neighbours(const SpeedLine& line, bool in_motion, std::vector<std::string>& warnings) {
+  const auto best = longest_lived(line);
+  const double resolution = peak_resolution(best->rpm, in_motion);
+  const auto look_at = [&](const LivedSpeed& neighbour) {
+    if (!(neighbour.life_h > 0.0))
+      warnings.push_back(fmt::format(
+          "peak: the point beside it, at {:g} rpm, failed; life may rise further there", neighbour.rpm));
+    // Speeds are asked for in whole digits, so that halves may differ by one.
+    if (std::abs(neighbour.rpm - best->rpm) > 1.5 * resolution)
+      warnings.push_back(
+          fmt::format("peak: its speed, {:g} rpm, is known no better than to the next computed "
+                      "point, {:g} rpm",
+                      best->rpm, neighbour.rpm));
   };
-  std::vector<double> log_speed;
-  std::vector<double> log_ratio;
-  for (const AxisPoint& point : near) {
-    log_speed.push_back(std::log(point.speed));
-    log_ratio.push_back(std::log(point.life_h / quasi_static(point.speed)));
-  }
-  return [=](double speed) {
-    return quasi_static(speed) * std::exp(interpolate(log_speed, log_ratio, std::log(speed)));
-  };
+  if (best != line.begin()) look_at(*(best - 1));
+  if (best + 1 != line.end()) look_at(*(best + 1));
 }
 
-void refine(const ResolvedCase& at_best, const std::vector<AxisPoint>& near, FoundPeak& found) {
-  const study::Extremum best =
-      study::largest(continuous_life(at_best, near), near.front().speed, near.back().speed);
-  // At an end of the range, or where the search could not better the grid, the grid's own point stands.
-  const bool better = best.inside && best.value > found.peak.life_h;
-  found.peak.refined_speed_rpm = better ? best.speed / kRadiansPerSecond : found.peak.speed_rpm;
-  found.peak.refined_life_h = better ? best.value : found.peak.life_h;
-  if (!best.inside)
-    found.warnings.push_back(
-        "sweep.input.speed: life still rises at the end of the swept range; widen it to find the peak");
+// Of a sweep with more axes than speed, the one line on which points were added.
+void warn_of_other_lines(const SweepOutcome& outcome, const ResultRow& best,
+                         std::vector<std::string>& warnings) {
+  std::string place;
+  for (std::size_t i = outcome.head.first_axis; i < outcome.head.first_axis + outcome.head.axes; ++i)
+    place += fmt::format("{}{} = {:.10g}", place.empty() ? "" : ", ", outcome.head.names[i], best.values[i]);
+  if (!place.empty())
+    warnings.push_back("peak: refined on the line of speeds through the grid's best point only, at " + place);
 }
 
 }  // namespace
 
-FoundPeak find_peak(const ResolvedCase& resolved, const SweepOutcome& outcome) {
+std::vector<LivedSpeed> line_through(const TableHead& head, const std::vector<ResultRow>& rows,
+                                     const ResultRow& row) {
+  SpeedLine line;
+  for (const ResultRow& other : rows) {
+    if (!on_one_line(head, row, other)) continue;
+    const double life = value_of(head, other, "life_h");
+    line.push_back({value_of(head, other, "input_speed_rpm"), life > 0.0 ? life : 0.0});
+  }
+  std::stable_sort(line.begin(), line.end(),
+                   [](const LivedSpeed& one, const LivedSpeed& other) { return one.rpm < other.rpm; });
+  return line;
+}
+
+FoundPeak find_peak(const SweepOutcome& outcome) {
   FoundPeak found{.peak = grid_peak(outcome.head, outcome.rows)};
-  const bool speed_swept = std::any_of(resolved.axes().begin(), resolved.axes().end(),
-                                       [](const SweepAxis& axis) { return axis.path == kSpeedPath; });
-  if (!speed_swept || !(found.peak.life_h > 0.0)) return found;
-  std::size_t best_row = 0;
-  while (value_of(outcome.head, outcome.rows[best_row], "life_h") != found.peak.life_h) ++best_row;
-  const ResolvedCase at_best = resolved.with(sweep_point(resolved, point_of_row(outcome, best_row)));
-  const std::vector<AxisPoint> near = around(axis_through(resolved, outcome, best_row), best_row);
-  if (near.size() > 1) refine(at_best, near, found);
+  const ManifestHeader& header = outcome.header;
+  // A shard's best point is not the sweep's.
+  if (!(found.peak.life_h > 0.0) || header.shard) return found;
+  const auto best = std::find_if(outcome.rows.begin(), outcome.rows.end(), [&](const ResultRow& row) {
+    return !row.refined && value_of(outcome.head, row, "life_h") == found.peak.life_h;
+  });
+  const SpeedLine line = line_through(outcome.head, outcome.rows, *best);
+  if (line.size() < 2) return found;
+  warn_of_ends(line, found.warnings);
+  if (header.continued)
+    found.warnings.push_back("peak: of the grid's points; a continued sweep adds none around it");
+  if (!header.refined) return found;
+  put_refined(line, found.peak);
+  warn_of_neighbours(line, in_time(fidelity_of(header.fidelity)), found.warnings);
+  warn_of_other_lines(outcome, *best, found.warnings);
   return found;
 }
 

@@ -67,6 +67,10 @@ std::vector<double> shown_speeds(const LifeCurve& grid, double peak = std::nan("
   return speeds;
 }
 
+double best_speed_rpm(const LifePeak& peak) {
+  return std::isfinite(peak.refined_speed_rpm) ? peak.refined_speed_rpm : peak.speed_rpm;
+}
+
 Json polar(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
            const std::vector<double>& speeds_rpm) {
   Json list = Json::array();
@@ -226,15 +230,6 @@ void add_numbers_of_sweep(const SweepOutcome& outcome, Json& rows) {
   }
 }
 
-// The rows of the sweep as an outcome, so that they are shown just as after the sweep.
-SweepOutcome outcome_of(const Manifest& manifest) {
-  SweepOutcome outcome;
-  outcome.header = *manifest.header;
-  outcome.head = table_head(outcome.header.axes, outcome.header.sets);
-  for (const auto& [index, entry] : manifest.entries) outcome.rows.push_back(entry.row);
-  return outcome;
-}
-
 // Pictures show one bearing: of several sets, of the one that limits life at the peak.
 study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
   std::vector<study::NamedSet> sets = bearing_sets(resolved);
@@ -251,8 +246,8 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   const SpeedSlice slice = speed_slice(resolved);
   const LifeCurve grid = life_curve(slice.at);
   const auto [set, drivetrain, geometry] = shown_set(slice.at, grid);
-  const SweepOutcome outcome = outcome_of(manifest);
-  const FoundPeak found = find_peak(resolved, outcome);
+  const SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
+  const FoundPeak found = find_peak(outcome);
   const std::vector<double> fine = fine_speeds(grid);
   // The published numbers belong to the shipped case of this name, changed by the user or not.
   const Ledger ledger = ledger_of(resolved, read_expected(shipped_expected(resolved.text("name"))));
@@ -280,7 +275,8 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
     data["dynamic"] = {
         {"ablation",
          two_way(fidelity) ? Json::array() : dynamic_ablation(drivetrain, shown_speeds(grid), every_effect)},
-        {"quasi_static", {{"polar", polar(drivetrain, geometry, shown_speeds(grid, found.peak.speed_rpm))}}}};
+        {"quasi_static",
+         {{"polar", polar(drivetrain, geometry, shown_speeds(grid, best_speed_rpm(found.peak)))}}}};
   if (two_way(fidelity))
     data["two_way"] = two_way_report(drivetrain, grid.speed_rpm, outcome.header.fidelity);
   return data;

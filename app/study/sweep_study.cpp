@@ -15,6 +15,7 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/peak_refinement.hpp"
 #include "app/study/power_table.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "app/version.hpp"
@@ -36,11 +37,10 @@ std::string in_name(std::string_view unit) {
   return name;
 }
 
-SweepPoint point_of(const ResolvedCase& resolved, std::size_t index) {
-  const std::vector<Setting> settings = sweep_point(resolved, index);
-  SweepPoint point{.label = label_of(settings)};
+SweepPoint point_of(const ResolvedCase& resolved, std::vector<Setting> settings) {
+  SweepPoint point{.label = label_of(settings), .settings = std::move(settings)};
   try {
-    const ResolvedCase at_point = resolved.with(settings);
+    const ResolvedCase at_point = resolved.with(point.settings);
     point.input_speed = at_point.quantity(kSpeedPath);
     for (const SweepAxis& axis : resolved.axes())
       if (axis.path != kSpeedPath) point.axis_values.push_back(axis_value(at_point, axis.path));
@@ -50,11 +50,18 @@ SweepPoint point_of(const ResolvedCase& resolved, std::size_t index) {
   return point;
 }
 
-study::PointResult compute_point(const ResolvedCase& resolved, std::size_t index, study::Fidelity fidelity) {
-  return study::evaluate(bearing_sets(resolved.with(sweep_point(resolved, index))), fidelity);
+}  // namespace
+
+SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> settings, double rpm) {
+  for (auto& [path, value] : settings)
+    if (path == kSpeedPath) value = fmt::format("{} rpm", rpm);
+  return point_of(resolved, std::move(settings));
 }
 
-}  // namespace
+study::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
+                                 study::Fidelity fidelity) {
+  return study::evaluate(bearing_sets(resolved.with(settings)), fidelity);
+}
 
 SweptAxis axis_column(const std::string& path) {
   const Field& field = *find_field(path);
@@ -102,14 +109,18 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
     throw BadInput(resolved.file() +
                    ": sets: found no set with a bearing; required: at least one, for its life");
   SweepRequest request;
-  for (std::size_t i = 0; i < sweep_size(resolved); ++i) request.points.push_back(point_of(resolved, i));
+  for (std::size_t i = 0; i < sweep_size(resolved); ++i)
+    request.points.push_back(point_of(resolved, sweep_point(resolved, i)));
   request.header = manifest_header(resolved, fidelity, request.points.size());
   for (const SweepAxis& axis : resolved.axes())
     if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
   request.header.sets = bearing_set_names(resolved);
   request.resolved_case = write_resolved(resolved);
   const study::Fidelity level = fidelity_of(fidelity);
-  request.evaluate = [resolved, level](std::size_t index) { return compute_point(resolved, index, level); };
+  request.evaluate = [resolved, level](std::size_t index) {
+    return compute_point(resolved, sweep_point(resolved, index), level);
+  };
+  name_resonances(resolved, request);
   return request;
 }
 
@@ -132,7 +143,8 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
   if (!mistakes.empty()) throw BadInput(mistakes);
   request.header.continued = direction;
   request.evaluate_from = [resolved](std::size_t index, const Eigen::VectorXd& start) {
-    if (start.size() == 0) return compute_point(resolved, index, study::Fidelity::dynamic);
+    if (start.size() == 0)
+      return compute_point(resolved, sweep_point(resolved, index), study::Fidelity::dynamic);
     const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.with(sweep_point(resolved, index)));
     return study::evaluate_from(drivetrain, study::derive(drivetrain), start);
   };
@@ -165,7 +177,7 @@ const std::string& first_failure(const SweepOutcome& outcome) {
 }  // namespace
 
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, bool json, bool quiet) {
-  const FoundPeak found = find_peak(resolved, outcome);
+  const FoundPeak found = find_peak(outcome);
   const std::vector<std::string> warnings = sweep_warnings(resolved, outcome, found);
   if (json) {
     nlohmann::ordered_json object =

@@ -11,9 +11,17 @@
 
 namespace orbearing::app {
 
-/// The sweep of `resolved`, or its one operating point where the case has no sweep; folder, jobs and the like
-/// are left to the caller. Throws BadInput where the case's model has no sweep.
+/// The grid of the sweep of `resolved`, or its one operating point where the case has no sweep; folder, jobs
+/// and the like, and whether the peak is refined, are left to the caller. Throws BadInput where the case's
+/// model has no sweep.
 SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fidelity);
+
+/// Its point at another speed [rpm] on the line of speeds of the point that `settings` make.
+SweepPoint point_at_rpm(const ResolvedCase& resolved, std::vector<Setting> settings, double rpm);
+
+/// Computes the operating point that `settings` make of the case.
+study::PointResult compute_point(const ResolvedCase& resolved, const std::vector<Setting>& settings,
+                                 study::Fidelity fidelity);
 
 /// What the manifest of `resolved` says first, for `points` points computed as `fidelity` names.
 ManifestHeader manifest_header(const ResolvedCase& resolved, const std::string& fidelity,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/case/resolved_case.hpp"
 #include "app/study/life_peak.hpp"
 
 namespace orbearing::app {

@@ -27,7 +27,7 @@ def memory_of(call):
 class Memory(unittest.TestCase):
     def measure(self, name, grid):
         with tempfile.TemporaryDirectory() as place:
-            used, code = memory_of(sweep_call(Path(place, name), "--fidelity", "dynamic", "--jobs", "2", grid=grid))
+            used, code = memory_of(sweep_call(Path(place, name), "--fidelity", "dynamic", "--jobs", "2", "--grid-only", grid=grid))
         self.assertEqual(code, 0)
         return used
 

@@ -157,7 +157,7 @@ class SweepFolder(unittest.TestCase):
         self.assertEqual(run(sweep_call(folder, "--resume")).returncode, 0)
 
     def test_grid_is_that_of_the_case(self):
-        rows = table(self.finished()).decode().splitlines()
+        rows = table(self.finished("finished", "--grid-only")).decode().splitlines()
         self.assertEqual(len(rows), 24, COARSE)
         self.assertEqual([row.split(",")[0] for row in rows[1:4]], ["1000", "1500", "2000"])
 

@@ -50,7 +50,8 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "shortest_life_planet",
                                            "largest_load_share",
                                            "interface_energy_residual",
-                                           "interface_window_us"};
+                                           "interface_window_us",
+                                           "refined"};
 
 study::PointResult at_6000_rpm() {
   study::PointResult result = fake_sweep::fake_result(0);
@@ -62,9 +63,9 @@ std::uint64_t bits_of(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
-std::string commas_after_status() {
+std::string cells_after_status() {
   const TableHead head = table_head({});
-  return std::string(head.names.size() - 1 - head.status_place, ',');
+  return std::string(head.names.size() - 1 - head.status_place, ',') + "false";
 }
 
 TEST(ResultRow, ColumnsStandInThePromisedOrderAndAxesFollow) {
@@ -111,9 +112,9 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   const TableHead head = table_head({{"axis", "1", ""}});
   const std::vector<double> expected = {0,  1,  2,  3,   4, 6,  7,  10,  11,  8,  12, 14, 15,
                                         16, 9,  13, -1,  5, 20, 18, 19,  255, 1,  2,  4,  8,
-                                        16, 32, 64, 128, 1, 21, 2,  1.5, 23,  24, 17};
+                                        16, 32, 64, 128, 1, 21, 2,  1.5, 23,  24, -1, 17};
   for (std::size_t i = 0; i < expected.size(); ++i)
-    if (i != head.status_place) {
+    if (i != head.status_place && i != head.refined_place) {
       EXPECT_EQ(row.values.at(i), expected[i]) << head.names[i];
     }
 }
@@ -183,7 +184,7 @@ TEST(RowText, CsvQuotesTextAndLeavesMissingValuesEmpty) {
   study::PointResult result = at_6000_rpm();
   result.status = "no \"balance\", found";
   EXPECT_EQ(csv_line(table_head({}), result_row(result, {})),
-            "6000,,,,,,,,,,,,,,,,\"no \"\"balance\"\", found\"" + commas_after_status() + "\n");
+            "6000,,,,,,,,,,,,,,,,\"no \"\"balance\"\", found\"" + cells_after_status() + "\n");
   EXPECT_EQ(csv_head({{"a", "status"}, 1}), "a,status\n");
 }
 
@@ -202,7 +203,9 @@ TEST(RowText, JsonGivesBackEveryBit) {
     for (std::size_t place = 0; place < head.names.size(); ++place) {
       bits = bits * 6364136223846793005ULL + 1442695040888963407ULL;
       const auto value = std::bit_cast<double>(bits);
-      row.values.push_back(std::isfinite(value) && place != head.status_place ? value : std::nan(""));
+      row.values.push_back(std::isfinite(value) && place != head.status_place && place != head.refined_place
+                               ? value
+                               : std::nan(""));
     }
     const std::string text = row_json(head, row).dump();
     const ResultRow again = row_from_json(head, nlohmann::ordered_json::parse(text));

@@ -60,8 +60,9 @@ TEST(LifeChart, LabelsItsAxesAndTellsThePeak) {
   peak.refined_life_h = 50000.0;
   peak.refined_speed_rpm = 1050.4;
   const std::string chart = life_chart(head, rows, peak, Glyphs::braille);
-  for (const char* part : {"life [h]", "[rpm]", "1000", "●", "between grid points 50000 h at 1050.4 rpm",
-                           "1 of 60 points have no life and are not shown"})
+  for (const char* part :
+       {"life [h]", "[rpm]", "1000", "●", "longest life: 50000 h at 1050.4 rpm; of the grid's",
+        "1 of 60 points have no life and are not shown"})
     EXPECT_THAT(chart, HasSubstr(part));
 }
 
@@ -111,6 +112,22 @@ TEST(SweepTable, ShowsUnitsAndTheReasonOfAFailure) {
   EXPECT_THAT(table, HasSubstr("[Mrev]"));
   EXPECT_THAT(table, HasSubstr("no balance"));
   EXPECT_THAT(table, Not(HasSubstr("one row in")));
+}
+
+TEST(SweepTable, AddedPointsAreMarkedAndOfManyThePeakIsShown) {
+  const TableHead head = table_head({}, {}, true);
+  std::vector<ResultRow> rows = fake_rows(60);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].refined = i % 5 != 0;
+    add_resonance(Resonance{"planet", "P1", 5093.5, 2, 635.0}, rows[i]);
+  }
+  const std::string few = sweep_table(head, {rows.begin(), rows.begin() + 7});
+  EXPECT_THAT(few, HasSubstr("added"));
+  EXPECT_THAT(few, HasSubstr("2 x P1 at 6064 rpm"));
+  const std::string many = sweep_table(head, rows);
+  EXPECT_THAT(many,
+              HasSubstr("47 points added around the peak are not shown; all of them stand in sweep.csv"));
+  EXPECT_EQ(std::count(many.begin(), many.end(), '\n'), 12 + 1 + 3) << many;
 }
 
 TEST(SweepTable, LongSweepIsThinnedAndSaysSo) {

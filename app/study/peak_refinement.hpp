@@ -1,0 +1,16 @@
+// What a sweep adds to its grid: the points that refine its peak, and the nearest resonance of each.
+#pragma once
+
+#include "app/case/resolved_case.hpp"
+#include "app/results/sweep_run.hpp"
+
+namespace orbearing::app {
+
+/// Makes the rows of `request` name their nearest resonance where the bearings' motion feels one.
+void name_resonances(const ResolvedCase& resolved, SweepRequest& request);
+
+/// Makes `request` add points on the line of speeds through the grid's best point until its peak is known.
+/// Nothing where fewer than two speeds are swept.
+void refine_peak_of(const ResolvedCase& resolved, SweepRequest& request);
+
+}  // namespace orbearing::app

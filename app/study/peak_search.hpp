@@ -1,0 +1,32 @@
+// Which speeds a sweep adds to its grid until the speed of the longest life is known.
+#pragma once
+
+#include <vector>
+
+namespace orbearing::app {
+
+/// A speed at which life was computed.
+struct LivedSpeed {
+  double rpm = 0.0;     // [rpm]
+  double life_h = 0.0;  // [h]  0 where the point failed
+};
+
+/// What the curve of life may look like.
+struct PeakSearch {
+  /// Life by motion in time: it dips where the gears resonate, so that several maxima may stand side by side,
+  /// and repeats to about a percent only. Otherwise it is smooth.
+  bool in_motion = false;
+  std::vector<double> resonances_rpm;  // [rpm]  where dips are expected
+};
+
+/// How near its neighbours must stand for the speed of the peak to be known [rpm]: 10 rpm in motion and 2 rpm
+/// otherwise, at low speeds a two-hundredth or a thousandth of the speed.
+double peak_resolution(double rpm, bool in_motion);
+
+/// The speeds [rpm] to be computed next, ascending, when those of `done` are (ascending; in one line of a
+/// sweep). None where the peak is known: the longest life has a neighbour within `peak_resolution` on each
+/// side, or stands at an end of the range; and no stretch is left unseen in which a curve with resonances
+/// could rise above it (docs/peak.md). Depends on its arguments alone; never leaves the range of `done`.
+std::vector<double> next_speeds(const std::vector<LivedSpeed>& done, const PeakSearch& search);
+
+}  // namespace orbearing::app

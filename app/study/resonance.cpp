@@ -1,0 +1,141 @@
+#include "app/study/resonance.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/study/drivetrain_case.hpp"
+#include "app/study/gear_case.hpp"
+#include "app/study/gear_output.hpp"
+#include "app/units.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using gearset::dynamics::Mode;
+using gearset::dynamics::ModeKind;
+
+constexpr int kMetHarmonics = 4;     // with four planets each kind of mode has a harmonic among these
+constexpr double kStillMode = 1e-3;  // of the largest frequency: a mode below is a free rotation
+constexpr double kBeyond = 1.25;     // a point near an end of the range may have its resonance outside
+constexpr int kSpeedsOfModes = 13;   // natural frequencies change little with speed, and smoothly
+
+// Modes of one kind at one frequency of the set at rest. At speed a group of several splits.
+int group_size(ModeKind kind, int planets) {
+  if (kind == ModeKind::rotational) return 1;
+  return kind == ModeKind::translational ? 2 : std::max(1, planets - 3);
+}
+
+const char* letter_of_kind(ModeKind kind) {
+  if (kind == ModeKind::rotational) return "R";
+  return kind == ModeKind::translational ? "T" : "P";
+}
+
+// Eq. (14) of gearset/dynamics/README.md; with planets that differ it is a rule no more.
+ModeKind excited_kind(int order, int sun_teeth, int planets) {
+  const int component = order * sun_teeth % planets;
+  if (component == 0) return ModeKind::rotational;
+  return component == 1 || component == planets - 1 ? ModeKind::translational : ModeKind::planet;
+}
+
+const NamedFrequency* same_mode(const NamedFrequency& mode, const ModesAtSpeed& point) {
+  const auto found = std::find_if(point.modes.begin(), point.modes.end(), [&](const NamedFrequency& other) {
+    return other.kind == mode.kind && other.rank == mode.rank;
+  });
+  return found == point.modes.end() ? nullptr : &*found;
+}
+
+std::vector<ModesAtSpeed> modes_between(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
+  std::vector<ModesAtSpeed> points;
+  const double low = lowest_rpm / kBeyond, high = highest_rpm * kBeyond;
+  for (int i = 0; i < kSpeedsOfModes; ++i) try {
+      points.push_back(modes_at_rpm(resolved, std::lerp(low, high, double(i) / (kSpeedsOfModes - 1))));
+    } catch (const std::runtime_error&) {
+      continue;  // no balance of the bearing there; its point of the sweep, if there is one, says so
+    }
+  return points;
+}
+
+Resonance resonance_of(const Meeting& meeting) {
+  return {.kind = kind_name(meeting.mode.kind),
+          .mode = meeting.mode.name,
+          .frequency = meeting.mode.frequency,
+          .harmonic = meeting.order,
+          .speed = meeting.rpm * kRadiansPerSecond};
+}
+
+}  // namespace
+
+std::string mode_name(ModeKind kind, int rank, int planets) {
+  return fmt::format("{}{}", letter_of_kind(kind), rank / group_size(kind, planets) + 1);
+}
+
+std::vector<NamedFrequency> named_frequencies(const std::vector<Mode>& modes, int planets) {
+  std::vector<NamedFrequency> list;
+  std::map<ModeKind, int> rank;
+  for (const Mode& mode : modes) {
+    if (mode.frequency <= kStillMode * modes.back().frequency) continue;
+    for (int i = 0; i < mode.multiplicity; ++i) {
+      const int place = rank[mode.kind]++;
+      list.push_back({mode_name(mode.kind, place, planets), mode.kind, place, mode.frequency});
+    }
+  }
+  return list;
+}
+
+ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
+  const gearset::dynamics::SetModel model =
+      gear_model_of(resolved.with("input.speed", fmt::format("{:.17g} rpm", rpm)));
+  return {rpm, model.operation.mesh_frequency,
+          named_frequencies(modes_at_speed(model), model.parameters.planets)};
+}
+
+std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, int sun_teeth, int planets) {
+  std::vector<Meeting> list;
+  for (int order = 1; order <= kMetHarmonics; ++order)
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      for (const NamedFrequency& mode : points[i].modes) {
+        const NamedFrequency* next = same_mode(mode, points[i + 1]);
+        if (!next) continue;
+        const double before = order * points[i].mesh_frequency - mode.frequency;
+        const double after = order * points[i + 1].mesh_frequency - next->frequency;
+        if (before > 0.0 || after <= 0.0) continue;
+        const double share = before / (before - after);
+        Meeting meeting{order, mode, std::lerp(points[i].rpm, points[i + 1].rpm, share),
+                        excited_kind(order, sun_teeth, planets) == mode.kind};
+        meeting.mode.frequency = std::lerp(mode.frequency, next->frequency, share);
+        list.push_back(std::move(meeting));
+      }
+  return list;
+}
+
+bool has_resonances(const ResolvedCase& resolved) {
+  const CaseShape& shape = resolved.shape();
+  return resolved.model() == planetary_drivetrain && !shape.several && shape.teeth && shape.bearing &&
+         resolved.flag("gearset.mesh_variation");
+}
+
+std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
+  const gearset::PlanetarySet set = drivetrain_of(resolved).set;
+  std::vector<Resonance> list;
+  for (const Meeting& meeting :
+       meetings(modes_between(resolved, lowest_rpm, highest_rpm), set.sun_teeth, set.planets))
+    if (meeting.excited) list.push_back(resonance_of(meeting));
+  std::sort(list.begin(), list.end(),
+            [](const Resonance& one, const Resonance& other) { return one.speed < other.speed; });
+  return list;
+}
+
+std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, double speed) {
+  const auto found = std::min_element(resonances.begin(), resonances.end(),
+                                      [&](const Resonance& one, const Resonance& other) {
+                                        return std::abs(one.speed - speed) < std::abs(other.speed - speed);
+                                      });
+  if (found == resonances.end()) return std::nullopt;
+  return *found;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,61 @@
+// Where harmonics of the mesh frequency meet natural frequencies of a gear set.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/results/result_row.hpp"
+#include "gearset/dynamics/modes.hpp"
+
+namespace orbearing::app {
+
+/// A vibrating mode by the name under which it is shown.
+struct NamedFrequency {
+  std::string name;  // "T1": the lowest translational pair of the set at rest; at speed a pair splits
+  gearset::dynamics::ModeKind kind = gearset::dynamics::ModeKind::rotational;
+  int rank = 0;            // among the vibrating modes of its kind
+  double frequency = 0.0;  // [Hz]
+};
+
+/// Name of the mode with that rank in its kind.
+std::string mode_name(gearset::dynamics::ModeKind kind, int rank, int planets);
+
+/// The modes of a set less its free rotations, ascending as given.
+std::vector<NamedFrequency> named_frequencies(const std::vector<gearset::dynamics::Mode>& modes, int planets);
+
+/// Natural frequencies and mesh frequency at one speed.
+struct ModesAtSpeed {
+  double rpm = 0.0;             // [rpm]  of the driving member
+  double mesh_frequency = 0.0;  // [Hz]
+  std::vector<NamedFrequency> modes;
+};
+
+/// The modes of a case of one set with teeth, in the carrier's frame at that speed [rpm].
+ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm);
+
+/// A meeting of a harmonic and a mode.
+struct Meeting {
+  int order = 0;
+  NamedFrequency mode;   // frequency: where they meet
+  double rpm = 0.0;      // [rpm]
+  bool excited = false;  // whether the meshes of equal planets can excite it; Eq. (14) of gearset/dynamics
+};
+
+/// All meetings of harmonics 1 to 4 between the first and the last of `points`, on straight lines between
+/// neighbours; by order, then by speed.
+std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, int sun_teeth, int planets);
+
+/// Whether the motion of a case's bearings feels resonances of its gears: one set with bearings, whose meshes
+/// vary. Several sets have no gear dynamics yet.
+bool has_resonances(const ResolvedCase& resolved);
+
+/// Resonances that the meshes excite between two speeds [rpm] and a quarter beyond, ascending; without a
+/// speed at which the bearings carry no load. The case without its sweep.
+std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm);
+
+/// The one nearest to a speed [rad/s]; none of none.
+std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, double speed);
+
+}  // namespace orbearing::app
