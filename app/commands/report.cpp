@@ -70,7 +70,7 @@ void draw_page(const fs::path& folder) {
   fs::remove(folder / data_name, ignored);
   throw ComputationFailed((folder / page_name).string() + ": was not drawn; " +
                           (code == kNotStarted
-                               ? std::string(python) +
+                               ? std::string(python_program) +
                                      " is required, with matplotlib and netCDF4 (Debian: python3-matplotlib "
                                      "python3-netcdf4)"
                                : std::string("the message above says why")));
