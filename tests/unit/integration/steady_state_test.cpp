@@ -5,7 +5,7 @@
 
 #include "coupling/study/two_way.hpp"
 
-namespace orbearing::integration::steady_test {
+namespace orbearing::integration::steady_state_test {
 namespace {
 
 using bearing::dynamics::WindowStatistics;
@@ -98,4 +98,4 @@ TEST(Pooled, MeansAndExtremesOfSeveralBearings) {
 }
 
 }  // namespace
-}  // namespace orbearing::integration::steady_test
+}  // namespace orbearing::integration::steady_state_test
