@@ -129,7 +129,10 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.profile.k1",
                     .kind = Kind::number,
                     .meaning = "fujiwara-kawase: K1, factor of the design load; left out: 1",
-                    .use = of_profile("fujiwara-kawase").when(where_given({"bearing.profile.design_load"})),
+                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::static_load,
+                               use::crown | use::bearings_as_springs | use::mesh)  // crown varies the depth
+                               .when(where("bearing.profile.kind", {"fujiwara-kawase"}))
+                               .when(where_given({"bearing.profile.design_load"})),
                     .range = {.least = 0.0, .most = 1000.0, .least_allowed = false}});
   fields.push_back({.path = "bearing.profile.k2",
                     .kind = Kind::number,

@@ -12,11 +12,6 @@ const Use& by_static_load() {
   return use;
 }
 
-// What a modified life asks: a film, stated in either way.
-Use of_film() {
-  return by_static_load().when(where_given({"life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
-}
-
 Field optional_quantity(const Dimension& dimension, std::string path, std::string meaning, unsigned models,
                         Range range) {
   return {.path = std::move(path),
@@ -72,7 +67,6 @@ void add_capacities(std::vector<Field>& fields) {
   fields.push_back(optional_quantity(dimension::force, "bearing.fatigue_load_limit",
                                      "fatigue load limit C_u; without it that of ISO 281 by C_0",
                                      single_bearing, above_zero));
-  fields.back().use = of_film();
 }
 
 void add_loads(std::vector<Field>& fields) {

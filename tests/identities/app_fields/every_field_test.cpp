@@ -84,16 +84,23 @@ class EveryField : public testing::TestWithParam<Subject> {
     return settings;
   }
 
-  Verdict judge(const Input& input, const std::vector<std::string>& beside, const std::string& value) {
+  // Settings of the changed case: those of the case that it is compared with, and the change.
+  std::vector<std::string> changed(const Input& input, const std::vector<std::string>& beside,
+                                   const Change& change) const {
     std::vector<std::string> settings = beside;
-    settings.push_back(input.path + "=" + value);
+    for (const std::string& setting : change.together) settings.push_back(in_set(setting));
+    settings.push_back(input.path + "=" + change.value);
+    return settings;
+  }
+
+  Verdict judge(const Input& input, const std::vector<std::string>& beside, const Change& change) {
     Verdict verdict;
     try {
-      const ResolvedCase changed = case_of(base(), settings);
-      for (const std::string& warning : require_used(changed, GetParam().analysis))
+      const ResolvedCase other = case_of(base(), changed(input, beside, change));
+      for (const std::string& warning : require_used(other, GetParam().analysis))
         if (warning.starts_with(input.path + ":")) verdict.text += warning;
       verdict.warned = !verdict.text.empty();
-      verdict.changed = result_of(changed, GetParam().analysis) != reference(beside);
+      verdict.changed = result_of(other, GetParam().analysis) != reference(beside);
     } catch (const BadInput& refusal) {
       verdict.refused = true;
       verdict.text = refusal.what();
@@ -102,10 +109,8 @@ class EveryField : public testing::TestWithParam<Subject> {
   }
 
   Standing row_standing(const Input& input, const std::vector<std::string>& beside,
-                        const std::string& value) const {
-    std::vector<std::string> settings = beside;
-    settings.push_back(input.path + "=" + value);
-    return standing_of(case_of(base(), settings), input, GetParam().analysis);
+                        const Change& change) const {
+    return standing_of(case_of(base(), changed(input, beside, change)), input, GetParam().analysis);
   }
 
   const Base& base() const { return *GetParam().base; }
@@ -162,8 +167,7 @@ TEST_P(EveryField, ChangesTheResultOrIsToldOf) {
     const Change change = change_of(*input.field, plain, input.path);
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
     ASSERT_FALSE(change.value.empty()) << "no other value is known; add one to stated_changes()";
-    expect(row_standing(input, beside(change), change.value), judge(input, beside(change), change.value),
-           count);
+    expect(row_standing(input, beside(change), change), judge(input, beside(change), change), count);
   }
   std::cout << fmt::format("pairs: {} used, {} refused, {} warned, {} not felt by nature\n", count.used,
                            count.refused, count.warned, count.by_nature);
@@ -179,7 +183,7 @@ TEST_P(EveryField, WithoutItsConditionIsToldOf) {
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
     const Change change = change_of(*input.field, plain, input.path);
     SCOPED_TRACE(input.path + "=" + change.value + ", " + analysis_name(GetParam().analysis));
-    const Verdict verdict = judge(input, {}, change.value);
+    const Verdict verdict = judge(input, {}, change);
     if (verdict.changed && !verdict.warned) continue;  // its condition holds in the plain case
     EXPECT_TRUE(verdict.refused || (verdict.warned && !verdict.changed)) << verdict.text;
     ++tried;

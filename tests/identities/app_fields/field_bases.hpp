@@ -33,7 +33,12 @@ inline const std::string kBearing = R"(bearing:
   bore: 25 mm
   outside_diameter: 47 mm
   width: 11.9 mm
-  cage: {inner_diameter: 33.44 mm, outer_diameter: 38.54 mm, width: 9 mm, density: 1310 kg/m3}
+  cage:
+    inner_diameter: 33.44 mm
+    outer_diameter: 38.54 mm
+    width: 9 mm
+    density: 1310 kg/m3
+    guide_land_diameter: 38.88 mm
 )";
 
 inline const std::string kDrivetrain = R"(name: all fields
@@ -118,7 +123,8 @@ inline const std::vector<Base>& bases() {
 /// Another value of a field, and what must stand beside it so that it counts.
 struct Change {
   std::string value;
-  std::vector<std::string> beside{};
+  std::vector<std::string> beside{};    // in the case that it is compared with as well
+  std::vector<std::string> together{};  // with the value alone
 };
 
 /// Values that no rule finds. Paths without the set's prefix.
@@ -174,6 +180,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.dynamics.transmission_error.sun", {"[0 um, 3 um, 1 um]"}},
       {"gearset.dynamics.transmission_error.ring", {"[0 um, 3 um, 1 um]"}},
       {"bearing.cage.outer_diameter", {"38.2 mm"}},
+      {"bearing.cage.guidance", {"inner", {}, {"bearing.cage.guide_land_diameter=33 mm"}}},
       {"bearing.cage.guide_land_diameter", {"39 mm", {land}}},
       {"bearing.cage.guidance_film", {"as-printed", {land}}},
       {"bearing.cage.largest_eccentricity", {"0.1", {land}}},
