@@ -36,7 +36,7 @@ class ResultFolder {
                OpenMode mode);
 
   /// No folder: rows are kept in memory, and nothing is written.
-  explicit ResultFolder(const ManifestHeader& header) : head_(table_head(header.axes, header.sets)) {}
+  explicit ResultFolder(const ManifestHeader& header) : header_(header), head_(head_of(header)) {}
 
   /// Points that stand whole in the folder, by number.
   const std::map<std::size_t, ManifestEntry>& finished() const { return finished_; }

@@ -188,9 +188,7 @@ void compute_chains(const SweepRequest& request, ResultFolder& folder) {
   }
 }
 
-std::string interrupted(const SweepRequest& request, std::size_t done) {
-  const std::string found =
-      fmt::format("interrupted with {} of {} points done", done, request.header.own_points());
+std::string interrupted(const SweepRequest& request, const std::string& found) {
   if (request.folder.empty()) return found + "; nothing of it is kept without --output";
   return fmt::format("{}: {}; go on with --resume", request.folder.string(), found);
 }
@@ -220,12 +218,14 @@ SweepOutcome run_sweep(const SweepRequest& request) {
   else
     compute_missing(request, folder);
   if (const std::size_t missing = missing_points(request, folder).size(); missing > 0)
-    throw ComputationFailed(interrupted(request, request.header.own_points() - missing));
+    throw ComputationFailed(interrupted(
+        request, fmt::format("interrupted with {} of {} points done", request.header.own_points() - missing,
+                             request.header.own_points())));
   if (request.refinement && request.header.refined && !request.header.shard && !refine_peak(request, folder))
-    throw ComputationFailed(fmt::format(
-        "{}: interrupted while the peak was refined, with {} points added to the {} of the grid; "
-        "go on with --resume",
-        request.folder.string(), folder.finished().size() - request.header.points, request.header.points));
+    throw ComputationFailed(interrupted(
+        request,
+        fmt::format("interrupted while the peak was refined, with {} points added to the {} of the grid",
+                    folder.finished().size() - request.header.points, request.header.points)));
   folder.write_table();
   return outcome_of(request.header, folder, kept);
 }
