@@ -20,8 +20,10 @@ using gearset::dynamics::ModeKind;
 
 constexpr int kMetHarmonics = 4;     // with four planets each kind of mode has a harmonic among these
 constexpr double kStillMode = 1e-3;  // of the largest frequency: a mode below is a free rotation
-constexpr double kBeyond = 1.25;     // a point near an end of the range may have its resonance outside
-constexpr int kSpeedsOfModes = 13;   // natural frequencies change little with speed, and smoothly
+constexpr double kNear = 1.5;        // a resonance at a speed further off by this factor is not near
+// Ratio of neighbouring speeds at which modes are computed: natural frequencies change little with speed, and
+// smoothly. The speeds are powers of it [rpm], the same in every sweep, so that a point has one resonance.
+constexpr double kSpeedRatio = 1.2;
 
 // Modes of one kind at one frequency of the set at rest. At speed a group of several splits.
 int group_size(ModeKind kind, int planets) {
@@ -50,9 +52,10 @@ const NamedFrequency* same_mode(const NamedFrequency& mode, const ModesAtSpeed& 
 
 std::vector<ModesAtSpeed> modes_between(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
   std::vector<ModesAtSpeed> points;
-  const double low = lowest_rpm / kBeyond, high = highest_rpm * kBeyond;
-  for (int i = 0; i < kSpeedsOfModes; ++i) try {
-      points.push_back(modes_at_rpm(resolved, std::lerp(low, high, double(i) / (kSpeedsOfModes - 1))));
+  const double first = std::floor(std::log(lowest_rpm / kNear) / std::log(kSpeedRatio));
+  const double last = std::ceil(std::log(highest_rpm * kNear) / std::log(kSpeedRatio));
+  for (double power = first; power <= last; power += 1.0) try {
+      points.push_back(modes_at_rpm(resolved, std::pow(kSpeedRatio, power)));
     } catch (const std::runtime_error&) {
       continue;  // no balance of the bearing there; its point of the sweep, if there is one, says so
     }
@@ -134,7 +137,8 @@ std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, doubl
                                       [&](const Resonance& one, const Resonance& other) {
                                         return std::abs(one.speed - speed) < std::abs(other.speed - speed);
                                       });
-  if (found == resonances.end()) return std::nullopt;
+  if (found == resonances.end() || found->speed > kNear * speed || kNear * found->speed < speed)
+    return std::nullopt;
   return *found;
 }
 

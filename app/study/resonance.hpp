@@ -51,11 +51,12 @@ std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, int sun_t
 /// vary. Several sets have no gear dynamics yet.
 bool has_resonances(const ResolvedCase& resolved);
 
-/// Resonances that the meshes excite between two speeds [rpm] and a quarter beyond, ascending; without a
-/// speed at which the bearings carry no load. The case without its sweep.
+/// Resonances that the meshes excite between two speeds [rpm] and half as much beyond, ascending. Found by
+/// the modes at fixed speeds, of which those are left out at which the bearings find no balance. The case
+/// without its sweep.
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm);
 
-/// The one nearest to a speed [rad/s]; none of none.
+/// The one nearest to a speed [rad/s]; none where none is within a factor of one and a half.
 std::optional<Resonance> nearest(const std::vector<Resonance>& resonances, double speed);
 
 }  // namespace orbearing::app
