@@ -53,6 +53,30 @@ double shortest_life(const PointResult& result) {
   return result.planets.empty() ? not_given : shortest_lived(result)->life_hours;
 }
 
+using gearset::dynamics::AffineBearing;
+using study::OneWayRecord;
+
+// What stood for the bearings in gears that drive one of them.
+Column fit_column(const std::string& name, const std::string& units, const std::string& meaning,
+                  double (*part)(const OneWayRecord&)) {
+  return {"one_way_" + name, "one_way_" + name, units, meaning, 1.0, [part](const PointResult& r) {
+            return r.dynamic && r.dynamic->one_way ? part(*r.dynamic->one_way) : not_given;
+          }};
+}
+
+// Of the law: force - stiffness x displacement - damping x velocity of a planet on all its bearings.
+Column law_column(const std::string& name, const std::string& units, double (*part)(const AffineBearing&)) {
+  const std::string variable = "one_way_" + name.substr(0, name.find("_N"));
+  return {"one_way_" + name,
+          variable,
+          units,
+          "fitted law of all bearings of a planet: " + variable,
+          1.0,
+          [part](const PointResult& r) {
+            return r.dynamic && r.dynamic->one_way ? part(r.dynamic->one_way->bearing) : not_given;
+          }};
+}
+
 }  // namespace
 
 const std::vector<Column>& leading_columns() {
@@ -141,7 +165,27 @@ const std::vector<Column>& trailing_columns() {
        "energy that the exchange of gears and bearings made or lost, over that which passed", 1.0,
        [](const PointResult& r) { return r.two_way ? r.two_way->energy_residual : not_given; }},
       {"interface_window_us", "interface_window", "s", "mean time between two exchanges; 0: one system",
-       microseconds, [](const PointResult& r) { return r.two_way ? r.two_way->window : not_given; }}};
+       microseconds, [](const PointResult& r) { return r.two_way ? r.two_way->window : not_given; }},
+      fit_column("runs", "1", "runs of gears and bearing until the law between them was found",
+                 [](const OneWayRecord& fit) { return double(fit.runs); }),
+      fit_column("accepted", "1", "1: the law stayed from one run to the next; 0: it still changed",
+                 [](const OneWayRecord& fit) { return fit.accepted ? 1.0 : 0.0; }),
+      fit_column("residual", "1", "share of the bearing force at mesh harmonics that the law leaves",
+                 [](const OneWayRecord& fit) { return fit.residual; }),
+      fit_column("stiffness_change", "1", "change of the stiffness in the last run",
+                 [](const OneWayRecord& fit) { return fit.stiffness_change; }),
+      fit_column("damping_change", "1", "change of the damping in the last run",
+                 [](const OneWayRecord& fit) { return fit.damping_change; }),
+      law_column("stiffness_xx_N_per_m", "N m-1", [](const AffineBearing& b) { return b.stiffness(0, 0); }),
+      law_column("stiffness_xy_N_per_m", "N m-1", [](const AffineBearing& b) { return b.stiffness(0, 1); }),
+      law_column("stiffness_yx_N_per_m", "N m-1", [](const AffineBearing& b) { return b.stiffness(1, 0); }),
+      law_column("stiffness_yy_N_per_m", "N m-1", [](const AffineBearing& b) { return b.stiffness(1, 1); }),
+      law_column("damping_xx_N_s_per_m", "N s m-1", [](const AffineBearing& b) { return b.damping(0, 0); }),
+      law_column("damping_xy_N_s_per_m", "N s m-1", [](const AffineBearing& b) { return b.damping(0, 1); }),
+      law_column("damping_yx_N_s_per_m", "N s m-1", [](const AffineBearing& b) { return b.damping(1, 0); }),
+      law_column("damping_yy_N_s_per_m", "N s m-1", [](const AffineBearing& b) { return b.damping(1, 1); }),
+      law_column("force_x_N", "N", [](const AffineBearing& b) { return b.force.x(); }),
+      law_column("force_y_N", "N", [](const AffineBearing& b) { return b.force.y(); })};
   return columns;
 }
 

@@ -3,6 +3,7 @@
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
+#include "coupling/study/bearing_tangent.hpp"
 
 namespace orbearing::app {
 

@@ -53,6 +53,14 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
         "simulation.most_revolutions: the means still drifted when they were taken; allow more "
         "revolutions: " +
         drifting);
+  const std::string unsettled =
+      rows_where(outcome, [&](const ResultRow& row) { return column(row, "one_way_accepted") == 0.0; });
+  if (!unsettled.empty())
+    warnings.push_back(
+        "one way: stiffness and damping that stand for the bearings in the gears still changed from one run "
+        "to "
+        "the next (columns one_way_...); --fidelity monolithic needs none: " +
+        unsettled);
   return warnings;
 }
 

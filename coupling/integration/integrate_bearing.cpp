@@ -48,13 +48,17 @@ class Interpolation {
 // The loads of the state that waits for its weight.
 struct Waiting {
   State state, inner, outer;
-  double step_before = 0.0;
+  double time = 0.0, step_before = 0.0;
+  Eigen::Vector2d bore_force = Eigen::Vector2d::Zero();
   State inner_approach, outer_approach, tip;  // of contacts cut into laminae
 
-  void take(const State& x, const bearing::fast::ContactLoads& loads, double step) {
+  void take(double now, const State& x, const VectorBearing& bearing, double step) {
+    const bearing::fast::ContactLoads loads = bearing.loads();
+    time = now;
     state = x;
     std::copy(loads.inner, loads.inner + inner.size(), inner.begin());
     std::copy(loads.outer, loads.outer + outer.size(), outer.begin());
+    bore_force = bearing.reaction().force;
     step_before = step;
     if (!loads.tip) return;
     inner_approach.assign(loads.inner_approach, loads.inner_approach + inner.size());
@@ -80,12 +84,16 @@ class BearingRun {
   bool go(Eigen::VectorXd& x, const OutputTimes& output) {
     State state = bearing_.padded(x);
     State sample = state;
-    waiting_ = {state, State(static_cast<std::size_t>(bearing_.layout().rollers)),
-                State(static_cast<std::size_t>(bearing_.layout().rollers))};
+    waiting_ = {state,
+                State(static_cast<std::size_t>(bearing_.layout().rollers)),
+                State(static_cast<std::size_t>(bearing_.layout().rollers)),
+                0.0,
+                0.0,
+                Eigen::Vector2d::Zero()};
     double time = output.start, step = options_.step;
     const double end = output.time(output.samples);
     stepper_.begin(bearing_, state, time);
-    waiting_.take(state, bearing_.loads(), 0.0);
+    waiting_.take(time, state, bearing_, 0.0);
     long next = 1;
     while (next <= output.samples) {
       const double before = time;
@@ -98,7 +106,7 @@ class BearingRun {
       }
       count(time - before);
       stepper_.begin(bearing_, state, time);
-      waiting_.take(state, bearing_.loads(), time - before);
+      waiting_.take(time, state, bearing_, time - before);
     }
     count(0.0);
     bearing_.flatten(state.data(), x);
@@ -127,8 +135,9 @@ class BearingRun {
   void count(double step_after) const {
     if (!on_step_) return;
     const double weight = 0.5 * (waiting_.step_before + step_after);
-    on_step_({weight, waiting_.state.data(), waiting_.inner.data(), waiting_.outer.data(),
-              waiting_.inner_approach.data(), waiting_.outer_approach.data(), waiting_.tip.data()});
+    on_step_({waiting_.time, weight, waiting_.state.data(), waiting_.inner.data(), waiting_.outer.data(),
+              waiting_.bore_force, waiting_.inner_approach.data(), waiting_.outer_approach.data(),
+              waiting_.tip.data()});
   }
 
   VectorBearing& bearing_;

@@ -8,10 +8,12 @@ namespace orbearing::integration {
 
 /// What a step leaves behind: the state at its beginning and how long that state counts.
 struct StepSample {
+  double time = 0.0;                   // [s]
   double weight = 0.0;                 // [s]  half of the step before and half of the one after
   const double* state = nullptr;       // padded
   const double* inner_load = nullptr;  // [N]  one for each roller
   const double* outer_load = nullptr;  // [N]
+  Eigen::Vector2d bore_force = Eigen::Vector2d::Zero();  // [N]  of the bearing on the bore
   /// Where contacts that are cut into laminae stand [m], one for each roller; else null.
   const double* inner_approach = nullptr;
   const double* outer_approach = nullptr;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "bearing/dynamics/driven_bore.hpp"
 #include "bearing/dynamics/equations.hpp"
 #include "bearing/dynamics/initial_state.hpp"
 #include "coupling/integration/in_place.hpp"
@@ -162,6 +163,18 @@ class SteadyRun {
     if (!reason.empty()) throw CameOut{time, reason};
   }
 
+  BoreSample bore_sample(double time, const Eigen::Ref<const Eigen::VectorXd>& x) const {
+    const bearing::dynamics::BearingModel& m = model();
+    const bearing::OperatingPoint& point = m.point;
+    const bearing::dynamics::BoreMotion motion{.position = x.segment<2>(m.layout.bore()),
+                                               .velocity = x.segment<2>(m.layout.bore() + 2),
+                                               .speed = point.outer_speed,
+                                               .angle = point.outer_speed * time,
+                                               .carrier_speed = point.carrier.speed,
+                                               .carrier_acceleration = point.carrier.acceleration};
+    return {time, 1.0, motion.position, motion.velocity, reaction(m, motion, x).force};
+  }
+
   IntegrationReport advance_readable(const OutputTimes& output, BearingSeries* series) {
     Recorder recorder(output, samples_per_window(), options_.series_samples, model().layout.rollers, series);
     const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
@@ -169,6 +182,7 @@ class SteadyRun {
       take_snapshot(model(), x, snapshot_, time);
       collector_.add(time, snapshot_);
       recorder.add(time, snapshot_);
+      if (series && options_.on_bore) options_.on_bore(bore_sample(time, x));
     };
     return integrate(derivative(), result_.final_state, output, settings_, observe);
   }
@@ -188,6 +202,9 @@ class SteadyRun {
       collector_.add_loads(step.weight, {step.state + lanes, step.state + 3 * lanes, step.inner_load,
                                          step.outer_load, race_speeds_, cut_races(model()),
                                          step.inner_approach, step.outer_approach, step.tip});
+      if (!series || !options_.on_bore) return;
+      const double* bore = step.state + vectorised_->layout().bore();
+      options_.on_bore({step.time, step.weight, {bore[0], bore[1]}, {bore[2], bore[3]}, step.bore_force});
     };
     return integrate_bearing(*vectorised_, result_.final_state, output, settings_, observe, on_step);
   }

@@ -1,6 +1,7 @@
 // A planet bearing run in time until its means stand still, then observed over whole cage revolutions.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,16 @@
 #include "coupling/integration/integrate.hpp"
 
 namespace orbearing::integration {
+
+/// The bore of a bearing in motion.
+struct BoreSample {
+  double time = 0.0;                                   // [s]
+  double weight = 0.0;                                 // any unit: how long it counts
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // [m/s]
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();     // [N]  of the bearing on the bore
+};
+using BoreObserver = std::function<void(const BoreSample&)>;
 
 /// What belongs to the method. A window is one revolution of the cage relative to the carrier.
 struct SteadyStateOptions {
@@ -23,6 +34,7 @@ struct SteadyStateOptions {
   long places = 72;                     // [-]  bins on the races
   double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
   IntegrationOptions integration;       // allowed_error is filled in
+  BoreObserver on_bore = {};            // sees the observed windows, step by step; may be empty
 };
 
 /// One window as time series. Matrices are (rollers, samples).

@@ -132,37 +132,6 @@ SetParameters geometric_set(const GearDynamicsChoice& choice, const gearset::Pla
   return out;
 }
 
-namespace {
-
-// The mean over one roller pitch knows like rollers and races that stand still.
-bearing::CylindricalRollerBearing of_like_rollers(bearing::CylindricalRollerBearing like) {
-  like.roller_diameter_deviation.clear();
-  for (std::vector<bearing::RaceHarmonic>* form : {&like.inner_form, &like.outer_form})
-    std::erase_if(*form, [](const bearing::RaceHarmonic& wave) { return wave.turning; });
-  return like;
-}
-
-}  // namespace
-
-double planet_bearing_stiffness(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
-  const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  const bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
-                                            .cage_positions = drivetrain.cage_positions};
-  const bearing::CylindricalRollerBearing like = of_like_rollers(drivetrain.bearing);
-  const double share = 0.02;  // of the load; the stiffness changes with its ninth root
-  const auto displacement = [&](double factor) {
-    bearing::OperatingPoint point = duty.point;
-    point.bore_load *= factor;
-    const bearing::QuasiStaticResult result = bearing::quasi_static_bearing(like, point, options);
-    if (!result.report.converged) throw std::runtime_error(result.report.message);
-    return result.displacement;
-  };
-  const Eigen::Vector2d change = displacement(1.0 + share) - displacement(1.0 - share);
-  const double own = 2.0 * share * duty.point.bore_load.squaredNorm() / change.dot(duty.point.bore_load);
-  const double pin = drivetrain.dynamics.support.stiffness;
-  return drivetrain.bearings_per_planet / (1.0 / own + 1.0 / pin);
-}
-
 PeriodicCurve curve_through(const std::vector<double>& samples) {
   if (samples.empty()) return {};
   const int n = static_cast<int>(samples.size());

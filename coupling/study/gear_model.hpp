@@ -56,11 +56,6 @@ gearset::dynamics::SetParameters geometric_set(const GearDynamicsChoice& choice,
                                                const gearset::PlanetaryMeshes& meshes, double planet_rings,
                                                double bearing_stiffness);
 
-/// Radial stiffness [N/m] of all bearings of one planet with their pin supports, at the mean load of the
-/// drive: the slope of load over displacement of the quasi-static bearing, taken alike in all directions.
-/// @throws std::runtime_error where the bearing finds no balance
-double planet_bearing_stiffness(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
-
 /// A curve through samples at equal steps of the period: the trigonometric polynomial of least order.
 /// No samples: zero.
 gearset::PeriodicCurve curve_through(const std::vector<double>& samples);

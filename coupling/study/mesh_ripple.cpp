@@ -1,9 +1,13 @@
 #include "coupling/study/mesh_ripple.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <complex>
 #include <stdexcept>
 
+#include "bearing/carrier_frame.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 
 namespace orbearing::study {
@@ -11,46 +15,89 @@ namespace orbearing::study {
 namespace {
 
 using boost::math::double_constants::two_pi;
+using Complex = std::complex<double>;
+using Eigen::Matrix2cd;
+using Eigen::Vector2cd;
+using gearset::dynamics::AffineBearing;
 
 constexpr double kLeastShare = 1e-3;  // of the mean load: smaller harmonics move nothing that is told
+constexpr double kHighest = 3.0;      // of the frequency of a planet on its bearings
+constexpr int kLeastOrders = 12, kMostOrders = 48;
 
-// Load of the meshes on one bearing by their forces, along x and y.
-Eigen::Vector2d load_of(double sun_force, double ring_force, const PlanetaryDrivetrain& drivetrain,
-                        const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const double sun = geometry.gears.sun_mesh.working_pressure_angle,
-               ring = geometry.gears.ring_mesh.working_pressure_angle;
-  const double sense = duty.gears.tangential_force < 0.0 ? -1.0 : 1.0;
-  return Eigen::Vector2d(std::sin(sun) * sun_force - std::sin(ring) * ring_force,
-                         sense * (std::cos(sun) * sun_force + std::cos(ring) * ring_force)) /
-         drivetrain.bearings_per_planet;
+// Harmonic of the bearings' force on a planet: the real part of it times e^(i order angle).
+Vector2cd force_at(const PlanetStatistics& planet, std::size_t order) {
+  const auto coefficient = [order](const SignalStatistics& signal) {
+    return Complex(signal.cosines[order - 1], -signal.sines[order - 1]);
+  };
+  return {coefficient(planet.radial_force), coefficient(planet.tangential_force)};
+}
+
+// Of what a bore with its share of the planet's mass needs to move at the angular frequency `w` [rad/s]:
+// mass x acceleration in the carrier's frame.
+Matrix2cd inertia_of(double mass, const bearing::CarrierFrame& frame, double w) {
+  Matrix2cd matrix;
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    const Eigen::Vector2d unit = Eigen::Vector2d::Unit(i), none = Eigen::Vector2d::Zero();
+    const Eigen::Vector2d by_place = bearing::inertial_acceleration(frame, unit, none);
+    const Eigen::Vector2d by_speed = bearing::inertial_acceleration(frame, none, unit);
+    matrix.col(i) = -mass * (w * w * unit.cast<Complex>() + by_place.cast<Complex>() +
+                             Complex(0.0, w) * by_speed.cast<Complex>());
+  }
+  return matrix;
+}
+
+// From the harmonic of the bearings' force on the planet at `w` [rad/s] to that of the load on one bore.
+Matrix2cd load_over_force(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+                          const AffineBearing& law, double bore_mass, double w) {
+  const double number = drivetrain.bearings_per_planet;
+  bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);
+  frame.orbit_radius = 0.0;  // the planet's inertial load in its nominal place is part of the mean load
+  const Matrix2cd force_over_motion =
+      -(law.stiffness.cast<Complex>() + Complex(0.0, w) * law.damping.cast<Complex>());
+  return inertia_of(bore_mass, frame, w) * force_over_motion.inverse() - Matrix2cd::Identity() / number;
+}
+
+GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law, int orders,
+                       const std::optional<Eigen::VectorXd>& start) {
+  gearset::dynamics::SetParameters set = drivetrain.gear_set();
+  set.planet.affine_bearing = law;
+  const gearset::dynamics::SetModel model = gearset::dynamics::set_model(
+      std::move(set), gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
+  GearRunOptions options;
+  options.harmonics = orders;
+  const GearRunResult run = start ? run_gears_from(*start, model, options) : run_gears(model, options);
+  if (!run.completed) throw std::runtime_error("gears: " + run.message);
+  return run;
 }
 
 }  // namespace
 
-bearing::dynamics::MeshRipple mesh_ripple(const PlanetaryDrivetrain& drivetrain,
-                                          const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  bearing::dynamics::MeshRipple ripple;
-  if (!drivetrain.gear_set || !drivetrain.mesh_variation) return ripple;
-  const gearset::dynamics::SetModel model = gearset::dynamics::set_model(
-      drivetrain.gear_set(), gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
-  const GearRunOptions options;
-  const GearRunResult run = run_gears(model, options);
-  if (!run.completed) throw std::runtime_error("gears: " + run.message);
-  const SignalStatistics& sun = run.planets[static_cast<std::size_t>(duty.planet)].sun_mesh_force;
-  const SignalStatistics& ring = run.planets[static_cast<std::size_t>(duty.planet)].ring_mesh_force;
-  const auto load = [&](double sun_force, double ring_force) {
-    return load_of(sun_force, ring_force, drivetrain, geometry, duty);
-  };
-  ripple.angular_frequency = two_pi * run.mesh_frequency;
-  const double least = kLeastShare * load(sun.mean, ring.mean).norm();
-  for (std::size_t i = 0; i < sun.amplitudes.size(); ++i) {
-    const bearing::dynamics::LoadHarmonic harmonic{.order = static_cast<int>(i) + 1,
-                                                   .cosine = load(sun.cosines[i], ring.cosines[i]),
-                                                   .sine = load(sun.sines[i], ring.sines[i])};
-    if (std::hypot(harmonic.cosine.norm(), harmonic.sine.norm()) > least)
-      ripple.harmonics.push_back(harmonic);
+GearDrive drive_of_gears(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                         const BearingDuty& duty, const AffineBearing& law, double bore_mass,
+                         const std::optional<Eigen::VectorXd>& start) {
+  GearDrive drive;
+  if (!drivetrain.gear_set || !drivetrain.mesh_variation) return drive;
+  const int orders = ripple_orders(drivetrain, geometry, law);
+  const GearRunResult run = gears_on(drivetrain, law, orders, start);
+  const PlanetStatistics& planet = run.planets[static_cast<std::size_t>(duty.planet)];
+  drive.final_state = run.final_state;
+  drive.ripple.angular_frequency = two_pi * run.mesh_frequency;
+  const Eigen::Vector2d meshes(duty.gears.radial_force, duty.gears.tangential_force);
+  const double least = kLeastShare * meshes.norm() / drivetrain.bearings_per_planet;
+  for (int order = 1; order <= orders; ++order) {
+    const double w = order * drive.ripple.angular_frequency;
+    const Vector2cd load = load_over_force(drivetrain, duty, law, bore_mass, w) *
+                           force_at(planet, static_cast<std::size_t>(order));
+    if (load.norm() > least) drive.ripple.harmonics.push_back({order, load.real(), -load.imag()});
   }
-  return ripple;
+  return drive;
+}
+
+int ripple_orders(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                  const AffineBearing& law) {
+  const double own = std::sqrt(law.stiffness.norm() / geometry.planet_mass) / two_pi;
+  const double meshes = gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive).mesh_frequency;
+  return std::clamp(static_cast<int>(std::ceil(kHighest * own / meshes)), kLeastOrders, kMostOrders);
 }
 
 }  // namespace orbearing::study

@@ -12,6 +12,7 @@
 #include "bearing/lundberg_palmgren.hpp"
 #include "bearing/race_equilibrium.hpp"
 #include "coupling/integration/run_up.hpp"
+#include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/coupled_motion.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/mesh_ripple.hpp"
@@ -209,27 +210,23 @@ LoadDistribution distribution_of(const WindowStatistics& means) {
           as_vector(means.outer.mean_load)};
 }
 
-integration::SteadyStateResult motion_of(const PlanetaryDrivetrain& drivetrain,
-                                         const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const bearing::dynamics::DynamicsParameters parameters = dynamics_parameters(drivetrain, geometry, duty);
-  if (parameters.driving.growth == 0.0)
-    return integration::run_to_steady_state(drivetrain.bearing, duty.point, parameters,
-                                            drivetrain.steady_state);
-  return integration::run_up(drivetrain.bearing, duty.point, parameters, drivetrain.steady_state,
-                             drivetrain.run_up.duration);
+// A run-up has no speed at which the bearing could be fitted: its gears stay on the tangent.
+OneWayRun motion_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                    const BearingDuty& duty) {
+  if (drivetrain.run_up.acceleration == 0.0) return run_one_way(drivetrain, geometry, duty);
+  return {integration::run_up(drivetrain.bearing, duty.point, dynamics_parameters(drivetrain, geometry, duty),
+                              drivetrain.steady_state, drivetrain.run_up.duration),
+          std::nullopt};
 }
 
-integration::SteadyStateResult motion_from(const Eigen::VectorXd& start,
-                                           const PlanetaryDrivetrain& drivetrain,
-                                           const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+OneWayRun motion_from(const Eigen::VectorXd& start, const PlanetaryDrivetrain& drivetrain,
+                      const DrivetrainGeometry& geometry, const BearingDuty& duty) {
   const Eigen::Index required = bearing::dynamics::StateLayout{drivetrain.bearing.rollers}.size();
   if (start.size() != required)
     throw std::invalid_argument("state to start from: found " + std::to_string(start.size()) +
                                 " variables; required: " + std::to_string(required) + ", those of " +
                                 std::to_string(drivetrain.bearing.rollers) + " rollers");
-  return integration::run_to_steady_state_from(start, drivetrain.bearing, duty.point,
-                                               dynamics_parameters(drivetrain, geometry, duty),
-                                               drivetrain.steady_state);
+  return run_one_way(drivetrain, geometry, duty, start);
 }
 
 // The life in hours of a run-up is that at its mean speed.
@@ -253,6 +250,13 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDu
   return result;
 }
 
+PointResult driven_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+                         const OneWayRun& run) {
+  PointResult result = dynamic_point(drivetrain, duty, run.bearing);
+  result.dynamic->one_way = run.fit;
+  return result;
+}
+
 // Of unlike planets: their loads as passages of one bearing, the series and the end of the first's motion.
 integration::SteadyStateResult together(const std::vector<integration::SteadyStateResult>& runs,
                                         const std::vector<WindowStatistics>& means) {
@@ -264,14 +268,15 @@ integration::SteadyStateResult together(const std::vector<integration::SteadySta
 
 PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties) {
+  if (duties.size() == 1)
+    return driven_point(drivetrain, duties.front(), motion_of(drivetrain, geometry, duties.front()));
   std::vector<integration::SteadyStateResult> runs;
   std::vector<WindowStatistics> means;
   for (const BearingDuty& duty : duties) {
-    runs.push_back(motion_of(drivetrain, geometry, duty));
+    runs.push_back(motion_of(drivetrain, geometry, duty).bearing);
     if (!runs.back().completed) throw std::runtime_error(runs.back().message);
     means.push_back(runs.back().statistics);
   }
-  if (duties.size() == 1) return dynamic_point(drivetrain, duties.front(), runs.front());
   PointResult result = dynamic_point(drivetrain, duties.front(), together(runs, means));
   put_planets(drivetrain, mean_duty(drivetrain, duties.front()).point.outer_speed,
               place_angles(means.front().outer.mean_load.size()), means, result);
@@ -373,7 +378,9 @@ bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetr
                                                           const DrivetrainGeometry& geometry,
                                                           const BearingDuty& duty) {
   bearing::dynamics::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
-  parameters.ripple = mesh_ripple(drivetrain, geometry, duty);
+  parameters.ripple =
+      drive_of_gears(drivetrain, geometry, duty, bearing_tangent(drivetrain, geometry), parameters.bore_mass)
+          .ripple;
   parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   return parameters;
 }
@@ -396,8 +403,8 @@ PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const Drivetrai
         "state to start from: found one, and pins off their places, where each planet has its own; required: "
         "pins in their places, or points that start from their quasi-static states");
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  const integration::SteadyStateResult run = motion_from(start, drivetrain, geometry, duty);
-  return completed(drivetrain, geometry, {duty}, dynamic_point(drivetrain, duty, run));
+  return completed(drivetrain, geometry, {duty},
+                   driven_point(drivetrain, duty, motion_from(start, drivetrain, geometry, duty)));
 }
 
 }  // namespace orbearing::study

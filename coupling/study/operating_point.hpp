@@ -7,6 +7,7 @@
 
 #include "coupling/cosim/coupled_motion.hpp"
 #include "coupling/study/drivetrain.hpp"
+#include "coupling/study/one_way.hpp"
 
 namespace orbearing::study {
 
@@ -46,13 +47,14 @@ struct LaminaRecord {
 
 /// What only the motion in time tells.
 struct DynamicRecord {
-  bool steady = false;                 // false: the means still drifted when they were taken
-  double roller_slip = 0.0;            // [-]  1 - mean roller spin / spin at pure rolling
-  double friction_moment = 0.0;        // [N m]  of the bearing on the bore
-  bearing::dynamics::PowerLoss loss;   // [W]  by cause
-  integration::BearingSeries series;   // of the last cage revolution
-  integration::IntegrationReport run;  // what it took
-  Eigen::VectorXd final_state;         // where it ended; a neighbouring point may go on from here
+  bool steady = false;                  // false: the means still drifted when they were taken
+  double roller_slip = 0.0;             // [-]  1 - mean roller spin / spin at pure rolling
+  double friction_moment = 0.0;         // [N m]  of the bearing on the bore
+  bearing::dynamics::PowerLoss loss;    // [W]  by cause
+  integration::BearingSeries series;    // of the last cage revolution
+  integration::IntegrationReport run;   // what it took
+  Eigen::VectorXd final_state;          // where it ended; a neighbouring point may go on from here
+  std::optional<OneWayRecord> one_way;  // what stood for the bearings in gears that drive one of them
 };
 
 /// What only gears and bearings that act on each other tell.
@@ -110,7 +112,7 @@ struct PointResult {
 bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
                                                        const DrivetrainGeometry& geometry);
 
-/// The same with what the gears give at this duty.
+/// The same with what the gears give at this duty on bearing_tangent() in place of the bearings.
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                           const DrivetrainGeometry& geometry,
                                                           const BearingDuty& duty);

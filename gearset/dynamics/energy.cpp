@@ -1,5 +1,6 @@
 #include "gearset/dynamics/energy.hpp"
 
+#include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/frame_force.hpp"
 #include "gearset/dynamics/mesh_force.hpp"
@@ -25,14 +26,21 @@ double centrifugal_energy(const SetModel& model, const CarrierTurn& turn, const 
   return -0.5 * turn.centrifugal * squares;
 }
 
+Eigen::Vector2d deflection(const PlanetBearing& bearing, const State& q) {
+  return {bearing.radial.of(q, SetLayout::carrier(), bearing.place),
+          bearing.tangential.of(q, SetLayout::carrier(), bearing.place)};
+}
+
+// Of the symmetric part of the stiffness; the rest stores nothing.
 double bearing_energy(const SetModel& model, const State& q) {
-  const PlanetMember& planet = model.parameters.planet;
-  if (planet.coupled_bearing) return 0.0;
+  if (model.parameters.planet.coupled_bearing) return 0.0;
+  const AffineBearing law = bearing_law(model.parameters.planet);
   double sum = 0.0;
-  for (const PlanetBearing& bearing : model.bearings)
-    sum += square(bearing.radial.of(q, SetLayout::carrier(), bearing.place) + bearing.pin_error.x()) +
-           square(bearing.tangential.of(q, SetLayout::carrier(), bearing.place) + bearing.pin_error.y());
-  return 0.5 * planet.bearing_stiffness * sum;
+  for (const PlanetBearing& bearing : model.bearings) {
+    const Eigen::Vector2d along = deflection(bearing, q) + bearing.pin_error;
+    sum += along.dot(law.force + 0.5 * (law.stiffness * along));
+  }
+  return sum;
 }
 
 template <typename Function>
@@ -55,12 +63,15 @@ void add_mesh_powers(const SetModel& model, double time, const State& q, const S
   }
 }
 
-void add_bearing_loss(const SetModel& model, const State& v, PowerFlow& flow) {
-  const PlanetMember& planet = model.parameters.planet;
-  if (planet.coupled_bearing) return;
-  for (const PlanetBearing& bearing : model.bearings)
-    for (const DeflectionVector& along : {bearing.radial, bearing.tangential})
-      flow.bearing_loss += planet.bearing_damping * square(along.of(v, SetLayout::carrier(), bearing.place));
+void add_bearing_loss(const SetModel& model, const State& q, const State& v, PowerFlow& flow) {
+  if (model.parameters.planet.coupled_bearing) return;
+  const AffineBearing law = bearing_law(model.parameters.planet);
+  const Eigen::Matrix2d circulatory = 0.5 * (law.stiffness - law.stiffness.transpose());
+  for (const PlanetBearing& bearing : model.bearings) {
+    const Eigen::Vector2d rate = deflection(bearing, v);
+    flow.bearing_loss +=
+        rate.dot(law.damping * rate + circulatory * (deflection(bearing, q) + bearing.pin_error));
+  }
 }
 
 void add_support_powers(const SetModel& model, const CarrierTurn& turn, const State& q, const State& v,
@@ -123,7 +134,7 @@ PowerFlow power_flow(const SetModel& model, double time, const State& x) {
       drive_forces(model, speed, v[SetLayout::central(model.operation.driven) + 2]);
   for (Eigen::Index i = 0; i < 3; ++i) flow.drive += torque[i] * v[3 * i + 2];
   add_mesh_powers(model, time, q, v, flow);
-  add_bearing_loss(model, v, flow);
+  add_bearing_loss(model, q, v, flow);
   add_support_powers(model, turn, q, v, flow);
   add_frame_powers(model, speed, turn, q, v, flow);
   return flow;

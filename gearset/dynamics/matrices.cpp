@@ -1,5 +1,6 @@
 #include "gearset/dynamics/matrices.hpp"
 
+#include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/frame_force.hpp"
 
 namespace orbearing::gearset::dynamics {
@@ -21,11 +22,14 @@ void add_spring(const VectorXd& along, double stiffness, MatrixXd& matrix) {
   matrix += stiffness * along * along.transpose();
 }
 
-void add_bearings(const SetModel& model, double stiffness, MatrixXd& matrix) {
+void add_bearings(const SetModel& model, const Eigen::Matrix2d& stiffness, MatrixXd& matrix) {
   if (model.parameters.planet.coupled_bearing) return;
-  for (const PlanetBearing& bearing : model.bearings)
-    for (const DeflectionVector& along : {bearing.radial, bearing.tangential})
-      add_spring(whole(model, along, SetLayout::carrier(), bearing.place), stiffness, matrix);
+  for (const PlanetBearing& bearing : model.bearings) {
+    MatrixXd along(model.layout.freedoms(), 2);
+    along << whole(model, bearing.radial, SetLayout::carrier(), bearing.place),
+        whole(model, bearing.tangential, SetLayout::carrier(), bearing.place);
+    matrix += along * stiffness * along.transpose();
+  }
 }
 
 void add_support(Index place, double planar, double torsional, MatrixXd& matrix) {
@@ -47,7 +51,7 @@ MatrixXd damping_matrix(const SetModel& model) {
   MatrixXd damping = MatrixXd::Zero(model.layout.freedoms(), model.layout.freedoms());
   for (const PlanetMesh& mesh : model.meshes)
     add_spring(whole(model, mesh.loaded, mesh.central, mesh.place), model.mesh(mesh.kind).damping, damping);
-  add_bearings(model, set.planet.bearing_damping, damping);
+  add_bearings(model, bearing_law(set.planet).damping, damping);
   const auto add = [&](Index place, const Support& support) {
     add_support(place, support.damping, support.torsional_damping, damping);
   };
@@ -73,7 +77,7 @@ MatrixXd stiffness_with(const SetModel& model, const ContactState& contact) {
     if (contact.loaded[i]) add_spring(whole(model, mesh.loaded, mesh.central, mesh.place), mean, stiffness);
     if (contact.back[i]) add_spring(whole(model, mesh.back, mesh.central, mesh.place), mean, stiffness);
   }
-  add_bearings(model, model.parameters.planet.bearing_stiffness, stiffness);
+  add_bearings(model, bearing_law(model.parameters.planet).stiffness, stiffness);
   add_support_stiffness(model, stiffness);
   return stiffness;
 }

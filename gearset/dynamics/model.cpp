@@ -54,6 +54,10 @@ void require_sound(const SetParameters& set) {
   require_positive(set.planet.radius, "radius of a planet");
   require_not_negative(set.planet.bearing_stiffness, "stiffness of a planet's bearing");
   require_not_negative(set.planet.bearing_damping, "damping of a planet's bearing");
+  if (const auto& law = set.planet.affine_bearing)
+    require(law->force.allFinite() && law->stiffness.allFinite() && law->damping.allFinite(),
+            "largest stiffness of a planet's bearing", law->stiffness.maxCoeff(),
+            "finite numbers throughout");
   require_sound(set.sun_mesh);
   require_sound(set.ring_mesh);
   const auto planets = static_cast<std::size_t>(set.planets);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "gearset/kinematics.hpp"
@@ -28,6 +29,15 @@ struct CentralMember {
   Support support;
 };
 
+/// Bearings of a planet that need not be alike in all directions. With the displacement d [m] of the planet's
+/// axis from its pin's, outward and in the sense of rotation, they exert on the planet
+///   force - stiffness d - damping d'.
+struct AffineBearing {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();      // [N]      at no displacement
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]
+  Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();    // [N s/m]
+};
+
 /// All planets are alike.
 struct PlanetMember {
   double mass = 0.0;               // [kg]
@@ -36,6 +46,7 @@ struct PlanetMember {
   double bearing_stiffness = 0.0;  // [N/m]    planet to carrier, radial and tangential; all its bearings
   double bearing_damping = 0.0;    // [N s/m]  the same
   bool coupled_bearing = false;    // forces come through a port; the two above are not used
+  std::optional<AffineBearing> affine_bearing;  // in place of the stiffness and damping above
 };
 
 /// Sun or ring mesh, alike for all planets but for its phase.

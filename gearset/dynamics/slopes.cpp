@@ -1,5 +1,6 @@
 #include "gearset/dynamics/slopes.hpp"
 
+#include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/frame_force.hpp"
 #include "gearset/dynamics/mesh_force.hpp"
 
@@ -11,14 +12,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-// A spring or damper of the given stiffness along `along`: its force opposes the deflection.
-void add_spring(const DeflectionVector& along, Index central, Index planet, double stiffness,
-                MatrixXd& slopes) {
-  const Vector3d of_central = stiffness * along.central, of_planet = stiffness * along.planet;
-  slopes.block<3, 3>(central, central) -= of_central * along.central.transpose();
-  slopes.block<3, 3>(central, planet) -= of_central * along.planet.transpose();
-  slopes.block<3, 3>(planet, central) -= of_planet * along.central.transpose();
-  slopes.block<3, 3>(planet, planet) -= of_planet * along.planet.transpose();
+// A spring or damper of the given stiffness: a force along `pushed` that opposes the deflection `felt`.
+void add_spring(const DeflectionVector& pushed, const DeflectionVector& felt, Index central, Index planet,
+                double stiffness, MatrixXd& slopes) {
+  const Vector3d on_central = stiffness * pushed.central, on_planet = stiffness * pushed.planet;
+  slopes.block<3, 3>(central, central) -= on_central * felt.central.transpose();
+  slopes.block<3, 3>(central, planet) -= on_central * felt.planet.transpose();
+  slopes.block<3, 3>(planet, central) -= on_planet * felt.central.transpose();
+  slopes.block<3, 3>(planet, planet) -= on_planet * felt.planet.transpose();
 }
 
 // Slopes of flank_force() by approach and approach rate.
@@ -35,8 +36,8 @@ FlankSlopes flank_slopes(const Mesh& mesh, bool separation, double stiffness, co
 void add_flank(const PlanetMesh& mesh, const DeflectionVector& along, const FlankSlopes& flank,
                ForceSlopes& slopes) {
   if (flank.stiffness == 0.0 && flank.damping == 0.0) return;
-  add_spring(along, mesh.central, mesh.place, flank.stiffness, slopes.by_position);
-  add_spring(along, mesh.central, mesh.place, flank.damping, slopes.by_velocity);
+  add_spring(along, along, mesh.central, mesh.place, flank.stiffness, slopes.by_position);
+  add_spring(along, along, mesh.central, mesh.place, flank.damping, slopes.by_velocity);
 }
 
 void add_meshes(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& q,
@@ -54,13 +55,19 @@ void add_meshes(const SetModel& model, double time, const Eigen::Ref<const Eigen
 }
 
 void add_planet_bearings(const SetModel& model, ForceSlopes& slopes) {
-  const PlanetMember& planet = model.parameters.planet;
-  if (planet.coupled_bearing) return;
-  for (const PlanetBearing& bearing : model.bearings)
-    for (const DeflectionVector* along : {&bearing.radial, &bearing.tangential}) {
-      add_spring(*along, SetLayout::carrier(), bearing.place, planet.bearing_stiffness, slopes.by_position);
-      add_spring(*along, SetLayout::carrier(), bearing.place, planet.bearing_damping, slopes.by_velocity);
-    }
+  if (model.parameters.planet.coupled_bearing) return;
+  const AffineBearing law = bearing_law(model.parameters.planet);
+  for (const PlanetBearing& bearing : model.bearings) {
+    const DeflectionVector* along[] = {&bearing.radial, &bearing.tangential};
+    for (Index i = 0; i < 2; ++i)
+      for (Index j = 0; j < 2; ++j) {
+        const auto add = [&](double stiffness, MatrixXd& by) {
+          add_spring(*along[i], *along[j], SetLayout::carrier(), bearing.place, stiffness, by);
+        };
+        add(law.stiffness(i, j), slopes.by_position);
+        add(law.damping(i, j), slopes.by_velocity);
+      }
+  }
 }
 
 // The force is `value` times the component y on x, and its opposite times x on y.

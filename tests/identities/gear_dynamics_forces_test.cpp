@@ -27,6 +27,7 @@ struct Variant {
   bool separation;
   bool run_up;
   bool back_flank;
+  bool affine = false;  // bearings that are stiffer one way than the other, with an offset
 };
 
 class GearDynamicsIdentity : public testing::TestWithParam<Variant> {
@@ -35,7 +36,16 @@ class GearDynamicsIdentity : public testing::TestWithParam<Variant> {
     parameters.separation = GetParam().separation;
     operation.driven = GetParam().back_flank ? Member::carrier : Member::sun;
     operation = operation_of(reducer(), {operation.driven, 150e3, GetParam().back_flank ? 200.0 : 628.0});
+    if (GetParam().affine) parameters.planet.affine_bearing = affine_bearing();
     if (GetParam().run_up) operation.run_up = {.from = 0.5, .duration = 0.01};
+  }
+
+  // A symmetric stiffness, since another one has no energy.
+  static AffineBearing affine_bearing() {
+    AffineBearing law{.force = {300.0, -500.0}};
+    law.stiffness << 1.5e8, 2e7, 2e7, 0.8e8;
+    law.damping << 700.0, 50.0, -20.0, 900.0;
+    return law;
   }
 
   VectorXd random_state() {
@@ -166,7 +176,8 @@ INSTANTIATE_TEST_SUITE_P(Variants, GearDynamicsIdentity,
                          testing::Values(Variant{"springs", false, false, false},
                                          Variant{"teeth", true, false, false},
                                          Variant{"run_up", true, true, false},
-                                         Variant{"back_flank", true, false, true}),
+                                         Variant{"back_flank", true, false, true},
+                                         Variant{"affine_bearing", true, false, false, true}),
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 // The matrices are those of the equations: stiffness, gyroscopic terms, damping, all at once.

@@ -36,6 +36,30 @@ TEST(GearDynamicsPort, CarriesTheSpringsForce) {
   EXPECT_LT((dx - dx_coupled).norm(), 1e-12 * dx.norm());
 }
 
+// So is one with an affine bearing's, in its general form: an offset, and matrices that are not symmetric.
+TEST(GearDynamicsPort, CarriesTheAffineBearingsForce) {
+  SetParameters parameters = test::full_set();
+  AffineBearing law{.force = {300.0, -500.0}};
+  law.stiffness << 3e8, 2e7, -1e7, 4e8;
+  law.damping << 700.0, 50.0, -20.0, 900.0;
+  parameters.planet.affine_bearing = law;
+  const Operation operation = test::reducer_operation(628.0);
+  const SetModel affine = set_model(parameters, operation);
+  parameters.planet.coupled_bearing = true;
+  const PlanetarySetEquations coupled(set_model(parameters, operation));
+  test::Random random;
+  const Index n = affine.layout.freedoms();
+  VectorXd x(2 * n), dx(2 * n), dx_coupled(2 * n);
+  x << kDisplacement * random.vector(n), kVelocity * random.vector(n);
+  BearingPorts ports;
+  coupled.motion_at_ports(x, ports);
+  Eigen::Matrix2Xd force = -law.stiffness * ports.displacement - law.damping * ports.velocity;
+  force.colwise() += law.force;
+  PlanetarySetEquations(affine).derivative(1e-3, x, dx);
+  coupled.derivative(1e-3, x, {force, VectorXd::Zero(parameters.planets)}, dx_coupled);
+  EXPECT_LT((dx - dx_coupled).norm(), 1e-12 * dx.norm());
+}
+
 // What the port adds to the balance is force times velocity and moment times speed, in any state.
 TEST(GearDynamicsPort, PowerIsThatOfForceAndMoment) {
   SetParameters parameters = test::full_set();

@@ -1,0 +1,96 @@
+#include "coupling/study/affine_fit.hpp"
+
+#include <Eigen/QR>
+#include <cmath>
+#include <stdexcept>
+
+namespace orbearing::study {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using gearset::dynamics::AffineBearing;
+using Unknowns =
+    Eigen::Matrix<double, 4, 2>;  // stiffness over damping, transposed: force = -motion x unknowns
+
+Unknowns unknowns_of(const AffineBearing& law) {
+  Unknowns unknowns;
+  unknowns << law.stiffness.transpose(), law.damping.transpose();
+  return unknowns;
+}
+
+// The shortest of the least squares, so that what no motion shows stays zero.
+MatrixXd least_squares(const MatrixXd& matrix, const MatrixXd& right) {
+  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(matrix).solve(right);
+}
+
+// Departure from what is expected, in units of `known`: first as if nothing were known, for the scatter of
+// the forces; then drawn to zero by as much as that scatter leaves open.
+MatrixXd departure(const MatrixXd& motion, const MatrixXd& unexplained) {
+  const MatrixXd free = least_squares(motion, unexplained);
+  const double scatter =
+      (unexplained - motion * free).norm() / std::sqrt(static_cast<double>(unexplained.size()));
+  MatrixXd matrix(motion.rows() + 4, 4), right = MatrixXd::Zero(motion.rows() + 4, 2);
+  matrix << motion, scatter * Eigen::Matrix4d::Identity();
+  right.topRows(motion.rows()) = unexplained;
+  return least_squares(matrix, right);
+}
+
+}  // namespace
+
+AffineFit::AffineFit(double angular_frequency, int orders)
+    : angular_frequency_(angular_frequency), orders_(static_cast<std::size_t>(orders)) {
+  if (orders < 1) throw std::invalid_argument("orders of a fit: found none; required: at least 1");
+}
+
+void AffineFit::add(const integration::BoreSample& sample) {
+  Row row;
+  row << sample.position.transpose(), sample.velocity.transpose(), sample.force.transpose();
+  weight_ += sample.weight;
+  sum_ += sample.weight * row;
+  const double angle = std::fmod(angular_frequency_ * sample.time, 2.0 * M_PI);
+  const double c = std::cos(angle), s = std::sin(angle);
+  double cosine = sample.weight, sine = 0.0;
+  for (Order& order : orders_) {
+    const double turned = cosine * c - sine * s;
+    sine = cosine * s + sine * c;
+    cosine = turned;
+    order.cosine += cosine * row;
+    order.sine += sine * row;
+    order.cosine_weight += cosine;
+    order.sine_weight += sine;
+  }
+}
+
+FittedBearing AffineFit::law(const AffineBearing& expected, const AffineBearing& before) const {
+  const Index rows = 2 * static_cast<Index>(orders_.size());
+  const Row mean = sum_ / weight_;
+  MatrixXd all(rows, 6);
+  for (Index k = 0; k < rows / 2; ++k) {
+    const Order& order = orders_[static_cast<std::size_t>(k)];
+    all.row(2 * k) = 2.0 / weight_ * (order.cosine - order.cosine_weight * mean);
+    all.row(2 * k + 1) = 2.0 / weight_ * (order.sine - order.sine_weight * mean);
+  }
+  const MatrixXd motion = all.leftCols<4>(), force = all.rightCols<2>();
+  const double stiffness = kExpectedStiffness * expected.stiffness.norm(), damping = expected.damping.norm();
+  const Eigen::Vector4d known(stiffness, stiffness, damping, damping);
+  const Unknowns prior = unknowns_of(expected);
+  const Unknowns found =
+      prior + known.asDiagonal() * departure(motion * known.asDiagonal(), -force - motion * prior);
+  FittedBearing result;
+  result.bearing.stiffness = found.topRows<2>().transpose();
+  result.bearing.damping = found.bottomRows<2>().transpose();
+  result.bearing.force = (mean.tail<2>() + mean.head<4>() * found).transpose();
+  result.residual = (force + motion * found).norm() / force.norm();
+  const Unknowns change = found - unknowns_of(before);
+  const auto share = [&](const Unknowns& part, const Unknowns& whole, Index from) {
+    return (motion.middleCols<2>(from) * part.middleRows<2>(from)).norm() /
+           (motion.middleCols<2>(from) * whole.middleRows<2>(from)).norm();
+  };
+  result.stiffness_change = share(change, found, 0);
+  result.damping_change = share(change, found, 2);
+  return result;
+}
+
+}  // namespace orbearing::study

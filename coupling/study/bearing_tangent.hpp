@@ -1,0 +1,21 @@
+// The planet bearings as springs and dampers about the mean load: what modes and the gears alone need of
+// them.
+#pragma once
+
+#include "coupling/study/drivetrain.hpp"
+#include "gearset/dynamics/parameters.hpp"
+
+namespace orbearing::study {
+
+/// All bearings of one planet with their pin supports, linear about their quasi-static balance at the
+/// drivetrain's power and speed: at the mean displacement they carry the mean load. Rollers and pin support
+/// in series, the stiffness and the damping of each; mean over the places of the rollers. Masses of rollers
+/// and pin ring, friction and laminae are left out.
+/// @throws std::runtime_error where the bearing finds no balance
+gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& drivetrain,
+                                                 const DrivetrainGeometry& geometry);
+
+/// Radial stiffness [N/m] of the same along the mean load, for those who take it alike in all directions.
+double planet_bearing_stiffness(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
+}  // namespace orbearing::study

@@ -1,0 +1,125 @@
+#include "coupling/study/one_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/study/affine_fit.hpp"
+#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/operating_point.hpp"
+
+namespace orbearing::study {
+
+namespace {
+
+using gearset::dynamics::AffineBearing;
+using integration::SteadyStateResult;
+
+// The first run is so much shorter: it has to lead near the law, not to be told.
+constexpr int kFirstShare = 3;
+
+AffineBearing times(double factor, const AffineBearing& law) {
+  return {factor * law.force, factor * law.stiffness, factor * law.damping};
+}
+
+// With its own outer ring for a bore: the planet's body stays with the gears. The support keeps its damper,
+// which is stated as a ratio of what moves.
+bearing::dynamics::DynamicsParameters on_its_ring(const DrivetrainGeometry& geometry,
+                                                  bearing::dynamics::DynamicsParameters parameters) {
+  const double pin = geometry.bearing.inner_ring_mass, ring = geometry.bearing.outer_ring_mass;
+  if (!(ring > 0.0)) return parameters;
+  parameters.support.damping_ratio *= std::sqrt((parameters.bore_mass + pin) / (ring + pin));
+  parameters.bore_mass = ring;
+  return parameters;
+}
+
+// The runs so far: where gears and bearing stand.
+class OneWay {
+ public:
+  OneWay(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const BearingDuty& duty,
+         const std::optional<Eigen::VectorXd>& start)
+      : drivetrain_(drivetrain),
+        geometry_(geometry),
+        duty_(duty),
+        parameters_(on_its_ring(geometry, bearing_dynamics(drivetrain, geometry))),
+        bearing_state_(start) {}
+
+  /// False where the gears give nothing but their mean loads.
+  bool drive(const AffineBearing& law) {
+    GearDrive now = drive_of_gears(drivetrain_, geometry_, duty_, law, parameters_.bore_mass, gear_state_);
+    if (now.ripple.harmonics.empty()) return false;
+    gear_state_ = now.final_state;
+    parameters_.ripple = now.ripple;
+    return true;
+  }
+
+  SteadyStateResult run_bearing(const bearing::dynamics::DynamicsParameters& parameters,
+                                const integration::SteadyStateOptions& options) const {
+    return bearing_state_ ? run_to_steady_state_from(*bearing_state_, drivetrain_.bearing, duty_.point,
+                                                     parameters, options)
+                          : run_to_steady_state(drivetrain_.bearing, duty_.point, parameters, options);
+  }
+
+  /// The bearing as it is driven now; what is fitted to it goes into `fitted`. `tangent` is what is known
+  /// beforehand, in each run alike: drawn to the law before, what no motion shows would wander.
+  SteadyStateResult run(const AffineBearing& law, const AffineBearing& tangent, bool first,
+                        FittedBearing& fitted) {
+    AffineFit fit(parameters_.ripple.angular_frequency, ripple_orders(drivetrain_, geometry_, law));
+    integration::SteadyStateOptions options = drivetrain_.steady_state;
+    if (first) options.observed_windows = std::max(1, options.observed_windows / kFirstShare);
+    options.on_bore = [&](const integration::BoreSample& sample) { fit.add(sample); };
+    SteadyStateResult result = run_bearing(parameters_, options);
+    if (!result.completed) return result;
+    bearing_state_ = result.final_state;
+    const double number = drivetrain_.bearings_per_planet;
+    fitted = fit.law(times(1.0 / number, tangent), times(1.0 / number, law));
+    fitted.bearing = times(number, fitted.bearing);
+    return result;
+  }
+
+ private:
+  const PlanetaryDrivetrain& drivetrain_;
+  const DrivetrainGeometry& geometry_;
+  const BearingDuty& duty_;
+  bearing::dynamics::DynamicsParameters parameters_;
+  std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
+};
+
+// The last run in `record`, which it may be accepted with.
+void note(const FittedBearing& fitted, const OneWayOptions& options, OneWayRecord& record) {
+  ++record.runs;
+  record.bearing = fitted.bearing;
+  record.residual = fitted.residual;
+  record.stiffness_change = fitted.stiffness_change;
+  record.damping_change = fitted.damping_change;
+  record.accepted = record.runs > 1 && record.stiffness_change <= options.stiffness_change &&
+                    record.damping_change <= options.damping_change;
+}
+
+}  // namespace
+
+OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                      const BearingDuty& duty, const std::optional<Eigen::VectorXd>& start,
+                      const OneWayOptions& options) {
+  OneWay one_way(drivetrain, geometry, duty, start);
+  OneWayRun result;
+  const bool moving = drivetrain.gear_set && drivetrain.mesh_variation;
+  const AffineBearing tangent = moving ? bearing_tangent(drivetrain, geometry) : AffineBearing{};
+  if (!moving || !one_way.drive(tangent)) {
+    result.bearing = one_way.run_bearing(bearing_dynamics(drivetrain, geometry), drivetrain.steady_state);
+    return result;
+  }
+  AffineBearing law = tangent;
+  OneWayRecord record;
+  do {
+    FittedBearing fitted;
+    result.bearing = one_way.run(law, tangent, record.runs == 0, fitted);
+    if (!result.bearing.completed) return result;
+    note(fitted, options, record);
+    law = fitted.bearing;
+  } while (record.runs < options.most_runs && !record.accepted && one_way.drive(law));
+  result.fit = record;
+  return result;
+}
+
+}  // namespace orbearing::study

@@ -1,0 +1,50 @@
+// A planet bearing driven by gears that move without it, on springs and dampers that are fitted to how it
+// moved: one way, and yet what gears and bearings do together.
+#pragma once
+
+#include <optional>
+
+#include "coupling/integration/steady_state.hpp"
+#include "coupling/study/drivetrain.hpp"
+#include "gearset/dynamics/parameters.hpp"
+
+namespace orbearing::study {
+
+/// When the law that stands for the bearings counts as found.
+struct OneWayOptions {
+  double stiffness_change = 0.01;  // [-]  from one run to the next, in its force along the motion
+  double damping_change = 0.1;     // [-]
+  int most_runs = 6;               // of gears and bearing; then the last one stands, and says so
+};
+
+/// What stood for the bearings while the gears moved.
+struct OneWayRecord {
+  gearset::dynamics::AffineBearing bearing;  // all bearings of a planet, as fitted to the last run
+  double residual = 0.0;                     // [-]  what the fit leaves of the force at the mesh harmonics
+  double stiffness_change = 0.0;             // [-]  from what the gears moved on in the last run
+  double damping_change = 0.0;               // [-]
+  int runs = 0;                              // of gears and bearing
+  bool accepted = false;                     // both changes within what is allowed
+};
+
+/// A bearing in its steady state, and what drove it.
+struct OneWayRun {
+  integration::SteadyStateResult bearing;
+  std::optional<OneWayRecord> fit;  // none where the gears give nothing but their mean loads
+};
+
+/// Gears on bearing_tangent() in place of their bearings, the bearing under the load that they give it
+/// (drive_of_gears()), the affine law fitted to its motion, and both again on that law until it stays. Each
+/// run goes on where the one before ended.
+///
+/// Of the planet's mass the bearing gets its own outer ring, and the gears' load is what moves that ring as
+/// the planet moved: nearly the force of the bearing. With the whole mass, which is as good for a bearing
+/// that is linear, the ring's own vibration on the rollers falls among the mesh harmonics, where a small
+/// error of the law is a large one of the motion.
+/// @param start state of the bearing to begin with; none: its quasi-static state
+/// @throws std::runtime_error where the gears' motion cannot be computed
+OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                      const BearingDuty& duty, const std::optional<Eigen::VectorXd>& start = std::nullopt,
+                      const OneWayOptions& options = {});
+
+}  // namespace orbearing::study
