@@ -14,7 +14,7 @@ RESIDUAL_SLUG, RESIDUAL_TITLE = "interface-energy", "Energy that the exchange ma
 CONVERGENCE_SLUG, CONVERGENCE_TITLE = "scheme-convergence", "How the schemes of exchange converge"
 RESIDUAL = "interface_energy_residual"
 CAPTION = (
-    "One way, the gears vibrate on springs in the bearings' place and their meshes shake the rollers; two ways, rollers, film and cage act "
+    "One way, the gears vibrate on springs and dampers that are fitted to the bearing, and shake it; two ways, rollers, film and cage act "
     "back on the gears. {change} Points of this sweep: {how}."
 )
 RESIDUAL_CAPTION = (
