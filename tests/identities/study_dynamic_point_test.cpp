@@ -85,12 +85,15 @@ TEST(StudyDynamicPoint, MeshStiffnessRaisesTheLargestLoad) {
 
 // A planet's mass times its acceleration is what its meshes and its bearings push it with: the load on a bore
 // with its share of that mass is the meshes' part, shared by the bearings of the planet. Without the forces
-// of the turning frame. Sine, cosine, sign, number of bearings and both meshes are in it.
+// of the turning frame, and with so much backlash that the motion repeats. Sine, cosine, sign, number of bearings and both meshes are in it.
 TEST(StudyDynamicPoint, LoadOfTheGearsIsWhatAcceleratesThePlanetLessItsBearings) {
   PlanetaryDrivetrain drivetrain = short_run();
   drivetrain.inertia = {.own_orbit = false, .coriolis = false, .carrier_centrifugal = false, .euler = false};
   gearset::dynamics::SetParameters gears = gears_of(drivetrain);
   gears.frame = {.coriolis = false, .centrifugal = false, .euler = false};
+  gears.sun_mesh.backlash = gears.ring_mesh.backlash = 1e-3;  // [m]  teeth that strike back do not repeat
+  gears.carrier.mass *= 1e6;  // a carrier that shakes would carry its pins along
+  gears.carrier.inertia *= 1e6;
   drivetrain.gear_set = [=] { return gears; };
   const DrivetrainGeometry geometry = derive(drivetrain);
   const BearingDuty duty = bearing_duty(drivetrain, geometry);

@@ -106,6 +106,9 @@ TEST(PinErrors, EveryPlanetLivesUnderItsOwnLoad) {
 TEST(PinErrors, LoadPlanetsAlikeInEveryFidelity) {
   constexpr double kMotion = 0.03;  // of a load: what rollers in motion do to the stiffness of the bearings
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
+  gearset::dynamics::SetParameters gears = drivetrain.gear_set();
+  gears.frame.centrifugal = true;  // planets thrown outward, as at rest
+  drivetrain.gear_set = [gears] { return gears; };
   drivetrain.mesh_variation = false;
   drivetrain.drive.speed = 9000.0 * example::rpm;
   drivetrain.steady_state.observed_windows = 1;
