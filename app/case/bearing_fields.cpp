@@ -196,11 +196,10 @@ void add_profile(std::vector<Field>& fields) {
     fields.push_back({.path = std::string("bearing.misalignment.") + key,
                       .kind = Kind::quantity,
                       .meaning = meaning,
-                      .use = Use(use::quasi_static | use::dynamic | use::dynamic_of_sets |
+                      .use = Use(use::quasi_static | use::in_time | use::fmu_bearing |
                                      (key[0] == 'c' ? unsigned{use::crown} : 0u),
                                  (key[0] == 'p' ? unsigned{use::crown} : 0u) |  // crown varies it
-                                     use::bearings_as_springs | use::mesh,
-                                 use::co_simulated | use::monolithic | use::fmu_bearing),
+                                     use::bearings_as_springs | use::mesh),
                       .models = planetary_drivetrain,
                       .dimension = dimension::angle,
                       .range = {-2.0, 2.0}});
@@ -223,7 +222,13 @@ void add_bearing_fields(std::vector<Field>& fields) {
                     .required_by = planetary_drivetrain,
                     .range = {1, 8}});
   add_rollers(fields);
-  fields.push_back(length("bearing.bore", "bore of the inner ring", of_cage_motion(), planetary_drivetrain));
+  // Masses of the pin ring move with the rollers; the springs feel the pin that fills it.
+  fields.push_back(length("bearing.bore",
+                          "bore of the inner ring, and diameter of the pin, whose stiffness follows from it "
+                          "where support.stiffness is left out",
+                          Use(use::rollers_in_motion | use::bearings_as_springs,
+                              use::rollers_at_rest | use::mesh | use::static_load),
+                          planetary_drivetrain));
   fields.push_back(length("bearing.outside_diameter", "outside diameter of the outer ring",
                           Use(use::of_a_drivetrain, use::static_load), planetary_drivetrain));
   fields.push_back(length("bearing.width", "width of the rings", of_mass(), planetary_drivetrain));

@@ -100,7 +100,7 @@ void add_contact(std::vector<Field>& fields) {
       {.path = "lubricant.viscosity",
        .kind = Kind::quantity,
        .meaning = "dynamic viscosity at the inlet, at running temperature",
-       .use = Use(use::lives | use::fmu_bearing, use::bearings_as_springs | use::mesh | use::static_load),
+       .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing, use::mesh | use::static_load),
        .dimension = dimension::viscosity,
        .range = {1e-5, 100.0},
        .default_text = "0.01 Pa.s",
@@ -109,7 +109,7 @@ void add_contact(std::vector<Field>& fields) {
       {.path = "lubricant.pressure_viscosity",
        .kind = Kind::quantity,
        .meaning = "pressure-viscosity coefficient at running temperature",
-       .use = Use(use::lives | use::fmu_bearing, use::bearings_as_springs | use::mesh | use::static_load),
+       .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing, use::mesh | use::static_load),
        .dimension = dimension::pressure_viscosity,
        .range = {0.1, 100.0},
        .default_text = "1.5e-8 Pa-1",
@@ -118,7 +118,7 @@ void add_contact(std::vector<Field>& fields) {
       {.path = "film.enabled",
        .kind = Kind::flag,
        .meaning = "the film takes part in the approach",
-       .use = Use(use::lives | use::fmu_bearing, use::bearings_as_springs | use::mesh, use::static_load),
+       .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing, use::mesh, use::static_load),
        .default_text = "false",
        .default_reason = "dry contacts first; the film's worth is shown apart"});
   fields.push_back(

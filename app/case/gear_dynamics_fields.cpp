@@ -93,17 +93,23 @@ void add_bodies(std::vector<Field>& fields) {
   add_central(fields, "ring", "base radius", "1e9 N/m", "a ring bolted to its housing");
   add_central(fields, "carrier", "centre distance", "5e8 N/m", "two bearings of the carrier");
   add_body(fields, "planet", "base radius");
-  Field bearing = quantity(
-      dimension::stiffness,
-      {"planet.bearing_stiffness",
-       "radial stiffness of all bearings of a planet and their pins; of the given bearing "
-       "at its mean load if absent",
-       of_bodies(), positive(1e13), "3e8 N/m", "two roller bearings of a planet of some 70 mm, loaded"});
+  // The pin spans the walls: its stiffness follows from them where support.stiffness is left out.
+  const Use of_walls(use::gears_in_motion | use::natural | use::rollers_in_motion,
+                     use::rollers_at_rest | use::mesh);
+  Field bearing =
+      quantity(dimension::stiffness,
+               {"planet.bearing_stiffness",
+                "radial stiffness of all bearings of a planet and their pins; of the given bearing "
+                "at its mean load if absent",
+                // Coupled gears start on it; --fidelity dynamic fits a law of its own, and warns.
+                Use(use::gears | use::natural | use::fmu_gearset | use::co_simulated | use::monolithic,
+                    without_gear_motion),
+                positive(1e13), "3e8 N/m", "two roller bearings of a planet of some 70 mm, loaded"});
   bearing.default_without_bearing = true;
   fields.push_back(std::move(bearing));
   fields.push_back(number({"carrier.plate_ratio",
                            "thickness of both side plates of the carrier as a share of the face width",
-                           of_bodies(),
+                           of_walls,
                            {.least = 0.0, .most = 10.0, .least_allowed = false},
                            "0.5",
                            "the carrier's design is not given; discs that reach to the planets' rims"}));
@@ -121,13 +127,12 @@ void add_meshes(std::vector<Field>& fields) {
                            {0.0, 2.0},
                            "0.07",
                            "usual of oiled steel gears"}));
-  fields.push_back(
-      number({"damping_ratio.bearing",
-              "damping of a planet on its bearings; bearings of rollers have their own",
-              Use(use::dynamic | use::gears, without_gear_motion | use::natural | use::fmu_gearset),
-              {0.0, 2.0},
-              "0.05",
-              "oiled roller bearings in a steel structure"}));
+  fields.push_back(number({"damping_ratio.bearing",
+                           "damping of a planet on its bearings; bearings of rollers have their own",
+                           Use(use::gears, without_gear_motion | use::natural | use::fmu_gearset),
+                           {0.0, 2.0},
+                           "0.05",
+                           "oiled roller bearings in a steel structure"}));
   fields.push_back(number({"damping_ratio.support",
                            "damping of a member on its support",
                            of_motion(),
@@ -166,7 +171,11 @@ void add_errors(std::vector<Field>& fields) {
                              "missing material on the flanks of the " + mesh +
                                  " mesh at equal steps of a mesh period that begins as a pair touches",
                              of_motion()));
-  const Use of_pins(use::gears_in_motion, use::natural | use::mesh | use::fmu_bearing);
+  // Planets share the load unevenly in every rung of one set. What crown varies is a planet of the mean load,
+  // and sets among several, which have shafts in place of a driving member, carry alike: both warn.
+  const Use of_pins =
+      Use(use::gears_in_motion | use::quasi_static, use::natural | use::mesh | use::fmu_bearing)
+          .when(where_given({"input.member"}));
   fields.push_back(lengths("pin_error.radial", "how far each pin stands outward of its place", of_pins));
   fields.push_back(lengths("pin_error.tangential",
                            "how far each pin stands ahead of its place in the sense of rotation", of_pins));

@@ -126,8 +126,8 @@ void add_lubrication(std::vector<Field>& fields) {
 void add_printed_variants(std::vector<Field>& fields) {
   fields.push_back(
       choice("film.approach", "a film adds to the elastic approach, or is subtracted as [Gai2025] prints it",
-             Use(use::quasi_static | use::crown | use::dynamic | use::dynamic_of_sets,
-                 use::bearings_as_springs | use::mesh, use::co_simulated | use::monolithic | use::fmu_bearing)
+             Use(use::rollers_at_rest | use::dynamic | use::dynamic_of_sets | use::bearings_as_springs,
+                 use::mesh, use::co_simulated | use::monolithic | use::fmu_bearing)
                  .when(where("film.enabled", {"true"})),
              {"added", "as-printed"}, "a film takes room between roller and race"));
   fields.push_back(choice(

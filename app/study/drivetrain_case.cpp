@@ -237,7 +237,8 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
     study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved.of_set(name));
     const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
     drivetrain.in_arrangement = flow.sets[place];
-    drivetrain.gear_set = nullptr;  // a model of one set, which knows neither its place nor its share
+    drivetrain.gear_set = nullptr;      // a model of one set, which knows neither its place nor its share
+    drivetrain.pins_displaced = false;  // without that model none shares its load unevenly; the case warns
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
     sets.push_back({name, std::move(drivetrain), geometry});
   }

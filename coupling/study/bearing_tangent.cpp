@@ -38,7 +38,17 @@ Matrix2d roller_damping(const bearing::RaceEquilibrium& problem, const bearing::
   return sum;
 }
 
+// The law is a mean over time, in which rollers and turning races pass every place: it knows like rollers and
+// forms that stand still. At one place of the cage unlike ones would bend it by where they happen to be.
+bearing::CylindricalRollerBearing of_like_rollers(bearing::CylindricalRollerBearing like) {
+  like.roller_diameter_deviation.clear();
+  for (std::vector<bearing::RaceHarmonic>* form : {&like.inner_form, &like.outer_form})
+    std::erase_if(*form, [](const bearing::RaceHarmonic& wave) { return wave.turning; });
+  return like;
+}
+
 RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::OperatingPoint& point) {
+  const bearing::CylindricalRollerBearing like = of_like_rollers(drivetrain.bearing);
   bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
                                       .cage_positions = drivetrain.cage_positions};
   if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
@@ -46,11 +56,11 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
   const bearing::dynamics::RaceContactParameters& race = drivetrain.dynamics.race;
   const bool damped = race.damping_law == bearing::dynamics::DampingLaw::approach_speed;
   const double share = 1.0 / options.cage_positions;
-  const double pitch = two_pi / drivetrain.bearing.rollers;
+  const double pitch = two_pi / like.rollers;
   RollerTangent mean;
   for (int i = 0; i < options.cage_positions; ++i) {
     const bearing::RaceEquilibrium problem =
-        bearing::quasi_static_problem(drivetrain.bearing, point, options, share * i * pitch);
+        bearing::quasi_static_problem(like, point, options, share * i * pitch);
     const bearing::QuasiStaticState balance = bearing::solve(problem);
     if (!balance.report.converged) throw std::runtime_error(balance.report.message);
     const Matrix2d compliance = problem.imbalance(balance.displacement).stiffness.inverse();

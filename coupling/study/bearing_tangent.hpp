@@ -10,7 +10,7 @@ namespace orbearing::study {
 /// All bearings of one planet with their pin supports, linear about their quasi-static balance at the
 /// drivetrain's power and speed: at the mean displacement they carry the mean load. Rollers and pin support
 /// in series, the stiffness and the damping of each; mean over the places of the rollers. Masses of rollers
-/// and pin ring, friction and laminae are left out.
+/// and pin ring, friction, laminae, unlike rollers and waves that turn with a race are left out.
 /// @throws std::runtime_error where the bearing finds no balance
 gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& drivetrain,
                                                  const DrivetrainGeometry& geometry);

@@ -121,13 +121,21 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .pockets = 32.0,
                                                  .guidance = 64.0,
                                                  .support = 128.0}};
+  study::OneWayRecord fit{
+      .residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0, .runs = 40, .accepted = true};
+  fit.bearing.stiffness << 44.0, 45.0, 46.0, 47.0;
+  fit.bearing.damping << 48.0, 49.0, 50.0, 51.0;
+  fit.bearing.force << 52.0, 53.0;
+  result.dynamic->one_way = fit;
   result.two_way = {.bearing_life_hours = {22.0, 21.0}, .energy_residual = 23.0, .window = 24e-6};
   result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};
   const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
-  const std::vector<double> expected = {0,  1,  2,  3,   4, 6,  7,  10,  11,  8,  12, 14, 15,
-                                        16, 9,  13, -1,  5, 20, 18, 19,  255, 1,  2,  4,  8,
-                                        16, 32, 64, 128, 1, 21, 2,  1.5, 23,  24, -1, 17};
+  const std::vector<double> expected = {0,  1,   2,  3,  4,  6,   7,  10,  11, 8,  12, 14, 15, 16,
+                                        9,  13,  -1, 5,  20, 18,  19, 255, 1,  2,  4,  8,  16, 32,
+                                        64, 128, 1,  21, 2,  1.5, 23, 24,  40, 1,  41, 42, 43, 44,
+                                        45, 46,  47, 48, 49, 50,  51, 52,  53, -1, 17};
+  ASSERT_EQ(expected.size(), head.names.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (i != head.status_place && i != head.refined_place) {
       EXPECT_EQ(row.values.at(i), expected[i]) << head.names[i];
