@@ -99,14 +99,15 @@ class Continued(unittest.TestCase):
         self.expect_refused(sweep(self.place / "own", "--resume", "--continue", "up"), "'none' was found; 'up' is required")
         self.assertEqual(snapshot(self.place / "up"), before)
 
-    def test_chain_without_its_stored_state_is_refused(self):
+    def test_point_whose_file_is_another_is_computed_anew(self):
         with tempfile.TemporaryDirectory() as place:
             folder = Path(place) / "cut"
             self.cut("up", folder, 2)
             still = Path(place) / "still"  # quasi-static points hold no state
             self.assertEqual(run([PROGRAM, "sweep", str(CASE), "--set", SPEEDS, "--quiet", "-o", str(still)]).returncode, 0)
             shutil.copy(still / "points" / "00001.nc", folder / "points" / "00001.nc")
-            self.expect_refused(sweep(folder, "--continue", "up", "--resume"), "00001.nc: holds no final state", "--resume")
+            self.assertEqual(sweep(folder, "--continue", "up", "--resume").returncode, 0)
+            self.assertEqual(table(folder), table(self.place / "up"))
 
     def test_usage(self):
         with tempfile.TemporaryDirectory() as place:

@@ -41,7 +41,9 @@ class PeakFound(unittest.TestCase):
         peak, points = sweep["peak"], sweep["points"]
         best = max(points, key=lambda p: p["life_h"])
         self.assertEqual((best["input_speed_rpm"], best["life_h"]), (peak["refined_speed_rpm"], peak["refined_life_h"]))
-        self.assertGreater(peak["refined_life_h"], 1.05 * peak["life_h"], "the grid's points lie on the flanks of dips")
+        self.assertGreater(peak["refined_life_h"], peak["life_h"])
+        dip = [p["life_h"] for p in points if 5650 <= p["input_speed_rpm"] <= 5850]
+        self.assertTrue(dip and min(dip) < 0.93 * peak["refined_life_h"], "the dip that the grid steps over is looked into")
         low, high = peak["between_rpm"]
         self.assertLessEqual(high - low, 2 * 11)
         alone = result_of("--fidelity", "dynamic", *SHORT, "--set", f"input.speed={best['input_speed_rpm']!r} rpm", command="run")
