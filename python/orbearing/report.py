@@ -96,7 +96,8 @@ def main(arguments: list[str]) -> int:
     except OSError as error:
         print(f"{folder}: report.html cannot be written ({error.strerror}); free space and write permission are required",
               file=sys.stderr)
-        return 1
+        # A place that cannot be written to is bad input; a disk that is full is not.
+        return 2 if isinstance(error, (IsADirectoryError, NotADirectoryError, PermissionError)) else 1
     return 0
 
 

@@ -30,6 +30,8 @@ def make_report():
     content = fixture.make_report()
     content["fidelity"] = "dynamic"
     content.update(axes=[], slice=None, branches=None, kinematics=ROLLING)
+    peak = content["peak"]  # the best of all points is one of the grid's
+    peak.update(refined_speed_rpm=peak["speed_rpm"], refined_life_h=peak["life_h"])
     content["drawing"].update(cage_outer_mm=CAGE_OUTER, guide_land_mm=GUIDE_LAND)
     for point in content["points"]:
         point.update(losses(point["input_speed_rpm"]), roller_slip=0.05, cage_slip=0.01 - 1e-6 * point["input_speed_rpm"])

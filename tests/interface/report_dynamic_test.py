@@ -51,7 +51,7 @@ def make_page(content=None, change=lambda name, values: values, damage=lambda fo
         return command.build(Path(folder))
 
 
-def make_figures(content=None, change=lambda name, values: values, blocks=DYNAMIC_BLOCKS):
+def make_figures(content=None, change=lambda name, values: values, blocks=(*DYNAMIC_BLOCKS, dynamic_ablation.block)):
     """The sections that only a dynamic result has, or some of them, without the time that the others take."""
     with tempfile.TemporaryDirectory() as folder:
         dynamic.write_results(folder, dynamic.make_report() if content is None else content, change)

@@ -201,6 +201,7 @@ class MissingData(unittest.TestCase):
     def test_best_point_at_the_edge_is_said(self):
         content = fixture.make_report()
         content["points"] = content["points"][:6]
+        content["peak"] |= {"refined_speed_rpm": 6000, "refined_life_h": content["peak"]["life_h"]}
         self.assertIn("edge of the sweep", make_page(content))
 
     def test_any_part_may_be_missing_null_or_of_another_kind(self):

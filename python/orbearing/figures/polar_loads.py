@@ -30,7 +30,7 @@ def block(report: Report) -> FigureBlock:
         return FigureBlock("polar", TITLE, missing="No roller loads by place were stored for this result.")
     pictures = tuple(_draw(entry, f"polar-{index}") for index, entry in enumerate(usable, start=1))
     left_out = len(report.records("polar")) - len(usable)
-    caption = ("Quasi-static. " if report.is_dynamic else "") + CAPTION + (f" {left_out} speed(s) without loads are left out." if left_out else "")
+    caption = "Quasi-static. " + CAPTION + (f" {left_out} speed(s) without loads are left out." if left_out else "")
     return FigureBlock("polar", TITLE, caption, pictures, data=_table(usable))
 
 
