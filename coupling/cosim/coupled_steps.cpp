@@ -11,7 +11,6 @@ namespace orbearing::cosim {
 namespace {
 
 using bearing::dynamics::BoreMotion;
-using integration::Rosenbrock2;
 
 // Error of a step, over what is allowed, up to which a bearing is gone over again by itself: beyond it the
 // bearing's force in the step of all is not to be trusted.
@@ -51,6 +50,7 @@ CoupledSteps::CoupledSteps(const CoupledSystem& system, const CoupledStepOptions
     : options_(options),
       all_(gears_alone(system, options.gears), options.longest_step),
       within_(options.bearing, options.longest_step),
+      control_(options.longest_step),
       weight_(options.bearing.size()),
       errors_(static_cast<std::size_t>(system.bearings())),
       sorted_(errors_),
@@ -81,14 +81,14 @@ integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vecto
   const double error = std::isfinite(gears) ? decisive_error(system, h, gears) : gears;
   if (!(error <= 1.0)) {
     ++rejected_;
-    dt = h * Rosenbrock2::retreat(error);
+    dt = control_.after_refusal(h, error);
     return integration::kRefused;
   }
   all_.accept(x);
   for (int b = 0; b < system.bearings(); ++b)
     if (errors_[static_cast<std::size_t>(b)] > 1.0) refine(system, b, all_.taken_away(), t, h, x);
   t += h;
-  dt = std::min(options_.longest_step, h * Rosenbrock2::growth(error));
+  dt = control_.after_acceptance(h, error);
   return integration::kAccepted;
 }
 
@@ -104,7 +104,7 @@ void CoupledSteps::refine(CoupledSystem& system, int b, const std::vector<double
   const auto place = static_cast<std::size_t>(b);
   DrivenSystem driven(system.bearing(b), course, from.angle, system.loads[place], system.sums[place]);
   std::copy_n(system.of_bearing(before.data(), b), bearing_.size(), bearing_.begin());
-  double step = h * Rosenbrock2::retreat(errors_[place]);
+  double step = h * integration::StepControl::share(errors_[place]);
   integration::through_window(within_, driven, bearing_, h, {.most_steps = options_.most_steps}, step);
   std::copy(bearing_.begin(), bearing_.end(), system.of_bearing(x.data(), b));
   system.counted[place] = true;

@@ -7,6 +7,7 @@
 
 #include "coupling/cosim/coupled_system.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/step_control.hpp"
 
 namespace orbearing::cosim {
 
@@ -38,6 +39,7 @@ class CoupledSteps {
   CoupledStepOptions options_;
   integration::Rosenbrock2 all_;         // weighs the gears alone
   integration::Rosenbrock2 within_;      // one bearing
+  integration::StepControl control_;     // of the steps of all
   std::vector<double> weight_;           // of one bearing
   std::vector<double> errors_, sorted_;  // (bearings)  shares of what is allowed
   std::vector<double> bearing_;          // state of one

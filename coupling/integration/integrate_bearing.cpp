@@ -15,7 +15,7 @@ using bearing::fast::VectorBearing;
 using State = std::vector<double>;
 namespace odeint = boost::numeric::odeint;
 
-constexpr double kStepOfImpact = 1.5;  // [rad]  of the faster of both vibrations in the longest step
+constexpr double kStepOfImpact = 1.05;  // [rad]  of the faster of both vibrations in the longest step
 
 // State between two steps: positions by Hermite's cubic from their velocities, velocities in a straight line,
 // which does not ring where they are stiff.

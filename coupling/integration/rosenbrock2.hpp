@@ -12,6 +12,8 @@
 #include <cmath>
 #include <vector>
 
+#include "coupling/integration/step_control.hpp"
+
 namespace orbearing::integration {
 
 /// What becomes of an attempted step, in Odeint's terms.
@@ -47,7 +49,7 @@ class Rosenbrock2 {
 
   explicit Rosenbrock2(state_type allowed, double longest_step)
       : weight_(allowed.size()),
-        longest_step_(longest_step),
+        control_(longest_step),
         slope_(allowed.size()),
         time_slope_(allowed.size()),
         rhs_(allowed.size()),
@@ -75,12 +77,12 @@ class Rosenbrock2 {
     const double h = dt;
     const double error = attempt(system, x, t, h);
     if (!(error <= 1.0)) {
-      dt = h * retreat(error);
+      dt = control_.after_refusal(h, error);
       return fail;
     }
     t += h;
     accept(x);
-    dt = std::min(longest_step_, h * growth(error));
+    dt = control_.after_acceptance(h, error);
     return success;
   }
 
@@ -112,23 +114,12 @@ class Rosenbrock2 {
     return detail::largest_share(h, k1_.data() + first, k2_.data() + first, weight, n);
   }
   bool linear() const { return linear_; }
-  /// Factors on the step length after an accepted and after a refused step with `error` [-].
-  static double growth(double error) {
-    return std::clamp(kSafety / std::sqrt(std::max(error, 1e-4)), kLeastFactor, kMostFactor);
-  }
-  static double retreat(double error) {
-    return std::isfinite(error) ? std::max(kLeastFactor, kSafety / std::sqrt(error)) : kLeastFactor;
-  }
-  double longest_step() const { return longest_step_; }
 
  private:
   static constexpr double kGamma = 0.29289321881345247559915563789515;
-  static constexpr double kSafety = 0.85;
-  static constexpr double kLeastFactor = 0.2;
-  static constexpr double kMostFactor = 2.0;
 
   state_type weight_;
-  double longest_step_;
+  StepControl control_;
   bool linear_ = false;  // the system holds slope_ and the Jacobian at the present state
   state_type slope_, time_slope_, rhs_, k1_, k2_, next_;
 };

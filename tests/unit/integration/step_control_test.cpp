@@ -1,0 +1,47 @@
+#include "coupling/integration/step_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace orbearing::integration::step_control_test {
+namespace {
+
+constexpr double kStep = 1e-6;  // [s]
+
+TEST(StepControl, AStepOfOrderTwoJustPasses) {
+  // Error h^2 and a target of 0.85^2.
+  StepControl control(1.0);
+  EXPECT_DOUBLE_EQ(control.after_refusal(kStep, 4.0), 0.85 / 2.0 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.81), 0.85 / 0.9 * kStep);
+}
+
+TEST(StepControl, StepsDoNotGrowAfterARefusal) {
+  StepControl control(1.0);
+  control.after_refusal(kStep, 2.0);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 1e-3), kStep) << "the first after it";
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 1e-3), 1.25 * kStep) << "the second";
+}
+
+TEST(StepControl, AStepThatOnlyJustPassedShrinksAfterARefusalToo) {
+  StepControl control(1.0);
+  control.after_refusal(kStep, 2.0);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 1.0), 0.85 * kStep);
+}
+
+TEST(StepControl, GrowthIsAQuarterAtMostAndEndsAtTheLongestStep) {
+  StepControl control(1.1 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.0), 1.1 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(0.5 * kStep, 0.0), 0.625 * kStep);
+}
+
+TEST(StepControl, WithoutAnErrorToGoByAStepIsCutToAFifth) {
+  StepControl control(1.0);
+  EXPECT_DOUBLE_EQ(control.after_refusal(kStep, std::numeric_limits<double>::infinity()), 0.2 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_refusal(kStep, std::nan("")), 0.2 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_refusal(kStep, 1e6), 0.2 * kStep);
+}
+
+}  // namespace
+}  // namespace orbearing::integration::step_control_test
