@@ -1,18 +1,14 @@
-// What the user states about a cylindrical roller bearing and what lies around it. SI units throughout.
+// What the user states about a bearing of rollers or balls and what lies around it. SI units throughout.
 #pragma once
 
 #include <vector>
 
 #include "bearing/profile/profile.hpp"
+#include "mechanics/material.hpp"
 
 namespace orbearing::bearing {
 
-/// Elastic and inertial properties of rings and rollers.
-struct Material {
-  double youngs_modulus = 206e9;  // [Pa]
-  double poisson_ratio = 0.3;     // [-]
-  double density = 7850.0;        // [kg/m^3]
-};
+using mechanics::Material;
 
 /// Oil at the running temperature.
 struct Lubricant {
@@ -50,7 +46,7 @@ struct RaceHarmonic {
 /// How a film takes part in the approach of roller and race.
 enum class FilmApproach {
   added,       // elastic approach = geometric approach + film
-  as_printed,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see bearing/printed_film.hpp
+  as_printed,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see bearing/contact/printed_film.hpp
 };
 
 /// Cylindrical roller bearing between a pin (inner race) and the bore of a planet (outer race).
@@ -73,6 +69,19 @@ struct CylindricalRollerBearing {
   profile::Profile roller_profile;  // of one roller; with laminae only, as the next two
   profile::Profile inner_race_profile;
   profile::Profile outer_race_profile;
+};
+
+/// One row of balls between two grooved races.
+struct BallBearing {
+  int balls = 0;                   // [-]
+  double ball_diameter = 0.0;      // [m]
+  double pitch_diameter = 0.0;     // [m]
+  double inner_osculation = 0.52;  // [-]    groove radius over ball diameter
+  double outer_osculation = 0.53;  // [-]
+  double contact_angle = 0.0;      // [rad]  nominal: without load where the clearance is zero
+  double radial_clearance = 0.0;   // [m]    diametral; beyond what the nominal contact angle takes
+  double first_element = 0.0;      // [rad]  place of the first ball, from the radial load
+  Material material;
 };
 
 /// Which inertial loads of the carrier frame act on the bodies in it.

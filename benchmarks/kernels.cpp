@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "bearing/dynamics/equations.hpp"
-#include "bearing/fast/equilibrium_batch.hpp"
-#include "bearing/laminae/lamina_bearing.hpp"
+#include "bearing/equilibrium/equilibrium_batch.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/motion/equations.hpp"
 #include "benchmarks/runs.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/case/case_file.hpp"
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::bench {

@@ -1,7 +1,7 @@
 // The bearing that is timed: a planet bearing of cases/reducer_150kW with film and traction on.
 #pragma once
 
-#include "bearing/dynamics/model.hpp"
+#include "bearing/motion/model.hpp"
 #include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::bench {

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <utility>
 
-#include "bearing/fast/instruction_set.hpp"
 #include "benchmarks/accuracy.hpp"
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/kernels.hpp"
 #include "benchmarks/speed.hpp"
 #include "coupling/integration/integrate_bearing.hpp"
+#include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bench {
 
@@ -109,7 +109,7 @@ Json measure() {
   const Stopwatch watch;
   const study::PlanetaryDrivetrain drivetrain = shipped_reducer();
   Json out;
-  out["instruction_set"] = bearing::fast::name_of(bearing::fast::best_instruction_set());
+  out["instruction_set"] = mechanics::name_of(mechanics::best_instruction_set());
   say("kernels");
   put_kernels(time_kernels(drivetrain), out);
   say("reference of 6000 rpm");

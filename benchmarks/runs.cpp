@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/dynamics/equations.hpp"
-#include "bearing/dynamics/initial_state.hpp"
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/initial_state.hpp"
 #include "benchmarks/cvode.hpp"
 #include "coupling/integration/integrate_bearing.hpp"
 

@@ -1,5 +1,5 @@
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -11,8 +11,8 @@ namespace orbearing::gearset {
 namespace {
 
 // Beyond these a shift is a slip of the pen: the rack would cut no usable tooth.
-constexpr double largest_shift = 2.0;                                       // [module]
-constexpr double largest_pressure_angle = 45.0 * std::numbers::pi / 180.0;  // [rad]
+constexpr double largest_shift = 2.0;                                                        // [module]
+constexpr double largest_pressure_angle = 45.0 * boost::math::double_constants::pi / 180.0;  // [rad]
 
 std::string found(double value, const std::string& required) {
   return "found " + decimal(value, 4) + "; " + required;
@@ -36,7 +36,8 @@ void check_shift(double shift, const std::string& place, Warnings& problems) {
 
 void check_fillet(const BasicRack& rack, const std::string& block, Warnings& problems) {
   const double tangent = std::tan(rack.pressure_angle);
-  const double half_tip = std::numbers::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
+  const double half_tip =
+      boost::math::double_constants::pi / 4.0 - (rack.addendum + rack.clearance) * tangent;  // [module]
   const double largest = half_tip / (1.0 / std::cos(rack.pressure_angle) - tangent);
   if (largest <= 0.0) {
     problems.push_back({block + ".addendum", found(rack.addendum,
@@ -88,7 +89,8 @@ void check_equal_spacing(const PlanetarySet& set, Warnings& problems) {
 // Eq. (24).
 void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
   if (set.planets < 2) return;
-  const double pitch = 2.0 * geometry.centre_distance * std::sin(std::numbers::pi / set.planets);
+  const double pitch =
+      2.0 * geometry.centre_distance * std::sin(boost::math::double_constants::pi / set.planets);
   const double tip_diameter = 2.0 * geometry.planet.tip_radius;
   if (tip_diameter < pitch) return;
   problems.push_back({"gearset.planets", "found planets with a tip diameter of " + millimetres(tip_diameter) +

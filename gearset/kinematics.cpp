@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/checks.hpp"
+
 namespace orbearing::gearset {
 
 namespace {
@@ -33,16 +35,12 @@ Member delivering_member(Member fixed, Member driven) {
   return Member::carrier;
 }
 
-void require_positive(double value, const char* message) {
-  if (!(value > 0.0) || !std::isfinite(value)) throw std::invalid_argument(message);
-}
-
 void require_sound(const PlanetarySet& set, const Drive& drive) {
   if (drive.member == set.fixed_member) {
     throw std::invalid_argument(
         "the driven member is the fixed one; drive another member or fix another one");
   }
-  require_positive(drive.speed, "the speed of the driven member must be positive and finite");
+  mechanics::require_positive(drive.speed, "speed of the driven member");
 }
 
 }  // namespace
@@ -66,7 +64,7 @@ Speeds member_speeds(const PlanetarySet& set, const Drive& drive) {
 
 Torques member_torques(const PlanetarySet& set, const Drive& drive) {
   require_sound(set, drive);
-  require_positive(drive.power, "the power that enters the set must be positive and finite");
+  mechanics::require_positive(drive.power, "power that enters the set");
   const Weights weights = willis_weights(set);
   const double scale = drive.power / (drive.speed * weights.of(drive.member));
   return {scale * weights.sun, scale * weights.ring, scale * weights.carrier};

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/checks.hpp"
+
 namespace orbearing::gearset {
 
 namespace {
@@ -30,10 +32,6 @@ MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, con
   return loads;
 }
 
-void require_motor(double value, const char* message) {
-  if (!(value > 0.0) || !std::isfinite(value)) throw std::invalid_argument(message);
-}
-
 }  // namespace
 
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive) {
@@ -42,8 +40,8 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
 
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const MemberRatios& ratios,
                      const Drive& drive) {
-  require_motor(drive.speed, "the speed of the motor must be positive and finite");
-  require_motor(drive.power, "the power of the motor must be positive and finite");
+  mechanics::require_positive(drive.speed, "speed of the motor");
+  mechanics::require_positive(drive.power, "power of the motor");
   const double sense = ratios.speed.carrier < 0.0 ? -1.0 : 1.0;
   const double speed = sense * drive.speed;                 // [rad/s]
   const double torque = sense * drive.power / drive.speed;  // [N m]

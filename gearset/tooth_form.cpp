@@ -1,9 +1,9 @@
 #include "gearset/tooth_form.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
@@ -13,7 +13,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-using std::numbers::pi;
+using boost::math::double_constants::pi;
 
 RackFillet rack_fillet(double shift, double module, const BasicRack& rack) {
   const double centre_below_datum = rack.addendum + rack.clearance - rack.root_fillet_radius;

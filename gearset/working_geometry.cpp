@@ -1,8 +1,8 @@
 #include "gearset/working_geometry.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
@@ -14,7 +14,7 @@ namespace {
 
 // No involute mesh of practice works above this angle; beyond it a centre distance is a root of the equations
 // only.
-constexpr double largest_working_angle = 45.0 * std::numbers::pi / 180.0;  // [rad]
+constexpr double largest_working_angle = 45.0 * boost::math::double_constants::pi / 180.0;  // [rad]
 
 struct BaseRadii {
   double sum;         // [m] sun and planet

@@ -1,9 +1,9 @@
 // A roller on its inner race for the tests of the half-space contact: the reducer's, 5.24 x 5.7 mm.
 #pragma once
 
-#include "bearing/half_space/of_bearing.hpp"
-#include "bearing/half_space/strip_contact.hpp"
-#include "bearing/half_space/surface_contact.hpp"
+#include "bearing/pressure/of_bearing.hpp"
+#include "bearing/pressure/strip_contact.hpp"
+#include "bearing/pressure/surface_contact.hpp"
 
 namespace orbearing::bearing::half_space {
 

@@ -7,7 +7,7 @@
 #include <ostream>
 #include <random>
 
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 
 namespace orbearing::bearing {
 

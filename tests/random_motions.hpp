@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "bearing/dynamics/parameters.hpp"
+#include "bearing/motion/parameters.hpp"
 #include "tests/random_bearings.hpp"
 
 namespace orbearing::bearing {

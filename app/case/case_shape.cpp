@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <cctype>
 
-#include "app/case/field_table.hpp"
-
 namespace orbearing::app {
 
 namespace {
 
 constexpr std::string_view sets_block = "sets.";
 constexpr std::string_view shafts_block = "shafts.";
-constexpr std::size_t longest_name = 40;
 
 bool has_name(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// What shafts take the place of.
-bool is_of_one_set(const Field& field) {
-  return field.path == "gearset.fixed" || field.path == "input.member";
 }
 
 void add_sets(unsigned models, const CaseShape& shape, std::vector<Input>& inputs) {
@@ -32,44 +24,12 @@ void add_sets(unsigned models, const CaseShape& shape, std::vector<Input>& input
 
 }  // namespace
 
-bool is_name(std::string_view name) {
-  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  return !name.empty() && name.size() <= longest_name && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(), [&](char c) {
-           return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_';
-         });
-}
-
 std::string set_prefix(std::string_view set) {
   return std::string(sets_block) + std::string(set) + ".";
 }
 
 std::string shaft_path(std::string_view shaft) {
   return std::string(shafts_block) + std::string(shaft);
-}
-
-std::size_t set_prefix_length(std::string_view path) {
-  if (!path.starts_with(sets_block)) return 0;
-  const std::size_t dot = path.find('.', sets_block.size());
-  const bool named =
-      dot != std::string_view::npos && is_name(path.substr(sets_block.size(), dot - sets_block.size()));
-  return named ? dot + 1 : 0;
-}
-
-bool in_each_set(const Field& field) {
-  const bool of_a_set = field.path.starts_with("gearset.") || field.path.starts_with("bearing.");
-  return of_a_set && (field.models & planetary_drivetrain) != 0 && !is_of_one_set(field);
-}
-
-const Field& shaft_field() {
-  static const Field field{
-      .path = "shafts",
-      .kind = Kind::list,
-      .meaning = "what turns as one: members as in 'reduction.sun', and motor, load or ground",
-      .use = Use(use::lives, 0),
-      .models = planetary_drivetrain,
-      .element = Kind::text};
-  return field;
 }
 
 void find_parts(const Entry& root, CaseShape& shape) {

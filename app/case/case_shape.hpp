@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/case/field.hpp"
+#include "app/case/field_table.hpp"
 
 namespace orbearing::app {
 
@@ -42,23 +42,9 @@ void find_parts(const Entry& root, CaseShape& shape);
 /// What is said of a field for which a case of that shape has no place: what was found, what is required.
 Complaint unused_field(const CaseShape& shape);
 
-/// Names of sets and shafts: letters, digits and _, beginning with a letter.
-bool is_name(std::string_view name);
-inline constexpr const char* name_rule =
-    "a name of at most 40 letters, digits and _, beginning with a letter, is required";
-
 /// "sets.NAME." and "shafts.NAME".
 std::string set_prefix(std::string_view set);
 std::string shaft_path(std::string_view shaft);
-
-/// Length of "sets.NAME." at the beginning of a path; 0 for a path without it.
-std::size_t set_prefix_length(std::string_view path);
-
-/// Whether each of several sets has this field for itself.
-bool in_each_set(const Field& field);
-
-/// The field of `shafts.NAME`.
-const Field& shaft_field();
 
 /// Whether a field is of no use without a bearing; without teeth.
 bool is_of_bearing(const Field& field);

@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/refinement_consistency.hpp"
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
+#include "app/case/refinement_consistency.hpp"
 #include "app/case/static_consistency.hpp"
 #include "gearset/checks.hpp"
 
@@ -157,8 +157,8 @@ void check_roller_circle(Checker& check) {
   if (!check.has({"bearing.rollers", "bearing.roller_diameter", "bearing.pitch_diameter"})) return;
   const int rollers = check.count("bearing.rollers");
   const double spacing =
-      check.length("bearing.pitch_diameter") * std::sin(std::numbers::pi / rollers);  // [m]
-  const double diameter = check.length("bearing.roller_diameter");                    // [m]
+      check.length("bearing.pitch_diameter") * std::sin(boost::math::double_constants::pi / rollers);  // [m]
+  const double diameter = check.length("bearing.roller_diameter");                                     // [m]
   if (diameter >= spacing) {
     check.object(
         "bearing.rollers", fmt::format("{} rollers do not fit around the pitch circle", rollers),
@@ -284,8 +284,8 @@ void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mist
 
 bool takes_part_in_consistency(std::string_view path) {
   return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("sets.") ||
-         path.starts_with("shafts.") || path.starts_with("pair.") || path.starts_with("load.") || path.starts_with("life.") ||
-         path.starts_with("lubricant.kinematic") || path == "input.member";
+         path.starts_with("shafts.") || path.starts_with("pair.") || path.starts_with("load.") ||
+         path.starts_with("life.") || path.starts_with("lubricant.kinematic") || path == "input.member";
 }
 
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {

@@ -1,14 +1,16 @@
 #include "app/case/field_table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <numeric>
-
-#include "app/case/case_shape.hpp"
 
 namespace orbearing::app {
 
 namespace {
+
+constexpr std::string_view kSetsBlock = "sets.";
+constexpr std::size_t kLongestName = 40;
 
 // Place of a path among its neighbours: for each of its blocks, when the table first names it.
 using BlockOrder = std::vector<std::size_t>;
@@ -66,6 +68,42 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 const std::vector<Field>& all_fields() {
   static const std::vector<Field> fields = build_table();
   return fields;
+}
+
+bool is_name(std::string_view name) {
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  return !name.empty() && name.size() <= kLongestName && is_letter(name.front()) &&
+         std::all_of(name.begin(), name.end(), [&](char c) {
+           return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_';
+         });
+}
+
+std::size_t set_prefix_length(std::string_view path) {
+  if (!path.starts_with(kSetsBlock)) return 0;
+  const std::size_t dot = path.find('.', kSetsBlock.size());
+  const bool named =
+      dot != std::string_view::npos && is_name(path.substr(kSetsBlock.size(), dot - kSetsBlock.size()));
+  return named ? dot + 1 : 0;
+}
+
+bool is_of_one_set(const Field& field) {
+  return field.path == "gearset.fixed" || field.path == "input.member";
+}
+
+bool in_each_set(const Field& field) {
+  const bool of_a_set = field.path.starts_with("gearset.") || field.path.starts_with("bearing.");
+  return of_a_set && (field.models & planetary_drivetrain) != 0 && !is_of_one_set(field);
+}
+
+const Field& shaft_field() {
+  static const Field field{
+      .path = "shafts",
+      .kind = Kind::list,
+      .meaning = "what turns as one: members as in 'reduction.sun', and motor, load or ground",
+      .use = Use(use::lives, 0),
+      .models = planetary_drivetrain,
+      .element = Kind::text};
+  return field;
 }
 
 const Field* find_field(std::string_view path) {

@@ -15,6 +15,23 @@ const std::vector<Field>& all_fields();
 /// The field of that path, or null. Of "sets.NAME.gearset.module" it is "gearset.module", which knows no set.
 const Field* find_field(std::string_view path);
 
+/// Names of sets and shafts: letters, digits and _, beginning with a letter.
+bool is_name(std::string_view name);
+inline constexpr const char* name_rule =
+    "a name of at most 40 letters, digits and _, beginning with a letter, is required";
+
+/// Length of "sets.NAME." at the beginning of a path; 0 for a path without it.
+std::size_t set_prefix_length(std::string_view path);
+
+/// Whether only a case of one set has this field: shafts take its place.
+bool is_of_one_set(const Field& field);
+
+/// Whether each of several sets has this field for itself.
+bool in_each_set(const Field& field);
+
+/// The field of `shafts.NAME`.
+const Field& shaft_field();
+
 /// Fields that a model knows, in table order.
 std::vector<const Field*> fields_of(Model model);
 

@@ -5,6 +5,7 @@ set(ORBEARING_CASE_SOURCES
   case/case_file.cpp
   case/case_resolver.cpp
   case/case_shape.cpp
+  case/changed_case.cpp
   case/check_table.cpp
   case/condition_fields.cpp
   case/consistency.cpp

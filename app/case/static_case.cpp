@@ -37,7 +37,7 @@ bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& in) {
   return bearing;
 }
 
-bearing::equilibrium::BallBearing ball_bearing_of(const ResolvedCase& in) {
+bearing::BallBearing ball_bearing_of(const ResolvedCase& in) {
   return {.balls = in.integer("bearing.balls"),
           .ball_diameter = in.quantity("bearing.ball_diameter"),
           .pitch_diameter = in.quantity("bearing.pitch_diameter"),

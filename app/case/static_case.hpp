@@ -4,7 +4,7 @@
 #include "app/case/resolved_case.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/rollers.hpp"
-#include "bearing/rating/roller_capacity.hpp"
+#include "bearing/life/roller_capacity.hpp"
 
 namespace orbearing::app {
 
@@ -13,7 +13,7 @@ inline constexpr int default_laminae = 40;
 
 /// Always cut into laminae. Throws std::invalid_argument where the profile has no meaning.
 bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& resolved);
-bearing::equilibrium::BallBearing ball_bearing_of(const ResolvedCase& resolved);
+bearing::BallBearing ball_bearing_of(const ResolvedCase& resolved);
 
 /// On the inner ring of either.
 bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& resolved);

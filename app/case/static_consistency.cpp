@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 
 namespace orbearing::app {
 
@@ -46,8 +46,8 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
                "bearing.outer_osculation", "bearing.contact_angle", "bearing.radial_clearance"}))
     return;
   const double diameter = in.quantity("bearing.ball_diameter");
-  const double spacing =
-      in.quantity("bearing.pitch_diameter") * std::sin(std::numbers::pi / in.integer("bearing.balls"));
+  const double spacing = in.quantity("bearing.pitch_diameter") *
+                         std::sin(boost::math::double_constants::pi / in.integer("bearing.balls"));
   if (diameter >= spacing)
     object_to(
         in, "bearing.balls",

@@ -7,10 +7,11 @@
 #include "app/case/check_table.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/power_table.hpp"
+#include "app/study/static_ratings.hpp"
 #include "app/study/static_study.hpp"
 
 namespace orbearing::app {

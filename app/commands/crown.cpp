@@ -14,7 +14,7 @@
 #include "app/results/result_folder.hpp"
 #include "app/study/crown/crown_files.hpp"
 #include "app/study/crown/crown_output.hpp"
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {

@@ -9,9 +9,9 @@
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/fmu_file.hpp"
 #include "app/study/fmu_model.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/fmu/variable_table.hpp"
 

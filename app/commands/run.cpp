@@ -2,9 +2,9 @@
 
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
-#include "app/study/gear_study.hpp"
+#include "app/commands/gear_study.hpp"
+#include "app/commands/static_run.hpp"
 #include "app/study/refinements.hpp"
-#include "app/study/static_run.hpp"
 #include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 

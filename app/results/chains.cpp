@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "app/results/sweep_run.hpp"
-
 namespace orbearing::app {
 
 std::vector<std::vector<std::size_t>> chains_of(const std::vector<SweepPoint>& points, Direction direction) {

@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "app/results/manifest.hpp"
+#include "app/results/sweep_point.hpp"
 
 namespace orbearing::app {
-
-struct SweepPoint;
 
 /// Numbers of the points, one chain for each combination of the other axes' values, in the order of the
 /// points that begin them; within a chain the speed rises (up) or falls (down).

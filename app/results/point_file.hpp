@@ -8,30 +8,10 @@
 #include <vector>
 
 #include "app/results/manifest.hpp"
+#include "app/results/point_content.hpp"
 #include "coupling/study/operating_point.hpp"
 
 namespace orbearing::app {
-
-struct NamedDimension {
-  std::string name;
-  std::size_t size = 0;  // at least 1
-};
-
-/// Values in the order of the dimensions, the last fastest; no dimension: a single value.
-struct NamedArray {
-  std::string name;
-  std::vector<std::string> dimensions;
-  std::string units;  // as udunits reads it
-  std::string meaning;
-  std::vector<double> values;  // NaN where there is none
-};
-
-/// All that a file holds; a new series is one more array here.
-struct PointContent {
-  std::vector<NamedDimension> dimensions;
-  std::vector<NamedArray> arrays;
-  std::vector<std::pair<std::string, std::string>> attributes;
-};
 
 /// Scalars of the table in SI, the loads by place, the axes in their unit. A failed point keeps its speed,
 /// its axes and its status.

@@ -1,6 +1,6 @@
 #include "app/results/series_content.hpp"
 
-#include "bearing/dynamics/layout.hpp"
+#include "bearing/motion/layout.hpp"
 
 namespace orbearing::app {
 

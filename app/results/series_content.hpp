@@ -1,7 +1,8 @@
 // The motion in time as named arrays of a point's file: dimensions time, roller and direction.
 #pragma once
 
-#include "app/results/point_file.hpp"
+#include "app/results/point_content.hpp"
+#include "coupling/integration/steady_state.hpp"
 
 namespace orbearing::app {
 

@@ -13,16 +13,9 @@
 #include "app/results/manifest.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/results/result_row.hpp"
+#include "app/results/sweep_point.hpp"
 
 namespace orbearing::app {
-
-struct SweepPoint {
-  std::string label;  // for messages: "input.speed = 6000 rpm"
-  double input_speed =
-      std::numeric_limits<double>::quiet_NaN();                 // [rad/s]  kept in the row of a failed point
-  std::vector<double> axis_values;                              // one per header.axes, in the axis' unit
-  std::vector<std::pair<std::string, std::string>> settings{};  // that make the case's operating point
-};
 
 /// Points that a sweep adds to its grid until its peak is known.
 struct Refinement {

@@ -1,31 +1,20 @@
-// From a resolved case to the parameters of a drivetrain, and what the case should be told about them.
+// From a resolved case to the parameters of a drivetrain, and what the case should be told about its teeth.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
 #include "coupling/study/drivetrain.hpp"
-#include "coupling/study/several_sets.hpp"
 
 namespace orbearing::app {
 
-/// Parameters of a case of the model planetary-drivetrain that has one set.
-study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& resolved);
-
-/// The sets with bearings of a planetary drivetrain, in the order of the case; of a case of one set, that one
-/// without a name.
-std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
-
-/// Names of the sets with bearings where there are several sets; none for a case of one set.
-std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
+/// Parameters of a case of the model planetary-drivetrain that has one set, without the dynamic model of its
+/// gears, which itself follows from them: drivetrain_of() adds it.
+study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& resolved);
 
 /// Parameters of the bearing alone, for both models that hold one.
 bearing::CylindricalRollerBearing bearing_of(const ResolvedCase& resolved);
-
-/// What follows from the inputs, for `orbearing check`.
-std::vector<Derived> derived_quantities(const ResolvedCase& resolved);
 
 /// Remarks on the gears, each with its place in the case; sets without bearings included.
 std::vector<std::string> gear_warnings(const ResolvedCase& resolved);

@@ -1,8 +1,8 @@
 #include "app/study/fmu_model.hpp"
 
 #include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "coupling/cosim/driven_setup.hpp"
 #include "coupling/fmu/bearing_fields.hpp"
 #include "coupling/fmu/gear_fields.hpp"

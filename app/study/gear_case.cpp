@@ -78,7 +78,7 @@ double planet_rings(const study::PlanetaryDrivetrain& drivetrain, const study::D
 }
 
 gearset::dynamics::SetModel geometric_model(const ResolvedCase& in) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
   const study::GearDynamicsChoice choice = geometric_choice(in);
   double rings = 0.0, stiffness = 0.0;
   if (in.shape().bearing) {

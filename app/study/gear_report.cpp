@@ -9,10 +9,10 @@
 #include <map>
 #include <set>
 
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_output.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/resonance.hpp"
 #include "app/study/tooth_drawing.hpp"
 #include "coupling/study/parallel.hpp"

@@ -24,7 +24,7 @@ void add_texts(const gearset::Warnings& warnings, std::vector<std::string>& text
   for (const gearset::Warning& warning : warnings) texts.push_back(warning.place + ": " + warning.text);
 }
 
-gearset::Elasticity elasticity_of(const ResolvedCase& in) {
+mechanics::Material elasticity_of(const ResolvedCase& in) {
   return {.youngs_modulus = in.quantity("material.youngs_modulus"),
           .poisson_ratio = in.number("material.poisson_ratio")};
 }
@@ -40,7 +40,7 @@ void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
 MeshStudy pair_study(const ResolvedCase& in) {
   const gearset::GearPair pair = pair_of(in);
   const gearset::PairGeometry geometry = gearset::pair_geometry(pair);
-  const gearset::Elasticity material = elasticity_of(in);
+  const mechanics::Material material = elasticity_of(in);
   const auto gear = [&](std::size_t i) {
     return gearset::make_mesh_gear(geometry.gears.at(i), 0.5 * pair.bore, pair.face_width, material);
   };
@@ -75,11 +75,11 @@ gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::Planetar
 }
 
 MeshStudy set_study(const ResolvedCase& in) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
   const gearset::PlanetarySet& set = drivetrain.set;
   const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
   const gearset::PlanetaryMeshes meshes = meshes_of(in, drivetrain, geometry);
-  const gearset::Elasticity material = elasticity_of(in);
+  const mechanics::Material material = elasticity_of(in);
   const double shift = geometry.planet_shift;
   NamedMesh sun{.first = "sun", .second = "planet", .stiffness = meshes.sun, .face_width = set.face_width};
   NamedMesh ring{.first = "ring", .second = "planet", .stiffness = meshes.ring, .face_width = set.face_width};
@@ -135,7 +135,7 @@ MeshStudy mesh_study(const ResolvedCase& resolved) {
 }
 
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(resolved);
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
   return meshes_of(resolved, drivetrain, gearset::working_geometry(drivetrain.set));
 }
 

@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/worth.hpp"
 #include "coupling/study/parallel.hpp"
 

@@ -1,13 +1,10 @@
-// What a sweep adds to its grid: the points that refine its peak, and the nearest resonance of each.
+// What a sweep adds to its grid: the points that refine its peak.
 #pragma once
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/sweep_run.hpp"
 
 namespace orbearing::app {
-
-/// Makes the rows of `request` name their nearest resonance where the bearings' motion feels one.
-void name_resonances(const ResolvedCase& resolved, SweepRequest& request);
 
 /// Makes `request` add points on the line of speeds through the grid's best point until its peak is known.
 /// Nothing where fewer than two speeds are swept.

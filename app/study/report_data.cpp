@@ -5,11 +5,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
 #include "app/study/ledger.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"

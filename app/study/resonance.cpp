@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {

@@ -9,7 +9,8 @@
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/units.hpp"
-#include "bearing/rating/life_modification.hpp"
+#include "bearing/life/ball_capacity.hpp"
+#include "bearing/life/life_modification.hpp"
 
 namespace orbearing::app {
 
@@ -107,7 +108,7 @@ Ratings roller_ratings(const ResolvedCase& in) {
 }
 
 Ratings ball_ratings(const ResolvedCase& in) {
-  const rating::BallSet set = bearing::equilibrium::ball_set(ball_bearing_of(in));
+  const rating::BallSet set = rating::ball_set(ball_bearing_of(in));
   Ratings ratings{.gamma = rating::gamma(set), .slenderness_limit = 0.40};
   ratings.capacity_factor = rating::ball_capacity_factor(set);
   ratings.dynamic_capacity = given_or(in, "bearing.dynamic_capacity", rating::dynamic_capacity(set));
@@ -153,8 +154,7 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
         {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0r"});
   if (in.model() != ball_bearing) return rows;
   const bearing::equilibrium::BallRow row(ball_bearing_of(in));
-  rows.push_back(
-      {"bearing.groove_distance", 1e3 * row.groove_distance(), "mm", "A, of the groove centres"});
+  rows.push_back({"bearing.groove_distance", 1e3 * row.groove_distance(), "mm", "A, of the groove centres"});
   const double cosine = std::min(1.0, row.radial_distance() / row.groove_distance());
   rows.push_back({"bearing.free_contact_angle", kDegree * std::acos(cosine), "deg", "without load"});
   return rows;

@@ -8,8 +8,9 @@
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/static_ratings.hpp"
-#include "bearing/line_contact.hpp"
-#include "bearing/rating/reference_life.hpp"
+#include "bearing/contact/line_contact.hpp"
+#include "bearing/life/ball_capacity.hpp"
+#include "bearing/life/reference_life.hpp"
 
 namespace orbearing::app {
 
@@ -66,7 +67,7 @@ StaticStudy roller_study(const ResolvedCase& in) {
 }
 
 StaticStudy ball_study(const ResolvedCase& in) {
-  const equilibrium::BallBearing bearing = ball_bearing_of(in);
+  const bearing::BallBearing bearing = ball_bearing_of(in);
   const equilibrium::BallRow row(bearing);
   const equilibrium::RingState state = equilibrium::balance_ring(row, ring_load_of(in));
   StaticStudy study = study_of(in, state);
@@ -77,7 +78,7 @@ StaticStudy ball_study(const ResolvedCase& in) {
                  bearing::point_pressure(row.contact(race), study.contact_load.maxCoeff()).pressure);
   if (bearing.contact_angle == 0.0)
     study.equivalent_load = rating::deep_groove_equivalent_load(
-        equilibrium::ball_set(bearing), in.quantity("load.radial"), in.quantity("load.axial"));
+        rating::ball_set(bearing), in.quantity("load.radial"), in.quantity("load.axial"));
   study.reference_life = rating::ball_reference_life(study.ratings.contacts, study.contact_load,
                                                      study.contact_load, race_motions_of(in));
   rate(in, rating::RollingElement::ball, study);

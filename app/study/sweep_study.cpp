@@ -12,11 +12,11 @@
 #include "app/errors.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/results/terminal_table.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/life_peak.hpp"
-#include "app/study/peak_refinement.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/power_table.hpp"
+#include "app/study/resonance_lines.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "app/version.hpp"
 

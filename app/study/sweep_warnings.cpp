@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "app/case/unused_inputs.hpp"
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 
 namespace orbearing::app {
 

@@ -7,7 +7,7 @@
 
 #include "app/errors.hpp"
 #include "app/results/result_row.hpp"
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
 #include "coupling/study/operating_point.hpp"
 

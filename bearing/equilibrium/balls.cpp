@@ -2,18 +2,12 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
+
+#include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
 namespace {
-
-[[noreturn]] void refuse_balls(const std::string& what, double found, const std::string& required) {
-  std::ostringstream text;
-  text << what << ": found " << found << "; required: " << required;
-  throw std::invalid_argument(text.str());
-}
 
 PointContact groove_contact(const BallBearing& bearing, Race race, double osculation) {
   return point_contact(ball_race_curvature(race, bearing.ball_diameter, bearing.pitch_diameter,
@@ -23,26 +17,17 @@ PointContact groove_contact(const BallBearing& bearing, Race race, double oscula
 
 }  // namespace
 
-rating::BallSet ball_set(const BallBearing& bearing) {
-  return {.balls = bearing.balls,
-          .diameter = bearing.ball_diameter,
-          .pitch_diameter = bearing.pitch_diameter,
-          .contact_angle = bearing.contact_angle,
-          .inner_osculation = bearing.inner_osculation,
-          .outer_osculation = bearing.outer_osculation};
-}
-
 BallRow::BallRow(const BallBearing& bearing) : lever_(0.5 * bearing.pitch_diameter) {
   const double openness = bearing.inner_osculation + bearing.outer_osculation - 1.0;
   for (const double osculation : {bearing.inner_osculation, bearing.outer_osculation})
     if (!(osculation > 0.5))
-      refuse_balls("osculation", osculation, "groove radius over ball diameter above 0.5");
+      mechanics::refuse("osculation", osculation, "groove radius over ball diameter above 0.5");
   groove_distance_ = openness * bearing.ball_diameter;
   radial_distance_ = groove_distance_ * std::cos(bearing.contact_angle) - 0.5 * bearing.radial_clearance;
   axial_distance_ = groove_distance_ * std::sin(bearing.contact_angle);
   if (!(radial_distance_ > 0.0))
-    refuse_balls("radial clearance [m]", bearing.radial_clearance,
-                 "less than twice the distance of groove centres");
+    mechanics::refuse("radial clearance [m]", bearing.radial_clearance,
+                      "less than twice the distance of groove centres");
   inner_ = groove_contact(bearing, Race::inner, bearing.inner_osculation);
   outer_ = groove_contact(bearing, Race::outer, bearing.outer_osculation);
   constant_ = in_series(inner_, outer_);

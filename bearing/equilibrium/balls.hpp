@@ -3,28 +3,11 @@
 
 #include <Eigen/Core>
 
+#include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/parameters.hpp"
-#include "bearing/point_contact.hpp"
-#include "bearing/rating/ball_capacity.hpp"
 
 namespace orbearing::bearing::equilibrium {
-
-/// One row of balls between two grooved races.
-struct BallBearing {
-  int balls = 0;                   // [-]
-  double ball_diameter = 0.0;      // [m]
-  double pitch_diameter = 0.0;     // [m]
-  double inner_osculation = 0.52;  // [-]    groove radius over ball diameter
-  double outer_osculation = 0.53;  // [-]
-  double contact_angle = 0.0;      // [rad]  nominal: without load where the clearance is zero
-  double radial_clearance = 0.0;   // [m]    diametral; beyond what the nominal contact angle takes
-  double first_element = 0.0;      // [rad]  place of the first ball, from the radial load
-  Material material;
-};
-
-/// The rating's view of the bearing.
-rating::BallSet ball_set(const BallBearing& bearing);
 
 /// What does not change with the load.
 class BallRow {

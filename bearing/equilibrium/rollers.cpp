@@ -2,11 +2,10 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 #include <vector>
 
-#include "bearing/line_contact.hpp"
+#include "bearing/contact/line_contact.hpp"
+#include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
@@ -32,10 +31,8 @@ laminae::LaminaLaw series_law(const CylindricalRollerBearing& bearing) {
 }
 
 const CylindricalRollerBearing& with_laminae(const CylindricalRollerBearing& in) {
-  if (in.laminae >= 1) return in;
-  std::ostringstream text;
-  text << "laminae: found " << in.laminae << "; required: at least 1";
-  throw std::invalid_argument(text.str());
+  mechanics::require(in.laminae >= 1, "laminae", in.laminae, "at least 1");
+  return in;
 }
 
 }  // namespace

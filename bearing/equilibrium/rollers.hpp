@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "bearing/contact/lamina_contact.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
-#include "bearing/laminae/lamina_contact.hpp"
 #include "bearing/parameters.hpp"
 
 namespace orbearing::bearing::equilibrium {

@@ -13,8 +13,8 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "bearing/quasi_static.hpp"
-#include "bearing/rating/reference_life.hpp"
+#include "bearing/life/reference_life.hpp"
+#include "bearing/operating_point.hpp"
 
 namespace orbearing::bearing::life {
 

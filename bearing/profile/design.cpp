@@ -5,29 +5,16 @@
 
 namespace orbearing::bearing::profile {
 
-namespace {
-
-using boost::math::double_constants::ln_two;
 using boost::math::double_constants::pi;
 
-double reduced_modulus(const Material& material) {
-  return material.youngs_modulus / (1.0 - material.poisson_ratio * material.poisson_ratio);
-}
-
-}  // namespace
-
 double amplitude(const DesignLoad& design) {
-  return 2.0 * design.load / (pi * reduced_modulus(design.material) * design.length);
+  return 2.0 * design.load / (pi * design.material.plane_strain_modulus() * design.length);
 }
 
 double width_ratio(const DesignLoad& design) {
   const double half_width = std::sqrt(8.0 * design.load * design.equivalent_radius /
-                                      (pi * reduced_modulus(design.material) * design.length));
+                                      (pi * design.material.plane_strain_modulus() * design.length));
   return 2.0 * half_width / design.length;
-}
-
-double end_drop_factor(double width_ratio) {
-  return 0.5 + ln_two - std::log(width_ratio);
 }
 
 Lundberg lundberg_for(const DesignLoad& design) {
@@ -46,7 +33,7 @@ FujiwaraKawase fujiwara_kawase_for(const DesignLoad& design, double k1, double k
 double design_load_of_drop(DesignLoad design, double drop) {
   constexpr int kSteps = 60;
   const double station = kDropPlace * 0.5 * design.length;
-  design.load = drop * reduced_modulus(design.material) * design.length;
+  design.load = drop * design.material.plane_strain_modulus() * design.length;
   for (int i = 0; i < kSteps; ++i) {
     const double now = profile::drop(johns_gohar_for(design), station);
     if (!(now > 0.0)) break;

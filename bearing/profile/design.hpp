@@ -1,8 +1,8 @@
 // Logarithmic profiles for a load: the relief that gives an even line load on an elastic half-space.
 #pragma once
 
-#include "bearing/parameters.hpp"
 #include "bearing/profile/profile.hpp"
+#include "mechanics/material.hpp"
 
 namespace orbearing::bearing::profile {
 
@@ -15,7 +15,7 @@ struct DesignLoad {
   double load = 0.0;               // [N]  Q of one roller on one race
   double length = 0.0;             // [m]  l
   double equivalent_radius = 0.0;  // [m]  R of the roller on that race
-  Material material;               // of roller and race
+  mechanics::Material material;    // of roller and race
 };
 
 /// A = 2 Q / (pi E' l) [m] with E' = E / (1 - nu^2): factor of the logarithm.
@@ -23,9 +23,6 @@ double amplitude(const DesignLoad& design);
 
 /// 2b/l [-]: width of the Hertzian contact, b = sqrt(8 Q R / (pi E' l)), over its length.
 double width_ratio(const DesignLoad& design);
-
-/// Drop at the end over A [-]: 1/2 + ln 2 - ln(2b/l), [Lundberg1939].
-double end_drop_factor(double width_ratio);
 
 Lundberg lundberg_for(const DesignLoad& design);
 JohnsGohar johns_gohar_for(const DesignLoad& design);

@@ -3,8 +3,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "bearing/profile/shapes.hpp"
-
 namespace orbearing::bearing::profile {
 
 namespace {

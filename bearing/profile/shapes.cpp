@@ -1,9 +1,8 @@
 #include "bearing/profile/shapes.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-
-#include "bearing/profile/design.hpp"
 
 namespace orbearing::bearing::profile {
 
@@ -38,6 +37,10 @@ Relief logarithm(double amplitude, double factor, double u, double u_slope) {
 }
 
 }  // namespace
+
+double end_drop_factor(double width_ratio) {
+  return 0.5 + boost::math::double_constants::ln_two - std::log(width_ratio);
+}
 
 Relief relief_of(const Straight&, double) {
   return {};

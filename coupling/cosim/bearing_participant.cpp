@@ -5,6 +5,7 @@
 
 #include "coupling/cosim/gears_participant.hpp"
 #include "gearset/dynamics/model.hpp"
+#include "mechanics/checks.hpp"
 
 namespace orbearing::cosim {
 
@@ -64,11 +65,7 @@ void BearingParticipant::save(SavedState& state) const {
 
 void BearingParticipant::restore(const SavedState& state) {
   constexpr std::size_t tail = 2 + 7 * 4;
-  if (state.size() < tail) {
-    std::ostringstream text;
-    text << "size of a saved state: found " << state.size() << "; required: that of a bearing";
-    throw std::invalid_argument(text.str());
-  }
+  mechanics::require(state.size() >= tail, "size of a saved state", state.size(), "that of a bearing");
   const auto own = state.end() - static_cast<std::ptrdiff_t>(tail);
   bearing_.restore({state.begin(), own});
   auto next = own;

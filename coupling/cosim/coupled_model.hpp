@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bearing/dynamics/bore_motion.hpp"
-#include "bearing/dynamics/model.hpp"
+#include "bearing/motion/bore_motion.hpp"
+#include "bearing/motion/model.hpp"
 #include "coupling/cosim/driven_bearing.hpp"
 #include "coupling/cosim/driven_gears.hpp"
 #include "gearset/dynamics/equations.hpp"

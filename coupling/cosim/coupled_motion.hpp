@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bearing/dynamics/snapshot.hpp"
-#include "bearing/dynamics/statistics.hpp"
+#include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/statistics.hpp"
 
 namespace orbearing::cosim {
 

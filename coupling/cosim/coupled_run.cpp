@@ -8,19 +8,16 @@
 #include <stdexcept>
 
 #include "coupling/cosim/joint_vector.hpp"
+#include "mechanics/checks.hpp"
 
 namespace orbearing::cosim {
 
 namespace {
 
+using mechanics::refuse;
+
 constexpr int kHighestOrder = 2;
 constexpr int kMostHalvings = 30;
-
-[[noreturn]] void refuse(const std::string& what, double found, const std::string& required) {
-  std::ostringstream text;
-  text << what << ": found " << found << "; required: " << required;
-  throw std::invalid_argument(text.str());
-}
 
 void require_sound(const CoupledOptions& options, bool can_restore) {
   const WindowControl& window = options.window;

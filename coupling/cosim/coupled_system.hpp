@@ -6,11 +6,11 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "bearing/fast/vector_bearing.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/cosim/coupled_model.hpp"
 #include "coupling/cosim/driven_system.hpp"
-#include "coupling/cosim/small_factors.hpp"
 #include "gearset/dynamics/slopes.hpp"
+#include "mechanics/dense_lu.hpp"
 
 namespace orbearing::cosim {
 
@@ -75,8 +75,8 @@ class CoupledSystem {
   std::vector<double> bore_speed_;  // [rad/s]  (bearings)  at the last linearisation
   gearset::dynamics::PortLoads port_loads_;
   gearset::dynamics::ForceSlopes slopes_;
-  SmallFactors::Matrix matrix_;
-  SmallFactors factors_;
+  mechanics::DenseLu::Matrix matrix_;
+  mechanics::DenseLu factors_;
   Eigen::VectorXd right_, rate_;
   std::ptrdiff_t gear_size_ = 0;
   std::ptrdiff_t bearing_size_ = 0;

@@ -1,17 +1,15 @@
 #include "coupling/cosim/courses.hpp"
 
-#include <sstream>
 #include <stdexcept>
+
+#include "mechanics/checks.hpp"
 
 namespace orbearing::cosim {
 
 namespace {
 
 void require_points(const std::vector<TimedValue>& points) {
-  if (!points.empty() && points.size() <= 4) return;
-  std::ostringstream text;
-  text << "points of a course: found " << points.size() << "; required: 1 to 4";
-  throw std::invalid_argument(text.str());
+  mechanics::require(!points.empty() && points.size() <= 4, "points of a course", points.size(), "1 to 4");
 }
 
 // Newton's divided differences, in place.

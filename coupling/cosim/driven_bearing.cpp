@@ -5,10 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bearing/dynamics/driven_bore.hpp"
-#include "bearing/dynamics/driven_start.hpp"
-#include "coupling/cosim/driven_output.hpp"
-#include "coupling/cosim/driven_setup.hpp"
+#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/driven_start.hpp"
 #include "coupling/cosim/driven_state.hpp"
 #include "coupling/cosim/driven_system.hpp"
 #include "coupling/integration/in_place.hpp"
@@ -33,17 +31,6 @@ constexpr double kPlaceStep = 1e-10;    // [m]
 constexpr double kVelocityStep = 1e-6;  // [m/s]
 
 }  // namespace
-
-BoreMotion BoreCourse::at(double since) const {
-  BoreMotion motion;
-  motion.position = {x.at(since), y.at(since)};
-  motion.velocity = {v_x.at(since), v_y.at(since)};
-  motion.acceleration = {v_x.slope(since), v_y.slope(since)};
-  motion.speed = speed.at(since);
-  motion.carrier_speed = carrier_speed.at(since);
-  motion.carrier_acceleration = carrier_acceleration.at(since);
-  return motion;
-}
 
 struct DrivenBearing::Inside {
   DrivenBearingSetup setup;

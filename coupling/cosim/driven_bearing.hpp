@@ -5,57 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "bearing/dynamics/bore_motion.hpp"
-#include "bearing/dynamics/parameters.hpp"
-#include "bearing/dynamics/statistics.hpp"
-#include "bearing/parameters.hpp"
-#include "coupling/cosim/course.hpp"
+#include "bearing/motion/bore_motion.hpp"
+#include "bearing/motion/statistics.hpp"
+#include "coupling/cosim/driven_output.hpp"
+#include "coupling/cosim/driven_setup.hpp"
 #include "coupling/cosim/participant.hpp"
 
 namespace orbearing::cosim {
-
-/// The race at rest relative to the load: the pin's.
-inline constexpr bearing::Race kStanding = bearing::Race::inner;
-
-/// All that is fixed before a run.
-struct DrivenBearingSetup {
-  bearing::CylindricalRollerBearing bearing;
-  bearing::dynamics::DynamicsParameters dynamics;  // no run-up, no ripple: the inputs bring them
-  double orbit_radius = 0.0;                       // [m]    from the carrier's axis to the pin's
-  double first_roller = 0.0;                       // [rad]  place of the first roller at the start
-  double lambda = 0.83;                            // [-]    of the Lundberg-Palmgren life
-  /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Felt by
-  /// laminae only, and refused without them.
-  Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
-  double allowed_length_error = 2e-10;  // [m]    of one step; all other variables follow from it
-  long places = 72;                     // [-]    bins on the races, for the life
-  long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
-};
-
-/// Inputs over a window.
-struct BoreCourse {
-  Course x, y;                  // [m]
-  Course v_x, v_y;              // [m/s]  slopes of the above
-  Course speed;                 // [rad/s]  of the bore, relative to the carrier
-  Course carrier_speed;         // [rad/s]
-  Course carrier_acceleration;  // [rad/s^2]
-
-  /// All but the angle of the bore, which the bearing itself sums up.
-  bearing::dynamics::BoreMotion at(double since) const;
-};
-
-/// At the present time.
-struct DrivenBearingOutput {
-  bearing::dynamics::BoreReaction reaction;
-  double cage_speed = 0.0;   // [rad/s]  relative to the carrier
-  double cage_slip = 0.0;    // [-]  1 - cage speed / kinematic cage speed; 0 where nothing turns
-  double life_used = 0.0;    // [-]  revolutions so far over the life (in revolutions) under the loads so far
-  double revolutions = 0.0;  // [-]  of the bore relative to the carrier, since the start; absolute value
-  double friction_loss = 0.0;        // [W]
-  std::vector<double> inner_load;    // [N]  (rollers)
-  std::vector<double> outer_load;    // [N]  (rollers)
-  std::vector<double> roller_angle;  // [rad]  (rollers)
-};
 
 /// Slopes of the force on the bore [N/m] and [N s/m]: rows x and y; the inner state held.
 struct ForceSlopes {

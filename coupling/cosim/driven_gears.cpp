@@ -8,6 +8,7 @@
 #include "coupling/integration/gear_steps.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
+#include "mechanics/checks.hpp"
 
 namespace orbearing::cosim {
 
@@ -26,16 +27,10 @@ using gearset::dynamics::SpeedState;
 constexpr double kSavedGearsKind = 20001.0;
 constexpr std::size_t kSavedGearsHead = 3;
 
-[[noreturn]] void refuse_gears(const std::string& what, double found, const std::string& required) {
-  std::ostringstream text;
-  text << what << ": found " << found << "; required: " << required;
-  throw std::invalid_argument(text.str());
-}
-
 SetParameters with_ports(const SetParameters& set) {
   if (!(set.planet.bearing_stiffness > 0.0))
-    refuse_gears("stiffness of the planet's bearing", set.planet.bearing_stiffness,
-                 "a value greater than 0, to find the state in which the run begins");
+    mechanics::refuse("stiffness of the planet's bearing", set.planet.bearing_stiffness,
+                      "a value greater than 0, to find the state in which the run begins");
   return set;
 }
 
@@ -51,7 +46,8 @@ double first_step(const Operation& operation) {
 }
 
 integration::IntegrationOptions options_of(const DrivenGearsSetup& setup, const SetModel& model) {
-  if (!(setup.allowed_share > 0.0)) refuse_gears("allowed error of a step", setup.allowed_share, "above 0");
+  if (!(setup.allowed_share > 0.0))
+    mechanics::refuse("allowed error of a step", setup.allowed_share, "above 0");
   integration::IntegrationOptions options;
   options.allowed_error = integration::gear_allowed_errors(model, setup.allowed_share);
   options.step = first_step(model.operation);
@@ -78,7 +74,8 @@ struct DrivenGears::Inside {
 
   void require_one_each(const std::vector<PlanetForceCourse>& forces) const {
     if (static_cast<Index>(forces.size()) != planets())
-      refuse_gears("number of forces on planets", static_cast<double>(forces.size()), "one for each planet");
+      mechanics::refuse("number of forces on planets", static_cast<double>(forces.size()),
+                        "one for each planet");
   }
 
   void set_loads(const std::vector<PlanetForceCourse>& forces, double since) {
@@ -123,7 +120,7 @@ void DrivenGears::balance(const std::vector<PlanetForceCourse>& forces) {
 
 void DrivenGears::advance(const Window& window, const std::vector<PlanetForceCourse>& forces) {
   inside_->require_one_each(forces);
-  if (!(window.end > window.begin)) refuse_gears("length of a window", window.length(), "above 0");
+  if (!(window.end > window.begin)) mechanics::refuse("length of a window", window.length(), "above 0");
   const auto derivative = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                               Eigen::Ref<Eigen::VectorXd> dx) {
     inside_->set_loads(forces, time - window.begin);
@@ -177,10 +174,10 @@ void DrivenGears::save(SavedState& state) const {
 void DrivenGears::restore(const SavedState& state) {
   const std::size_t required = kSavedGearsHead + static_cast<std::size_t>(inside_->x.size());
   if (state.size() != required)
-    refuse_gears("size of a saved state", static_cast<double>(state.size()), std::to_string(required));
+    mechanics::refuse("size of a saved state", static_cast<double>(state.size()), std::to_string(required));
   if (state[0] != kSavedGearsKind)
-    refuse_gears("kind of a saved state", state[0], "that of a gear set, 20001");
-  if (!(state[2] > 0.0)) refuse_gears("step of a saved state", state[2], "above 0");
+    mechanics::refuse("kind of a saved state", state[0], "that of a gear set, 20001");
+  if (!(state[2] > 0.0)) mechanics::refuse("step of a saved state", state[2], "above 0");
   inside_->time = state[1];
   inside_->options.step = state[2];
   inside_->x = Eigen::Map<const Eigen::VectorXd>(state.data() + kSavedGearsHead, inside_->x.size());

@@ -3,10 +3,26 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <vector>
 
-#include "coupling/cosim/driven_bearing.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/motion/bore_motion.hpp"
+#include "bearing/motion/snapshot.hpp"
 
 namespace orbearing::cosim {
+
+/// At the present time.
+struct DrivenBearingOutput {
+  bearing::dynamics::BoreReaction reaction;
+  double cage_speed = 0.0;   // [rad/s]  relative to the carrier
+  double cage_slip = 0.0;    // [-]  1 - cage speed / kinematic cage speed; 0 where nothing turns
+  double life_used = 0.0;    // [-]  revolutions so far over the life (in revolutions) under the loads so far
+  double revolutions = 0.0;  // [-]  of the bore relative to the carrier, since the start; absolute value
+  double friction_loss = 0.0;        // [W]
+  std::vector<double> inner_load;    // [N]  (rollers)
+  std::vector<double> outer_load;    // [N]  (rollers)
+  std::vector<double> roller_angle;  // [rad]  (rollers)
+};
 
 /// Of `now`, under a bore that turns at `bore_speed` [rad/s] and has turned by `turned` [rad] there and back;
 /// `life` [rev] under the loads so far.

@@ -7,16 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "mechanics/checks.hpp"
+
 namespace orbearing::cosim {
 
 namespace {
 
-void require(bool holds, const char* what, double found, const char* required) {
-  if (holds) return;
-  std::ostringstream text;
-  text << "driven bearing, " << what << ": found " << found << "; required: " << required;
-  throw std::invalid_argument(text.str());
-}
+using mechanics::require;
 
 void check_numbers(const DrivenBearingSetup& setup) {
   require(std::isfinite(setup.orbit_radius) && setup.orbit_radius >= 0.0, "orbit radius [m]",
@@ -53,6 +50,17 @@ bool finite(const Course& course) {
 }
 
 }  // namespace
+
+bearing::dynamics::BoreMotion BoreCourse::at(double since) const {
+  bearing::dynamics::BoreMotion motion;
+  motion.position = {x.at(since), y.at(since)};
+  motion.velocity = {v_x.at(since), v_y.at(since)};
+  motion.acceleration = {v_x.slope(since), v_y.slope(since)};
+  motion.speed = speed.at(since);
+  motion.carrier_speed = carrier_speed.at(since);
+  motion.carrier_acceleration = carrier_acceleration.at(since);
+  return motion;
+}
 
 void require_finite(const BoreCourse& inputs) {
   const std::pair<const char*, const Course*> all[] = {

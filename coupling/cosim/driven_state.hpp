@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "bearing/dynamics/damage.hpp"
+#include "bearing/life/damage.hpp"
 #include "coupling/cosim/participant.hpp"
 
 namespace orbearing::cosim {

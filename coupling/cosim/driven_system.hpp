@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "bearing/dynamics/damage.hpp"
-#include "bearing/fast/vector_bearing.hpp"
-#include "coupling/cosim/driven_bearing.hpp"
+#include "bearing/life/damage.hpp"
+#include "bearing/motion/statistics.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "coupling/cosim/driven_setup.hpp"
 
 namespace orbearing::cosim {
 

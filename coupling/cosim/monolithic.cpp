@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/dynamics/driven_bore.hpp"
+#include "bearing/motion/driven_bore.hpp"
 #include "coupling/cosim/coupled_integration.hpp"
 #include "coupling/cosim/driven_output.hpp"
 #include "coupling/cosim/driven_setup.hpp"

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "coupling/integration/integrate.hpp"
+#include "coupling/integration/integration_options.hpp"
 
 namespace orbearing::integration::detail {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "bearing/dynamics/model.hpp"
+#include "bearing/motion/model.hpp"
 
 namespace orbearing::integration {
 

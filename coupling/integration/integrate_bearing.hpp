@@ -1,7 +1,7 @@
 // Integration of the vectorised bearing by the linearly implicit stepper.
 #pragma once
 
-#include "bearing/fast/vector_bearing.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/integration/integrate.hpp"
 
 namespace orbearing::integration {

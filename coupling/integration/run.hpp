@@ -5,7 +5,7 @@
 #include <chrono>
 #include <sstream>
 
-#include "coupling/integration/integrate.hpp"
+#include "coupling/integration/integration_options.hpp"
 
 namespace orbearing::integration {
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/dynamics/driving.hpp"
-#include "bearing/dynamics/equations.hpp"
+#include "bearing/motion/driving.hpp"
+#include "bearing/motion/equations.hpp"
 
 namespace orbearing::integration {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "bearing/dynamics/driven_bore.hpp"
-#include "bearing/dynamics/equations.hpp"
-#include "bearing/dynamics/initial_state.hpp"
+#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/initial_state.hpp"
 #include "coupling/integration/in_place.hpp"
 #include "coupling/integration/integrate_bearing.hpp"
 

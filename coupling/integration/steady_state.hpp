@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bearing/dynamics/parameters.hpp"
-#include "bearing/dynamics/statistics.hpp"
+#include "bearing/motion/parameters.hpp"
+#include "bearing/motion/statistics.hpp"
 #include "coupling/integration/integrate.hpp"
 
 namespace orbearing::integration {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/race_equilibrium.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "bearing/equilibrium/race_equilibrium.hpp"
+#include "mechanics/plane.hpp"
 
 namespace orbearing::study {
 
@@ -32,7 +32,7 @@ Matrix2d roller_damping(const bearing::RaceEquilibrium& problem, const bearing::
     const double inner = balance.inner_load[j], outer = balance.outer_load[j];
     if (!(inner > 0.0 && outer > 0.0)) continue;
     const double a = problem.contacts.inner.compliance(inner), b = problem.contacts.outer.compliance(outer);
-    const Vector2d outward(std::cos(balance.angle[j]), std::sin(balance.angle[j]));
+    const Vector2d outward = mechanics::direction(balance.angle[j]);
     sum += damping * (inner * a * a + outer * b * b) / ((a + b) * (a + b)) * outward * outward.transpose();
   }
   return sum;

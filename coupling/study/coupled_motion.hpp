@@ -4,7 +4,8 @@
 #include <memory>
 
 #include "coupling/cosim/coupled_motion.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/study/drivetrain.hpp"
+#include "coupling/study/fidelity.hpp"
 
 namespace orbearing::study {
 

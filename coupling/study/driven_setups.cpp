@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "coupling/study/load_sharing.hpp"
-#include "coupling/study/operating_point.hpp"
 #include "gearset/dynamics/model.hpp"
 
 namespace orbearing::study {

@@ -22,6 +22,17 @@ bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& driv
   return options;
 }
 
+bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                       const DrivetrainGeometry& geometry) {
+  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
+  parameters.inertia = drivetrain.inertia;
+  parameters.lubricant = drivetrain.lubricant;
+  parameters.race.film_in_approach = drivetrain.film_in_approach;
+  parameters.race.film_approach = drivetrain.film_approach;
+  parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
+  return parameters;
+}
+
 Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2d& load) {
   return misalignment.planet_tilt * load.normalized() +
          misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();

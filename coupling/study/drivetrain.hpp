@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 
-#include "bearing/dynamics/parameters.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/geometry.hpp"
+#include "bearing/motion/parameters.hpp"
 #include "bearing/parameters.hpp"
-#include "bearing/quasi_static.hpp"
 #include "coupling/cosim/coupled_run.hpp"
 #include "coupling/integration/steady_state.hpp"
 #include "gearset/dynamics/parameters.hpp"
@@ -79,6 +79,10 @@ struct BearingDuty {
 
 /// Film, inertia and cage angles of the quasi-static bearing.
 bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain);
+
+/// What the bearing's motion in time needs whatever drives it: no ripple of the meshes, no run-up.
+bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                       const DrivetrainGeometry& geometry);
 
 /// Inclination of the bore's axis against the pin's [rad], (x, y): the planet's tilt along `load` [N], the
 /// wind-up along y.

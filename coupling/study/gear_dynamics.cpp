@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupling/study/gear_signals.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
 

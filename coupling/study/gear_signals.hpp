@@ -1,12 +1,37 @@
 // Means, extremes and mesh harmonics of the signals of all planets, gathered sample by sample.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
-#include "coupling/study/gear_dynamics.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 
 namespace orbearing::study {
+
+/// One quantity of one planet over the observed periods.
+struct SignalStatistics {
+  double mean = 0.0;
+  double rms = 0.0;      // about zero
+  double maximum = 0.0;  // largest absolute value
+  double least = 0.0;
+  double largest = 0.0;
+  // At 1, 2, ... times the mesh frequency: the signal is the mean and the sum of
+  // cosine cos(order angle) + sine sin(order angle), with the angle of the mesh period since time zero.
+  std::vector<double> cosines, sines;
+  std::vector<double> amplitudes;  // hypot(cosine, sine)
+};
+
+/// All quantities of one planet.
+struct PlanetStatistics {
+  SignalStatistics sun_mesh_force;           // [N]
+  SignalStatistics ring_mesh_force;          // [N]
+  SignalStatistics radial_force;             // [N]
+  SignalStatistics tangential_force;         // [N]
+  SignalStatistics radial_acceleration;      // [m/s^2]
+  SignalStatistics tangential_acceleration;  // [m/s^2]
+  double load_share = 0.0;  // [-]  mean tangential bearing force over the planets' average: 1 where all share
+  double most_load_share = 0.0;  // [-]  largest tangential force at an instant over the planets' mean one
+};
 
 /// Sums of one signal, sampled uniformly over whole mesh periods.
 class SignalSums {

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bearing/laminae/lamina_bearing.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
@@ -25,8 +25,7 @@ class PlanetSupport {
  public:
   PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
       : drivetrain_(drivetrain), point_(duty.point), options_(quasi_static_options(drivetrain)) {
-    if (drivetrain.bearing.laminae > 0)
-      cut_.emplace(drivetrain.bearing, bearing::fast::InstructionSet::baseline);
+    if (drivetrain.bearing.laminae > 0) cut_.emplace(drivetrain.bearing, mechanics::InstructionSet::baseline);
   }
 
   /// Of the planet from the place of its pin [m].

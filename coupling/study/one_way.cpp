@@ -6,7 +6,6 @@
 #include "coupling/study/affine_fit.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/mesh_ripple.hpp"
-#include "coupling/study/operating_point.hpp"
 
 namespace orbearing::study {
 

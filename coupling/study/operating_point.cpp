@@ -6,11 +6,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bearing/dynamics/layout.hpp"
-#include "bearing/laminae/lamina_bearing.hpp"
-#include "bearing/line_contact.hpp"
-#include "bearing/lundberg_palmgren.hpp"
-#include "bearing/race_equilibrium.hpp"
+#include "bearing/contact/line_contact.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/race_equilibrium.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
+#include "bearing/motion/layout.hpp"
 #include "coupling/integration/run_up.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/coupled_motion.hpp"
@@ -98,7 +98,7 @@ QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const Dr
 // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
 QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
                                       const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const bearing::laminae::LaminaBearing cut(drivetrain.bearing, bearing::fast::InstructionSet::baseline);
+  const bearing::laminae::LaminaBearing cut(drivetrain.bearing, mechanics::InstructionSet::baseline);
   const bearing::laminae::LaminaResult loads =
       bearing::laminae::quasi_static_laminae(cut, duty.point, quasi_static_options(drivetrain));
   QuasiStaticBearing result = bearing_under(drivetrain, geometry, duty, loads);
@@ -362,17 +362,6 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
 }
 
 }  // namespace
-
-bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
-                                                       const DrivetrainGeometry& geometry) {
-  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
-  parameters.inertia = drivetrain.inertia;
-  parameters.lubricant = drivetrain.lubricant;
-  parameters.race.film_in_approach = drivetrain.film_in_approach;
-  parameters.race.film_approach = drivetrain.film_approach;
-  parameters.bore_mass = geometry.planet_mass / drivetrain.bearings_per_planet;
-  return parameters;
-}
 
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                           const DrivetrainGeometry& geometry,

@@ -7,17 +7,10 @@
 
 #include "coupling/cosim/coupled_motion.hpp"
 #include "coupling/study/drivetrain.hpp"
+#include "coupling/study/fidelity.hpp"
 #include "coupling/study/one_way.hpp"
 
 namespace orbearing::study {
-
-/// How the planet bearing is computed, from rung to rung of the ladder.
-enum class Fidelity {
-  quasi_static,
-  dynamic,       // in time, driven by the gears: one way
-  co_simulated,  // gears and all bearings act on each other, each with its own integrator
-  monolithic,    // the same as one system of equations
-};
 
 /// Loads, life and film of one race.
 struct RaceResult {
@@ -108,11 +101,7 @@ struct PointResult {
   std::string status = "ok";             // "ok" or why the point failed
 };
 
-/// What the bearing's motion in time needs whatever drives it: no ripple of the meshes, no run-up.
-bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
-                                                       const DrivetrainGeometry& geometry);
-
-/// The same with what the gears give at this duty on bearing_tangent() in place of the bearings.
+/// bearing_dynamics() with what the gears give at this duty on bearing_tangent() in place of the bearings.
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                           const DrivetrainGeometry& geometry,
                                                           const BearingDuty& duty);

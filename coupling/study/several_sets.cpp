@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "bearing/lundberg_palmgren.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::study {
 

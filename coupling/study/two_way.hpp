@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "coupling/cosim/coupled_motion.hpp"
-#include "coupling/study/operating_point.hpp"
+#include "coupling/integration/steady_state.hpp"
 
 namespace orbearing::study {
 

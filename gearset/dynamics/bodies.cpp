@@ -1,8 +1,8 @@
 #include "gearset/dynamics/bodies.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -13,7 +13,7 @@ namespace orbearing::gearset::dynamics {
 
 namespace {
 
-using std::numbers::pi;
+using boost::math::double_constants::pi;
 
 [[noreturn]] void refuse(const std::string& outline, double found, const std::string& required) {
   throw std::domain_error(outline + ": found " + millimetres(found) + "; required: " + required);

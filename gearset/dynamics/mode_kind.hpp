@@ -1,11 +1,18 @@
 // Sorts shapes of one frequency by their symmetry under an exchange of planets.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
-#include "gearset/dynamics/modes.hpp"
+#include "gearset/dynamics/layout.hpp"
 
 namespace orbearing::gearset::dynamics {
+
+/// Kinds of [LinParker1999], by the motion's symmetry under an exchange of planets:
+/// rotational      central members turn, all planets do the same;
+/// translational   central members shift, the planets' motion goes once round with their place;
+/// planet          central members rest, the planets' motion goes round twice or more.
+enum class ModeKind { rotational, translational, planet };
 
 /// Part of a space of shapes that is of one kind.
 struct KindShapes {

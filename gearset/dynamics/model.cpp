@@ -6,28 +6,18 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "mechanics/checks.hpp"
+
 namespace orbearing::gearset::dynamics {
 
 namespace {
 
 using boost::math::double_constants::two_pi;
+using mechanics::require;
+using mechanics::require_not_negative;
+using mechanics::require_positive;
 
 constexpr double same_place = 1e-9;  // [mesh period]  jumps closer than this are one
-
-void require(bool sound, const char* what, double found, const char* required) {
-  if (sound) return;
-  std::ostringstream text;
-  text << what << ": found " << found << "; required: " << required;
-  throw std::invalid_argument(text.str());
-}
-
-void require_positive(double value, const char* what) {
-  require(std::isfinite(value) && value > 0.0, what, value, "a finite value greater than 0");
-}
-
-void require_not_negative(double value, const char* what) {
-  require(std::isfinite(value) && value >= 0.0, what, value, "a finite value of at least 0");
-}
 
 void require_sound(const CentralMember& member) {
   require_positive(member.mass, "mass of a member of the gear set");

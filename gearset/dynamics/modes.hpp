@@ -4,15 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "gearset/dynamics/mode_kind.hpp"
 #include "gearset/dynamics/model.hpp"
 
 namespace orbearing::gearset::dynamics {
-
-/// Kinds of [LinParker1999], by the motion's symmetry under an exchange of planets:
-/// rotational      central members turn, all planets do the same;
-/// translational   central members shift, the planets' motion goes once round with their place;
-/// planet          central members rest, the planets' motion goes round twice or more.
-enum class ModeKind { rotational, translational, planet };
 
 /// Modes of one frequency and kind.
 struct Mode {

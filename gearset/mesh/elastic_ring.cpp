@@ -3,15 +3,15 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace orbearing::gearset {
 
 namespace {
 
-using std::numbers::pi;
+using boost::math::double_constants::pi;
 
 // Harmonics per radian of the tooth's root; with the smoothing below the error of the series is then below
 // a thousandth of each coefficient.

@@ -46,7 +46,7 @@ bool sainsot_is_usable(const FoundationBody& body) {
 }
 
 double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
-                             const ToothLoad& load, double face_width, const Elasticity& material) {
+                             const ToothLoad& load, double face_width, const mechanics::Material& material) {
   const double thickness = 2.0 * body.root_radius * body.half_angle;         // [m] S_f
   const double upwards = body.body_radius <= body.root_radius ? 1.0 : -1.0;  // the ring's tooth points inward
   const double lever = upwards * (load.axis_radius - body.root_radius);      // [m] u_f

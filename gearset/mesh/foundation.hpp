@@ -1,8 +1,8 @@
 // How far a tooth gives way because the body of its gear gives way under it.
 #pragma once
 
-#include "gearset/mesh/elasticity.hpp"
 #include "gearset/mesh/tooth_load.hpp"
+#include "mechanics/material.hpp"
 
 namespace orbearing::gearset {
 
@@ -39,6 +39,6 @@ bool sainsot_is_usable(const FoundationBody& body);
 /// Deflection along the force per unit of force. Eq. (6) of gearset/mesh/README.md.
 /// @return [m/N]
 double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
-                             const ToothLoad& load, double face_width, const Elasticity& material);
+                             const ToothLoad& load, double face_width, const mechanics::Material& material);
 
 }  // namespace orbearing::gearset

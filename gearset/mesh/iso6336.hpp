@@ -1,8 +1,8 @@
 // Mesh stiffness by the standard's regression: a second opinion beside the stiffness from tooth geometry.
 #pragma once
 
-#include "gearset/mesh/elasticity.hpp"
 #include "gearset/parameters.hpp"
+#include "mechanics/material.hpp"
 
 namespace orbearing::gearset {
 
@@ -15,7 +15,7 @@ struct Iso6336Pair {
   double second_shift = 0.0;  // [module]  of a ring: positive inward, less that of PlanetarySet
   BasicRack rack;
   double contact_ratio = 0.0;  // [-]
-  Elasticity material;
+  mechanics::Material material;
 };
 
 /// Stiffness per face width, of solid gears under more than 100 N per millimetre of face width.

@@ -13,7 +13,7 @@ constexpr double round_off = 1e-9;  // of a bore that equals the root diameter o
 }  // namespace
 
 MeshGear make_mesh_gear(const ExternalTooth& tooth, double bore_radius, double face_width,
-                        const Elasticity& material) {
+                        const mechanics::Material& material) {
   const FoundationBody body = foundation_body(tooth, bore_radius);
   if (!(bore_radius > 0.0 && bore_radius <= tooth.root_radius * (1.0 + round_off)))
     throw std::domain_error("the bore of a gear must be greater than zero and not exceed its root circle");
@@ -24,7 +24,7 @@ MeshGear make_mesh_gear(const ExternalTooth& tooth, double bore_radius, double f
 }
 
 MeshGear make_mesh_gear(const RingTooth& tooth, double outside_radius, double face_width,
-                        const Elasticity& material) {
+                        const mechanics::Material& material) {
   const FoundationBody body = foundation_body(tooth, outside_radius);
   if (!(outside_radius > tooth.root_radius))
     throw std::domain_error("the outside of a ring gear must be greater than its root circle");

@@ -14,7 +14,7 @@ struct MeshGear {
   FoundationBody body;
   FoundationCoefficients foundation;
   double face_width = 0.0;  // [m]
-  Elasticity material;
+  mechanics::Material material;
 };
 
 /// An external gear on a rigid shaft; foundation by the polynomials of [Sainsot2004], by the elastic ring
@@ -22,13 +22,13 @@ struct MeshGear {
 /// @param bore_radius [m] at most the root radius
 /// @throws std::domain_error if the bore is larger than the root circle or none
 MeshGear make_mesh_gear(const ExternalTooth& tooth, double bore_radius, double face_width,
-                        const Elasticity& material);
+                        const mechanics::Material& material);
 
 /// A ring gear held rigidly at its outside; foundation by the elastic ring, since the polynomials are for
 /// external gears.
 /// @param outside_radius [m] more than the root radius
 MeshGear make_mesh_gear(const RingTooth& tooth, double outside_radius, double face_width,
-                        const Elasticity& material);
+                        const mechanics::Material& material);
 
 /// Deflection of one gear's tooth along the force per unit of force, by its causes.
 struct GearCompliance {

@@ -1,13 +1,13 @@
 #include "gearset/mesh/mesh_phase.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 
 namespace orbearing::gearset {
 
 namespace {
 
-using std::numbers::pi;
+using boost::math::double_constants::pi;
 
 }  // namespace
 

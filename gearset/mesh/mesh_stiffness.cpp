@@ -1,8 +1,8 @@
 #include "gearset/mesh/mesh_stiffness.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
@@ -11,7 +11,7 @@ namespace orbearing::gearset {
 
 namespace {
 
-using std::numbers::pi;
+using boost::math::double_constants::pi;
 
 bool internal(const MeshingGears& gears) {
   return std::holds_alternative<RingTooth>(gears.first.tooth);
@@ -54,7 +54,7 @@ MeshingGears meshing_gears(const MeshGear& first, const MeshGear& second, double
   return gears;
 }
 
-double hertz_compliance(double face_width, const Elasticity& material) {
+double hertz_compliance(double face_width, const mechanics::Material& material) {
   const double nu = material.poisson_ratio;
   return 4.0 * (1.0 - nu * nu) / (pi * material.youngs_modulus * face_width);
 }

@@ -35,7 +35,7 @@ struct PairCompliance {
 };
 
 /// Compliance of the line contact of two teeth: constant. Eq. (7) of gearset/mesh/README.md [YangLin1987].
-double hertz_compliance(double face_width, const Elasticity& material);
+double hertz_compliance(double face_width, const mechanics::Material& material);
 
 /// @param place [m] of contact on the line of action
 PairCompliance pair_compliance(const MeshingGears& gears, double place);

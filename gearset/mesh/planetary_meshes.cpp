@@ -1,7 +1,7 @@
 #include "gearset/mesh/planetary_meshes.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "gearset/mesh/elastic_ring.hpp"
 #include "gearset/message.hpp"
@@ -10,13 +10,13 @@ namespace orbearing::gearset {
 
 std::vector<double> equal_planet_angles(int planets) {
   std::vector<double> angles;
-  for (int i = 0; i < planets; ++i) angles.push_back(2.0 * std::numbers::pi * i / planets);
+  for (int i = 0; i < planets; ++i) angles.push_back(2.0 * boost::math::double_constants::pi * i / planets);
   return angles;
 }
 
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
                                  const std::vector<double>& planet_angles, const BodyRatios& bodies,
-                                 const Elasticity& material, const MeshMotion& motion) {
+                                 const mechanics::Material& material, const MeshMotion& motion) {
   const double width = set.face_width;
   const double a = geometry.centre_distance;
   const MeshGear planet = make_mesh_gear(geometry.planet, 0.5 * set.planet_bore, width, material);

@@ -31,7 +31,7 @@ struct PlanetaryMeshes {
 /// @throws std::domain_error if a gear has no body under its teeth
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
                                  const std::vector<double>& planet_angles, const BodyRatios& bodies,
-                                 const Elasticity& material, const MeshMotion& motion);
+                                 const mechanics::Material& material, const MeshMotion& motion);
 
 /// Angles of equally spaced planets. [rad]
 std::vector<double> equal_planet_angles(int planets);

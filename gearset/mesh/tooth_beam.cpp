@@ -61,7 +61,7 @@ BeamSlice involute_slice(const Tooth& tooth, double tangent, double sense) {
 }  // namespace
 
 BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_place,
-                               double width, const Elasticity& material) {
+                               double width, const mechanics::Material& material) {
   const double across = std::pow(std::cos(force_angle), 2);
   const double along = std::pow(std::sin(force_angle), 2);
   const double bent = integral(pieces, [&](const BeamSlice& slice) {
@@ -76,7 +76,7 @@ BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double forc
 }
 
 BeamCompliance tooth_compliance(const ExternalTooth& tooth, const ToothLoad& load, double face_width,
-                                const Elasticity& material) {
+                                const mechanics::Material& material) {
   const auto slice = [&tooth](double tangent) { return involute_slice(tooth, tangent, -1.0); };
   const BeamPiece flank{tangent_length(tooth.base_radius, tooth.form_radius),
                         tangent_length(tooth.base_radius, load.contact_radius), slice};
@@ -85,7 +85,7 @@ BeamCompliance tooth_compliance(const ExternalTooth& tooth, const ToothLoad& loa
 }
 
 BeamCompliance tooth_compliance(const RingTooth& tooth, const ToothLoad& load, double face_width,
-                                const Elasticity& material) {
+                                const mechanics::Material& material) {
   const auto slice = [&tooth](double tangent) { return involute_slice(tooth, tangent, 1.0); };
   const BeamPiece flank{tangent_length(tooth.base_radius, load.contact_radius),
                         tangent_length(tooth.base_radius, tooth.root_radius), slice};

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "gearset/mesh/elasticity.hpp"
 #include "gearset/mesh/tooth_load.hpp"
+#include "mechanics/material.hpp"
 
 namespace orbearing::gearset {
 
@@ -39,14 +39,14 @@ struct BeamCompliance {
 /// @param axis_place  [m] counted as BeamSlice::place
 /// @param width       [m]
 BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_place,
-                               double width, const Elasticity& material);
+                               double width, const mechanics::Material& material);
 
 /// Compliance of a tooth between its root circle and the point of contact; places are distances from the
 /// gear's axis, so root fillets and undercuts count with their true form.
 /// @param face_width [m]
 BeamCompliance tooth_compliance(const ExternalTooth& tooth, const ToothLoad& load, double face_width,
-                                const Elasticity& material);
+                                const mechanics::Material& material);
 BeamCompliance tooth_compliance(const RingTooth& tooth, const ToothLoad& load, double face_width,
-                                const Elasticity& material);
+                                const mechanics::Material& material);
 
 }  // namespace orbearing::gearset

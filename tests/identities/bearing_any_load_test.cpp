@@ -12,7 +12,7 @@
 #include <sstream>
 #include <vector>
 
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 
 namespace orbearing::bearing::bearing_any_load_test {
 namespace {

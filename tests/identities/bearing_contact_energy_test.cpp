@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bearing/race_contact.hpp"
+#include "bearing/contact/race_contact.hpp"
 
 namespace orbearing::bearing::bearing_contact_energy_test {
 namespace {

@@ -1,11 +1,11 @@
 // Races that are not round and unequal rollers, where another description of the same bearing is known.
 #include <gtest/gtest.h>
 
-#include "bearing/dynamics/race_model.hpp"
-#include "bearing/printed_film.hpp"
-#include "bearing/race_form.hpp"
+#include "bearing/contact/printed_film.hpp"
+#include "bearing/contact/race_form.hpp"
+#include "bearing/motion/race_model.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
-#include "tests/unit/dynamics/reducer_bearing.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::bearing_form_test {
 namespace {
@@ -77,12 +77,12 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
   bearing.outer_form = {{1, kShift, 0.0, true}};
   const dynamics::RaceModel waved = race_model(bearing, kPoint, Race::outer, test::reducer_parameters());
   const double speed = -900.0, angle = 0.7, place = 0.2;
-  const dynamics::Vector2 to_mark(std::cos(angle), std::sin(angle));
-  const dynamics::BodyMotion race{{0.0, 0.0}, {0.0, 0.0}, speed, angle};
-  const dynamics::BodyMotion circling{kShift * to_mark, kShift * speed * dynamics::across(to_mark), speed,
-                                      0.0};
-  const dynamics::Vector2 outward(std::cos(place), std::sin(place));
-  const dynamics::BodyMotion roller{(17.82e-3 + 4e-6) * outward, {0.0, 0.0}, -4000.0};
+  const mechanics::Vector2 to_mark(std::cos(angle), std::sin(angle));
+  const mechanics::BodyMotion race{{0.0, 0.0}, {0.0, 0.0}, speed, angle};
+  const mechanics::BodyMotion circling{kShift * to_mark, kShift * speed * mechanics::across(to_mark), speed,
+                                       0.0};
+  const mechanics::Vector2 outward(std::cos(place), std::sin(place));
+  const mechanics::BodyMotion roller{(17.82e-3 + 4e-6) * outward, {0.0, 0.0}, -4000.0};
   const dynamics::RaceForces found = race_forces(waved, roller, race);
   const dynamics::RaceForces expected = race_forces(round, roller, circling);
   const double second_order = kShift * kShift / 17.82e-3 / 4e-6 * 10.0 / 9.0;

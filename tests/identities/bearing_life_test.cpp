@@ -6,8 +6,8 @@
 #include <functional>
 #include <string>
 
-#include "bearing/lundberg_palmgren.hpp"
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::bearing_life_test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::bearing_load_zone_test {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bearing/carrier_frame.hpp"
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "tests/random_bearings.hpp"
 
 namespace orbearing::bearing::bearing_random_test {

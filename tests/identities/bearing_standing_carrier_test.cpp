@@ -9,7 +9,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::bearing_standing_carrier_test {

@@ -1,9 +1,9 @@
 // A driven bearing in time: against the free bearing whose bore it follows, its order, its energy.
 #include <gtest/gtest.h>
 
-#include "bearing/dynamics/driven_bore.hpp"
-#include "bearing/dynamics/driven_start.hpp"
-#include "bearing/dynamics/equations.hpp"
+#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/driven_start.hpp"
+#include "bearing/motion/equations.hpp"
 #include "coupling/cosim/driven_setup.hpp"
 #include "coupling/cosim/driven_system.hpp"
 #include "coupling/integration/integrate.hpp"

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "bearing/dynamics/driven_bore.hpp"
+#include "bearing/motion/driven_bore.hpp"
 #include "coupling/cosim/coupled_system.hpp"
 #include "coupling/integration/gear_steps.hpp"
 #include "coupling/integration/integrate_bearing.hpp"

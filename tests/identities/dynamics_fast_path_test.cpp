@@ -3,12 +3,12 @@
 
 #include <cstdlib>
 
-#include "bearing/dynamics/equations.hpp"
-#include "bearing/dynamics/snapshot.hpp"
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/snapshot.hpp"
 #include "coupling/integration/integrate_bearing.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/steady_state.hpp"
-#include "tests/unit/dynamics/reducer_bearing.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::dynamics::dynamics_fast_path_test {
 namespace {

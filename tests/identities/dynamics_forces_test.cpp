@@ -2,10 +2,10 @@
 // gives power.
 #include <gtest/gtest.h>
 
-#include "bearing/dynamics/equations.hpp"
-#include "bearing/dynamics/instant.hpp"
-#include "bearing/dynamics/snapshot.hpp"
-#include "tests/unit/dynamics/reducer_bearing.hpp"
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/instant.hpp"
+#include "bearing/motion/snapshot.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::dynamics::dynamics_forces_test {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <cstdlib>
 
-#include "bearing/dynamics/equations.hpp"
-#include "bearing/dynamics/snapshot.hpp"
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/snapshot.hpp"
 #include "coupling/integration/integrate.hpp"
 #include "coupling/integration/steady_state.hpp"
-#include "tests/unit/dynamics/reducer_bearing.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::dynamics::dynamics_motion_test {
 namespace {

@@ -1,10 +1,10 @@
 // Speeds that change in time: loads, angles and the motion that follows.
 #include <gtest/gtest.h>
 
-#include "bearing/dynamics/driving.hpp"
-#include "bearing/dynamics/instant.hpp"
+#include "bearing/motion/driving.hpp"
+#include "bearing/motion/instant.hpp"
 #include "coupling/integration/run_up.hpp"
-#include "tests/unit/dynamics/reducer_bearing.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::dynamics::dynamics_run_up_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "bearing/half_space/elasticity.hpp"
+#include "bearing/pressure/elasticity.hpp"
 #include "tests/half_space_contacts.hpp"
 
 namespace orbearing::bearing::half_space::half_space_balance_test {

@@ -4,8 +4,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/half_space/elasticity.hpp"
-#include "bearing/half_space/pressure_measures.hpp"
+#include "bearing/pressure/elasticity.hpp"
+#include "bearing/pressure/pressure_measures.hpp"
 #include "tests/half_space_contacts.hpp"
 
 namespace orbearing::bearing::half_space::half_space_edge_test {

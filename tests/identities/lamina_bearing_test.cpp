@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/laminae/lamina_bearing.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
 
 namespace orbearing::bearing::laminae::lamina_bearing_test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bearing/laminae/drop_gradient.hpp"
+#include "bearing/equilibrium/drop_gradient.hpp"
 #include "bearing/profile/design.hpp"
 
 namespace orbearing::bearing::laminae::lamina_gradient_test {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "bearing/laminae/lamina_bearing.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
 #include "tests/random_laminae.hpp"
 
 namespace orbearing::bearing::laminae::lamina_random_test {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/balls.hpp"
-#include "bearing/rating/reference_life.hpp"
+#include "bearing/life/reference_life.hpp"
 
 namespace orbearing::bearing::equilibrium::ball_6305_test {
 namespace {
@@ -40,7 +40,8 @@ TEST(Ball6305, DisplacementsAndLives) {
     EXPECT_NEAR(1e6 * state.radial, row.radial_displacement, kDisplacement * 21.0);
     EXPECT_NEAR(1e6 * state.axial, row.axial_displacement, kDisplacement * 134.0);
     EXPECT_NEAR(state.tilt, 0.0, 1e-12);
-    const rating::ContactCapacities capacities = rating::contact_capacities(ball_set(bearing), 23400.0);
+    const rating::ContactCapacities capacities =
+        rating::contact_capacities(rating::ball_set(bearing), 23400.0);
     const BearingLife life = rating::ball_reference_life(capacities, state.contact_load, state.contact_load,
                                                          rating::turning(Race::inner));
     EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);

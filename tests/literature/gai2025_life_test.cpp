@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bearing/lundberg_palmgren.hpp"
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::gai2025_life_test {

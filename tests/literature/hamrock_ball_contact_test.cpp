@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bearing/point_contact.hpp"
+#include "bearing/contact/point_contact.hpp"
 
 namespace orbearing::bearing::hamrock_ball_contact_test {
 namespace {

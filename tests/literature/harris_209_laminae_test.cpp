@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bearing/equilibrium/rollers.hpp"
-#include "bearing/rating/reference_life.hpp"
+#include "bearing/life/reference_life.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::equilibrium::harris_209_laminae_test {

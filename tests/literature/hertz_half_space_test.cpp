@@ -8,7 +8,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
-#include "bearing/half_space/elasticity.hpp"
+#include "bearing/pressure/elasticity.hpp"
 #include "tests/half_space_contacts.hpp"
 
 namespace orbearing::bearing::half_space::hertz_half_space_test {

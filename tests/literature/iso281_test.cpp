@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "bearing/rating/ball_capacity.hpp"
-#include "bearing/rating/basic_life.hpp"
-#include "bearing/rating/life_modification.hpp"
-#include "bearing/rating/roller_capacity.hpp"
+#include "bearing/life/ball_capacity.hpp"
+#include "bearing/life/basic_life.hpp"
+#include "bearing/life/life_modification.hpp"
+#include "bearing/life/roller_capacity.hpp"
 
 namespace orbearing::bearing::rating::iso281_test {
 namespace {

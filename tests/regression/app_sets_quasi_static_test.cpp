@@ -1,5 +1,6 @@
 // The coupling set and the three sets against the table of an earlier version.
-// After a change that is meant: ORBEARING_WRITE_GOLDEN=1 build/release/bin/orbearing_tests --gtest_filter=regression/
+// After a change that is meant: ORBEARING_WRITE_GOLDEN=1 build/release/bin/orbearing_tests
+// --gtest_filter=regression/
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "app/case/case_file.hpp"
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 
 namespace orbearing::app::app_sets_quasi_static_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/case/printable.hpp"
 #include "app/errors.hpp"
 #include "app/study/crown/quantity_list.hpp"
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 
 namespace orbearing::app {
 

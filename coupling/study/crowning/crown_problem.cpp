@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/laminae/drop_gradient.hpp"
+#include "bearing/equilibrium/drop_gradient.hpp"
 
 namespace orbearing::study::crowning {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bearing/laminae/lamina_bearing.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/life/lamina_life.hpp"
 #include "coupling/study/crowning/profile_family.hpp"
 #include "coupling/study/drivetrain.hpp"

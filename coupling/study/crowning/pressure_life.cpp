@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bearing/half_space/pressure_measures.hpp"
+#include "bearing/pressure/pressure_measures.hpp"
 #include "coupling/study/parallel.hpp"
 
 namespace orbearing::study::crowning {

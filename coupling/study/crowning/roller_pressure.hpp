@@ -1,7 +1,7 @@
 // Pressure along the most loaded roller of a bearing, from the elastic half-space.
 #pragma once
 
-#include "bearing/half_space/strip_contact.hpp"
+#include "bearing/pressure/strip_contact.hpp"
 #include "coupling/study/crowning/crown_problem.hpp"
 
 namespace orbearing::study::crowning {

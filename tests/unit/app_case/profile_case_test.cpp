@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/refinements.hpp"
 #include "bearing/profile/design.hpp"
 #include "tests/unit/app_case/small_case.hpp"

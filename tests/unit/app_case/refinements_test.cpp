@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::refinements_test {

@@ -8,7 +8,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
+#include "app/study/planetary_case.hpp"
 #include "app/study/speed_slice.hpp"
 #include "coupling/study/operating_point.hpp"
 

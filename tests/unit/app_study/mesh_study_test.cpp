@@ -6,9 +6,9 @@
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
-#include "app/study/drivetrain_case.hpp"
 #include "app/study/ledger.hpp"
 #include "app/study/mesh_output.hpp"
+#include "app/study/planetary_case.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::mesh_study_test {

@@ -4,7 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/quasi_static.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 
 namespace orbearing::bearing::example_bearings {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "coupling/cosim/driven_bearing.hpp"
-#include "tests/unit/dynamics/reducer_bearing.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::test {
 

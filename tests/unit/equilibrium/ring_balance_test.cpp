@@ -6,8 +6,8 @@
 #include <random>
 
 #include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/equilibrium/rollers.hpp"
-#include "bearing/quasi_static.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::equilibrium::ring_balance_test {

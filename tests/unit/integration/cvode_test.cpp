@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-#include "bearing/dynamics/equations.hpp"
-#include "bearing/dynamics/initial_state.hpp"
-#include "bearing/dynamics/snapshot.hpp"
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/initial_state.hpp"
+#include "bearing/motion/snapshot.hpp"
 #include "benchmarks/cvode.hpp"
 #include "coupling/integration/integrate.hpp"
-#include "tests/unit/dynamics/reducer_bearing.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bench::cvode_test {
 namespace {

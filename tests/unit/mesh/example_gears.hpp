@@ -15,7 +15,8 @@ inline GearPair example_pair(int first, int second, double first_shift = 0.0, do
   return {{first, second}, {first_shift, second_shift}, 2e-3, 20e-3, bore, {}};
 }
 
-inline MeshingGears meshing(const GearPair& pair, bool first_drives = true, const Elasticity& material = {}) {
+inline MeshingGears meshing(const GearPair& pair, bool first_drives = true,
+                            const mechanics::Material& material = {}) {
   const PairGeometry geometry = pair_geometry(pair);
   const auto gear = [&](std::size_t i) {
     return make_mesh_gear(geometry.gears.at(i), 0.5 * pair.bore, pair.face_width, material);

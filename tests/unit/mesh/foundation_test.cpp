@@ -26,14 +26,14 @@ TEST(SainsotRange, IsThatOfItsAuthors) {
 }
 
 TEST(FoundationCompliance, OfAForceAlongTheToothIsItsCompressionAlone) {
-  const Elasticity steel;
+  const mechanics::Material steel;
   const FoundationCoefficients c{7.0, 1.2, 5.0, 0.4};
   const double ours = foundation_compliance(c, body(0.05, 3.0), {1.03, pi / 2.0, 1.02}, 0.02, steel);
   EXPECT_NEAR(ours, 5.0 * 0.4 / (0.02 * steel.youngs_modulus), 1e-25);
 }
 
 TEST(FoundationCompliance, TakesTheLeverFromTheRootTowardsTheTip) {
-  const Elasticity steel;
+  const mechanics::Material steel;
   const FoundationCoefficients c{7.0, 1.2, 5.0, 0.4};
   const double lever = 0.03, thickness = 2.0 * 0.05;
   const double closed =
@@ -91,7 +91,7 @@ TEST(ElasticRing, CouplesMomentAndShearUnderASmallToothAsAHalfPlaneDoes) {
 TEST(ElasticRing, AgreesWithThePolynomialsInTheirRange) {
   constexpr double of_the_whole = 0.03;  // what this project asks of a foundation
   constexpr double of_one_term = 0.1;    // terms of little weight are fitted less well
-  const Elasticity steel;
+  const mechanics::Material steel;
   for (const double half_angle : {0.03, 0.05, 0.08, 0.11})
     for (const double ratio : {2.0, 3.0, 4.0, 5.0}) {
       const FoundationBody gear = body(half_angle, ratio);

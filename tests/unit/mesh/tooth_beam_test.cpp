@@ -19,7 +19,7 @@ constexpr double round_off = 1e-10;
 //        constant half thickness
 TEST(BeamCompliance, OfARectangleIsThatOfACantilever) {
   constexpr double length = 9e-3, half = 2e-3, width = 20e-3, angle = 0.3;
-  const Elasticity steel;
+  const mechanics::Material steel;
   const BeamPiece block{0.0, length, [=](double x) { return BeamSlice{x, half, 1.0}; }};
   const BeamCompliance c = beam_compliance({block}, angle, length, width, steel);
   const double area = 2.0 * half * width;
@@ -33,7 +33,7 @@ TEST(BeamCompliance, OfARectangleIsThatOfACantilever) {
 
 TEST(BeamCompliance, OfAForceWhoseLineCutsTheAxisBeyondTheEndBendsTheMore) {
   constexpr double length = 9e-3, half = 2e-3, width = 20e-3, beyond = 12e-3;
-  const Elasticity steel;
+  const mechanics::Material steel;
   const BeamPiece block{0.0, length, [=](double x) { return BeamSlice{x, half, 1.0}; }};
   const double inertia = width * std::pow(2.0 * half, 3) / 12.0;
   const double closed = (std::pow(beyond, 3) - std::pow(beyond - length, 3)) /
@@ -45,7 +45,7 @@ TEST(BeamCompliance, OfAForceWhoseLineCutsTheAxisBeyondTheEndBendsTheMore) {
 // outline, a contact point and a direction are all it knows.
 template <typename HalfAngle>
 BeamCompliance drawn(const HalfAngle& half_angle, double from, double to, const Eigen::Vector2d& force,
-                     const Eigen::Vector2d& contact, double width, const Elasticity& material) {
+                     const Eigen::Vector2d& contact, double width, const mechanics::Material& material) {
   constexpr int steps = 200000;
   BeamCompliance sum;
   Eigen::Vector2d last{0.0, 0.0};
@@ -88,7 +88,7 @@ void expect_near(const BeamCompliance& ours, const BeamCompliance& drawing) {
 }
 
 TEST(ToothCompliance, AgreesWithIntegralsOverADrawnTooth) {
-  const Elasticity steel;
+  const mechanics::Material steel;
   for (const double shift : {-0.46, 0.0, 0.5}) {  // undercut, standard, thick
     const ExternalTooth tooth = make_external_tooth(22, shift, 3e-3, {});
     const auto half_angle = [&](double radius) { return half_thickness_angle(tooth, radius); };
@@ -104,7 +104,7 @@ TEST(ToothCompliance, AgreesWithIntegralsOverADrawnTooth) {
 }
 
 TEST(ToothCompliance, OfTheRingAgreesWithIntegralsOverADrawnTooth) {
-  const Elasticity steel;
+  const mechanics::Material steel;
   const RingTooth tooth = make_ring_tooth(79, 0.4146, 3e-3, {});
   const auto half_angle = [&](double radius) { return half_thickness_angle(tooth, radius); };
   const double contact = 0.6 * tooth.tip_radius + 0.4 * tooth.root_radius;

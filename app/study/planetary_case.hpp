@@ -1,0 +1,28 @@
+// From a resolved case of the model planetary-drivetrain to its sets with the dynamic model of their gears.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/check_table.hpp"
+#include "app/case/resolved_case.hpp"
+#include "app/study/drivetrain_case.hpp"
+#include "coupling/study/drivetrain.hpp"
+#include "coupling/study/several_sets.hpp"
+
+namespace orbearing::app {
+
+/// Parameters of a case of the model planetary-drivetrain that has one set.
+study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& resolved);
+
+/// The sets with bearings of a planetary drivetrain, in the order of the case; of a case of one set, that one
+/// without a name.
+std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
+
+/// Names of the sets with bearings where there are several sets; none for a case of one set.
+std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
+
+/// What follows from the inputs, for `orbearing check`.
+std::vector<Derived> derived_quantities(const ResolvedCase& resolved);
+
+}  // namespace orbearing::app

@@ -1,0 +1,106 @@
+#include "bearing/contact/lamina_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "bearing/contact/lamina_kernel.hpp"
+#include "mechanics/checks.hpp"
+
+namespace orbearing::bearing::laminae {
+
+namespace {
+
+constexpr std::size_t kMostLaminae = 1000;
+constexpr std::size_t kMostPadded = 1008;
+static_assert(kMostPadded % fast::kLaminaPadding == 0);
+
+const fast::LaminaKernel& kernel_of([[maybe_unused]] mechanics::InstructionSet set) {
+#if defined(__x86_64__) && !defined(_WIN32)
+  if (set == mechanics::InstructionSet::avx512) return fast::avx512_laminae();
+  if (set == mechanics::InstructionSet::avx2) return fast::avx2_laminae();
+#endif
+  return fast::baseline_laminae();
+}
+
+void require_sound(std::span<const double> drops) {
+  mechanics::require(!drops.empty() && drops.size() <= kMostLaminae, "laminae", drops.size(),
+                     "1 to " + std::to_string(kMostLaminae));
+  if (!std::all_of(drops.begin(), drops.end(), [](double drop) { return std::isfinite(drop); }))
+    throw std::invalid_argument("laminae: found a drop that is no finite number; required: a sound profile");
+}
+
+int padded(std::size_t laminae) {
+  constexpr int pad = fast::kLaminaPadding;
+  return (static_cast<int>(laminae) + pad - 1) / pad * pad;
+}
+
+}  // namespace
+
+std::vector<double> lamina_places(int n) {
+  std::vector<double> places(static_cast<std::size_t>(std::max(n, 0)));
+  for (int k = 0; k < n; ++k) places[static_cast<std::size_t>(k)] = (2.0 * k + 1.0) / n - 1.0;
+  return places;
+}
+
+std::vector<double> lamina_drops(const profile::Profile& roller, const profile::Profile& race, double length,
+                                 int n) {
+  std::vector<double> drops = lamina_places(n);
+  for (double& drop : drops) {
+    const double x = 0.5 * length * drop;
+    drop = profile::drop(roller, x) + profile::drop(race, x);
+  }
+  return drops;
+}
+
+LaminaContact::LaminaContact(const LaminaLaw& law, double length, std::span<const double> drops,
+                             mechanics::InstructionSet set)
+    : scale_(law.constant / static_cast<double>(drops.size())),
+      half_length_(0.5 * length),
+      laminae_(static_cast<int>(drops.size())),
+      padded_(padded(drops.size())),
+      place_(lamina_places(laminae_)),
+      drop_(drops.begin(), drops.end()),
+      kernel_(&kernel_of(set)) {
+  require_sound(drops);
+  least_drop_ = *std::min_element(drops.begin(), drops.end());
+  greatest_drop_ = *std::max_element(drops.begin(), drops.end());
+  place_.resize(static_cast<std::size_t>(padded_), 0.0);
+  drop_.resize(static_cast<std::size_t>(padded_), fast::kNoLamina);
+}
+
+LaminaForce LaminaContact::evaluate(double approach, double tip) const {
+  if (approach + std::abs(tip) <= least_drop_) return {};
+  const fast::LaminaSums sums = kernel_->sums(place_.data(), drop_.data(), padded_, approach, tip);
+  const double slope = LaminaLaw::exponent * scale_;
+  return {scale_ * sums.load, scale_ * sums.tip_load, slope * sums.by_approach, slope * sums.mixed,
+          slope * sums.by_tip};
+}
+
+void LaminaContact::put_loads(double approach, double tip, double* load) const {
+  std::array<double, kMostPadded> padded_load, root;
+  if (approach + std::abs(tip) <= least_drop_) {
+    std::fill_n(load, laminae_, 0.0);
+    return;
+  }
+  kernel_->loads(place_.data(), drop_.data(), padded_, approach, tip, padded_load.data(), root.data());
+  for (int k = 0; k < laminae_; ++k) load[k] = scale_ * padded_load[static_cast<std::size_t>(k)];
+}
+
+LaminaLoads LaminaContact::loads(double approach, double tip) const {
+  LaminaLoads result{Eigen::ArrayXd(padded_), Eigen::ArrayXd(padded_)};
+  kernel_->loads(place_.data(), drop_.data(), padded_, approach, tip, result.load.data(),
+                 result.stiffness.data());
+  result.load = (scale_ * result.load.head(laminae_)).eval();
+  result.stiffness = (LaminaLaw::exponent * scale_ * result.stiffness.head(laminae_)).eval();
+  return result;
+}
+
+double LaminaContact::energy(double approach, double tip) const {
+  const Eigen::Map<const Eigen::ArrayXd> drop(drop_.data(), laminae_);
+  return (loads(approach, tip).load * (approach + tip * places() - drop)).sum() / (LaminaLaw::exponent + 1.0);
+}
+
+}  // namespace orbearing::bearing::laminae

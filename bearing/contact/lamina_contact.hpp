@@ -1,0 +1,94 @@
+// Line contact of a roller with one race, cut into laminae that do not feel each other, after [ISO16281]:
+// q_k = c/n (a + tilt x_k - P_k)^(10/9) where that is positive, else 0.
+//
+//      race  ____________________________            x: along the axis from the middle
+//            \\\\\\ |   |   |   |   | ///             a: approach of the bodies at x = 0
+//      roller  '-.._|___|___|___|__.-'                tip: how much more the bodies approach at x = l/2
+//                          |--> x                     P: drop of both profiles
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "bearing/contact/lamina_kernel.hpp"
+#include "bearing/contact/line_contact.hpp"
+#include "bearing/profile/profile.hpp"
+#include "mechanics/packs/instruction_set.hpp"
+
+namespace orbearing::bearing::laminae {
+
+/// Load of a whole straight contact: constant approach^exponent.
+struct LaminaLaw {
+  static constexpr double exponent = 10.0 / 9.0;
+  double constant = 0.0;  // [N/m^(10/9)]
+};
+
+/// The law of one contact of the existing line contact, Palmgren's or the standard's.
+inline LaminaLaw lamina_law(const LineContact& contact) {
+  return {contact.constant()};
+}
+
+/// Middles of `n` equal laminae as fractions of half the length, -1 to 1, [ISO16281]: (2k - 1)/n - 1.
+std::vector<double> lamina_places(int n);
+
+/// Drop [m] of both bodies at the middles of `n` laminae of a contact of `length` [m].
+std::vector<double> lamina_drops(const profile::Profile& roller, const profile::Profile& race, double length,
+                                 int n);
+
+/// Load of a contact and how it follows the approach. Moments are divided by half the length, tilts
+/// multiplied.
+struct LaminaForce {
+  double load = 0.0;         // [N]
+  double tip_load = 0.0;     // [N]    moment about the middle over l/2
+  double by_approach = 0.0;  // [N/m]  d(load)/d(approach)
+  double mixed = 0.0;        // [N/m]  d(load)/d(tip) = d(tip load)/d(approach)
+  double by_tip = 0.0;       // [N/m]  d(tip load)/d(tip)
+};
+
+/// Loads of single laminae and their stiffness, arrays over laminae.
+struct LaminaLoads {
+  Eigen::ArrayXd load;       // [N]
+  Eigen::ArrayXd stiffness;  // [N/m]  d(load)/d(approach of this lamina)
+};
+
+class LaminaContact {
+ public:
+  /// `drops` [m], one for each lamina, are those of both bodies. Throws std::invalid_argument where there are
+  /// none, more than 1000, or one is not finite.
+  LaminaContact(const LaminaLaw& law, double length, std::span<const double> drops,
+                mechanics::InstructionSet set = mechanics::best_instruction_set());
+
+  /// At `approach` [m] in the middle and `tip` [m] more at x = l/2.
+  LaminaForce evaluate(double approach, double tip) const;
+  /// Elastic energy [J]; its slopes by approach and tip are load and tip load.
+  double energy(double approach, double tip) const;
+  /// Of each lamina.
+  LaminaLoads loads(double approach, double tip) const;
+  /// Loads [N] of the laminae into an array of that many.
+  void put_loads(double approach, double tip, double* load) const;
+
+  int laminae() const { return laminae_; }
+  /// c of the whole contact [N/m^(10/9)].
+  double constant() const { return scale_ * laminae_; }
+  double half_length() const { return half_length_; }  // [m]
+  /// Smallest drop [m]: below this approach and with no tip nothing touches.
+  double least_drop() const { return least_drop_; }
+  double greatest_drop() const { return greatest_drop_; }  // [m]
+  /// Fractions of half the length.
+  Eigen::Map<const Eigen::ArrayXd> places() const { return {place_.data(), laminae_}; }
+  Eigen::Map<const Eigen::ArrayXd> drops() const { return {drop_.data(), laminae_}; }  // [m]
+
+ private:
+  double scale_;  // [N/m^(10/9)]  c/n
+  double half_length_;
+  double least_drop_;
+  double greatest_drop_;
+  int laminae_;
+  int padded_;
+  std::vector<double> place_;  // [-]  (padded)
+  std::vector<double> drop_;   // [m]  (padded)
+  const fast::LaminaKernel* kernel_;
+};
+
+}  // namespace orbearing::bearing::laminae

@@ -1,0 +1,51 @@
+// Laminae of one contact, as many at once as the registers hold: d^(10/9) without logarithm and exponential.
+#pragma once
+
+#include "bearing/contact/lamina_kernel.hpp"
+#include "mechanics/packs/powers.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_PACKS {
+
+using namespace mechanics::ORBEARING_PACKS;
+
+struct LaminaPack {
+  Pack place, load, root;
+};
+
+inline LaminaPack lamina_pack(const double* place, const double* drop, double approach, double tip) {
+  LaminaPack pack;
+  pack.place = mechanics::ORBEARING_PACKS::load(place);
+  const Pack depth = (approach + pack.place * tip) - mechanics::ORBEARING_PACKS::load(drop);
+  const Mask touching = depth > 0.0;
+  pack.root = only(touching, ninth_root(only(touching, depth)));
+  pack.load = only(touching, depth) * pack.root;
+  return pack;
+}
+
+inline LaminaSums lamina_sums(const double* place, const double* drop, int count, double approach,
+                              double tip) {
+  Pack load{}, tip_load{}, by_approach{}, mixed{}, by_tip{};
+  for (int k = 0; k < count; k += kLanes) {
+    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, tip);
+    const Pack sloped = pack.root * pack.place;
+    load += pack.load;
+    tip_load += pack.load * pack.place;
+    by_approach += pack.root;
+    mixed += sloped;
+    by_tip += sloped * pack.place;
+  }
+  return {sum(load), sum(tip_load), sum(by_approach), sum(mixed), sum(by_tip)};
+}
+
+inline void lamina_loads(const double* place, const double* drop, int count, double approach, double tip,
+                         double* load, double* root) {
+  for (int k = 0; k < count; k += kLanes) {
+    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, tip);
+    store(pack.load, load + k);
+    store(pack.root, root + k);
+  }
+}
+
+inline constexpr LaminaKernel kLaminaKernel{lamina_sums, lamina_loads};
+
+}  // namespace orbearing::bearing::fast::ORBEARING_PACKS

@@ -1,0 +1,60 @@
+// Both contacts of a roller cut into laminae, in motion: the roller's tilt follows at once from the balance
+// of moments of both contacts, since a roller's tilting vibration (some 100 kHz) is far above all others.
+//
+// The film of the straight contact turns the approach into the elastic approach in the middle; the laminae
+// take that, so that a straight roller that is not tilted has the loads of the line contact. What a roller
+// does against the change of the races' tilt over its orbit, of the order of the tilt squared, is left out.
+#pragma once
+
+#include "bearing/contact/lamina_contact.hpp"
+#include "bearing/plane.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// Where both contacts of a roller stand, from which the loads of their laminae follow.
+struct LaminaStand {
+  double inner_approach = 0.0;  // [m]  elastic, in the middle of the roller
+  double outer_approach = 0.0;  // [m]
+  double tip = 0.0;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
+};
+
+/// Elastic loads of both contacts of a roller.
+struct LaminaRaceLoads {
+  double inner = 0.0;  // [N]
+  double outer = 0.0;  // [N]
+  double tip = 0.0;    // [m]  how much further outward the roller stands at x = l/2 than in the middle
+};
+
+class LaminaRaces {
+ public:
+  /// `bore_tilt` [rad]: the bore stands further outward at +x along this direction, as in OperatingPoint.
+  LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact outer, const Vector2& bore_tilt);
+
+  /// Loads at the elastic approaches [m] in the middle of a roller in direction `outward`.
+  LaminaRaceLoads loads(double inner_approach, double outer_approach, const Vector2& outward) const;
+  /// Elastic energy [J]; its slopes by the approaches are the loads.
+  double energy(double inner_approach, double outer_approach, const Vector2& outward) const;
+
+  const laminae::LaminaContact& inner() const { return inner_; }
+  const laminae::LaminaContact& outer() const { return outer_; }
+  /// Loads [N] of the laminae of one contact, into an array of that many, of a roller in direction `outward`.
+  void put_loads(Race race, const LaminaStand& stand, const Vector2& outward, double* load) const;
+  /// Whether all laminae of a contact carry alike, whatever the loads: nothing tilts and nothing falls away.
+  bool even() const { return even_; }
+
+  /// How much further outward the bore stands at x = l/2 for each direction [m].
+  const Vector2& bore_tip() const { return bore_tip_; }
+  /// Whether no roller ever tilts: the bore is not tilted and the profiles are symmetric.
+  bool upright() const { return upright_; }
+
+ private:
+  double roller_tip(double inner_approach, double outer_approach, double outer_tip) const;
+
+  laminae::LaminaContact inner_;
+  laminae::LaminaContact outer_;
+  Vector2 bore_tip_;  // [m]
+  bool upright_;
+  bool even_;
+};
+
+}  // namespace orbearing::bearing::dynamics

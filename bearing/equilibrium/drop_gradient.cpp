@@ -1,0 +1,146 @@
+#include "bearing/equilibrium/drop_gradient.hpp"
+
+#include <cmath>
+
+#include "bearing/plane.hpp"
+#include "mechanics/convex_search.hpp"
+
+namespace orbearing::bearing::laminae {
+
+namespace {
+
+// The unknowns of one roller are E (elastic) and y = (outer approach, tip), its equations
+//   r0 = E - h_i(Q_i) - h_o(Q_o) - approach(u) = 0,  r = (Q_o - Q_i - I, M_o - M_i) = 0,
+// those of the ring F + sum Q_o e = 0 in u, with d(approach)/du = -e. With multipliers m0, m of the roller
+// and v of the ring, L + m0 r0 + m . r + v . (F + sum Q_o e) is stationary in all unknowns. With H = dr/dy,
+// symmetric, p = dy/dE, S = d(load)/dE, f = dh_i/dQ + dh_o/dQ, t = v . e and s = H^-1 dL/dy this gives
+//   m0 = -(dL/dE + p . dL/dy + t S)/(1 - f S),  sum m0 e = 0,
+//   m = -s - t (1 - p_a, -p_b) + m0 (f_o (1 - p_a, -p_b) - f_i p).
+struct AdjointRoller {
+  LaminaLoads inner, outer;
+  double inner_film_slope = 0.0;                       // [m/N]  f_i
+  double outer_film_slope = 0.0;                       // [m/N]  f_o
+  double of_measure = 0.0;                             // m0 where v is zero
+  Eigen::Vector2d settling = Eigen::Vector2d::Zero();  // s
+};
+
+AdjointRoller adjoint_roller(const LaminaBearing& bearing, const RollerContacts& contacts,
+                             const RollerState& roller, const Eigen::ArrayXd& by_inner,
+                             const Eigen::ArrayXd& by_outer) {
+  const LaminaContact &inner = bearing.contact(Race::inner), &outer = bearing.contact(Race::outer);
+  AdjointRoller adjoint;
+  adjoint.inner = inner.loads(roller.inner_approach(), roller.inner_tip);
+  adjoint.outer = outer.loads(roller.outer_approach, roller.outer_tip);
+  adjoint.inner_film_slope = contacts.inner.film().slope(roller.inner.load);
+  adjoint.outer_film_slope = contacts.outer.film().slope(roller.outer.load);
+  const Eigen::ArrayXd in = by_inner * adjoint.inner.stiffness, out = by_outer * adjoint.outer.stiffness;
+  const Eigen::Vector2d by_place(out.sum() - in.sum(), (outer.places() * out - inner.places() * in).sum());
+  adjoint.of_measure = -roller.per_approach * (in.sum() + roller.per_elastic.dot(by_place));
+  adjoint.settling = mechanics::lengths_under<2>(by_place, settling_stiffness(roller));
+  return adjoint;
+}
+
+// m0 and m for the ring's multiplier along the roller.
+struct RollerMultipliers {
+  double approach = 0.0;
+  Eigen::Vector2d balance = Eigen::Vector2d::Zero();
+};
+
+RollerMultipliers multipliers(const AdjointRoller& adjoint, const RollerState& roller, double along) {
+  const Eigen::Vector2d outer = Eigen::Vector2d::UnitX() - roller.per_elastic;
+  RollerMultipliers m;
+  m.approach = adjoint.of_measure - along * roller.stiffness;
+  m.balance = -adjoint.settling - along * outer +
+              m.approach * (adjoint.outer_film_slope * outer - adjoint.inner_film_slope * roller.per_elastic);
+  return m;
+}
+
+// The multiplier v of the ring, whose stiffness is the sum over the rollers.
+Eigen::Vector2d ring_multiplier(const LaminaState& state, const std::vector<AdjointRoller>& rollers) {
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  for (std::size_t j = 0; j < rollers.size(); ++j) {
+    const Eigen::Vector2d e = direction(state.angle[static_cast<Eigen::Index>(j)]);
+    stiffness += state.rollers[j].stiffness * e * e.transpose();
+    force += rollers[j].of_measure * e;
+  }
+  return mechanics::lengths_under<2>(force, stiffness);
+}
+
+DropGradient none(const LaminaBearing& bearing) {
+  DropGradient gradient;
+  gradient.inner = Eigen::ArrayXd::Zero(bearing.contact(Race::inner).laminae());
+  gradient.outer = gradient.inner;
+  return gradient;
+}
+
+}  // namespace
+
+DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& point,
+                           const QuasiStaticOptions& options, const LaminaState& state,
+                           const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
+                           const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load) {
+  const RaceEquilibrium problem = quasi_static_problem(bearing.bearing(), point, options, state.angle[0]);
+  std::vector<AdjointRoller> rollers;
+  for (Eigen::Index j = 0; j < state.angle.size(); ++j)
+    rollers.push_back(adjoint_roller(bearing, problem.contacts, state.rollers[static_cast<std::size_t>(j)],
+                                     by_inner_load.col(j), by_outer_load.col(j)));
+  DropGradient gradient = none(bearing);
+  gradient.by_load = ring_multiplier(state, rollers);
+  const Eigen::ArrayXd place = bearing.contact(Race::outer).places();
+  for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
+    const AdjointRoller& roller = rollers[static_cast<std::size_t>(j)];
+    const Eigen::Vector2d e = direction(state.angle[j]);
+    const double along = gradient.by_load.dot(e);
+    const RollerMultipliers m = multipliers(roller, state.rollers[static_cast<std::size_t>(j)], along);
+    const Eigen::ArrayXd balance = m.balance[0] + m.balance[1] * place;
+    gradient.inner +=
+        roller.inner.stiffness * (m.approach * roller.inner_film_slope + balance - by_inner_load.col(j));
+    const Eigen::ArrayXd outer = roller.outer.stiffness * (m.approach * roller.outer_film_slope - balance -
+                                                           along - by_outer_load.col(j));
+    gradient.outer += outer;
+    gradient.by_tilt += bearing.half_length() * (place * outer).sum() * e;
+  }
+  return gradient;
+}
+
+DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& point,
+                           const QuasiStaticOptions& options, const LaminaResult& result,
+                           const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
+                           const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load) {
+  DropGradient sum = none(bearing);
+  const auto positions = static_cast<Eigen::Index>(result.states.size());
+  const Eigen::Index rollers = result.angle.size() / positions;
+  for (Eigen::Index position = 0; position < positions; ++position) {
+    const auto places = Eigen::seqN(position, rollers, positions);
+    const DropGradient one =
+        drop_gradient(bearing, point, options, result.states[static_cast<std::size_t>(position)],
+                      by_inner_load(Eigen::all, places).eval(), by_outer_load(Eigen::all, places).eval());
+    sum.inner += one.inner;
+    sum.outer += one.outer;
+    sum.by_tilt += one.by_tilt;
+    sum.by_load += one.by_load;
+  }
+  return sum;
+}
+
+double by_roller_parameter(const LaminaBearing& bearing, const DropGradient& gradient) {
+  const auto places = bearing.contact(Race::inner).places();
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < places.size(); ++k)
+    sum += (gradient.inner[k] + gradient.outer[k]) *
+           profile::drop_per_parameter(bearing.bearing().roller_profile, bearing.half_length() * places[k]);
+  return sum;
+}
+
+double by_roller_drop(const LaminaBearing& bearing, const DropGradient& gradient, double station) {
+  const auto places = bearing.contact(Race::inner).places();
+  double sum = 0.0;
+  for (Eigen::Index k = 0; k < places.size(); ++k)
+    sum +=
+        (gradient.inner[k] + gradient.outer[k]) *
+        profile::drop_per_drop(bearing.bearing().roller_profile, bearing.half_length() * places[k], station);
+  return sum;
+}
+
+}  // namespace orbearing::bearing::laminae

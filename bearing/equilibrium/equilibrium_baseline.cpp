@@ -1,0 +1,13 @@
+// The solver of a block of equilibria for one instruction set: the same source as the others, compiled with
+// its own options.
+#define ORBEARING_PACKS packs_baseline
+#include "bearing/equilibrium/equilibrium_engine.hpp"
+#include "bearing/equilibrium/equilibrium_packs.hpp"
+
+namespace orbearing::bearing::fast {
+
+EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants) {
+  return new packs_baseline::PackEquilibrium(constants);
+}
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,127 @@
+#include "bearing/equilibrium/equilibrium_batch.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "bearing/carrier_frame.hpp"
+#include "bearing/contact/line_contact.hpp"
+
+namespace orbearing::bearing::fast {
+
+namespace {
+
+using boost::math::double_constants::two_pi;
+
+EquilibriumEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set,
+                               const EquilibriumConstants& constants) {
+#if defined(__x86_64__) && !defined(_WIN32)
+  if (set == mechanics::InstructionSet::avx512) return avx512_equilibrium(constants);
+  if (set == mechanics::InstructionSet::avx2) return avx2_equilibrium(constants);
+#endif
+  return baseline_equilibrium(constants);
+}
+
+double mass_through_cage(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry) {
+  if (bearing.cage.guidance != Race::outer) return 0.0;
+  return geometry.cage_mass + 0.5 * bearing.rollers * geometry.roller_mass;
+}
+
+void resize(EquilibriumResults& results, std::size_t points, int rollers) {
+  const auto count = static_cast<Eigen::Index>(points);
+  results.displacement.resize(2, count);
+  results.inner_load.resize(count, rollers);
+  results.outer_load.resize(count, rollers);
+  results.residual.resize(count);
+  results.iterations.resize(count);
+  results.failures.clear();
+  results.solved_singly = 0;
+}
+
+}  // namespace
+
+EquilibriumBatch::EquilibriumBatch(const CylindricalRollerBearing& bearing, const InertiaSwitches& inertia,
+                                   mechanics::InstructionSet set)
+    : bearing_(bearing),
+      geometry_(geometry_of(bearing)),
+      inertia_(inertia),
+      unit_length_(roller_race_contact(bearing.contact_law, bearing.roller_length).approach(1.0)),
+      round_(bearing.inner_form.empty() && bearing.outer_form.empty() &&
+             bearing.roller_diameter_deviation.empty()),
+      cage_mass_(mass_through_cage(bearing, geometry_)) {
+  const auto rollers = static_cast<std::size_t>(bearing.rollers);
+  for (std::size_t j = 0; j < rollers; ++j) {
+    const double angle = two_pi * static_cast<double>(j) / static_cast<double>(rollers);
+    pocket_cosine_.push_back(std::cos(angle));
+    pocket_sine_.push_back(std::sin(angle));
+  }
+  inner_.resize(rollers * kBlock);
+  outer_.resize(rollers * kBlock);
+  engine_.reset(make_engine(set, {bearing.rollers, 0.5 * bearing.radial_clearance / unit_length_,
+                                  pocket_cosine_.data(), pocket_sine_.data()}));
+}
+
+// The inertial load of a roller is radial_inertial_acceleration() on the pitch circle, split by its angle.
+void EquilibriumBatch::fill(const EquilibriumPoint& at, int lane) {
+  const OperatingPoint& point = at.point;
+  const CarrierFrame frame = carrier_frame(point.carrier, inertia_);
+  const double cage_speed = kinematic_cage_speed(geometry_, point.inner_speed, point.outer_speed);
+  const double mass = geometry_.roller_mass;
+  const Eigen::Vector2d through_cage =
+      cage_mass_ * inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+  input_.force_x[lane] = point.bore_load.x() + through_cage.x();
+  input_.force_y[lane] = point.bore_load.y() + through_cage.y();
+  input_.steady[lane] = mass * geometry_.pitch_radius *
+                        (frame.own_orbit * cage_speed * cage_speed + 2.0 * frame.coriolis_speed * cage_speed +
+                         frame.centrifugal);
+  input_.cosine[lane] = mass * frame.centrifugal * frame.orbit_radius;
+  input_.sine[lane] = -mass * frame.euler * frame.orbit_radius;
+  input_.first_roller[lane] =
+      std::abs(at.first_roller) < 1e6 ? at.first_roller : std::remainder(at.first_roller, two_pi);
+}
+
+void EquilibriumBatch::solve_singly(const EquilibriumPoint& point, std::size_t index,
+                                    EquilibriumResults& results) const {
+  const QuasiStaticState state =
+      quasi_static_state(bearing_, point.point, {.inertia = inertia_}, point.first_roller);
+  const auto row = static_cast<Eigen::Index>(index);
+  results.displacement.col(row) = state.displacement;
+  results.inner_load.row(row) = state.inner_load.transpose();
+  results.outer_load.row(row) = state.outer_load.transpose();
+  results.residual[row] = state.report.residual;
+  results.iterations[row] = state.report.iterations;
+  ++results.solved_singly;
+  if (!state.report.converged) results.failures.push_back({index, state.report.message});
+}
+
+void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results) {
+  resize(results, points.size(), bearing_.rollers);
+  if (!round_) {
+    for (std::size_t index = 0; index < points.size(); ++index) solve_singly(points[index], index, results);
+    return;
+  }
+  for (std::size_t first = 0; first < points.size(); first += kBlock) {
+    const std::size_t count = std::min<std::size_t>(kBlock, points.size() - first);
+    for (int lane = 0; lane < kBlock; ++lane)
+      fill(points[first + std::min(count - 1, static_cast<std::size_t>(lane))], lane);
+    engine_->solve(input_, output_, inner_.data(), outer_.data());
+    const auto row = static_cast<Eigen::Index>(first);
+    const auto rows = static_cast<Eigen::Index>(count);
+    for (Eigen::Index j = 0; j < bearing_.rollers; ++j) {
+      std::copy_n(inner_.data() + j * kBlock, rows, results.inner_load.col(j).data() + row);
+      std::copy_n(outer_.data() + j * kBlock, rows, results.outer_load.col(j).data() + row);
+    }
+    for (Eigen::Index lane = 0; lane < rows; ++lane) {
+      results.displacement(0, row + lane) = unit_length_ * output_.displacement_x[lane];
+      results.displacement(1, row + lane) = unit_length_ * output_.displacement_y[lane];
+      results.residual[row + lane] = output_.residual[lane];
+      results.iterations[row + lane] = static_cast<int>(output_.iterations[lane]);
+      if (output_.converged[lane] == 0.0) {
+        const std::size_t index = first + static_cast<std::size_t>(lane);
+        solve_singly(points[index], index, results);
+      }
+    }
+  }
+}
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,70 @@
+// Quasi-static equilibria of one bearing at many operating points, vectorised over the points: what
+// quasi_static_state() gives for dry contacts, for studies that ask for a great many of them.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bearing/equilibrium/equilibrium_engine.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
+#include "mechanics/packs/instruction_set.hpp"
+
+namespace orbearing::bearing::fast {
+
+/// One operating point at one cage angle.
+struct EquilibriumPoint {
+  OperatingPoint point;
+  double first_roller = 0.0;  // [rad]  place of the first roller
+};
+
+/// A point where no balance was found.
+struct EquilibriumFailure {
+  std::size_t index = 0;
+  std::string message;
+};
+
+/// Arrays over points. Used again, they are not allocated anew.
+struct EquilibriumResults {
+  Eigen::Array2Xd displacement;              // [m]  (x and y, points)  outer ring relative to inner ring
+  Eigen::ArrayXXd inner_load;                // [N]  (points, rollers)
+  Eigen::ArrayXXd outer_load;                // [N]  (points, rollers)
+  Eigen::ArrayXd residual;                   // [N]  (points)  force out of balance on the outer ring
+  Eigen::ArrayXi iterations;                 // [-]  (points)
+  std::vector<EquilibriumFailure> failures;  // points whose loads are those of the last iterate
+  long solved_singly = 0;                    // [-]  points left to quasi_static_state()
+};
+
+/// The solver for one bearing. Not for use by two threads at once.
+class EquilibriumBatch {
+ public:
+  explicit EquilibriumBatch(const CylindricalRollerBearing& bearing, const InertiaSwitches& inertia = {},
+                            mechanics::InstructionSet set = mechanics::best_instruction_set());
+
+  /// Solves all points; each result depends on its own point alone. What the vectorised iteration does not
+  /// balance, and all points where races are not round or rollers unequal, is left to quasi_static_state().
+  /// Throws std::invalid_argument where a load or speed is not finite.
+  void solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results);
+
+ private:
+  void fill(const EquilibriumPoint& point, int lane);
+  void solve_singly(const EquilibriumPoint& point, std::size_t index, EquilibriumResults& results) const;
+
+  CylindricalRollerBearing bearing_;
+  RollerBearingGeometry geometry_;
+  InertiaSwitches inertia_;
+  double unit_length_;  // [m]   approach of one contact under 1 N
+  bool round_;          // round races and equal rollers: what the engine knows
+  double cage_mass_;    // [kg]  whose inertial load reaches the outer ring
+  std::vector<double> pocket_cosine_;
+  std::vector<double> pocket_sine_;
+  std::vector<double> inner_;  // [N]  (rollers, kBlock)
+  std::vector<double> outer_;  // [N]
+  EquilibriumInput input_{};
+  EquilibriumOutput output_{};
+  std::unique_ptr<EquilibriumEngine> engine_;
+};
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,54 @@
+// What a solver of quasi-static equilibria for one instruction set offers: a block of operating points at a
+// time. No header of a library here, since files compiled for special instruction sets include it.
+#pragma once
+
+namespace orbearing::bearing::fast {
+
+/// Operating points in one block, whatever the instruction set.
+inline constexpr int kBlock = 16;
+
+/// What all operating points of a bearing share. Lengths are divided by the approach of one contact under
+/// 1 N, so that a contact carries Q = x^(10/9) with Q in [N].
+struct EquilibriumConstants {
+  int rollers = 0;
+  double half_clearance = 0.0;            // [N^0.9]
+  const double* pocket_cosine = nullptr;  // [-]  of each roller's angle from the first; outlives the engine
+  const double* pocket_sine = nullptr;    // [-]
+};
+
+/// What distinguishes them, an entry for each point. The inertial load of the roller at angle a is
+/// steady + cosine cos a + sine sin a, outward positive.
+struct EquilibriumInput {
+  double force_x[kBlock];       // [N]  on the outer ring
+  double force_y[kBlock];       // [N]
+  double steady[kBlock];        // [N]
+  double cosine[kBlock];        // [N]
+  double sine[kBlock];          // [N]
+  double first_roller[kBlock];  // [rad]  place of the first roller, below 1e8
+};
+
+struct EquilibriumOutput {
+  double displacement_x[kBlock];  // [N^0.9]  outer ring relative to inner ring
+  double displacement_y[kBlock];  // [N^0.9]
+  double residual[kBlock];        // [N]  force out of balance on the outer ring
+  double iterations[kBlock];      // [-]
+  double converged[kBlock];       // [-]  1 or 0
+};
+
+/// Not for use by two threads at once; nothing is allocated after construction.
+class EquilibriumEngine {
+ public:
+  virtual ~EquilibriumEngine() = default;
+  /// Solves a block. `inner_load` and `outer_load` [N] hold kBlock entries for each roller.
+  virtual void solve(const EquilibriumInput& input, EquilibriumOutput& output, double* inner_load,
+                     double* outer_load) = 0;
+};
+
+/// One for each instruction set; each stands in its own file with its own compiler options.
+EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants);
+#if defined(__x86_64__) && !defined(_WIN32)
+EquilibriumEngine* avx2_equilibrium(const EquilibriumConstants& constants);
+EquilibriumEngine* avx512_equilibrium(const EquilibriumConstants& constants);
+#endif
+
+}  // namespace orbearing::bearing::fast

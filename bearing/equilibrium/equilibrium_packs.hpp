@@ -1,0 +1,213 @@
+// Quasi-static equilibria of one bearing, one operating point a lane: the model of race_equilibrium and
+// roller_balance for dry contacts, by Newton's method on the rings' displacement and all rollers at once.
+//
+// In the lengths of EquilibriumConstants a squeezed roller with inertial load I and e = |I| has
+//   y^(10/9) - x^(10/9) = e,   x + y = A = -half clearance - u . e_r
+// with x on the race that feels the squeeze alone. Eliminating x roller by roller leaves two equations for u.
+#pragma once
+
+#include "bearing/equilibrium/equilibrium_engine.hpp"
+#include "bearing/equilibrium/equilibrium_start.hpp"
+#include "mechanics/packs/elementary.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_PACKS {
+
+using namespace mechanics::ORBEARING_PACKS;
+
+/// Force on the outer ring out of balance, and its stiffness.
+struct RingBalance {
+  PlaneVector force;            // [N]
+  Pack k_xx{}, k_xy{}, k_yy{};  // [N^0.1]
+  Pack error{};                 // [N]  of the force, as the rollers are not yet in balance
+};
+
+class PackEquilibrium final : public EquilibriumEngine {
+ public:
+  explicit PackEquilibrium(const EquilibriumConstants& constants)
+      : c_(constants), roller_(constants.rollers) {}
+
+  void solve(const EquilibriumInput& input, EquilibriumOutput& output, double* inner_load,
+             double* outer_load) override {
+    for (int first = 0; first < kBlock; first += kLanes) solve(input, first, output, inner_load, outer_load);
+  }
+
+ private:
+  static constexpr int kMostIterations = 60;
+  static constexpr double kNothing = 1e-300;   // so that zero is below zero
+  static constexpr int kPatience = 8;          // iterations before move() becomes patient
+  static constexpr double kTolerance = 2e-11;  // of the largest force at hand
+  static constexpr double kAcceptable = 1e-9;  // of the largest force, where round-off ends the iteration
+  static constexpr double kBend = 1.0 / 16.0;  // curvature of the law of a contact, from above
+  static constexpr double kTrusted = 0.1;      // error of a force whose sign is relied on
+  static constexpr double kRoundOff = 1e-15;   // of the lengths whose difference is the approach
+
+  void solve(const EquilibriumInput& input, int first, EquilibriumOutput& output, double* inner_load,
+             double* outer_load);
+  void place_rollers(const EquilibriumInput& input, int first);
+  void start();
+  RingBalance balance(const Mask& done);
+  void balance_roller(RollerUnknown& roller, const Mask& done, RingBalance& sums) const;
+  PlaneVector newton_step(const RingBalance& now) const;
+  /// Moves the rings of all lanes but `done` and those it returns: their step is lost in round-off.
+  Mask move(const RingBalance& now, const Mask& done, bool patient);
+  Pack round_off() const {
+    return kRoundOff * (absolute(u_.x) + absolute(u_.y) + 2.0 * __builtin_fabs(c_.half_clearance));
+  }
+
+  EquilibriumConstants c_;
+  AlignedArray<RollerUnknown> roller_;
+  PlaneVector load_;   // [N]      on the outer ring
+  Pack scale_;         // [N]      largest force at hand
+  Pack reach_;         // [N^0.9]  on which the contacts change
+  PlaneVector u_;      // [N^0.9]  displacement
+  PlaneVector moved_;  // [N^0.9]  its last change
+  PlaneVector trial_;  // [N^0.9]  the step on trial: from where it was made to here
+  Pack slope_;         // [N^1.9]  force there times that step
+  Mask trusted_;       // that force was known well enough to judge the step by
+};
+
+inline void PackEquilibrium::place_rollers(const EquilibriumInput& input, int first) {
+  const auto [sine, cosine] = sine_cosine(load(input.first_roller + first));
+  const Pack steady = load(input.steady + first), by_x = load(input.cosine + first),
+             by_y = load(input.sine + first);
+  load_.x = load(input.force_x + first);
+  load_.y = load(input.force_y + first);
+  Pack largest{};
+  Pack all{};
+  for (int j = 0; j < c_.rollers; ++j) {
+    RollerUnknown& roller = roller_[j];
+    const double own_x = c_.pocket_cosine[j], own_y = c_.pocket_sine[j];
+    roller.e_x = own_x * cosine - own_y * sine;
+    roller.e_y = own_x * sine + own_y * cosine;
+    roller.inertial = steady + by_x * roller.e_x + by_y * roller.e_y;
+    roller.x = spread(1e100);  // held at half the approach, where the first step finds it
+    roller.step = roller.slope = Pack{};
+    const Pack size = absolute(roller.inertial);
+    largest = larger(largest, size);
+    all += size;
+  }
+  const Pack force = root(dot(load_, load_));
+  scale_ = larger(force, largest);
+  const Pack forces = larger(force + all, spread(1e-200));
+  reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, 0.9);
+}
+
+inline void PackEquilibrium::start() {
+  u_ = starting_displacement(roller_, c_.rollers, c_.half_clearance, load_);
+  moved_ = trial_ = {};
+  slope_ = Pack{};
+  trusted_ = Mask{};
+}
+
+inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& done,
+                                            RingBalance& sums) const {
+  const Pack approach = -c_.half_clearance - (u_.x * roller.e_x + u_.y * roller.e_y);
+  const Pack outward = larger(roller.inertial, Pack{});
+  if (!any(approach > 0.0)) {
+    roller.x = roller.step = roller.slope = roller.squeeze = Pack{};
+    sums.force.x += outward * roller.e_x;
+    sums.force.y += outward * roller.e_y;
+    return;
+  }
+  const Pack change = -(moved_.x * roller.e_x + moved_.y * roller.e_y);
+  const Pack a = larger(approach, spread(1e-150));
+  const Pack moved = larger(roller.x + roller.step + roller.slope * change, Pack{});
+  const Pack x = smaller(select(done, roller.x, moved), 0.5 * a);
+  const Pack y = a - x;
+  const Pack root_x = ninth_root(x), root_y = ninth_root(y);
+  const Pack p = x * root_x, q = y * root_y;
+  const Pack residual = q - p - absolute(roller.inertial);
+  const Pack size = absolute(residual);
+  const Pack inverse = 1.0 / ((root_x + root_y) * (p + size + 1e-200));
+  const Pack by_roots = inverse * (p + size + 1e-200);
+  const Pack share_y = root_y * by_roots;
+  const Pack step = 0.9 * residual * by_roots;
+  const Mask squeezed = (approach > 0.0) & (x + step > 0.0);
+  const Pack load = only(squeezed, larger(p + (1.0 - share_y) * residual, Pack{}));
+  const Pack stiffness = only(squeezed, (10.0 / 9.0) * root_x * share_y);
+  const Pack outer = load + outward;
+  sums.force.x += outer * roller.e_x;
+  sums.force.y += outer * roller.e_y;
+  sums.k_xx += stiffness * roller.e_x * roller.e_x;
+  sums.k_xy += stiffness * roller.e_x * roller.e_y;
+  sums.k_yy += stiffness * roller.e_y * roller.e_y;
+  // The step leaves an error of its square over the load, times the bend of the law.
+  const Mask counts = (approach > 0.0) & ((x > 0.0) | (residual > 0.0));
+  sums.error += only(counts, kBend * (residual * residual) * (inverse * (root_x + root_y)));
+  roller.x = x;
+  roller.step = select(squeezed, step, -x);
+  roller.slope = only(squeezed, share_y);
+  roller.squeeze = load;
+}
+
+inline RingBalance PackEquilibrium::balance(const Mask& done) {
+  RingBalance sums{load_};
+  for (int j = 0; j < c_.rollers; ++j) balance_roller(roller_[j], done, sums);
+  return sums;
+}
+
+// As in race_equilibrium: a little is added to the stiffness, and the step kept within reach.
+inline PlaneVector PackEquilibrium::newton_step(const RingBalance& now) const {
+  const Pack lift = 1e-12 * (now.k_xx + now.k_yy) + 1e-30;
+  const Pack k_xx = now.k_xx + lift, k_yy = now.k_yy + lift;
+  const Pack inverse = 1.0 / (k_xx * k_yy - now.k_xy * now.k_xy);
+  const Pack x = inverse * (k_yy * now.force.x - now.k_xy * now.force.y);
+  const Pack y = inverse * (k_xx * now.force.y - now.k_xy * now.force.x);
+  const Pack share = smaller(spread(1.0), reach_ / larger(root(x * x + y * y), spread(1e-200)));
+  return {share * x, share * y};
+}
+
+// The forces are the slope of a convex energy: a step after which the force along it points back by more than
+// 0.7 of what it was went too far, and is halved. That judgement needs forces that are known; a patient
+// iteration waits with the rings until the rollers are nearly in balance.
+inline Mask PackEquilibrium::move(const RingBalance& now, const Mask& done, bool patient) {
+  const Mask known = now.error * now.error < kTrusted * kTrusted * dot(now.force, now.force);
+  const Mask waiting = patient ? ~known : Mask{};
+  const Mask too_far = trusted_ & (dot(now.force, trial_) < -0.7 * slope_);
+  const PlaneVector step = newton_step(now);
+  const Pack limit = round_off();
+  const Mask lost =
+      (dot(step, step) < limit * limit + kNothing) & (now.error < kAcceptable * scale_ + kNothing) & ~too_far;
+  const Mask moving = ~(done | lost | waiting);
+  const PlaneVector next{select(too_far, 0.5 * trial_.x, step.x), select(too_far, 0.5 * trial_.y, step.y)};
+  moved_ = {only(moving, select(too_far, -next.x, next.x)), only(moving, select(too_far, -next.y, next.y))};
+  trial_ = {select(moving, next.x, trial_.x), select(moving, next.y, trial_.y)};
+  slope_ = select(moving, select(too_far, 0.5 * slope_, dot(now.force, next)), slope_);
+  trusted_ = (moving & (too_far | known)) | (~moving & trusted_);
+  u_.x += moved_.x;
+  u_.y += moved_.y;
+  return lost;
+}
+
+inline void PackEquilibrium::solve(const EquilibriumInput& input, int first, EquilibriumOutput& output,
+                                   double* inner_load, double* outer_load) {
+  place_rollers(input, first);
+  start();
+  Mask done{}, converged{};
+  Pack iterations{};
+  for (int i = 0; i < kMostIterations; ++i) {
+    const RingBalance now = balance(done);
+    const Pack residual = root(dot(now.force, now.force));
+    store(residual, output.residual + first);
+    const Mask balanced = residual + now.error < kTolerance * scale_ + kNothing;
+    const Pack unseen = (now.k_xx + now.k_yy) * round_off();
+    done = done | balanced;
+    converged = converged | balanced;
+    if (!any(~done)) break;
+    const Mask lost = move(now, done, i >= kPatience);
+    converged = converged | (lost & (residual < kAcceptable * scale_ + unseen + kNothing));
+    done = done | lost;
+    iterations += only(~done, spread(1.0));
+  }
+  store(u_.x, output.displacement_x + first);
+  store(u_.y, output.displacement_y + first);
+  store(iterations, output.iterations + first);
+  store(only(converged, spread(1.0)), output.converged + first);
+  for (int j = 0; j < c_.rollers; ++j) {
+    const RollerUnknown& roller = roller_[j];
+    store(roller.squeeze + larger(-roller.inertial, Pack{}), inner_load + j * kBlock + first);
+    store(roller.squeeze + larger(roller.inertial, Pack{}), outer_load + j * kBlock + first);
+  }
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_PACKS

@@ -1,0 +1,66 @@
+// Quasi-static roller bearing whose contacts are cut into laminae: profiles, a bore that is tilted on its
+// pin, and rollers that tilt between both.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bearing/contact/lamina_contact.hpp"
+#include "bearing/equilibrium/quasi_static.hpp"
+#include "bearing/equilibrium/tilted_roller.hpp"
+
+namespace orbearing::bearing::laminae {
+
+/// A bearing with the laminae of its contacts, derived once. Copies are independent.
+class LaminaBearing {
+ public:
+  /// Throws std::invalid_argument where the bearing has no laminae or a profile is unsound.
+  explicit LaminaBearing(const CylindricalRollerBearing& bearing,
+                         mechanics::InstructionSet set = mechanics::best_instruction_set());
+
+  const CylindricalRollerBearing& bearing() const { return bearing_; }
+  const LaminaContact& contact(Race race) const { return race == Race::inner ? inner_ : outer_; }
+  double half_length() const { return 0.5 * bearing_.roller_length; }  // [m]
+
+ private:
+  CylindricalRollerBearing bearing_;
+  LaminaContact inner_;
+  LaminaContact outer_;
+};
+
+/// Equilibrium at one cage angle.
+struct LaminaState {
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    bore relative to pin, in the middle
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the rollers on the bore, against its tilt
+  Eigen::ArrayXd angle;                              // [rad]  (rollers)
+  std::vector<RollerState> rollers;
+  SolverReport report;
+};
+
+/// Equilibria over one roller pitch of cage angles, gathered by place on the races. Arrays are over places,
+/// evenly spaced from first_roller on.
+struct LaminaResult {
+  Eigen::ArrayXd angle;                                       // [rad]
+  Eigen::ArrayXd inner_load;                                  // [N]
+  Eigen::ArrayXd outer_load;                                  // [N]
+  Eigen::ArrayXd roller_tilt;                                 // [rad]  outward at positive x
+  Eigen::ArrayXXd inner_lamina_load;                          // [N]    (laminae, places)
+  Eigen::ArrayXXd outer_lamina_load;                          // [N]    (laminae, places)
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();     // [m]    mean over the cage angles
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();           // [N m]  mean over the cage angles
+  Eigen::Vector2d total_bore_load = Eigen::Vector2d::Zero();  // [N]    with what cage and rollers add
+  SolverReport report;                                        // the worst over the cage angles
+  std::vector<LaminaState> states;                            // (cage angles)
+};
+
+/// Equilibrium with the first roller at `first_roller` [rad]; the search starts from `near` where one is
+/// given. The bore's tilt is that of the point; forces balance, the moment that holds the tilt is a result.
+LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& point,
+                         const QuasiStaticOptions& options, double first_roller,
+                         const LaminaState* near = nullptr);
+
+/// Equilibria over one roller pitch. Throws std::invalid_argument as quasi_static_bearing() does.
+LaminaResult quasi_static_laminae(const LaminaBearing& bearing, const OperatingPoint& point,
+                                  const QuasiStaticOptions& options);
+
+}  // namespace orbearing::bearing::laminae

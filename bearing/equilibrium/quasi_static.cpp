@@ -1,0 +1,144 @@
+#include "bearing/equilibrium/quasi_static.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "bearing/carrier_frame.hpp"
+#include "bearing/contact/printed_film.hpp"
+#include "bearing/contact/race_form.hpp"
+
+namespace orbearing::bearing {
+
+namespace {
+
+using boost::math::double_constants::two_pi;
+
+// Rigid rollers at pure rolling on circles of the pitch radius: what the quasi-static model takes from
+// kinematics.
+double roller_inertial_load(const RollerBearingGeometry& geometry, const CarrierFrame& frame,
+                            double cage_speed, double angle) {
+  return geometry.roller_mass * radial_inertial_acceleration(frame, geometry.pitch_radius, angle, cage_speed);
+}
+
+Eigen::ArrayXd roller_angles(int rollers, double first_roller) {
+  return first_roller + Eigen::ArrayXd::LinSpaced(rollers, 0.0, two_pi * (rollers - 1) / rollers);
+}
+
+std::string not_finite_text(const OperatingPoint& point) {
+  std::ostringstream text;
+  text << "operating point of a bearing: found load (" << point.bore_load.transpose() << ") N, carrier "
+       << point.carrier.speed << " rad/s, " << point.carrier.acceleration << " rad/s^2 at "
+       << point.carrier.orbit_radius << " m, races " << point.inner_speed << " and " << point.outer_speed
+       << " rad/s, tilt (" << point.bore_tilt.transpose()
+       << ") rad; all must be finite numbers: check the inputs they were computed from";
+  return text.str();
+}
+
+void require_finite(const OperatingPoint& point) {
+  const CarrierMotion& carrier = point.carrier;
+  const bool finite = point.bore_load.allFinite() && std::isfinite(carrier.speed) &&
+                      std::isfinite(carrier.acceleration) && std::isfinite(carrier.orbit_radius) &&
+                      std::isfinite(point.inner_speed) && std::isfinite(point.outer_speed) &&
+                      point.bore_tilt.allFinite();
+  if (!finite) throw std::invalid_argument(not_finite_text(point));
+}
+
+// What waves of the races and unequal rollers add to the approach of the races; empty where there are none.
+Eigen::ArrayXd extra_approach(const CylindricalRollerBearing& bearing, const Eigen::ArrayXd& angle) {
+  if (bearing.inner_form.empty() && bearing.outer_form.empty() && bearing.roller_diameter_deviation.empty())
+    return {};
+  Eigen::ArrayXd extra(angle.size());
+  for (Eigen::Index j = 0; j < angle.size(); ++j)
+    extra[j] = form_at(bearing.inner_form, angle[j], 0.0).height -
+               form_at(bearing.outer_form, angle[j], 0.0).height +
+               diameter_deviation(bearing, static_cast<std::size_t>(j));
+  return extra;
+}
+
+}  // namespace
+
+Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
+                                  const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
+                                  const InertiaSwitches& inertia) {
+  const CarrierFrame frame = carrier_frame(carrier, inertia);
+  const double mass = geometry.cage_mass + 0.5 * bearing.rollers * geometry.roller_mass;
+  return mass * inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
+}
+
+Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
+                                const RollerBearingGeometry& geometry, const OperatingPoint& point,
+                                const InertiaSwitches& inertia) {
+  if (bearing.cage.guidance != Race::outer) return point.bore_load;
+  return point.bore_load + load_through_cage(bearing, geometry, point.carrier, inertia);
+}
+
+void require_equal_pitches(const CylindricalRollerBearing& bearing) {
+  if (every_pitch_alike(bearing)) return;
+  throw std::invalid_argument(
+      "bearing: found unequal rollers or waves that turn with a race; required by the means over one pitch: "
+      "equal rollers and standing forms. Compute the motion in time instead");
+}
+
+void keep_worst(const SolverReport& one, SolverReport& all) {
+  all.iterations = std::max(all.iterations, one.iterations);
+  all.residual = std::max(all.residual, one.residual);
+  if (!one.converged && all.converged) all.message = one.message;
+  all.converged = all.converged && one.converged;
+}
+
+RaceEquilibrium quasi_static_problem(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                     const QuasiStaticOptions& options, double first_roller) {
+  require_finite(point);
+  const RollerBearingGeometry geometry = geometry_of(bearing);
+  const CarrierFrame frame = carrier_frame(point.carrier, options.inertia);
+  const double cage_speed = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
+
+  const bool subtracted = options.film && options.film_approach == FilmApproach::as_printed;
+  const double film_clearance = subtracted ? printed_film(bearing, *options.film, point.inner_speed,
+                                                          point.outer_speed, point.bore_load.norm())
+                                                 .clearance()
+                                           : 0.0;
+  RaceEquilibrium problem{rolling_contacts(bearing, geometry, point.inner_speed, point.outer_speed,
+                                           subtracted ? std::nullopt : options.film)};
+  problem.clearance = bearing.radial_clearance + film_clearance;
+  problem.load = total_bore_load(bearing, geometry, point, options.inertia);
+  problem.angle = roller_angles(bearing.rollers, first_roller);
+  problem.extra_approach = extra_approach(bearing, problem.angle);
+  problem.inertial_load = problem.angle.unaryExpr(
+      [&](double angle) { return roller_inertial_load(geometry, frame, cage_speed, angle); });
+  return problem;
+}
+
+QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                    const QuasiStaticOptions& options, double first_roller) {
+  return solve(quasi_static_problem(bearing, point, options, first_roller));
+}
+
+QuasiStaticResult quasi_static_bearing(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                       const QuasiStaticOptions& options) {
+  require_equal_pitches(bearing);
+  const int positions = options.cage_positions;
+  const int places = positions * bearing.rollers;
+  QuasiStaticResult result;
+  result.angle =
+      options.first_roller + Eigen::ArrayXd::LinSpaced(places, 0.0, two_pi * (places - 1) / places);
+  result.inner_load.resize(places);
+  result.outer_load.resize(places);
+  result.total_bore_load = total_bore_load(bearing, geometry_of(bearing), point, options.inertia);
+  result.report.converged = true;
+  for (int position = 0; position < positions; ++position) {
+    const QuasiStaticState state = quasi_static_state(bearing, point, options, result.angle[position]);
+    for (int roller = 0; roller < bearing.rollers; ++roller) {
+      result.inner_load[position + roller * positions] = state.inner_load[roller];
+      result.outer_load[position + roller * positions] = state.outer_load[roller];
+    }
+    result.displacement += state.displacement / positions;
+    keep_worst(state.report, result.report);
+  }
+  return result;
+}
+
+}  // namespace orbearing::bearing

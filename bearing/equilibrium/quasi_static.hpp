@@ -1,0 +1,69 @@
+// Quasi-static cylindrical roller bearing in the frame of the carrier: the races settle where the roller
+// loads, with all inertial loads of rollers and cage, balance the load on the bore.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "bearing/equilibrium/quasi_static_state.hpp"
+#include "bearing/equilibrium/race_equilibrium.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/operating_point.hpp"
+#include "bearing/parameters.hpp"
+
+namespace orbearing::bearing {
+
+/// What belongs to the method or to the user's choice of effects.
+struct QuasiStaticOptions {
+  InertiaSwitches inertia;
+  std::optional<Lubricant> film;  // lubricant whose film enters the approach; none: dry
+  int cage_positions = 16;        // cage angles over one roller pitch that are averaged
+  double first_roller = 0.0;      // [rad]  place of the first roller at the first cage angle
+  FilmApproach film_approach = FilmApproach::added;
+};
+
+/// Equilibria over one roller pitch of cage angles, gathered by place on the races. Arrays are over places,
+/// evenly spaced from first_roller on.
+struct QuasiStaticResult {
+  Eigen::ArrayXd angle;                                       // [rad]
+  Eigen::ArrayXd inner_load;                                  // [N]
+  Eigen::ArrayXd outer_load;                                  // [N]
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();     // [m]  mean over the cage angles
+  Eigen::Vector2d total_bore_load = Eigen::Vector2d::Zero();  // [N]  with what cage and rollers add
+  SolverReport report;                                        // the worst over the cage angles
+};
+
+/// Load [N] that cage and rollers add to the ring that guides the cage: the cage's inertial load and the
+/// tangential halves of the rollers', which reach it through the pockets.
+Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
+                                  const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
+                                  const InertiaSwitches& inertia);
+
+/// Load [N] on the outer ring with what reaches it through the cage, where it guides the cage.
+Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
+                                const RollerBearingGeometry& geometry, const OperatingPoint& point,
+                                const InertiaSwitches& inertia);
+
+/// What must balance with the first roller at `first_roller` [rad]. Throws std::invalid_argument where a
+/// load, a tilt or a speed is not finite.
+RaceEquilibrium quasi_static_problem(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                     const QuasiStaticOptions& options, double first_roller);
+
+/// Throws std::invalid_argument where rollers are unequal or waves turn with a race.
+void require_equal_pitches(const CylindricalRollerBearing& bearing);
+
+/// `all` becomes the worse of both.
+void keep_worst(const SolverReport& one, SolverReport& all);
+
+/// Equilibrium with the first roller at `first_roller` [rad]. Races that are not round stand as at t = 0; the
+/// small tangential part of their contact forces, of the order amplitude * order / radius, is left out.
+QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                    const QuasiStaticOptions& options, double first_roller);
+
+/// Equilibria over one roller pitch. Throws std::invalid_argument where a load or speed is not finite, and
+/// where rollers are unequal or waves turn with a race: then no pitch is like the next.
+QuasiStaticResult quasi_static_bearing(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                                       const QuasiStaticOptions& options);
+
+}  // namespace orbearing::bearing

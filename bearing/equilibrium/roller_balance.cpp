@@ -1,0 +1,65 @@
+#include "bearing/equilibrium/roller_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbearing::bearing {
+
+namespace {
+
+constexpr int kMostBisections = 60;
+constexpr double kRollerRoundOff = 4e-16;
+
+// Sum of both geometric approaches at squeeze load s, which both contacts carry besides the inertial load.
+struct SqueezedRoller {
+  const RaceContact& inner;
+  const RaceContact& outer;
+  double inner_extra;  // [N]  inertial load on the inner race
+  double outer_extra;  // [N]  inertial load on the outer race
+
+  double approach(double s) const {
+    return inner.approach(s + inner_extra) + outer.approach(s + outer_extra);
+  }
+  double compliance(double s) const {
+    return inner.compliance(s + inner_extra) + outer.compliance(s + outer_extra);
+  }
+};
+
+// The dry, massless roller needs the least approach for a load, so this load is the largest there can be when
+// the film's cap is added to the approach.
+double upper_bound(const SqueezedRoller& roller, double approach) {
+  const double dry_approach = approach - roller.inner.onset() - roller.outer.onset();
+  const double per_contact = roller.inner.elastic().approach(1.0) + roller.outer.elastic().approach(1.0);
+  return std::pow(std::max(dry_approach, 0.0) / per_contact, 10.0 / 9.0);
+}
+
+// Newton's method, kept inside the bracket of all earlier iterates: the approach rises with the load
+// everywhere, but its slope jumps where the film's cap ends.
+double squeeze_load(const SqueezedRoller& roller, double approach) {
+  double low = 0.0;
+  double high = upper_bound(roller, approach);
+  double s = high;
+  for (int i = 0; i < kMostBisections; ++i) {
+    const double excess = roller.approach(s) - approach;
+    (excess > 0.0 ? high : low) = s;
+    double next = s - excess / roller.compliance(s);
+    if (next < low || next > high) next = low > 0.0 ? 0.5 * (low + high) : 0.1 * high;
+    if (std::abs(next - s) <= kRollerRoundOff * s) return next;
+    s = next;
+  }
+  return s;
+}
+
+}  // namespace
+
+RollerBalance balance_roller(const RaceContact& inner, const RaceContact& outer, double inertial_load,
+                             double approach) {
+  const SqueezedRoller roller{inner, outer, std::max(0.0, -inertial_load), std::max(0.0, inertial_load)};
+  const bool squeezed = approach > roller.approach(0.0);
+  if (!squeezed) return {roller.inner_extra, roller.outer_extra, 0.0};
+  const double s = squeeze_load(roller, approach);
+  if (s <= 0.0) return {roller.inner_extra, roller.outer_extra, 0.0};
+  return {s + roller.inner_extra, s + roller.outer_extra, 1.0 / roller.compliance(s)};
+}
+
+}  // namespace orbearing::bearing

@@ -1,0 +1,68 @@
+// One roller between two races that are tilted against each other: where it settles and how it tilts.
+//
+//        outer race  ------------------____      ^ outward      tips: how much further outward a body stands
+//        at
+//                     _________________              |               x = l/2 than in the middle
+//        roller      |________________|-->x      |               approach: by how much the races have come
+//        closer inner race  -------------------         |               in the middle than unloaded dry
+//        contacts allow
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/contact/film.hpp"
+#include "bearing/contact/lamina_contact.hpp"
+
+namespace orbearing::bearing::laminae {
+
+/// Both contacts of a roller. Its film depends on the load of the whole contact and is as thick all along it.
+struct TiltedRoller {
+  const LaminaContact& inner;
+  const LaminaContact& outer;
+  const Film& inner_film;
+  const Film& outer_film;
+};
+
+/// What the races and the frame do to one roller.
+struct RollerSetting {
+  double approach = 0.0;       // [m]  of the races in the middle
+  double inner_tip = 0.0;      // [m]  of the inner race
+  double outer_tip = 0.0;      // [m]  of the outer race
+  double inertial_load = 0.0;  // [N]  outward, in the middle: outer load - inner load
+};
+
+/// Where a roller settles. Start of the next search as well as its result.
+struct RollerState {
+  bool known = false;           // false: no earlier state to start from
+  double elastic = 0.0;         // [m]  sum of both elastic approaches in the middle: approach and films
+  double outer_approach = 0.0;  // [m]  elastic, in the middle
+  double tip = 0.0;             // [m]  of the roller
+  double approach = 0.0;        // [m]  of the races, for which it settled
+  double inner_tip = 0.0;       // [m]  how much more the inner contact is approached at x = l/2
+  double outer_tip = 0.0;       // [m]  the same of the outer contact
+  LaminaForce inner;
+  LaminaForce outer;
+  double stiffness = 0.0;                                 // [N/m]  d(outer load)/d(approach of the races)
+  double per_approach = 1.0;                              // [-]    d(elastic)/d(approach)
+  Eigen::Vector2d per_elastic = Eigen::Vector2d::Zero();  // [-]    d(outer approach, tip)/d(elastic)
+  bool settled = false;
+
+  /// Elastic approach of the inner contact in the middle [m].
+  double inner_approach() const { return elastic - outer_approach; }
+};
+
+/// Stiffness [N/m] that holds the roller in its place and tip between races at rest.
+inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
+  const double mixed = state.inner.mixed + state.outer.mixed;
+  Eigen::Matrix2d stiffness;
+  stiffness << state.inner.by_approach + state.outer.by_approach, mixed, mixed,
+      state.inner.by_tip + state.outer.by_tip;
+  return stiffness;
+}
+
+/// Balance of forces and of moments about the middle: Q_o - Q_i = I, M_o = M_i. Slopes follow from the
+/// implicit function theorem. A roller that is not squeezed rests on the race towards which its inertial load
+/// points. A known `state` is where the search starts.
+void settle_roller(const TiltedRoller& roller, const RollerSetting& setting, RollerState& state);
+
+}  // namespace orbearing::bearing::laminae

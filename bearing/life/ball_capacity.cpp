@@ -1,0 +1,120 @@
+#include "bearing/life/ball_capacity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bearing/contact/point_contact.hpp"
+#include "bearing/units.hpp"
+
+namespace orbearing::bearing::rating {
+
+namespace {
+
+constexpr double kTableInner = 0.52;  // [-]  osculations up to which the table of [ISO281] holds
+constexpr double kTableOuter = 0.53;  // [-]
+
+// Inner race over outer race, as far as fatigue feels their curvatures.
+double race_ratio(double gamma, double inner, double outer) {
+  const double grooves = inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0);
+  return std::pow((1.0 - gamma) / (1.0 + gamma), 1.72) * std::pow(grooves, 0.41);
+}
+
+double race_load_at(const BallSet& set, Race race, double pressure) {
+  const double osculation = race == Race::inner ? set.inner_osculation : set.outer_osculation;
+  const Material steel{.youngs_modulus = 207e9, .poisson_ratio = 0.3};
+  return load_at_pressure(point_contact(ball_race_curvature(race, set.diameter, set.pitch_diameter,
+                                                            osculation * set.diameter, set.contact_angle),
+                                        steel),
+                          pressure);
+}
+
+struct AxialFactor {
+  double relative_load;  // [N/mm^2]  F_a/(i Z D^2)
+  double limit;          // [-]  e: up to this F_a/F_r the axial load does not count
+  double axial;          // [-]  Y
+};
+
+constexpr std::array<AxialFactor, 9> kDeepGroove{{{0.172, 0.19, 2.30},
+                                                  {0.345, 0.22, 1.99},
+                                                  {0.689, 0.26, 1.71},
+                                                  {1.03, 0.28, 1.55},
+                                                  {1.38, 0.30, 1.45},
+                                                  {2.07, 0.34, 1.31},
+                                                  {3.45, 0.38, 1.15},
+                                                  {5.17, 0.42, 1.04},
+                                                  {6.89, 0.44, 1.00}}};
+
+AxialFactor axial_factor(double relative_load) {
+  const double load =
+      std::clamp(relative_load, kDeepGroove.front().relative_load, kDeepGroove.back().relative_load);
+  std::size_t next = 1;
+  while (next + 1 < kDeepGroove.size() && kDeepGroove[next].relative_load < load) ++next;
+  const AxialFactor& low = kDeepGroove[next - 1];
+  const AxialFactor& high = kDeepGroove[next];
+  const double share = (load - low.relative_load) / (high.relative_load - low.relative_load);
+  return {load, std::lerp(low.limit, high.limit, share), std::lerp(low.axial, high.axial, share)};
+}
+
+}  // namespace
+
+BallSet ball_set(const BallBearing& bearing) {
+  return {.balls = bearing.balls,
+          .diameter = bearing.ball_diameter,
+          .pitch_diameter = bearing.pitch_diameter,
+          .contact_angle = bearing.contact_angle,
+          .inner_osculation = bearing.inner_osculation,
+          .outer_osculation = bearing.outer_osculation};
+}
+
+double gamma(const BallSet& set) {
+  return set.diameter * std::cos(set.contact_angle) / set.pitch_diameter;
+}
+
+double ball_capacity_factor(double gamma, double inner_osculation, double outer_osculation, double lambda) {
+  const double ratio = 1.04 * race_ratio(gamma, inner_osculation, outer_osculation);
+  const double races = std::pow(1.0 + std::pow(ratio, 10.0 / 3.0), -0.3);
+  const double groove = std::pow(2.0 * inner_osculation / (2.0 * inner_osculation - 1.0), 0.41);
+  const double curvature = std::pow(gamma, 0.3) * std::pow(1.0 - gamma, 1.39) / std::cbrt(1.0 + gamma);
+  return 0.41 * 98.0665 * lambda * races * groove * curvature;
+}
+
+double ball_capacity_factor(const BallSet& set) {
+  if (set.inner_osculation <= kTableInner && set.outer_osculation <= kTableOuter)
+    return ball_capacity_factor(gamma(set), kTableInner, kTableInner, set.lambda);
+  return ball_capacity_factor(gamma(set), set.inner_osculation, set.outer_osculation, set.lambda);
+}
+
+double dynamic_capacity(const BallSet& set) {
+  constexpr double inch = 25.4;                         // [mm]  above it capacity grows less with size
+  const double diameter = kMillimetres * set.diameter;  // [mm]
+  const double size = diameter <= inch ? std::pow(diameter, 1.8) : 3.647 * std::pow(diameter, 1.4);
+  return set.material_factor * ball_capacity_factor(set) *
+         std::pow(set.rows * std::cos(set.contact_angle), 0.7) * std::pow(set.balls, 2.0 / 3.0) * size;
+}
+
+double static_capacity(const BallSet& set) {
+  constexpr double permanent = 4200e6;  // [Pa]  leaves an indentation of 1e-4 ball diameters
+  constexpr double stribeck = 5.0;      // [-]   largest ball load over F_r/Z
+  const double ball_load =
+      std::min(race_load_at(set, Race::inner, permanent), race_load_at(set, Race::outer, permanent));
+  return set.rows * set.balls * std::cos(set.contact_angle) * ball_load / stribeck;
+}
+
+ContactCapacities contact_capacities(const BallSet& set, double dynamic_capacity) {
+  const double share = dynamic_capacity / (set.balls * std::cos(set.contact_angle) * std::pow(set.rows, 0.7));
+  const double ratio =
+      std::pow(1.044 * race_ratio(gamma(set), set.inner_osculation, set.outer_osculation), 10.0 / 3.0);
+  return {.inner = share / 0.407 * std::pow(1.0 + ratio, 0.3),
+          .outer = share / 0.389 * std::pow(1.0 + 1.0 / ratio, 0.3)};
+}
+
+double deep_groove_equivalent_load(const BallSet& set, double radial, double axial) {
+  constexpr double radial_share = 0.56;                                           // X
+  const double area = kMillimetres * kMillimetres * set.diameter * set.diameter;  // [mm^2]
+  const AxialFactor factor = axial_factor(axial / (set.rows * set.balls * area));
+  const bool counts = axial > factor.limit * radial;
+  return counts ? std::max(radial, radial_share * radial + factor.axial * axial) : radial;
+}
+
+}  // namespace orbearing::bearing::rating

@@ -1,0 +1,51 @@
+// Capacities and equivalent load of radial ball bearings, [ISO281], [ISO1281] and [ISO16281].
+#pragma once
+
+#include "bearing/life/capacities.hpp"
+
+namespace orbearing::bearing::rating {
+
+/// What the ratings know of a radial ball bearing.
+struct BallSet {
+  int rows = 1;                    // [-]
+  int balls = 0;                   // [-]    in one row
+  double diameter = 0.0;           // [m]    of a ball
+  double pitch_diameter = 0.0;     // [m]
+  double contact_angle = 0.0;      // [rad]  nominal
+  double inner_osculation = 0.52;  // [-]    groove radius over ball diameter
+  double outer_osculation = 0.53;  // [-]
+  double material_factor = 1.3;    // [-]    b_m: 1.3 for deep-groove and angular-contact bearings
+  double lambda = 0.95;            // [-]    for one row; 0.90 for two
+};
+
+/// The rating's view of the bearing.
+BallSet ball_set(const BallBearing& bearing);
+
+/// D cos(alpha)/d_m [-], with the nominal angle.
+double gamma(const BallSet& set);
+
+/// Factor f_c [N, mm] in the closed form of [ISO1281]. The table of [ISO281] is that of both osculations
+/// 0.52.
+double ball_capacity_factor(double gamma, double inner_osculation = 0.52, double outer_osculation = 0.52,
+                            double lambda = 0.95);
+
+/// f_c of a bearing: that of the table for grooves of up to 0.52 inside and 0.53 outside, as [ISO281] allows;
+/// that of its own osculations for wider ones.
+double ball_capacity_factor(const BallSet& set);
+
+/// Basic dynamic radial load rating C_r [N].
+double dynamic_capacity(const BallSet& set);
+
+/// Basic static radial load rating C_0r [N]: Z i cos(alpha)/5 times the ball load under which the more highly
+/// loaded race reaches 4200 MPa with E = 207 GPa and nu = 0.3, [ISO76].
+double static_capacity(const BallSet& set);
+
+/// Capacities [N] of one ball on either race, of a bearing whose load rating is `dynamic_capacity` [N].
+ContactCapacities contact_capacities(const BallSet& set, double dynamic_capacity);
+
+/// Dynamic equivalent radial load P_r [N] of a deep-groove ball bearing (nominal angle 0) under `radial` and
+/// `axial` [N], with the factors X and Y of [ISO281] interpolated linearly over F_a/(i Z D^2); beyond the
+/// table its end values hold.
+double deep_groove_equivalent_load(const BallSet& set, double radial, double axial);
+
+}  // namespace orbearing::bearing::rating

@@ -1,0 +1,26 @@
+// What a rating may be told per contact, and how races move relative to the load.
+#pragma once
+
+#include "bearing/life/lundberg_palmgren.hpp"
+
+namespace orbearing::bearing::rating {
+
+/// Load [N] that one contact bears for a million revolutions, on either race.
+struct ContactCapacities {
+  double inner = 0.0;  // [N]
+  double outer = 0.0;  // [N]
+};
+
+/// How each race moves relative to the load: by load, not by name.
+struct RaceMotions {
+  RaceMotion inner = RaceMotion::turning;
+  RaceMotion outer = RaceMotion::standing;
+};
+
+/// One race turns relative to the load, the other stands.
+inline RaceMotions turning(Race race) {
+  if (race == Race::inner) return {};
+  return {.inner = RaceMotion::standing, .outer = RaceMotion::turning};
+}
+
+}  // namespace orbearing::bearing::rating

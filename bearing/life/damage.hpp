@@ -1,0 +1,117 @@
+// What rollers that pass do to the races of a bearing, and the life that it leaves: the one place where loads
+// in motion are counted. A passage counts where and when it happens: rollers that stand closer together, or
+// a cage that runs ahead or lags, load a race more or less often than pure rolling would.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/contact/lamina_races.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// Laminae whose loads must be counted one by one [-]: none where contacts are not cut (null), or carry
+/// evenly all along whatever the load.
+Eigen::Index uneven_laminae(const LaminaRaces* laminae);
+
+/// The bin, of `places` on a race, in which `angle` [rad] lies. Bins are evenly spaced in the carrier frame,
+/// the first centred on the outward direction.
+Eigen::Index place_of(double angle, Eigen::Index places);
+
+/// Speeds of the races, and of the cage were all rollers to roll without slip [rad/s], relative to the
+/// carrier.
+struct RaceSpeeds {
+  double inner = 0.0;
+  double outer = 0.0;
+  double cage = 0.0;
+};
+RaceSpeeds race_speeds(const RollerBearingGeometry& geometry, double inner, double outer);
+
+/// All rollers at one instant: arrays are over rollers.
+struct RollerLoads {
+  const double* angle = nullptr;          // [rad]
+  const double* orbital_speed = nullptr;  // [rad/s]  relative to the carrier
+  const double* inner = nullptr;          // [N]
+  const double* outer = nullptr;          // [N]
+  RaceSpeeds races;
+  /// Where the contacts stand [m], of a bearing whose laminae are counted one by one; else null.
+  const LaminaRaces* laminae = nullptr;
+  const double* inner_approach = nullptr;
+  const double* outer_approach = nullptr;
+  const double* tip = nullptr;
+};
+
+/// Sums of one race. Places stand in the carrier frame, as loads do.
+struct RacePassages {
+  Eigen::ArrayXd way;           // [rad]      (places)  that rollers went over the race while at a place
+  Eigen::ArrayXd load;          // [N rad]    (places)
+  Eigen::ArrayXd fourth_power;  // [N^4 rad]  (places)
+  double rolling = 0.0;         // [rad]  way of all rollers at pure rolling
+  Eigen::ArrayXXd lamina_fourth_power;  // [N^4 rad]  (laminae, places)  no rows: laminae are not counted
+  double lamina_largest = 0.0;          // [N]
+
+  explicit RacePassages(Eigen::Index places, Eigen::Index laminae = 0);
+  void add(Eigen::Index place, double passed, double force);
+  /// `forces` [N] (laminae) are those of the elastic contact, whose sum the damping turns into `force`.
+  void add_laminae(Eigen::Index place, double passed, double force,
+                   const Eigen::Ref<const Eigen::ArrayXd>& forces);
+
+  /// Passages that happened over those of pure rolling [-]  (places)
+  Eigen::ArrayXd passages() const;
+  /// Mean over the passages at each place [N]; zero where there were none  (places)
+  Eigen::ArrayXd mean_load() const;
+  /// Fourth powers of all passages over the number of passages at pure rolling [N^4]  (places)
+  Eigen::ArrayXd damage() const;
+  /// The same of single laminae [N^4]  (laminae, places)
+  Eigen::ArrayXXd lamina_damage() const;
+
+ private:
+  Eigen::ArrayXXd over_rolling(const Eigen::Ref<const Eigen::ArrayXXd>& sums) const;
+};
+
+/// What both races' damage() says, and lamina_damage() where laminae are counted.
+struct RaceDamage {
+  Eigen::ArrayXd whole;     // [N^4]  (places)
+  Eigen::ArrayXXd laminae;  // [N^4]  (laminae, places)  no rows: every lamina carries alike
+};
+
+/// Life by Lundberg and Palmgren from both races' damage, as if each place were loaded evenly by its fourth
+/// root: the standing race takes each place's own life, [(1/2pi) integral D^(4.5/4)]^(1/4.5); the turning
+/// race shares all passages, [(1/2pi) integral D]^(1/4). By bearing/life, lamina by lamina, where laminae are
+/// counted. Arguments as in lundberg_palmgren_life().
+BearingLife life_under(const CylindricalRollerBearing& bearing, double lambda, Race standing,
+                       const RaceDamage& inner, const RaceDamage& outer);
+
+/// Sums of both races since the start.
+class DamageSums {
+ public:
+  RacePassages inner;
+  RacePassages outer;
+
+  /// `laminae` as uneven_laminae() says.
+  explicit DamageSums(Eigen::Index places, Eigen::Index laminae = 0)
+      : inner(places, laminae), outer(places, laminae), lamina_forces_(laminae) {}
+
+  /// `rollers` rollers whose loads last for `time` [s].
+  void add(double time, Eigen::Index rollers, const RollerLoads& loads);
+  /// Life [rev] were it to go on like this; infinite where nothing was loaded or nothing turned.
+  BearingLife life(const CylindricalRollerBearing& bearing, double lambda, Race standing) const;
+
+  /// Every number in turn, for `visit(double* first, long size)`.
+  template <class Visit>
+  void each(Visit visit) {
+    for (RacePassages* race : {&inner, &outer}) {
+      for (Eigen::ArrayXd* sums : {&race->way, &race->load, &race->fourth_power})
+        visit(sums->data(), static_cast<long>(sums->size()));
+      visit(&race->rolling, 1);
+      visit(race->lamina_fourth_power.data(), static_cast<long>(race->lamina_fourth_power.size()));
+      visit(&race->lamina_largest, 1);
+    }
+  }
+
+ private:
+  Eigen::ArrayXd lamina_forces_;  // [N]  of one contact: workspace
+};
+
+}  // namespace orbearing::bearing::dynamics

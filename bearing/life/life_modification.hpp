@@ -1,0 +1,39 @@
+// Life modification factor a_ISO of [ISO281]: lubrication, contamination and fatigue load limit.
+#pragma once
+
+#include "bearing/life/basic_life.hpp"
+
+namespace orbearing::bearing::rating {
+
+/// Viscosity nu_1 [m^2/s] that a bearing of `pitch_diameter` [m] needs at `speed` [rad/s] between its rings:
+/// in mm^2/s, rpm and mm 45000 n^-0.83 d_m^-0.5 below 1000 rpm, else 4500 n^-0.5 d_m^-0.5. (The two differ by
+/// 2 % where they meet.) Throws std::invalid_argument at rest.
+double required_viscosity(double speed, double pitch_diameter);
+
+/// kappa [-]: kinematic viscosity of the oil at running temperature over the required one, both [m^2/s].
+double viscosity_ratio(double viscosity, double required);
+
+/// Fatigue load limit C_u [N] in the simplified form of [ISO281]: C_0/22 for balls, C_0/8.2 for rollers, less
+/// by (100 mm/d_m)^0.5 or ^0.3 above d_m = 100 mm. `static_capacity` [N], `pitch_diameter` [m].
+double fatigue_load_limit(RollingElement element, double static_capacity, double pitch_diameter);
+
+/// How the oil is kept clean.
+enum class Lubrication { circulating_oil, oil_bath, grease };
+
+/// Level of cleanliness, from best to worst. Oil: ISO 4406 codes -/13/10, -/15/12, -/17/14, -/19/16 and, for
+/// oil baths only, -/21/18; circulating oil with filters of beta_6 = 200, beta_12 = 200, beta_25 = 75 and
+/// beta_40 = 75. Grease: high, normal, slight to typical contamination, severe, very severe.
+enum class Cleanliness { highest, high, medium, low, lowest };
+
+/// Contamination factor e_C [-] for kappa [-] and d_m [m]: a (1 - c/d_m^(1/3)), a = min(b kappa^0.68
+/// d_m^0.55, 1), d_m in mm, of annex A of [ISO281]. Coefficients b and c are from memory of the annex. Never
+/// negative. Throws std::invalid_argument for a level that the annex does not have.
+double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, double kappa,
+                            double pitch_diameter);
+
+/// a_ISO [-] of radial bearings for kappa [-] and contamination factor times fatigue load limit over
+/// equivalent load e_C C_u/P [-]. At most 50; kappa above 4 counts as 4. Throws std::invalid_argument for
+/// kappa below 0.1, where the standard gives none.
+double life_modification_factor(RollingElement element, double kappa, double fatigue_ratio);
+
+}  // namespace orbearing::bearing::rating

@@ -1,0 +1,74 @@
+// Basic reference rating life from the load of every lamina or ball, [ISO16281].
+//
+// Loads come as plain arrays, from a quasi-static bearing or from a motion in time. Unloaded contacts count.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bearing/life/ball_capacity.hpp"
+#include "bearing/life/roller_capacity.hpp"
+
+namespace orbearing::bearing::rating {
+
+/// Stress at the ends of a roller beyond that of its laminae, as a factor on their loads [-] (laminae):
+/// 1 - 0.01/ln(1.985 |2k - n - 1|/(2n - 2)) for lamina k = 1 ... n, whatever the profile; 1 in the middle of
+/// an odd n.
+Eigen::ArrayXd stress_riser(Eigen::Index laminae);
+
+/// Loads [N] (laminae, rollers) with the stress riser on them.
+Eigen::ArrayXXd with_stress_riser(const Eigen::Ref<const Eigen::ArrayXXd>& loads);
+
+/// Lamina loads [N] (laminae, rollers) that would press as hard, as line contacts of Hertz, as the largest
+/// pressures `pressure` [Pa] found in the laminae by a finer model do: q = p^2 pi D (1 -+ gamma) l (1 -
+/// nu^2)/ (E n), upper sign inner race. (In N and mm [ISO16281] writes (p/271)^2 D (1 -+ gamma) l/n, the same
+/// for E = 210 GPa, nu = 0.3.) They take the place of loads with the stress riser.
+Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pressure, const RollerSet& set,
+                                   Race race, const Material& material);
+
+/// Equivalent load [N] (laminae) of each lamina over the rollers: power mean with exponent 4 on the race that
+/// turns relative to the load, 4.5 on the one that stands. `loads` [N] (laminae, rollers) hold the riser.
+Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& loads, RaceMotion motion);
+
+/// The same from a motion in time: one array [N] (laminae, passages) for each of evenly spaced places around
+/// the bearing. A turning race meets all passages alike; a standing one has a mean of power 4 at each place.
+Eigen::ArrayXd equivalent_of_passages(const std::vector<Eigen::ArrayXXd>& places, RaceMotion motion);
+
+/// Equivalent loads of all laminae on both races [N] (laminae), the stress riser or pressures in them.
+struct LaminaEquivalents {
+  Eigen::ArrayXd inner;  // [N]
+  Eigen::ArrayXd outer;  // [N]
+};
+
+/// L10r [rev] of races and bearing, for contact capacities [N] of a whole roller; infinite at no load.
+BearingLife lamina_reference_life(const ContactCapacities& capacities, const LaminaEquivalents& loads);
+
+/// The same for lamina loads [N] (laminae, rollers) on both races, with the stress riser put on here.
+BearingLife lamina_reference_life(const ContactCapacities& capacities,
+                                  const Eigen::Ref<const Eigen::ArrayXXd>& inner_loads,
+                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
+                                  const RaceMotions& motions);
+
+/// Derivative of ln(L10r) with respect to lamina loads that hold no stress riser [1/N] (laminae, rollers).
+struct LifeGradient {
+  BearingLife life;       // [rev]
+  Eigen::ArrayXXd inner;  // [1/N]
+  Eigen::ArrayXXd outer;  // [1/N]
+};
+
+/// Life as above with its gradient, for profiles that are to be improved; zero where nothing is loaded.
+LifeGradient lamina_life_gradient(const ContactCapacities& capacities,
+                                  const Eigen::Ref<const Eigen::ArrayXXd>& inner_loads,
+                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
+                                  const RaceMotions& motions);
+
+/// Equivalent ball load [N]: power mean over all balls, exponent 3 (turning) or 10/3 (standing).
+double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion);
+
+/// L10r [rev] of a ball bearing, for ball loads [N] (balls) on both races.
+BearingLife ball_reference_life(const ContactCapacities& capacities,
+                                const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
+                                const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
+                                const RaceMotions& motions);
+
+}  // namespace orbearing::bearing::rating

@@ -1,0 +1,29 @@
+// Where a bearing begins whose bore stands where others put it.
+#pragma once
+
+#include "bearing/motion/bore_motion.hpp"
+#include "bearing/motion/initial_state.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// Balance of the pin ring on its support between rollers, each in balance by itself, at a given place of the
+/// bore.
+struct PinBalance {
+  Vector2 pin = Vector2::Zero();  // [m]
+  QuasiStaticState rollers;       // displacement: bore less pin
+};
+
+/// The pin ring and all rollers in balance under `motion`: Newton's method on the two freedoms of the pin,
+/// whose forces are the slope of a convex energy. The report of `rollers` says whether it converged.
+PinBalance balance_pin(const CylindricalRollerBearing& bearing, const BearingModel& model,
+                       const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller);
+
+/// The state from which a driven bearing of `model` begins under `motion`: pin ring and rollers as
+/// balance_pin() has them, the first roller at `first_roller` [rad], rollers and cage at pure rolling, the
+/// cage centred in its land. `motion` may be zero throughout. Throws std::runtime_error where no balance is
+/// found, with what remains.
+Eigen::VectorXd driven_start(const CylindricalRollerBearing& bearing, const BearingModel& model,
+                             const DynamicsParameters& parameters, const BoreMotion& motion,
+                             double first_roller);
+
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,27 @@
+// What the form of a race changes in a contact. The load stays the slope of the stored energy:
+//
+//   approach = s (distance - R(phi)) + a,   phi: angle of the normal n
+//   force on the roller = -load d(approach)/d(position) = -s load n + s load R'(phi) / distance t
+//
+// so that a small tangential force joins the normal one; its moment about the race's centre, s load R', goes
+// to the race, for the roller is round and takes none.
+#pragma once
+
+#include "bearing/contact/race_form.hpp"
+#include "bearing/motion/contact_motion.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// Slopes of the form at a contact [m/rad]; zero on a round race.
+struct FormSlope {
+  double all = 0.0;      // R'(phi)
+  double turning = 0.0;  // the share that turns with the race
+};
+
+/// Puts the form of a race, which turns at `race.speed` and has turned by `race.angle`, into approach and
+/// approach speed of `motion`, whose line of centres turns at line_speed:
+///   approach speed = s (v_n - R' line_speed + R'_turning race speed).
+FormSlope add_form(const std::vector<RaceHarmonic>& form, double side, const BodyMotion& race,
+                   ContactMotion& motion);
+
+}  // namespace orbearing::bearing::dynamics

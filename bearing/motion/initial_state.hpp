@@ -1,0 +1,43 @@
+// Where a run begins: quasi-static places and loads, kinematic speeds.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/motion/model.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// A state to start from, and how the quasi-static solver got there.
+struct InitialState {
+  Eigen::VectorXd x;
+  SolverReport report;
+};
+
+/// For steady speeds, or for the speeds of a run-up at t = 0 (its Euler terms are left to the motion).
+/// Rollers stand where the quasi-static bearing has them, with the approach their loads need; rollers and
+/// cage turn at pure rolling, or the cage at the reference speed that was asked for; the cage is centred in
+/// its land; the pin is displaced as its support demands. Where the quasi-static solver fails, `report` says
+/// so and the rings are centred.
+InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
+                           const DynamicsParameters& parameters, double first_roller);
+
+/// Film and inertia of a quasi-static start.
+QuasiStaticOptions start_options(const DynamicsParameters& parameters);
+/// The film that is part of the contacts; as printed it is part of the races' radii.
+std::optional<Lubricant> added_film(const QuasiStaticOptions& options);
+
+/// Where the rings stand at the start, and how fast cage and rollers turn.
+struct StartMotion {
+  Vector2 pin;              // [m]
+  Vector2 bore;             // [m]
+  double cage_speed = 0.0;  // [rad/s]
+  double spin = 0.0;        // [rad/s]
+};
+
+/// Puts all bodies into the state `x`, which is zero before: rollers as `balance` has them between rings at
+/// `start`, with the approach that their loads need on `contacts`; the cage centred in its land.
+void place_bodies(const BearingModel& model, const bearing::RollerContacts& contacts,
+                  const QuasiStaticState& balance, const StartMotion& start, double first_roller,
+                  Eigen::Ref<Eigen::VectorXd> x);
+
+}  // namespace orbearing::bearing::dynamics

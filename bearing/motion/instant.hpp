@@ -1,0 +1,153 @@
+// The bearing at one instant: where its bodies are, and what acts on one roller. Shared by the equations and
+// by what is reported from them.
+#pragma once
+
+#include <cmath>
+
+#include "bearing/motion/driving.hpp"
+#include "bearing/motion/model.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// Rings and cage at one instant.
+struct RingBodies {
+  BodyMotion cage;
+  BodyMotion bore;
+  BodyMotion pin;
+  Vector2 cage_direction;  // [-]  of the cage angle
+};
+
+/// Bodies at `time` [s], which matters in a run-up and where waves turn with a race.
+inline RingBodies ring_bodies(const BearingModel& model, const ConstStateViews& state, double time = 0.0) {
+  const double ratio = speed_ratio(model.driving, time);
+  const double turned = equivalent_time(model.driving, time);
+  return {.cage = {state.cage_position, state.cage_velocity, state.cage_speed},
+          .bore = {state.bore_position, state.bore_velocity, model.point.outer_speed * ratio,
+                   model.point.outer_speed * turned},
+          .pin = {state.pin_position, state.pin_velocity, model.point.inner_speed * ratio,
+                  model.point.inner_speed * turned},
+          .cage_direction = direction(state.cage_angle)};
+}
+
+/// One roller at one instant.
+struct RollerBody {
+  BodyMotion motion;
+  Vector2 outward;             // [-]      e_r
+  double radius = 0.0;         // [m]
+  double angle = 0.0;          // [rad]
+  double radial_speed = 0.0;   // [m/s]
+  double orbital_speed = 0.0;  // [rad/s]
+};
+
+inline RollerBody roller_body(const ConstStateViews& state, Eigen::Index j) {
+  RollerBody roller;
+  roller.radius = state.radius[j];
+  roller.angle = state.angle[j];
+  roller.radial_speed = state.radial_speed[j];
+  roller.orbital_speed = state.orbital_speed[j];
+  roller.outward = direction(roller.angle);
+  roller.motion.position = roller.radius * roller.outward;
+  roller.motion.velocity =
+      roller.radial_speed * roller.outward + roller.radius * roller.orbital_speed * across(roller.outward);
+  roller.motion.speed = state.spin[j];
+  return roller;
+}
+
+/// What acts on one roller.
+struct RollerForces {
+  RaceForces inner;
+  RaceForces outer;
+  PocketForces pocket;
+  double orbit_drag = 0.0;  // [N]    along e_theta
+  double spin_drag = 0.0;   // [N m]
+  LaminaStand stand;        // of contacts cut into laminae
+};
+
+/// Direction of the pocket of roller `j` [-].
+inline Vector2 pocket_direction(const BearingModel& model, const RingBodies& rings, Eigen::Index j) {
+  const Vector2& own = model.pocket_direction[static_cast<std::size_t>(j)];
+  return own.x() * rings.cage_direction + own.y() * across(rings.cage_direction);
+}
+
+/// Motions of a roller in both its contacts, and their elastic loads.
+struct RollerContacts {
+  FormedContact inner;
+  FormedContact outer;
+  double inner_load = 0.0;  // [N]
+  double outer_load = 0.0;  // [N]
+  LaminaStand stand;        // of contacts cut into laminae
+};
+
+/// Elastic approach in the middle [m].
+inline double elastic_approach(const RaceModel& model, const ContactMotion& motion) {
+  return model.load.elastic_approach(motion.approach,
+                                     entrainment_speed(motion.rolling, model.entrainment_scale));
+}
+
+inline RollerContacts roller_contacts(const BearingModel& model, const RingBodies& rings,
+                                      const RollerBody& roller, Eigen::Index j) {
+  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  RollerContacts contacts{race_motion(model.inner, roller.motion, larger, rings.pin),
+                          race_motion(model.outer, roller.motion, larger, rings.bore)};
+  if (model.laminae) {
+    LaminaStand& stand = contacts.stand;
+    stand.inner_approach = elastic_approach(model.inner, contacts.inner.contact);
+    stand.outer_approach = elastic_approach(model.outer, contacts.outer.contact);
+    const LaminaRaceLoads loads =
+        model.laminae->loads(stand.inner_approach, stand.outer_approach, roller.outward);
+    contacts.inner_load = loads.inner;
+    contacts.outer_load = loads.outer;
+    stand.tip = loads.tip;
+  } else {
+    contacts.inner_load = straight_load(model.inner, contacts.inner.contact);
+    contacts.outer_load = straight_load(model.outer, contacts.outer.contact);
+  }
+  return contacts;
+}
+
+inline RollerForces roller_forces(const BearingModel& model, const RingBodies& rings,
+                                  const RollerBody& roller, Eigen::Index j) {
+  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  const RollerContacts contacts = roller_contacts(model, rings, roller, j);
+  return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_load),
+          .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_load),
+          .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j),
+                                  larger),
+          .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
+          .spin_drag = model.spin_drag.force(roller.motion.speed),
+          .stand = contacts.stand};
+}
+
+/// The same for a model that is plain, at less cost.
+inline RollerForces plain_roller_forces(const BearingModel& model, const RingBodies& rings,
+                                        const RollerBody& roller, Eigen::Index j) {
+  return {.inner = plain_race_forces(model.inner, roller.motion, rings.pin),
+          .outer = plain_race_forces(model.outer, roller.motion, rings.bore),
+          .pocket = touch_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j)),
+          .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
+          .spin_drag = model.spin_drag.force(roller.motion.speed)};
+}
+
+/// The ring whose land guides the cage.
+inline const BodyMotion& land_body(const BearingModel& model, const RingBodies& rings) {
+  return model.guiding_race == Race::outer ? rings.bore : rings.pin;
+}
+
+/// Wrenches that rollers, cage and land exert on the rings and on the cage.
+struct RingWrenches {
+  Wrench cage;
+  Wrench bore;
+  Wrench pin;
+
+  void add(const RollerForces& forces) {
+    pin += forces.inner.on_race;
+    bore += forces.outer.on_race;
+    cage += forces.pocket.on_cage;
+  }
+  void add(const GuidanceForces& forces, Race guiding_race) {
+    cage += forces.on_cage;
+    (guiding_race == Race::outer ? bore : pin) += forces.on_land;
+  }
+};
+
+}  // namespace orbearing::bearing::dynamics

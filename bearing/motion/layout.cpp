@@ -1,0 +1,51 @@
+#include "bearing/motion/layout.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+namespace {
+
+struct Variable {
+  const char* name;
+  VariableKind kind;
+};
+
+constexpr Variable kOfRollers[] = {{"radius [m]", VariableKind::length},
+                                   {"angle [rad]", VariableKind::angle},
+                                   {"radial_speed [m/s]", VariableKind::velocity},
+                                   {"orbital_speed [rad/s]", VariableKind::angular_speed},
+                                   {"spin [rad/s]", VariableKind::angular_speed}};
+constexpr Variable kOfRings[] = {{"cage_x [m]", VariableKind::length},
+                                 {"cage_y [m]", VariableKind::length},
+                                 {"cage_angle [rad]", VariableKind::angle},
+                                 {"cage_x_speed [m/s]", VariableKind::velocity},
+                                 {"cage_y_speed [m/s]", VariableKind::velocity},
+                                 {"cage_speed [rad/s]", VariableKind::angular_speed},
+                                 {"bore_x [m]", VariableKind::length},
+                                 {"bore_y [m]", VariableKind::length},
+                                 {"bore_x_speed [m/s]", VariableKind::velocity},
+                                 {"bore_y_speed [m/s]", VariableKind::velocity},
+                                 {"pin_x [m]", VariableKind::length},
+                                 {"pin_y [m]", VariableKind::length},
+                                 {"pin_x_speed [m/s]", VariableKind::velocity},
+                                 {"pin_y_speed [m/s]", VariableKind::velocity}};
+
+}  // namespace
+
+std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
+  std::vector<VariableKind> kinds;
+  for (const Variable& variable : kOfRollers)
+    kinds.insert(kinds.end(), static_cast<std::size_t>(layout.rollers), variable.kind);
+  for (const Variable& variable : kOfRings) kinds.push_back(variable.kind);
+  return kinds;
+}
+
+std::vector<std::string> variable_names(const StateLayout& layout) {
+  std::vector<std::string> names;
+  for (const Variable& variable : kOfRollers)
+    for (Eigen::Index roller = 1; roller <= layout.rollers; ++roller)
+      names.push_back("roller_" + std::to_string(roller) + "_" + variable.name);
+  for (const Variable& variable : kOfRings) names.emplace_back(variable.name);
+  return names;
+}
+
+}  // namespace orbearing::bearing::dynamics

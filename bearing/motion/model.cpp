@@ -1,0 +1,278 @@
+#include "bearing/motion/model.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "bearing/motion/race_model.hpp"
+#include "mechanics/checks.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+namespace {
+
+using boost::math::double_constants::two_pi;
+using mechanics::require;
+
+void check_oil(const DynamicsParameters& parameters) {
+  const RaceContactParameters& race = parameters.race;
+  const bool pocket_film = parameters.cage.pocket_film == PocketFilm::hydrodynamic;
+  const bool mixed = race.lubrication == Lubrication::mixed;
+  const bool needs_oil =
+      race.film_in_approach || race.traction == TractionLaw::limiting_shear || mixed || pocket_film;
+  require(!needs_oil || parameters.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]",
+          parameters.lubricant.viscosity,
+          "more than 0 for a film, for limiting shear or for mixed lubrication");
+  require(!mixed || race.roughness > 0.0, "roughness of roller and race [m]", race.roughness,
+          "more than 0 for mixed lubrication");
+  require(!mixed || race.boundary_friction >= 0.0, "boundary friction [-]", race.boundary_friction,
+          "0 or more");
+  require(!pocket_film || parameters.cage.pocket_roughness > 0.0, "roughness of the pocket [m]",
+          parameters.cage.pocket_roughness, "more than 0 for a film in the pocket");
+}
+
+void check_form(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry) {
+  for (const auto* form : {&bearing.inner_form, &bearing.outer_form})
+    for (const RaceHarmonic& wave : *form) {
+      require(wave.order >= 1, "order of a wave of a race", wave.order, "1 or more");
+      require(std::abs(wave.amplitude) < geometry.roller_radius, "amplitude of a wave of a race [m]",
+              wave.amplitude, "less than the radius of a roller");
+    }
+  require(bearing.roller_diameter_deviation.size() <= static_cast<std::size_t>(bearing.rollers),
+          "number of roller diameter deviations",
+          static_cast<double>(bearing.roller_diameter_deviation.size()), "at most one for each roller");
+  for (const double deviation : bearing.roller_diameter_deviation)
+    require(std::abs(deviation) < geometry.roller_radius, "deviation of a roller's diameter [m]", deviation,
+            "less than the radius of a roller");
+}
+
+void check(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
+           const DynamicsParameters& parameters) {
+  require(bearing.rollers >= 2, "rollers", bearing.rollers, "at least 2");
+  require(geometry.roller_mass > 0.0, "mass of a roller [kg]", geometry.roller_mass, "more than 0");
+  require(geometry.cage_mass > 0.0, "mass of the cage [kg]", geometry.cage_mass,
+          "more than 0; give the cage's diameters, width and density");
+  require(geometry.inner_ring_mass > 0.0, "mass of the pin ring [kg]", geometry.inner_ring_mass,
+          "more than 0; give a bore smaller than the inner race");
+  require(parameters.bore_mass > 0.0 || geometry.outer_ring_mass > 0.0, "mass of the bore [kg]",
+          parameters.bore_mass, "more than 0");
+  require(parameters.support.stiffness > 0.0, "support stiffness [N/m]", parameters.support.stiffness,
+          "more than 0");
+  require(parameters.cage.pocket_clearance >= 0.0, "pocket clearance [m]", parameters.cage.pocket_clearance,
+          "0 or more");
+  require(parameters.cage.largest_eccentricity > 0.0 && parameters.cage.largest_eccentricity < 1.0,
+          "largest eccentricity of the cage [-]", parameters.cage.largest_eccentricity, "between 0 and 1");
+  require(parameters.race.sliding_scale > 0.0, "sliding scale [m/s]", parameters.race.sliding_scale,
+          "more than 0");
+  require(parameters.race.entrainment_scale > 0.0, "entrainment scale [m/s]",
+          parameters.race.entrainment_scale, "more than 0");
+  check_oil(parameters);
+  check_form(bearing, geometry);
+  require(std::isfinite(parameters.driving.growth), "growth of the speeds [1/s]", parameters.driving.growth,
+          "a finite number");
+}
+
+PocketModel pocket_model(const RollerBearingGeometry& geometry, double length,
+                         const DynamicsParameters& parameters) {
+  const CageParameters& cage = parameters.cage;
+  return {.half_clearance = 0.5 * cage.pocket_clearance,
+          .stiffness = cage.pocket_stiffness,
+          .damping = cage.pocket_damping,
+          .friction = cage.pocket_friction,
+          .sliding_scale = parameters.race.sliding_scale,
+          .roller_radius = geometry.roller_radius,
+          .with_film = cage.pocket_film == PocketFilm::hydrodynamic,
+          .viscosity = parameters.lubricant.viscosity,
+          .length = length,
+          .roughness = cage.pocket_roughness};
+}
+
+GuidanceModel guidance_model(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters) {
+  const CageParameters& given = parameters.cage;
+  GuidanceModel model;
+  model.present = given.guide_diameter > 0.0;
+  if (!model.present) return model;
+  const bool outside = bearing.cage.guidance == Race::outer;
+  const double cage_diameter = outside ? bearing.cage.outer_diameter : bearing.cage.inner_diameter;
+  const double side_width = 0.5 * (bearing.cage.width - bearing.roller_length);
+  model.side = outside ? 1.0 : -1.0;
+  model.clearance = 0.5 * model.side * (given.guide_diameter - cage_diameter);
+  model.cage_radius = 0.5 * cage_diameter;
+  model.land_width = given.land_width > 0.0 ? given.land_width : side_width;
+  model.lands = given.lands;
+  model.viscosity = parameters.lubricant.viscosity;
+  model.film = given.guidance_film;
+  model.largest_eccentricity = given.largest_eccentricity;
+  model.stiffness = given.touch_down_stiffness;
+  model.damping = given.touch_down_damping;
+  model.friction = given.touch_down_friction;
+  model.sliding_scale = parameters.race.sliding_scale;
+  require(model.clearance > 0.0, "radial clearance of cage and land [m]", model.clearance,
+          "more than 0; the guide diameter lies outside an outer-guided cage and inside an inner-guided one");
+  require(model.land_width > 0.0, "width of the cage's land [m]", model.land_width,
+          "more than 0; give it, or a cage wider than the rollers");
+  return model;
+}
+
+std::vector<Vector2> pocket_directions(int rollers) {
+  std::vector<Vector2> directions;
+  for (int j = 0; j < rollers; ++j) directions.push_back(direction(two_pi * j / rollers));
+  return directions;
+}
+
+void set_drag(const CylindricalRollerBearing& bearing, const OilDragParameters& given, BearingModel& model) {
+  if (!given.on) return;
+  const double density = given.oil_share * given.oil_density;
+  const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);
+  model.orbit_drag =
+      translation_drag(density, given.drag_coefficient, bearing.roller_diameter, bearing.roller_length);
+  model.spin_drag =
+      churning_drag(density, given.churning_coefficient, model.geometry.roller_radius, bearing.roller_length);
+  model.cage_drag = churning_drag(density, given.churning_coefficient, cage_radius, bearing.cage.width);
+}
+
+PinSupport pin_support(const SupportParameters& given, double moving_mass) {
+  return {given.stiffness, 2.0 * given.damping_ratio * std::sqrt(given.stiffness * moving_mass)};
+}
+
+// Radius of each roller less the stated one.
+std::vector<double> larger_rollers(const CylindricalRollerBearing& bearing) {
+  std::vector<double> larger;
+  for (std::size_t j = 0; j < static_cast<std::size_t>(bearing.rollers); ++j)
+    larger.push_back(0.5 * diameter_deviation(bearing, j));
+  return larger;
+}
+
+bool is_plain(const CylindricalRollerBearing& bearing, const BearingModel& model) {
+  return bearing.inner_form.empty() && bearing.outer_form.empty() && !model.inner.mixed.on &&
+         bearing.roller_diameter_deviation.empty() && !model.pocket.with_film && !model.laminae;
+}
+
+laminae::LaminaContact lamina_contact(const CylindricalRollerBearing& bearing, const RaceModel& race,
+                                      const profile::Profile& race_profile) {
+  const double length = bearing.roller_length;
+  return {laminae::lamina_law(race.load.elastic()), length,
+          laminae::lamina_drops(bearing.roller_profile, race_profile, length, bearing.laminae)};
+}
+
+std::optional<LaminaRaces> lamina_races(const CylindricalRollerBearing& bearing, const BearingModel& model) {
+  if (bearing.laminae == 0) return std::nullopt;
+  return LaminaRaces(lamina_contact(bearing, model.inner, bearing.inner_race_profile),
+                     lamina_contact(bearing, model.outer, bearing.outer_race_profile), model.point.bore_tilt);
+}
+
+// Eq. (8) of [Gai2025] has the minus sign of a turning inner race with the speed of the outer.
+double reference_cage_speed(const RollerBearingGeometry& geometry, const OperatingPoint& point,
+                            ReferenceSpeed which) {
+  if (which == ReferenceSpeed::as_printed) return kinematic_cage_speed(geometry, point.outer_speed, 0.0);
+  return kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
+}
+
+// The carrier's acceleration follows from the growth of its speed; the planet's Euler load is added to what
+// the load on the bore holds.
+void set_driving(const InertiaSwitches& inertia, BearingModel& model) {
+  CarrierMotion& carrier = model.point.carrier;
+  require(carrier.acceleration == 0.0, "acceleration of the carrier [rad/s^2]", carrier.acceleration,
+          "0 in a run-up, where it follows from the growth of the speeds");
+  const Vector2 none = Vector2::Zero();
+  model.bore_loads.centrifugal = model.bore_mass * inertial_acceleration(model.frame, none, none);
+  model.bore_loads.meshes = model.point.bore_load - model.bore_loads.centrifugal;
+  carrier.acceleration = model.driving.growth * carrier.speed;
+  model.frame = carrier_frame(carrier, inertia);
+  model.bore_loads.euler =
+      model.bore_mass * inertial_acceleration(model.frame, none, none) - model.bore_loads.centrifugal;
+}
+
+// Cosine and sine of rising multiples of an angle, each from the one before by turning on.
+class Multiples {
+ public:
+  explicit Multiples(double angle) : first_(std::cos(angle), std::sin(angle)) {}
+  /// (cosine, sine) of order times the angle; orders must not fall from call to call.
+  const Vector2& of(int order) {
+    for (; order_ < order; ++order_)
+      now_ = {now_.x() * first_.x() - now_.y() * first_.y(), now_.x() * first_.y() + now_.y() * first_.x()};
+    return now_;
+  }
+
+ private:
+  Vector2 first_;
+  Vector2 now_{1.0, 0.0};
+  int order_ = 0;
+};
+
+Vector2 ripple_load(const MeshRipple& ripple, double angle) {
+  Vector2 load = Vector2::Zero();
+  Multiples multiples(angle);
+  for (const LoadHarmonic& harmonic : ripple.harmonics) {
+    const Vector2& turned = multiples.of(harmonic.order);
+    load += turned.x() * harmonic.cosine + turned.y() * harmonic.sine;
+  }
+  return load;
+}
+
+// Load on the bore in a run-up; the ripple falls with the meshes' load and quickens with their speed.
+Vector2 growing_load(const BearingModel& model, double time) {
+  const double ratio = speed_ratio(model.driving, time);
+  const double turned = model.ripple.angular_frequency * equivalent_time(model.driving, time);
+  const Vector2 meshes = model.bore_loads.meshes + ripple_load(model.ripple, turned);
+  return meshes / ratio + model.bore_loads.centrifugal * ratio * ratio + model.bore_loads.euler;
+}
+
+}  // namespace
+
+BearingModel bearing_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+                           const DynamicsParameters& parameters) {
+  const RollerBearingGeometry geometry = geometry_of(bearing);
+  check(bearing, geometry, parameters);
+  const double bore_mass = parameters.bore_mass > 0.0 ? parameters.bore_mass : geometry.outer_ring_mass;
+  BearingModel model{
+      .layout = {bearing.rollers},
+      .geometry = geometry,
+      .point = point,
+      .frame = carrier_frame(point.carrier, parameters.inertia),
+      .inertia = parameters.inertia,
+      .roller = {geometry.roller_mass, geometry.roller_inertia},
+      .cage = {geometry.cage_mass, geometry.cage_inertia},
+      .bore_mass = bore_mass,
+      .pin_mass = geometry.inner_ring_mass,
+      .inner = race_model(bearing, point, Race::inner, parameters),
+      .outer = race_model(bearing, point, Race::outer, parameters),
+      .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
+      .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
+      .pocket = pocket_model(geometry, bearing.roller_length, parameters),
+      .larger_by = larger_rollers(bearing),
+      .pocket_direction = pocket_directions(bearing.rollers),
+      .guidance = guidance_model(bearing, parameters),
+      .guiding_race = bearing.cage.guidance,
+      .support = pin_support(parameters.support, bore_mass + geometry.inner_ring_mass),
+      .orbit_drag = {},
+      .spin_drag = {},
+      .cage_drag = {},
+      .ripple = parameters.ripple,
+      .driving = parameters.driving,
+      .bore_loads = {},
+      .kinematic_cage_speed = reference_cage_speed(geometry, point, parameters.cage.reference_speed)};
+  set_drag(bearing, parameters.drag, model);
+  model.laminae = lamina_races(bearing, model);
+  model.plain = is_plain(bearing, model);
+  if (model.driving.growth != 0.0) set_driving(parameters.inertia, model);
+  return model;
+}
+
+Vector2 bore_load(const BearingModel& model, double time) {
+  if (model.driving.growth != 0.0) return growing_load(model, time);
+  if (model.ripple.harmonics.empty()) return model.point.bore_load;
+  return model.point.bore_load + ripple_load(model.ripple, model.ripple.angular_frequency * time);
+}
+
+Vector2 bore_load_slope(const BearingModel& model, double time) {
+  Vector2 slope = Vector2::Zero();
+  if (model.ripple.harmonics.empty()) return slope;
+  Multiples multiples(model.ripple.angular_frequency * time);
+  for (const LoadHarmonic& harmonic : model.ripple.harmonics) {
+    const Vector2& turned = multiples.of(harmonic.order);
+    slope += harmonic.order * (turned.x() * harmonic.sine - turned.y() * harmonic.cosine);
+  }
+  return model.ripple.angular_frequency * slope;
+}
+
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,114 @@
+// All that passes between a roller and a race: load, traction and rolling resistance, balanced on both
+// bodies.
+#pragma once
+
+#include "bearing/motion/contact_damping.hpp"
+#include "bearing/motion/contact_motion.hpp"
+#include "bearing/motion/form_motion.hpp"
+#include "bearing/motion/mixed_lubrication.hpp"
+#include "bearing/motion/race_load.hpp"
+#include "bearing/motion/traction.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// One race with its laws, fixed for a run.
+struct RaceModel {
+  RaceSide side;
+  double roller_radius = 0.0;      // [m]
+  double damping = 0.0;            // [s/m]
+  double entrainment_scale = 0.0;  // [m/s]
+  bool with_rolling_resistance = false;
+  RaceLoadLaw load;
+  TractionCurve traction;
+  RollingResistance rolling;
+  std::vector<RaceHarmonic> form;  // none: round
+  MixedLubrication mixed;
+};
+
+/// Forces in one race contact.
+struct RaceForces {
+  Wrench on_roller;
+  Wrench on_race;
+  double load = 0.0;            // [N]    with damping
+  double sliding = 0.0;         // [m/s]
+  double entrainment = 0.0;     // [m/s]  > 0
+  double damping_power = 0.0;   // [W]    dissipated, as are all powers
+  double traction_power = 0.0;  // [W]
+  double rolling_power = 0.0;   // [W]
+  double form_power = 0.0;      // [W]    that what holds a standing form takes from the turning race
+};
+
+/// |rolling| [m/s], rounded at zero over `scale` [m/s] so that film and resistance have a slope there.
+inline double entrainment_speed(double rolling, double scale) {
+  return std::sqrt(rolling * rolling + scale * scale);
+}
+
+/// Motion in the contact of a roller, larger in radius by `larger` [m] than stated, with the race of `model`,
+/// its form included.
+struct FormedContact {
+  ContactMotion contact;
+  FormSlope form;
+};
+
+FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, double larger,
+                          const BodyMotion& race);
+
+/// Elastic load of a straight contact in the given motion [N].
+inline double straight_load(const RaceModel& model, const ContactMotion& motion) {
+  return model.load.load(motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
+}
+
+/// All forces of a contact under `elastic_load` [N] in the given motion; `form` is null on a round race. The
+/// tangential force of the rolling resistance on the roller makes the moments of both surfaces balance; it is
+/// what the tilted oil pressure leaves after the drag at the inlet.
+inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& motion, double elastic_load,
+                                 const FormSlope* form, bool mixed, double race_speed) {
+  RaceForces forces;
+  forces.sliding = motion.sliding;
+  forces.entrainment = entrainment_speed(motion.rolling, model.entrainment_scale);
+  if (elastic_load <= 0.0) return forces;
+  const DampedLoad normal = damped_load(elastic_load, model.damping, motion.approach_speed);
+  const double film_traction = model.traction.force(normal.load, motion.sliding, forces.entrainment);
+  const double traction =
+      mixed ? model.mixed.shared(film_traction, normal.load, motion.sliding, forces.entrainment)
+            : film_traction;
+  const double inlet = model.with_rolling_resistance
+                           ? model.rolling.force(normal.load, motion.rolling, forces.entrainment)
+                           : 0.0;
+  const double form_moment = form ? model.side.side * normal.load * form->all : 0.0;
+  const double tilt = (inlet * (motion.race_arm + motion.roller_arm) + form_moment) / motion.distance;
+
+  forces.load = normal.load;
+  forces.on_roller.force =
+      -model.side.side * normal.load * motion.normal + (traction + tilt) * motion.tangent;
+  forces.on_roller.moment = (traction - inlet) * motion.roller_arm;
+  forces.on_race.force = -forces.on_roller.force;
+  forces.on_race.moment = -(traction + inlet) * motion.race_arm - form_moment;
+  forces.damping_power = normal.power;
+  forces.traction_power = traction * motion.sliding;
+  forces.rolling_power = 2.0 * inlet * motion.rolling;
+  if (form) forces.form_power = model.side.side * normal.load * (form->all - form->turning) * race_speed;
+  return forces;
+}
+
+/// Forces between a roller, larger in radius by `larger` [m] than stated, and the race of `model`, in full.
+RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
+                       double larger = 0.0);
+
+/// The same where the race is round, the roller as stated and the lubrication full: without branches for what
+/// is absent, since most runs are such and spend their time here.
+inline RaceForces plain_race_forces(const RaceModel& model, const BodyMotion& roller,
+                                    const BodyMotion& race) {
+  const ContactMotion motion = contact_motion(roller, model.roller_radius, race, model.side);
+  return contact_forces(model, motion, straight_load(model, motion), nullptr, false, race.speed);
+}
+
+/// The same under a given elastic load [N], in a motion that is known already.
+RaceForces race_forces(const RaceModel& model, const FormedContact& motion, const BodyMotion& race,
+                       double elastic_load);
+
+/// Energy stored in the contact [J].
+double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
+                   double larger = 0.0);
+
+}  // namespace orbearing::bearing::dynamics

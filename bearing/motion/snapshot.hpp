@@ -1,0 +1,99 @@
+// What can be read off the bearing at one instant: loads, slip, film, energy and losses.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/life/damage.hpp"
+#include "bearing/motion/model.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// One race at one instant. Arrays are over rollers.
+struct RaceSnapshot {
+  Eigen::ArrayXd load;         // [N]
+  Eigen::ArrayXd sliding;      // [m/s]  surface of the race less that of the roller
+  Eigen::ArrayXd entrainment;  // [m/s]
+  Eigen::ArrayXd least_film;   // [m]    zero without oil
+};
+
+/// Energy by where it is stored [J]. The centrifugal potential of the turning frame counts as stored.
+struct StoredEnergy {
+  double kinetic = 0.0;      // in the carrier frame, prescribed rotations excluded
+  double centrifugal = 0.0;  // negative outward
+  double races = 0.0;        // elastic contacts and films
+  double pockets = 0.0;
+  double guidance = 0.0;
+  double support = 0.0;
+
+  double total() const { return kinetic + centrifugal + races + pockets + guidance + support; }
+};
+
+/// Power lost by cause [W], each >= 0.
+struct PowerLoss {
+  double race_damping = 0.0;
+  double inner_traction = 0.0;
+  double outer_traction = 0.0;
+  double rolling = 0.0;
+  double drag = 0.0;      // rollers and cage in the oil-air mixture
+  double pockets = 0.0;   // damping, friction, film
+  double guidance = 0.0;  // film, touch-down
+  double support = 0.0;
+
+  double total() const {
+    return race_damping + inner_traction + outer_traction + rolling + drag + pockets + guidance + support;
+  }
+};
+
+/// Power that enters from outside [W].
+struct PowerInput {
+  double bore_load = 0.0;       // external load times velocity of the bore
+  double rotations = 0.0;       // what keeps bore and pin at their speeds
+  double euler = 0.0;           // inertial loads of a carrier that speeds up
+  double changing_film = 0.0;   // work of the films as their speed changes
+  double standing_form = 0.0;   // of what holds a form while its race turns through it
+  double changing_frame = 0.0;  // of the centrifugal field as the carrier's speed changes
+
+  double total() const {
+    return bore_load + rotations + euler + changing_film + standing_form + changing_frame;
+  }
+};
+
+/// The bearing at one instant.
+struct Snapshot {
+  RaceSnapshot inner;
+  RaceSnapshot outer;
+  Eigen::ArrayXd angle;                     // [rad]  (rollers)  place of each roller, from 0 to 2 pi
+  Eigen::ArrayXd orbital_speed;             // [rad/s]  (rollers)  relative to the carrier
+  Eigen::ArrayXd spin;                      // [rad/s]  (rollers)
+  Eigen::ArrayXd pocket_load;               // [N]    (rollers)  positive where the roller drives the cage
+  double cage_angle = 0.0;                  // [rad]  grows without bound
+  double cage_speed = 0.0;                  // [rad/s]  relative to the carrier
+  Vector2 cage_position = Vector2::Zero();  // [m]
+  double cage_eccentricity = 0.0;           // [-]  of the land's clearance
+  double bore_friction_moment = 0.0;        // [N m]  of the bearing on the bore
+  RaceSpeeds race_speeds;
+  /// Where the contacts stand [m] (rollers), and the laminae; empty and none where contacts are not cut.
+  Eigen::ArrayXd inner_approach, outer_approach, tip;
+  const LaminaRaces* laminae = nullptr;
+  PowerLoss loss;
+};
+
+/// What the races get of it; valid as long as `snapshot`.
+RollerLoads loads_of(const Snapshot& snapshot);
+
+/// Snapshot of the state `x` at `time` [s], which matters in a run-up and where waves turn with a race.
+Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time = 0.0);
+
+/// As above, into a snapshot that is used again: no allocation after the first.
+void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, Snapshot& into,
+                   double time = 0.0);
+
+/// Energy of the state `x` at `time` [s].
+StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x,
+                           double time = 0.0);
+
+/// Power that enters at `time` [s] in the state `x` whose rate is `dx`.
+PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       const Eigen::Ref<const Eigen::VectorXd>& dx);
+
+}  // namespace orbearing::bearing::dynamics

@@ -1,0 +1,86 @@
+// Means over a window of time: loads by place on the race, losses, cage; and the life that follows.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/life/damage.hpp"
+#include "bearing/motion/snapshot.hpp"
+
+namespace orbearing::bearing::dynamics {
+
+/// Cause by cause.
+PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other);
+PowerLoss operator/(const PowerLoss& loss, double by);
+
+/// Loads of one race over a window. Places are the bins of place_of().
+struct RaceStatistics {
+  Eigen::ArrayXd roller_rms;      // [N]    (rollers)  unloaded time included
+  double load_rms = 0.0;          // [N]    over all rollers
+  double load_max = 0.0;          // [N]
+  Eigen::ArrayXd mean_load;       // [N]    (places)  over the passages of rollers
+  Eigen::ArrayXd passages;        // [-]    (places)  that happened, over those of pure rolling
+  Eigen::ArrayXd damage;          // [N^4]  (places)  fourth powers of all passages over those of pure rolling
+  Eigen::ArrayXXd lamina_damage;  // [N^4]  (laminae, places)  the same; no rows: all laminae carry alike
+  double lamina_load_max = 0.0;   // [N]
+  double mean_sliding = 0.0;      // [m/s]  mean of |sliding| over all rollers
+  double least_film = 0.0;        // [m]    least film of the most loaded roller
+};
+
+/// One window.
+struct WindowStatistics {
+  long samples = 0;
+  double duration = 0.0;  // [s]
+  RaceStatistics inner;
+  RaceStatistics outer;
+  double cage_speed = 0.0;                       // [rad/s]  relative to the carrier, from the angle it turned
+  double mean_spin = 0.0;                        // [rad/s]  over all rollers
+  double mean_cage_eccentricity = 0.0;           // [-]
+  double largest_cage_eccentricity = 0.0;        // [-]
+  Vector2 mean_cage_position = Vector2::Zero();  // [m]
+  double bore_friction_moment = 0.0;             // [N m]
+  PowerLoss loss;                                // [W]
+};
+
+/// Gathers samples evenly spaced in time and turns them into means.
+class StatisticsCollector {
+ public:
+  /// `laminae` as uneven_laminae() says.
+  StatisticsCollector(Eigen::Index rollers, Eigen::Index places, Eigen::Index laminae = 0);
+
+  /// `at_start` is the snapshot at the beginning of the window.
+  void begin(double time, const Snapshot& at_start);
+  void add(double time, const Snapshot& sample);
+  /// As add(), in two parts: loads that count for `weight` (any unit), and all the rest.
+  void add_loads(double weight, const RollerLoads& loads);
+  void add_state(double time, const Snapshot& sample);
+  /// Means over all samples since begin(); at least one sample.
+  WindowStatistics means() const;
+
+ private:
+  struct RaceSums {
+    Eigen::ArrayXd roller_square;  // [N^2]
+    double largest = 0.0;          // [N]
+    double sliding = 0.0;          // [m/s]
+    double least_film = 0.0;       // [m]
+  };
+  void add_state(const RaceSnapshot& race, RaceSums& sums);
+  RaceStatistics means(const RaceSums& sums, const RacePassages& passages) const;
+
+  Eigen::Index rollers_;
+  Eigen::Index places_;
+  Eigen::Index laminae_;
+  RaceSums inner_;
+  RaceSums outer_;
+  DamageSums damage_;
+  double weight_ = 0.0;  // of all loads
+  WindowStatistics sums_;
+  double begin_time_ = 0.0;        // [s]
+  double begin_cage_angle_ = 0.0;  // [rad]
+  double end_cage_angle_ = 0.0;    // [rad]
+};
+
+/// Life by Lundberg and Palmgren from dynamic loads; arguments as in lundberg_palmgren_life().
+BearingLife dynamic_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
+                         const WindowStatistics& statistics);
+
+}  // namespace orbearing::bearing::dynamics

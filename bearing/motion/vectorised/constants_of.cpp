@@ -1,0 +1,106 @@
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "bearing/motion/vectorised/constants_of.hpp"
+
+namespace orbearing::bearing::fast {
+
+namespace {
+
+using boost::math::double_constants::pi;
+using boost::math::double_constants::two_pi;
+
+RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
+  const FilmContact& contact = race.traction.contact();
+  const dynamics::RaceLoadLaw::FilmScale film = race.load.film_at_unit_speed();
+  RaceConstants c;
+  c.side = race.side.side;
+  c.radius = race.side.radius;
+  c.speed = speed;
+  c.stiffness = race.load.elastic().constant();
+  c.damping = race.damping;
+  c.entrainment_scale = race.entrainment_scale;
+  c.film = race.load.with_film();
+  c.film_factor = film.factor;
+  c.film_cap = film.cap;
+  c.film_cap_approach = film.cap_approach;
+  c.limiting_shear = race.traction.law() == dynamics::TractionLaw::limiting_shear;
+  c.friction = race.traction.friction();
+  c.sliding_scale = race.traction.sliding_scale();
+  c.largest_exponent = race.traction.largest_exponent();
+  c.pressure_factor =
+      std::sqrt(pi * contact.reduced_modulus / (8.0 * contact.equivalent_radius * contact.length)) / 2.0;
+  c.pressure_viscosity = contact.lubricant.pressure_viscosity;
+  c.viscosity = contact.lubricant.viscosity;
+  c.central_film_factor = race.traction.film_at_unit_speed().factor();
+  c.central_film_cap_load = race.traction.film_at_unit_speed().cap_load();
+  c.mixed = race.mixed.on;
+  c.roughness = race.mixed.roughness;
+  c.boundary_friction = race.mixed.friction;
+  c.boundary_scale = race.mixed.sliding_scale;
+  c.least_film_factor = race.mixed.film.factor;
+  c.least_film_cap = race.mixed.film.cap;
+  c.rolling_resistance = race.with_rolling_resistance;
+  if (c.rolling_resistance) c.rolling_factor = race.rolling.factor();
+  return c;
+}
+
+LandConstants land_constants(const dynamics::BearingModel& model) {
+  const dynamics::GuidanceModel& guidance = model.guidance;
+  LandConstants c;
+  c.present = guidance.present;
+  if (!c.present) return c;
+  const double width_cube = std::pow(guidance.land_width, 3);
+  const double square = guidance.clearance * guidance.clearance;
+  c.on_bore = model.guiding_race == Race::outer;
+  c.as_printed = guidance.film == dynamics::GuidanceFilm::as_printed;
+  c.speed = c.on_bore ? model.point.outer_speed : model.point.inner_speed;
+  c.side = guidance.side;
+  c.clearance = guidance.clearance;
+  c.cage_radius = guidance.cage_radius;
+  c.largest_eccentricity = guidance.largest_eccentricity;
+  c.printed_scale = guidance.lands * guidance.viscosity * width_cube / square;
+  c.film_scale = c.printed_scale * guidance.cage_radius / guidance.clearance;
+  c.shear_scale = two_pi * guidance.viscosity * std::pow(guidance.cage_radius, 3) * guidance.lands *
+                  guidance.land_width / guidance.clearance;
+  c.stiffness = guidance.stiffness;
+  c.damping = guidance.damping;
+  c.friction = guidance.friction;
+  c.sliding_scale = guidance.sliding_scale;
+  return c;
+}
+
+}  // namespace
+
+Constants constants_of(const dynamics::BearingModel& model) {
+  Constants c;
+  c.rollers = static_cast<int>(model.layout.rollers);
+  c.roller_radius = model.geometry.roller_radius;
+  c.roller_mass = model.roller.mass;
+  c.roller_inertia = model.roller.inertia;
+  c.orbit_drag = model.orbit_drag.coefficient;
+  c.spin_drag = model.spin_drag.coefficient;
+  c.cage_drag = model.cage_drag.coefficient;
+  c.coriolis_speed = model.frame.coriolis_speed;
+  c.centrifugal = model.frame.centrifugal;
+  c.euler = model.frame.euler;
+  c.own_orbit = model.frame.own_orbit;
+  c.orbit_radius = model.frame.orbit_radius;
+  c.inner = race_constants(model.inner, model.point.inner_speed);
+  c.outer = race_constants(model.outer, model.point.outer_speed);
+  c.half_clearance = model.pocket.half_clearance;
+  c.pocket_stiffness = model.pocket.stiffness;
+  c.pocket_damping = model.pocket.damping;
+  c.pocket_friction = model.pocket.friction;
+  c.pocket_sliding_scale = model.pocket.sliding_scale;
+  c.cage_mass = model.cage.mass;
+  c.cage_inertia = model.cage.inertia;
+  c.bore_mass = model.bore_mass;
+  c.pin_mass = model.pin_mass;
+  c.support_stiffness = model.support.stiffness;
+  c.support_damping = model.support.damping;
+  c.land = land_constants(model);
+  return c;
+}
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,12 @@
+// From the model of bearing/motion to the plain numbers of the vectorised one.
+#pragma once
+
+#include "bearing/motion/model.hpp"
+#include "bearing/motion/vectorised/constants.hpp"
+
+namespace orbearing::bearing::fast {
+
+/// Plain numbers of `model`.
+Constants constants_of(const dynamics::BearingModel& model);
+
+}  // namespace orbearing::bearing::fast

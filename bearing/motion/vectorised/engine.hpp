@@ -1,0 +1,97 @@
+// What a version of the vectorised bearing for one instruction set offers. No header of a library here, since
+// files compiled for special instruction sets include it.
+#pragma once
+
+#include "bearing/motion/vectorised/constants.hpp"
+
+namespace orbearing::bearing::fast {
+
+/// Order of the padded state: [ r | theta | r' | theta' | spin ] of lanes() entries each, then cage x y psi
+/// x' y' psi', bore x y x' y', pin x y x' y' as in dynamics/layout.hpp. Entries beyond the rollers are at
+/// rest.
+struct PaddedLayout {
+  int rollers = 0;
+
+  int lanes() const { return (rollers + kPadding - 1) / kPadding * kPadding; }
+  int cage() const { return 5 * lanes(); }
+  int bore() const { return cage() + 6; }
+  int pin() const { return bore() + 4; }
+  int end() const { return pin() + 4; }
+  /// Length of the arrays: a multiple of kPadding.
+  int size() const { return (end() + kPadding - 1) / kPadding * kPadding; }
+};
+
+/// Loads of all contacts at the last evaluation [N], lanes() entries each; of contacts cut into laminae also
+/// where they stand.
+struct ContactLoads {
+  const double* inner;
+  const double* outer;
+  const double* inner_approach = nullptr;  // [m]  elastic, in the middle of the roller; null: not cut
+  const double* outer_approach = nullptr;  // [m]
+  const double* tip =
+      nullptr;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
+};
+
+/// What each roller brings along, lanes() entries each.
+struct RollerConstants {
+  const double* pocket_cosine;  // [-]  of the pocket's angle from the first
+  const double* pocket_sine;    // [-]
+  const double* radius;         // [m]
+};
+
+/// What the frame and the bore do at one instant, for a bearing whose bore is driven.
+struct Surroundings {
+  double coriolis_speed = 0.0;  // [rad/s]
+  double centrifugal = 0.0;     // [rad^2/s^2]
+  double euler = 0.0;           // [rad/s^2]
+  double bore_speed = 0.0;      // [rad/s]
+};
+
+/// What rollers and land do to the bore.
+struct BoreForces {
+  double x = 0.0, y = 0.0;  // [N]
+  double moment = 0.0;      // [N m]  about its axis
+};
+
+/// Slopes of the force on the bore by its own place [N/m] and velocity [N s/m], all else held; rows x and y.
+struct BoreSlopes {
+  double by_position[2][2]{};
+  double by_velocity[2][2]{};
+};
+
+/// What is left of the bearing for a stage of the bore once all else is eliminated: the force on the bore in
+/// g J k is reduced - matrix rate, with `rate` that of the bore's velocity [m/s^2] and `reduced` from
+/// Engine::reduce.
+struct PortMatrix {
+  double a[2][2]{};  // [kg]
+};
+
+/// Equations and linear algebra. Not for use by two threads at once; nothing is allocated after construction.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  /// Rate `dx` of the padded state `x` under the load (`load_x`, `load_y`) [N] on the bore.
+  virtual void derivative(const double* x, double load_x, double load_y, double* dx) = 0;
+  /// As derivative(), and keeps the Jacobian J at `x`.
+  virtual void linearise(const double* x, double load_x, double load_y, double* dx) = 0;
+  /// Prepares solve() for 1 - g J, `g` in seconds, at the last linearisation. False where it is singular.
+  virtual bool factor(double g) = 0;
+  /// `k` = (1 - g J)^-1 `rhs`, both padded and apart.
+  virtual void solve(const double* rhs, double* k) const = 0;
+  virtual ContactLoads loads() const = 0;
+
+  /// From here on, in place of what the constants say.
+  virtual void set_surroundings(const Surroundings& surroundings) = 0;
+  /// At the last evaluation.
+  virtual BoreForces bore_forces() const = 0;
+  /// At the last linearisation.
+  virtual BoreSlopes bore_slopes() const = 0;
+  /// As factor(), for all but the bore's velocity, whose rate remains to be found or is given.
+  virtual bool factor_open(double g, PortMatrix& port) = 0;
+  /// First part of a solution after factor_open(): begins `k` and gives the reduced force [N] on the bore.
+  virtual void reduce(const double* rhs, double* k, double (&force)[2]) = 0;
+  /// The rest, once the rate of the bore's velocity is known [m/s^2]: `rhs` and `k` as in reduce().
+  virtual void complete(const double* rhs, const double (&rate)[2], double* k) const = 0;
+};
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,15 @@
+// The engine for one instruction set: the same source as the others, compiled with their own options.
+#if defined(__x86_64__) && !defined(_WIN32)
+#define ORBEARING_PACKS packs_avx2
+#include "bearing/motion/vectorised/engines.hpp"
+#include "bearing/motion/vectorised/pack_open.hpp"
+
+namespace orbearing::bearing::fast {
+
+Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers) {
+  return new packs_avx2::PackEngine(constants, rollers);
+}
+
+}  // namespace orbearing::bearing::fast
+
+#endif

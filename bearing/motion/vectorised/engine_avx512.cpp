@@ -1,0 +1,15 @@
+// The engine for one instruction set: the same source as the others, compiled with their own options.
+#if defined(__x86_64__) && !defined(_WIN32)
+#define ORBEARING_PACKS packs_avx512
+#include "bearing/motion/vectorised/engines.hpp"
+#include "bearing/motion/vectorised/pack_open.hpp"
+
+namespace orbearing::bearing::fast {
+
+Engine* avx512_engine(const Constants& constants, const RollerConstants& rollers) {
+  return new packs_avx512::PackEngine(constants, rollers);
+}
+
+}  // namespace orbearing::bearing::fast
+
+#endif

@@ -1,0 +1,12 @@
+// The engine for one instruction set: the same source as the others, compiled with their own options.
+#define ORBEARING_PACKS packs_baseline
+#include "bearing/motion/vectorised/engines.hpp"
+#include "bearing/motion/vectorised/pack_open.hpp"
+
+namespace orbearing::bearing::fast {
+
+Engine* baseline_engine(const Constants& constants, const RollerConstants& rollers) {
+  return new packs_baseline::PackEngine(constants, rollers);
+}
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,264 @@
+// The engine of one instruction set: walks the rollers pack by pack and gathers what acts on the rings.
+#pragma once
+
+#include "bearing/motion/vectorised/block_arrow.hpp"
+#include "bearing/motion/vectorised/engine.hpp"
+#include "bearing/motion/vectorised/guidance.hpp"
+#include "bearing/motion/vectorised/pocket_contact.hpp"
+#include "mechanics/packs/aligned_array.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_PACKS {
+
+using namespace mechanics::ORBEARING_PACKS;
+
+/// Position and velocity of a ring or of the cage.
+struct Body {
+  double x, y, v_x, v_y;
+};
+
+/// A vector in the plane.
+struct Pair {
+  Pack x{}, y{};
+};
+
+/// Slopes of the accelerations of rollers that are not contact forces: inertia of the frame, drag, turning
+/// axes.
+struct FreeSlopes {
+  Pack radial_by_r, radial_by_theta, radial_by_orbital;
+  Pack orbital_by_r, orbital_by_theta, orbital_by_radial, orbital_by_orbital;
+  Pack spin_by_spin;
+};
+
+/// One pack of rollers at the last linearisation.
+struct RollerPack {
+  Pack r, per_r, radial, orbital;  // [m], [1/m], [m/s], [rad/s]
+  Pack cosine, sine;
+  FreeSlopes free;
+  ContactSlopes<Pack> inner, outer;
+  PocketSlopes pocket;
+  bool caged = false;
+};
+
+/// What the rollers do to the rings, summed pack by pack.
+struct RingLoads {
+  Pair pin, bore, cage;
+  Pack cage_moment{};
+  Pack bore_moment{};  // about the origin
+};
+
+class PackEngine final : public Engine {
+ public:
+  PackEngine(const Constants& constants, const RollerConstants& rollers)
+      : c_(constants),
+        races_(both_races(c_.inner, c_.outer, c_.laminae)),
+        given_(rollers),
+        layout_{constants.rollers},
+        packs_(layout_.lanes() / kLanes),
+        linear_(packs_),
+        block_(packs_),
+        inner_load_(packs_),
+        outer_load_(packs_),
+        inner_approach_(packs_),
+        outer_approach_(packs_),
+        tip_(packs_) {}
+
+  [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
+    evaluate<false>(x, load_x, load_y, dx);
+  }
+  [[gnu::flatten]] void linearise(const double* x, double load_x, double load_y, double* dx) override {
+    evaluate<true>(x, load_x, load_y, dx);
+  }
+  bool factor(double g) override;
+  void solve(const double* rhs, double* k) const override;
+  ContactLoads loads() const override {
+    const auto numbers = [](const AlignedArray<Pack>& packs) {
+      return reinterpret_cast<const double*>(&packs[0]);
+    };
+    ContactLoads loads{numbers(inner_load_), numbers(outer_load_)};
+    if (c_.laminae.count > 0) {
+      loads.inner_approach = numbers(inner_approach_);
+      loads.outer_approach = numbers(outer_approach_);
+      loads.tip = numbers(tip_);
+    }
+    return loads;
+  }
+  void set_surroundings(const Surroundings& now) override;
+  BoreForces bore_forces() const override { return on_bore_; }
+  BoreSlopes bore_slopes() const override;
+  bool factor_open(double g, PortMatrix& port) override;
+  void reduce(const double* rhs, double* k, double (&force)[2]) override;
+  void complete(const double* rhs, const double (&rate)[2], double* k) const override;
+
+ private:
+  using GuidanceDual = Dual<5>;  // by offset x y, velocity x y, cage speed
+
+  template <bool WithSlopes>
+  void evaluate(const double* x, double load_x, double load_y, double* dx);
+  template <bool WithSlopes>
+  void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
+  template <bool WithSlopes>
+  void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
+  void build_block(int p, double g);
+  template <bool OpenBore>
+  void assemble(double g);
+  template <bool OpenBore>
+  void add_rings(double g, RingBlock& rings) const;
+  template <bool OpenBore>
+  void reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const;
+  void complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const;
+
+  Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
+  const double* entry(const double* x, int group, int p) const {
+    return x + group * layout_.lanes() + p * kLanes;
+  }
+  double* entry(double* x, int group, int p) const { return x + group * layout_.lanes() + p * kLanes; }
+
+  Constants c_;
+  BothRaces races_;
+  RollerConstants given_;
+  PaddedLayout layout_;
+  int packs_;
+  AlignedArray<RollerPack> linear_;
+  AlignedArray<RollerBlock> block_;
+  AlignedArray<Pack> inner_load_;
+  AlignedArray<Pack> outer_load_;
+  AlignedArray<Pack> inner_approach_, outer_approach_, tip_;  // [m]  of contacts cut into laminae
+  RingBlock rings_;
+  double g_ = 0.0;
+  GuidanceDual land_x_, land_y_, land_moment_;
+  double cage_speed_ = 0.0;
+  double cage_cosine_ = 1.0;
+  double cage_sine_ = 0.0;
+  BoreForces on_bore_;
+  double reduced_[kRingUnknowns]{};  // between reduce() and complete(), the bore last
+};
+
+/// `f_r`, `f_t`: all contact forces on the rollers [N]; `orbit_rate`: theta'' [rad/s^2].
+inline FreeSlopes free_slopes(const Constants& c, const RollerPack& at, const Pack& f_r, const Pack& f_t,
+                              const Pack& spin, const Pack& orbit_rate) {
+  const double per_mass = 1.0 / c.roller_mass;
+  const Pack twice = 2.0 * c.own_orbit * at.orbital + 2.0 * c.coriolis_speed;
+  const Pack drag = (-2.0 * c.orbit_drag * per_mass) * absolute(at.r * at.orbital);
+  const double far = c.centrifugal * c.orbit_radius, late = c.euler * c.orbit_radius;
+  FreeSlopes s;
+  s.radial_by_r = at.orbital * (twice - c.own_orbit * at.orbital) + c.centrifugal;
+  s.radial_by_theta = f_t * per_mass - far * at.sine - late * at.cosine;
+  s.radial_by_orbital = at.r * twice;
+  s.orbital_by_r = (drag * at.orbital - orbit_rate - c.euler) * at.per_r;
+  s.orbital_by_theta = (late * at.sine - f_r * per_mass - far * at.cosine) * at.per_r;
+  s.orbital_by_radial = -2.0 * (c.coriolis_speed + at.orbital) * at.per_r;
+  s.orbital_by_orbital = drag - 2.0 * at.radial * at.per_r;
+  s.spin_by_spin = (-2.0 * c.spin_drag / c.roller_inertia) * absolute(spin);
+  return s;
+}
+
+/// Motion of the rollers relative to `body`, in their polar axes.
+inline RelativeMotion<Pack> relative_motion(const Pack& r, const Pack& radial, const Pack& orbital,
+                                            const Pack& spin, const Pack& cosine, const Pack& sine,
+                                            const Body& body) {
+  return {r - (body.x * cosine + body.y * sine), body.x * sine - body.y * cosine,
+          radial - (body.v_x * cosine + body.v_y * sine), r * orbital + body.v_x * sine - body.v_y * cosine,
+          spin};
+}
+
+/// Motions relative to the inner and to the outer race side by side.
+inline RelativeMotion<PackPair> joined(const RelativeMotion<Pack>& inner, const RelativeMotion<Pack>& outer) {
+  return {{inner.d_r, outer.d_r},
+          {inner.d_t, outer.d_t},
+          {inner.w_r, outer.w_r},
+          {inner.w_t, outer.w_t},
+          inner.spin};
+}
+
+/// Adds the opposite of a force in polar axes to a sum in x and y.
+inline void react(const Pack& f_r, const Pack& f_t, const Pack& cosine, const Pack& sine, Pair& sum) {
+  sum.x -= f_r * cosine - f_t * sine;
+  sum.y -= f_r * sine + f_t * cosine;
+}
+
+template <bool WithSlopes>
+void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums) {
+  const Pack r = load(entry(x, 0, p)), theta = load(entry(x, 1, p)), radial = load(entry(x, 2, p)),
+             orbital = load(entry(x, 3, p)), spin = load(entry(x, 4, p));
+  const double* cage = x + layout_.cage();
+  const double* bore = x + layout_.bore();
+  const double* pin = x + layout_.pin();
+  const SineCosine turn = sine_cosine(theta);
+  const Pack cosine = turn.cosine, sine = turn.sine;
+  const Mask here = present(p);
+  const Pack radius = load(given_.radius + p * kLanes);
+  RollerPack& linear = linear_[p];
+
+  const auto motion_to = [&](const Body& body) {
+    return relative_motion(r, radial, orbital, spin, cosine, sine, body);
+  };
+  ContactSlopes<PackPair> slopes;
+  LaminaStand stand;
+  const ContactForce<PackPair> races = race_contact<WithSlopes>(
+      races_, radius, here, cosine, sine,
+      joined(motion_to({pin[0], pin[1], pin[2], pin[3]}), motion_to({bore[0], bore[1], bore[2], bore[3]})),
+      slopes, stand);
+  if (c_.laminae.count > 0) {
+    inner_approach_[p] = stand.inner_approach;
+    outer_approach_[p] = stand.outer_approach;
+    tip_[p] = stand.tip;
+  }
+  if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
+  const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
+             own_sine = load(given_.pocket_sine + p * kLanes);
+  const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
+  const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
+  const PocketForce pocket =
+      pocket_contact<WithSlopes>(c_, radius, here, e_x * cosine + e_y * sine, e_y * cosine - e_x * sine,
+                                 cage[5], motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
+  inner_load_[p] = races.load.low;
+  outer_load_[p] = races.load.high;
+  react(races.f_r.low, races.f_t.low, cosine, sine, sums.pin);
+  react(races.f_r.high, races.f_t.high, cosine, sine, sums.bore);
+  if (pocket.touched) react(pocket.on_roller.f_r, pocket.on_roller.f_t, cosine, sine, sums.cage);
+  sums.cage_moment += pocket.cage_moment;
+  sums.bore_moment -= races.moment.high + r * races.f_t.high;
+
+  const Pack f_r = races.f_r.low + races.f_r.high + pocket.on_roller.f_r;
+  const Pack f_t = races.f_t.low + races.f_t.high + pocket.on_roller.f_t;
+  const Pack moment = races.moment.low + races.moment.high + pocket.on_roller.moment;
+  const Pack speed = r * orbital;
+  const Pack drag = -c_.orbit_drag * speed * absolute(speed);
+  const double per_mass = 1.0 / c_.roller_mass, per_inertia = 1.0 / c_.roller_inertia;
+  const Pack radial_rate = f_r * per_mass + c_.own_orbit * speed * orbital + 2.0 * c_.coriolis_speed * speed +
+                           c_.centrifugal * (r + c_.orbit_radius * cosine) -
+                           c_.euler * c_.orbit_radius * sine;
+  const Pack orbit_rate =
+      ((f_t + drag) * per_mass - 2.0 * c_.coriolis_speed * radial - c_.centrifugal * c_.orbit_radius * sine -
+       c_.euler * (r + c_.orbit_radius * cosine) - 2.0 * radial * orbital) /
+      r;
+  const Pack spin_rate = (moment - c_.spin_drag * spin * absolute(spin)) * per_inertia - c_.euler;
+  store(radial, entry(dx, 0, p));
+  store(orbital, entry(dx, 1, p));
+  store(only(here, radial_rate), entry(dx, 2, p));
+  store(only(here, orbit_rate), entry(dx, 3, p));
+  store(only(here, spin_rate), entry(dx, 4, p));
+  if constexpr (WithSlopes) {
+    linear.r = r;
+    linear.per_r = 1.0 / linear.r;
+    linear.radial = radial;
+    linear.orbital = orbital;
+    linear.cosine = cosine;
+    linear.sine = sine;
+    linear.free = free_slopes(c_, linear, f_r, f_t, spin, only(here, orbit_rate));
+    linear.caged = pocket.touched;
+  }
+}
+
+template <bool WithSlopes>
+void PackEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
+  RingLoads sums;
+  const double cage_angle = x[layout_.cage() + 2];
+  cage_cosine_ = __builtin_cos(cage_angle);
+  cage_sine_ = __builtin_sin(cage_angle);
+  for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes>(p, x, dx, sums);
+  for (int i = layout_.end(); i < layout_.size(); ++i) dx[i] = 0.0;
+  evaluate_rings<WithSlopes>(x, load_x, load_y, sums, dx);
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_PACKS

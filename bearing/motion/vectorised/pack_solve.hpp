@@ -1,0 +1,149 @@
+// Solving the stages of a linearly implicit method. Included by the file of each instruction set only.
+#pragma once
+
+#include "bearing/motion/vectorised/stage_matrix.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_PACKS {
+
+using namespace mechanics::ORBEARING_PACKS;
+
+/// Change of a contact force when positions alone move: rollers by (dr, dtheta), the body by (dx, dy).
+struct Shift {
+  Pack d_r, d_t, w_r, w_t;
+};
+
+inline Shift shift_of(const RollerPack& at, const Pack& dr, const Pack& dtheta, double dx, double dy) {
+  return {dr - (dx * at.cosine + dy * at.sine), at.r * dtheta + (dx * at.sine - dy * at.cosine),
+          -at.r * at.orbital * dtheta, at.radial * dtheta + at.orbital * dr};
+}
+
+inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift& shift) {
+  ContactForce<Pack> change;
+  Pack* into[3] = {&change.f_r, &change.f_t, &change.moment};
+  for (int i = 0; i < 3; ++i)
+    *into[i] = slopes.by_position[i][0] * shift.d_r + slopes.by_position[i][1] * shift.d_t +
+               slopes.by_velocity[i][0] * shift.w_r + slopes.by_velocity[i][1] * shift.w_t;
+  return change;
+}
+
+/// Rollers: their share of `k`, and what they leave on the right-hand sides `b` of the rings. The rows of an
+/// open bore hold the force on it alone.
+template <bool OpenBore>
+void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const {
+  const double* cage = rhs + layout_.cage();
+  const double* bore = rhs + layout_.bore();
+  const double* pin = rhs + layout_.pin();
+  const double g = g_, per_mass = 1.0 / c_.roller_mass;
+  RingLoads loads;             // changes of force through the shifts of positions
+  Pack sums[kRingUnknowns]{};  // of_ring own^-1 b
+  for (int p = 0; p < packs_; ++p) {
+    const RollerPack& at = linear_[p];
+    const RollerBlock& block = block_[p];
+    const Pack dr = load(entry(rhs, 0, p)), dtheta = load(entry(rhs, 1, p));
+    const ContactForce<Pack> inner = shifted(at.inner, shift_of(at, dr, dtheta, pin[0], pin[1]));
+    const ContactForce<Pack> outer = shifted(at.outer, shift_of(at, dr, dtheta, bore[0], bore[1]));
+    react(inner.f_r, inner.f_t, at.cosine, at.sine, loads.pin);
+    react(outer.f_r, outer.f_t, at.cosine, at.sine, loads.bore);
+    Pack f_r = inner.f_r + outer.f_r, f_t = inner.f_t + outer.f_t, moment = inner.moment + outer.moment;
+    if (at.caged) {
+      const Shift shift = shift_of(at, dr, dtheta, cage[0], cage[1]);
+      ContactForce<Pack> pocket = shifted(at.pocket.on_roller, shift);
+      pocket.f_r += at.pocket.by_angle[0] * cage[2];
+      pocket.f_t += at.pocket.by_angle[1] * cage[2];
+      pocket.moment += at.pocket.by_angle[2] * cage[2];
+      react(pocket.f_r, pocket.f_t, at.cosine, at.sine, loads.cage);
+      loads.cage_moment += at.pocket.cage_by_position[0] * shift.d_r +
+                           at.pocket.cage_by_position[1] * shift.d_t +
+                           at.pocket.cage_by_velocity[0] * shift.w_r +
+                           at.pocket.cage_by_velocity[1] * shift.w_t + at.pocket.cage_by_angle * cage[2];
+      f_r += pocket.f_r;
+      f_t += pocket.f_t;
+      moment += pocket.moment;
+    }
+    const FreeSlopes& free = at.free;
+    const Pack own[3] = {
+        load(entry(rhs, 2, p)) + g * (f_r * per_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
+        load(entry(rhs, 3, p)) +
+            g * (f_t * at.per_r * per_mass + free.orbital_by_r * dr + free.orbital_by_theta * dtheta),
+        load(entry(rhs, 4, p)) + (g / c_.roller_inertia) * moment};
+    Pack y[3];
+    for (int i = 0; i < 3; ++i) {
+      y[i] = block.own[i][0] * own[0] + block.own[i][1] * own[1] + block.own[i][2] * own[2];
+      store(y[i], entry(k, 2 + i, p));
+    }
+    for (int i = 0; i < block.ring_end(); ++i)
+      sums[i] += block.of_ring[i][0] * y[0] + block.of_ring[i][1] * y[1] + block.of_ring[i][2] * y[2];
+  }
+
+  const auto ring_rhs = [&](int i) { return -sum(sums[i]); };
+  const double turn = c_.centrifugal, late = c_.euler;
+  double land[3]{};
+  const double* guide = c_.land.on_bore ? bore : pin;
+  const GuidanceDual* force[3] = {&land_x_, &land_y_, &land_moment_};
+  for (int i = 0; i < 3 && c_.land.present; ++i)
+    land[i] = force[i]->slope[0] * (cage[0] - guide[0]) + force[i]->slope[1] * (cage[1] - guide[1]);
+  const double on_bore = c_.land.on_bore ? 1.0 : 0.0, on_pin = 1.0 - on_bore;
+  b[0] = ring_rhs(0) + pin[2] +
+         g * ((sum(loads.pin.x) - on_pin * land[0] - c_.support_stiffness * pin[0]) / c_.pin_mass +
+              turn * pin[0] + late * pin[1]);
+  b[1] = ring_rhs(1) + pin[3] +
+         g * ((sum(loads.pin.y) - on_pin * land[1] - c_.support_stiffness * pin[1]) / c_.pin_mass +
+              turn * pin[1] - late * pin[0]);
+  if constexpr (OpenBore) {
+    b[2] = ring_rhs(2) + g * (sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass;
+    b[3] = ring_rhs(3) + g * (sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass;
+  } else {
+    b[2] = ring_rhs(2) + bore[2] +
+           g * ((sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass + turn * bore[0] + late * bore[1]);
+    b[3] = ring_rhs(3) + bore[3] +
+           g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]);
+  }
+  b[4] = ring_rhs(4) + cage[3] +
+         g * ((sum(loads.cage.x) + land[0]) / c_.cage_mass + turn * cage[0] + late * cage[1]);
+  b[5] = ring_rhs(5) + cage[4] +
+         g * ((sum(loads.cage.y) + land[1]) / c_.cage_mass + turn * cage[1] - late * cage[0]);
+  b[6] = ring_rhs(6) + cage[5] + g * (sum(loads.cage_moment) + land[2]) / c_.cage_inertia;
+}
+
+/// All rates, once those of the rings are known: `b`.
+inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns],
+                                         double* k) const {
+  const double* cage = rhs + layout_.cage();
+  const double* bore = rhs + layout_.bore();
+  const double* pin = rhs + layout_.pin();
+  const double g = g_;
+  double* k_cage = k + layout_.cage();
+  double* k_bore = k + layout_.bore();
+  double* k_pin = k + layout_.pin();
+  for (int p = 0; p < packs_; ++p) {
+    const RollerBlock& block = block_[p];
+    Pack rate[3];
+    for (int i = 0; i < 3; ++i) {
+      rate[i] = load(entry(k, 2 + i, p));
+      for (int m = 0; m < block.ring_end(); ++m) rate[i] -= block.by_ring[i][m] * b[m];
+      store(rate[i], entry(k, 2 + i, p));
+    }
+    store(load(entry(rhs, 0, p)) + g * rate[0], entry(k, 0, p));
+    store(load(entry(rhs, 1, p)) + g * rate[1], entry(k, 1, p));
+  }
+  for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    k_pin[i] = pin[i] + g * b[kPin + i];
+    k_pin[2 + i] = b[kPin + i];
+    k_bore[i] = bore[i] + g * b[kBore + i];
+    k_bore[2 + i] = b[kBore + i];
+  }
+  for (int i = 0; i < 3; ++i) {
+    k_cage[i] = cage[i] + g * b[kCage + i];
+    k_cage[3 + i] = b[kCage + i];
+  }
+}
+
+[[gnu::flatten]] inline void PackEngine::solve(const double* rhs, double* k) const {
+  double b[kRingUnknowns];
+  reduce_rollers<false>(rhs, k, b);
+  rings_.solve(b);
+  complete_rollers(rhs, b, k);
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_PACKS

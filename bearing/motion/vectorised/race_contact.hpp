@@ -1,0 +1,285 @@
+// Rollers on a race: forces and their derivatives, one roller a lane. The laws are those of
+// dynamics/race_load.hpp, contact_damping.hpp, traction.hpp and race_forces.hpp, here with their slopes.
+//
+// Vectors are in polar axes (e_r, e_theta) of each roller. A derivative treats these axes as at rest; what
+// their turning adds is the caller's (ContactSlopes).
+#pragma once
+
+#include "bearing/motion/vectorised/friction.hpp"
+#include "bearing/motion/vectorised/lamina_load.hpp"
+#include "bearing/motion/vectorised/race_form.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_PACKS {
+
+using namespace mechanics::ORBEARING_PACKS;
+
+/// Motion of a roller relative to the centre of a race (or of the cage), in polar axes.
+template <class Number>
+struct RelativeMotion {
+  Number d_r;  // [m]      position
+  Number d_t;  // [m]
+  Number w_r;  // [m/s]    velocity
+  Number w_t;  // [m/s]
+  Pack spin;   // [rad/s]  of the roller
+};
+
+/// Force on the roller through its centre and moment about it; the other body feels the opposite force.
+template <class Number>
+struct ContactForce {
+  Number f_r{};     // [N]
+  Number f_t{};     // [N]
+  Number moment{};  // [N m]
+  Number load{};    // [N]  normal
+};
+
+/// Slopes of (f_r, f_t, moment): by relative position, by relative velocity, by spin. [row][column]
+template <class Number>
+struct ContactSlopes {
+  Number by_position[3][2];
+  Number by_velocity[3][2];
+  Number by_spin[3];
+};
+
+/// The parts of slopes at both races.
+inline void split(const ContactSlopes<PackPair>& both, ContactSlopes<Pack>& inner,
+                  ContactSlopes<Pack>& outer) {
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 2; ++k) {
+      inner.by_position[i][k] = both.by_position[i][k].low;
+      outer.by_position[i][k] = both.by_position[i][k].high;
+      inner.by_velocity[i][k] = both.by_velocity[i][k].low;
+      outer.by_velocity[i][k] = both.by_velocity[i][k].high;
+    }
+    inner.by_spin[i] = both.by_spin[i].low;
+    outer.by_spin[i] = both.by_spin[i].high;
+  }
+}
+
+/// How rollers move against a race, dynamics/contact_motion.hpp; speeds along the tangent t = z x n.
+struct RaceMotion {
+  PackPair n_r, n_t;              // [-]    normal, from the race's centre to the roller's
+  PackPair inverse;               // [1/m]  1 / distance of both centres
+  PackPair v_n, v_t;              // [m/s]  relative velocity of the centres
+  PackPair line;                  // [rad/s]  at which the line of centres turns
+  PackPair approach;              // [m]
+  PackPair closing;               // [m/s]  rate of the approach
+  PackPair race_arm, roller_arm;  // [m]
+  PackPair sliding, rolling;      // [m/s]
+  PackPair entrainment;           // [m/s]
+  PackPair turn;                  // [-]    rolling over entrainment speed
+  FormSlopes<PackPair> form;
+};
+
+inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const Mask& present,
+                              const Pack& cosine, const Pack& sine,
+                              const RelativeMotion<PackPair>& relative) {
+  RaceMotion m;
+  const PackPair square = relative.d_r * relative.d_r + relative.d_t * relative.d_t;
+  m.inverse = inverse_root(square);
+  const PackPair rough = square * m.inverse;
+  const PackPair distance = rough + 0.5 * m.inverse * (square - rough * rough);  // to the last bit but one
+  m.n_r = relative.d_r * m.inverse;
+  m.n_t = relative.d_t * m.inverse;
+  m.v_n = relative.w_r * m.n_r + relative.w_t * m.n_t;
+  m.v_t = relative.w_t * m.n_r - relative.w_r * m.n_t;
+  m.line = m.v_t * m.inverse;
+  PackPair gap = distance - race.radius;
+  PackPair opening = m.v_n;
+  if (!race.round) {
+    m.form = form_slopes(race, m.n_r * cosine - m.n_t * sine, m.n_r * sine + m.n_t * cosine);
+    gap -= m.form.height;
+    opening -= m.form.slope * m.line - m.form.turning_slope * race.speed;
+  }
+  m.approach = select(PackPairMask{present, present}, race.side * gap + radius, spread<PackPair>(-1.0));
+  m.closing = race.side * opening;
+  m.roller_arm = race.side * radius;
+  m.race_arm = distance + m.roller_arm;
+  const PackPair race_surface = (race.speed - m.line) * m.race_arm;
+  const PackPair roller_surface = (relative.spin - m.line) * m.roller_arm;
+  m.sliding = race_surface - roller_surface;
+  m.rolling = 0.5 * (race_surface + roller_surface);
+  const PackPair entrainment = m.rolling * m.rolling + race.entrainment_scale * race.entrainment_scale;
+  const PackPair per_entrainment = inverse_root(entrainment);
+  m.turn = m.rolling * per_entrainment;
+  m.entrainment = entrainment * per_entrainment;
+  return m;
+}
+
+/// What the laws give in a motion: dynamics/race_forces.hpp.
+struct RaceLoads {
+  Slopes2 elastic;  // [N]  by approach and entrainment speed
+  PackPair damped;  // [-]  factor of the damping, cut at zero
+  PackPair load;    // [N]
+  Friction friction;
+  Slopes2 inlet;  // rolling resistance by load and rolling speed
+  PackPair tilt;  // [-]  arm of the oil pressure's tilt over the distance
+};
+
+template <bool WithSlopes>
+RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine,
+                     LaminaStand& stand) {
+  RaceLoads x;
+  const bool needs_log = race.film || race.limiting_shear || race.mixed || race.rolling_resistance;
+  const PackPair log_entrainment = needs_log ? logarithm(m.entrainment) : PackPair{};
+  const ElasticApproach e = elastic_approach<WithSlopes>(race, m.approach, m.entrainment, log_entrainment);
+  const LoadSlope elastic =
+      race.laminae.count > 0 ? lamina_load(race, e, cosine, sine, stand) : straight_load(race, e);
+  x.elastic = {elastic.load, elastic.slope * e.by_approach, elastic.slope * e.by_entrainment};
+  x.damped = larger(1.0 + race.damping * m.closing, PackPair{});
+  x.load = x.elastic.value * x.damped;
+  x.friction = race.limiting_shear ? limiting_shear(race, x.load, m.sliding, m.entrainment, log_entrainment)
+                                   : coulomb(race, x.load, m.sliding);
+  if (race.mixed)
+    x.friction = mixed_friction(race, x.friction, x.load, m.sliding, m.entrainment, log_entrainment);
+  x.inlet = race.rolling_resistance ? rolling_resistance(race, x.load, m.rolling, log_entrainment, m.turn)
+                                    : Slopes2{};
+  x.tilt = (m.race_arm + m.roller_arm) * m.inverse;
+  return x;
+}
+
+/// How load, friction and rolling resistance of a contact change with one variable of its motion.
+struct LawRate {
+  PackPair load, friction, inlet;
+};
+
+inline LawRate operator+(const LawRate& x, const LawRate& y) {
+  return {x.load + y.load, x.friction + y.friction, x.inlet + y.inlet};
+}
+template <class Number>
+LawRate operator*(const Number& scale, const LawRate& x) {
+  return {scale * x.load, scale * x.friction, scale * x.inlet};
+}
+
+/// By what the laws see of a motion.
+struct LawSlopes {
+  LawRate approach, closing, rolling;
+  PackPair sliding;  // of the friction alone
+};
+
+inline LawSlopes law_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x) {
+  const auto by_load = [&](const PackPair& load) {
+    return LawRate{load, x.friction.by_load * load, x.inlet.by_first * load};
+  };
+  LawSlopes slopes{by_load(x.damped * x.elastic.by_first),
+                   by_load(only(x.damped > 0.0, x.elastic.value * race.damping)),
+                   by_load(x.damped * x.elastic.by_second * m.turn), x.friction.by_sliding};
+  slopes.rolling.friction += x.friction.by_entrainment * m.turn;
+  slopes.rolling.inlet += x.inlet.by_second;
+  return slopes;
+}
+
+/// Slopes of the force along n and along t and of the moment on the roller by one variable of its motion.
+struct ForceRate {
+  PackPair normal, tangential, moment;
+};
+
+inline ForceRate force_rate(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+                            const LawRate& rate) {
+  ForceRate force{-1.0 * race.side * rate.load, rate.friction + rate.inlet * x.tilt,
+                  (rate.friction - rate.inlet) * m.roller_arm};
+  if (!race.round) force.tangential += race.side * m.inverse * m.form.slope * rate.load;
+  return force;
+}
+
+/// Slopes along the normal and the tangent: by the distance and a shift across, by both velocities, by spin.
+struct NormalSlopes {
+  ForceRate distance, across, v_n, v_t, spin;
+};
+
+inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+                                  const PackPair& f_n, const PackPair& f_t) {
+  const NumberPair side = race.side;
+  const LawSlopes laws = law_slopes(race, m, x);
+  const auto sliding_and_rolling = [&](const PackPair& sliding, const PackPair& rolling) {
+    LawRate rate = rolling * laws.rolling;
+    rate.friction += sliding * laws.sliding;
+    return rate;
+  };
+  const PackPair line_by_distance = -m.line * m.inverse;
+  const PackPair race_by_distance = race.speed - m.line - line_by_distance * m.race_arm;
+  const PackPair roller_by_distance = -line_by_distance * m.roller_arm;
+  LawRate distance = sliding_and_rolling(race_by_distance - roller_by_distance,
+                                         0.5 * (race_by_distance + roller_by_distance)) +
+                     side * laws.approach;
+  LawRate v_t = sliding_and_rolling((m.roller_arm - m.race_arm) * m.inverse,
+                                    -0.5 * (m.race_arm + m.roller_arm) * m.inverse);
+  if (!race.round) {
+    const PackPair steep = -1.0 * side * m.form.slope;
+    distance = distance + steep * line_by_distance * laws.closing;
+    v_t = v_t + steep * m.inverse * laws.closing;
+  }
+  NormalSlopes n;
+  n.distance = force_rate(race, m, x, distance);
+  n.v_n = force_rate(race, m, x, side * laws.closing);
+  n.v_t = force_rate(race, m, x, v_t);
+  n.spin = force_rate(race, m, x, sliding_and_rolling(-m.roller_arm, 0.5 * m.roller_arm));
+  n.distance.tangential += x.inlet.value * (1.0 - x.tilt) * m.inverse;
+  // A shift across turns the normal: with it v_n and v_t, and the force itself.
+  const PackPair up = m.v_t * m.inverse, down = m.v_n * m.inverse;
+  n.across = {n.v_n.normal * up - n.v_t.normal * down - f_t * m.inverse,
+              n.v_n.tangential * up - n.v_t.tangential * down + f_n * m.inverse,
+              n.v_n.moment * up - n.v_t.moment * down};
+  if (!race.round) {
+    const PackPair per_distance = side * m.inverse;
+    n.distance.tangential -= per_distance * x.load * m.form.slope * m.inverse;
+    const PackPair climb = -1.0 * m.form.slope * per_distance;
+    const PackPair gain = (m.form.turning_bend * race.speed - m.form.bend * m.line) * per_distance;
+    const ForceRate by_form = force_rate(race, m, x, climb * laws.approach + gain * laws.closing);
+    n.across.normal += by_form.normal;
+    n.across.tangential += by_form.tangential + per_distance * x.load * m.form.bend * m.inverse;
+    n.across.moment += by_form.moment;
+  }
+  return n;
+}
+
+/// Slopes in polar axes, `f_n` and `f_t` being the force along n and t.
+inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x, const PackPair& f_n,
+                        const PackPair& f_t, ContactSlopes<PackPair>& slopes) {
+  const NormalSlopes n = normal_slopes(race, m, x, f_n, f_t);
+  // From (n, t) to polar axes: K' = R K R^T with R = [n_r -n_t; n_t n_r].
+  const auto turned = [&](const ForceRate& by_n, const ForceRate& by_t, PackPair(&into)[3][2]) {
+    const PackPair n_by_r = by_n.normal * m.n_r - by_t.normal * m.n_t;
+    const PackPair n_by_t = by_n.normal * m.n_t + by_t.normal * m.n_r;
+    const PackPair t_by_r = by_n.tangential * m.n_r - by_t.tangential * m.n_t;
+    const PackPair t_by_t = by_n.tangential * m.n_t + by_t.tangential * m.n_r;
+    into[0][0] = m.n_r * n_by_r - m.n_t * t_by_r;
+    into[0][1] = m.n_r * n_by_t - m.n_t * t_by_t;
+    into[1][0] = m.n_t * n_by_r + m.n_r * t_by_r;
+    into[1][1] = m.n_t * n_by_t + m.n_r * t_by_t;
+    into[2][0] = by_n.moment * m.n_r - by_t.moment * m.n_t;
+    into[2][1] = by_n.moment * m.n_t + by_t.moment * m.n_r;
+  };
+  turned(n.distance, n.across, slopes.by_position);
+  turned(n.v_n, n.v_t, slopes.by_velocity);
+  slopes.by_spin[0] = n.spin.normal * m.n_r - n.spin.tangential * m.n_t;
+  slopes.by_spin[1] = n.spin.normal * m.n_t + n.spin.tangential * m.n_r;
+  slopes.by_spin[2] = n.spin.moment;
+}
+
+/// Forces of both races on the rollers, and their slopes where wanted. `radius` [m] are those of the rollers;
+/// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' places. `stand` is
+/// set where the contacts are cut into laminae.
+template <bool WithSlopes>
+ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, const Mask& present,
+                                    const Pack& cosine, const Pack& sine,
+                                    const RelativeMotion<PackPair>& relative, ContactSlopes<PackPair>& slopes,
+                                    LaminaStand& stand) {
+  const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
+  const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
+  ContactForce<PackPair> result;
+  if (!any(x.elastic.value > 0.0)) {
+    if constexpr (WithSlopes) slopes = ContactSlopes<PackPair>{};
+    return result;
+  }
+  const PackPair f_n = -race.side * x.load;
+  PackPair f_t = x.friction.force + x.inlet.value * x.tilt;
+  if (!race.round) f_t += race.side * x.load * m.form.slope * m.inverse;
+  result.f_r = f_n * m.n_r - f_t * m.n_t;
+  result.f_t = f_n * m.n_t + f_t * m.n_r;
+  result.moment = (x.friction.force - x.inlet.value) * m.roller_arm;
+  result.load = x.load;
+  if constexpr (WithSlopes) race_slopes(race, m, x, f_n, f_t, slopes);
+  return result;
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_PACKS

@@ -1,0 +1,122 @@
+// Elastic load of a race contact with its oil film, and its slopes: dynamics/race_load.hpp for packs of
+// contacts.
+#pragma once
+
+#include "bearing/motion/vectorised/both_races.hpp"
+#include "mechanics/packs/powers.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_PACKS {
+
+using namespace mechanics::ORBEARING_PACKS;
+
+/// A value and its slopes by two arguments.
+struct Slopes2 {
+  PackPair value;
+  PackPair by_first;
+  PackPair by_second;
+};
+
+/// Root e of e - factor e^(-13/90) = approach, with film = factor e^(-13/90) and ninth = e^(1/9).
+struct ThinnedFilm {
+  PackPair approach;
+  PackPair film;
+  PackPair ninth;
+};
+
+/// The powers of x that thinned_film() needs, by multiplication.
+struct NinetiethPowers {
+  PackPair tenth;       // x^10
+  PackPair thirteenth;  // x^13
+  PackPair ninetieth;   // x^90
+
+  explicit NinetiethPowers(const PackPair& x) {
+    const PackPair x2 = x * x, x4 = x2 * x2;
+    tenth = (x4 * x) * (x4 * x);
+    thirteenth = tenth * (x2 * x);
+    const PackPair x20 = tenth * tenth, x40 = x20 * x20;
+    ninetieth = (x40 * x40) * tenth;
+  }
+};
+
+/// x with x^90 = e for 1e-12 < e < 1, to a few per cent of e.
+inline PackPair rough_ninetieth_root(const PackPair& e) {
+  constexpr double kLog2 = 0.6931471805599453 / 90.0, kMiddle = -0.16, kRoot = 0.85214378896621133;
+  const PackPair t = (rough_log2(e) + 0.043) * kLog2 - kMiddle;
+  return kRoot * (1.0 + t * (1.0 + t * (0.5 + t * (1.0 / 6))));
+}
+
+/// With e = x^90 all powers are whole ones: x^90 - factor x^-13 = approach. A start within some per cent,
+/// then steps of Halley in x; `beyond` is a bound of e from above.
+inline ThinnedFilm thinned_film(const PackPair& approach, const PackPair& factor, const PackPair& beyond) {
+  constexpr double m = 13.0 / 90.0, kRough = 0.97;  // of a rough power, which is never too small
+  constexpr double kLargest = 0.02, kNear = 2e-6;   // of steps; after the latter round-off is left
+  PackPair e = larger(approach + factor * (kRough * rough_power(beyond, -m)), 0.1 * beyond);
+  e = larger(approach + factor * (kRough * rough_power(e, -m)), 0.5 * e);
+  PackPair x = rough_ninetieth_root(e);
+  for (int i = 0; i < 6; ++i) {
+    const NinetiethPowers powers(x);
+    // f = e - film - approach, x f' and x^2 f'' / 2, all times x^13.
+    const PackPair squeezed = powers.ninetieth * powers.thirteenth;
+    const PackPair value = squeezed - factor - approach * powers.thirteenth;
+    const PackPair slope = 90.0 * squeezed + 13.0 * factor;
+    const PackPair half_bend = 4005.0 * squeezed - 91.0 * factor;
+    const PackPair step = value * slope / (slope * slope - value * half_bend);
+    x = x * (1.0 - smaller(larger(step, spread<PackPair>(-kLargest)), spread<PackPair>(kLargest)));
+    if (i > 0 && !any(absolute(step) > kNear)) break;
+  }
+  const NinetiethPowers powers(x);
+  return {powers.ninetieth, powers.ninetieth - approach, powers.tenth};
+}
+
+/// Elastic approach of a contact in the middle and its slopes.
+struct ElasticApproach {
+  PackPair value;           // [m]  zero or negative without contact
+  PackPair ninth;           // [m^(1/9)]  its ninth root, where it is positive
+  PackPair by_approach;     // [-]
+  PackPair by_entrainment;  // [s]
+};
+
+/// By approach [m] and entrainment speed [m/s], given with its logarithm: dynamics/race_load.cpp.
+template <bool WithSlopes>
+ElasticApproach elastic_approach(const BothRaces& race, const PackPair& approach, const PackPair& entrainment,
+                                 const PackPair& log_entrainment) {
+  if (!race.film) return {approach, ninth_root(approach), spread<PackPair>(1.0), PackPair{}};
+  // Powers of the entrainment speed: cap ~ u^(19/29), its approach ~ u^(9/29), factor ~ u^0.7.
+  constexpr double m = 0.13 * 10.0 / 9.0;
+  constexpr double kFilmSpeed = 0.7, kCapSpeed = 19.0 / 29.0;
+  const PackPair root29 = exponential(log_entrainment * (1.0 / 29.0));
+  const PackPair p2 = root29 * root29, p4 = p2 * p2, p8 = p4 * p4;
+  const PackPair cap = race.film_cap * (p8 * p8 * p2 * root29);
+  const PackPair cap_approach = race.film_cap_approach * (p8 * root29);
+  const PackPair capped = approach + cap;
+  const PackPairMask touching = capped > 0.0;
+  const PackPair beyond = select(touching, capped, cap_approach);
+  const PackPairMask thinned = beyond > cap_approach;
+  // At the cap the elastic approach is known, and the same steps find its ninth root.
+  const PackPair factor = only(thinned, race.film_factor * exponential(kFilmSpeed * log_entrainment));
+  const ThinnedFilm root = thinned_film(select(thinned, approach, beyond), factor, beyond);
+  ElasticApproach e{select(touching, root.approach, capped), root.ninth, PackPair{}, PackPair{}};
+  if constexpr (WithSlopes) {
+    const PackPair film = select(thinned, root.film, cap);
+    e.by_approach = 1.0 / (1.0 + only(thinned, m * film / root.approach));
+    e.by_entrainment = e.by_approach *
+                       select(thinned, spread<PackPair>(kFilmSpeed), spread<PackPair>(kCapSpeed)) * film /
+                       entrainment;
+  }
+  return e;
+}
+
+/// A load [N] and its slope by the elastic approach [N/m].
+struct LoadSlope {
+  PackPair load;
+  PackPair slope;
+};
+
+/// Of a straight roller.
+inline LoadSlope straight_load(const BothRaces& race, const ElasticApproach& e) {
+  const PackPairMask touching = e.value > 0.0;
+  const PackPair stiffness = only(touching, race.stiffness * e.ninth);
+  return {stiffness * e.value, (10.0 / 9.0) * stiffness};
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_PACKS

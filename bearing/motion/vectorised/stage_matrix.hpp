@@ -1,0 +1,177 @@
+// The matrix 1 - g J of the stages of a linearly implicit method, from the slopes of the last linearisation.
+// Positions are eliminated, since their rate is the velocity, and rollers after them. Included by
+// lane_solve.hpp only.
+#pragma once
+
+#include "bearing/motion/vectorised/pack_rings.hpp"
+
+namespace orbearing::bearing::fast::ORBEARING_PACKS {
+
+using namespace mechanics::ORBEARING_PACKS;
+
+/// Slopes of one contact by the velocities of a stage, whose positions move by g times the velocity.
+/// Rows: force along e_r, along e_theta, moment on the roller.
+struct StageSlopes {
+  Pack roller[3][3];  // by radial speed, orbital speed, spin
+  Pack body[3][2];    // by the velocity of the other body, along e_r and e_theta
+};
+
+inline void by_roller(double g, const RollerPack& at, const Pack& position_r, const Pack& position_t,
+                      const Pack& velocity_r, const Pack& velocity_t, Pack& radial, Pack& orbital) {
+  radial = g * position_r + velocity_r + g * at.orbital * velocity_t;
+  orbital =
+      at.r * (g * position_t + velocity_t) + g * (at.radial * velocity_t - at.r * at.orbital * velocity_r);
+}
+
+inline StageSlopes stage_slopes(double g, const RollerPack& at, const ContactSlopes<Pack>& slopes) {
+  StageSlopes stage;
+  for (int i = 0; i < 3; ++i) {
+    const Pack(&position)[2] = slopes.by_position[i];
+    const Pack(&velocity)[2] = slopes.by_velocity[i];
+    by_roller(g, at, position[0], position[1], velocity[0], velocity[1], stage.roller[i][0],
+              stage.roller[i][1]);
+    stage.roller[i][2] = slopes.by_spin[i];
+    for (int k = 0; k < 2; ++k) stage.body[i][k] = -(g * position[k] + velocity[k]);
+  }
+  return stage;
+}
+
+/// Components in x and y of a vector or of a pair of columns in polar axes.
+inline Pair to_plane(const RollerPack& at, const Pack& along_r, const Pack& along_t) {
+  return {along_r * at.cosine - along_t * at.sine, along_r * at.sine + along_t * at.cosine};
+}
+
+/// Puts one contact into the block of its rollers, whose rows have the factors `roller_scale`; the ring's
+/// rows begin at `first`.
+inline void add_contact(double g, const Pack (&roller_scale)[3], double body_mass, int first,
+                        const RollerPack& at, const StageSlopes& stage, RollerBlock& block) {
+  const double body_scale = g / body_mass;  // the body feels the opposite force
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 3; ++i) block.own[i][k] += roller_scale[i] * stage.roller[i][k];
+    const Pair row = to_plane(at, stage.roller[0][k], stage.roller[1][k]);
+    block.of_ring[first][k] = body_scale * row.x;
+    block.of_ring[first + 1][k] = body_scale * row.y;
+  }
+  Pair columns[3];
+  for (int i = 0; i < 3; ++i) {
+    columns[i] = to_plane(at, stage.body[i][0], stage.body[i][1]);
+    block.by_ring[i][first] = roller_scale[i] * columns[i].x;
+    block.by_ring[i][first + 1] = roller_scale[i] * columns[i].y;
+  }
+  const Pair by_x = to_plane(at, columns[0].x, columns[1].x);
+  const Pair by_y = to_plane(at, columns[0].y, columns[1].y);
+  block.rings[first][first] = body_scale * by_x.x;
+  block.rings[first + 1][first] = body_scale * by_x.y;
+  block.rings[first][first + 1] = body_scale * by_y.x;
+  block.rings[first + 1][first + 1] = body_scale * by_y.y;
+}
+
+/// The cage's rotation and its moment, which the races do not have.
+inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Constants& c,
+                              const RollerPack& at, RollerBlock& block) {
+  constexpr int kTurn = kCage + 2;
+  const PocketSlopes& slopes = at.pocket;
+  Pack by_turn[3];
+  for (int i = 0; i < 3; ++i) by_turn[i] = g * slopes.by_angle[i] + slopes.by_speed[i];
+  for (int i = 0; i < 3; ++i) block.by_ring[i][kTurn] = roller_scale[i] * by_turn[i];
+  const Pair force = to_plane(at, by_turn[0], by_turn[1]);
+  block.rings[kCage][kTurn] = (g / c.cage_mass) * force.x;
+  block.rings[kCage + 1][kTurn] = (g / c.cage_mass) * force.y;
+
+  const double scale = -g / c.cage_inertia;
+  Pack radial, orbital;
+  by_roller(g, at, slopes.cage_by_position[0], slopes.cage_by_position[1], slopes.cage_by_velocity[0],
+            slopes.cage_by_velocity[1], radial, orbital);
+  block.of_ring[kTurn][0] = scale * radial;
+  block.of_ring[kTurn][1] = scale * orbital;
+  block.of_ring[kTurn][2] = scale * slopes.cage_by_spin;
+  const Pair shift = to_plane(at, g * slopes.cage_by_position[0] + slopes.cage_by_velocity[0],
+                              g * slopes.cage_by_position[1] + slopes.cage_by_velocity[1]);
+  block.rings[kTurn][kCage] = -scale * shift.x;
+  block.rings[kTurn][kCage + 1] = -scale * shift.y;
+  block.rings[kTurn][kTurn] = scale * (g * slopes.cage_by_angle + slopes.cage_by_speed);
+}
+
+inline void PackEngine::build_block(int p, double g) {
+  const RollerPack& at = linear_[p];
+  RollerBlock& block = block_[p];
+  block.caged = at.caged;
+  const FreeSlopes& free = at.free;
+  block.own[0][0] = 1.0 - g * g * free.radial_by_r;
+  block.own[0][1] = -g * (g * free.radial_by_theta + free.radial_by_orbital);
+  block.own[0][2] = Pack{};
+  block.own[1][0] = -g * (g * free.orbital_by_r + free.orbital_by_radial);
+  block.own[1][1] = 1.0 - g * (g * free.orbital_by_theta + free.orbital_by_orbital);
+  block.own[1][2] = Pack{};
+  block.own[2][0] = block.own[2][1] = Pack{};
+  block.own[2][2] = 1.0 - g * free.spin_by_spin;
+  const Pack roller_scale[3] = {spread(-g / c_.roller_mass), (-g / c_.roller_mass) * at.per_r,
+                                spread(-g / c_.roller_inertia)};
+  add_contact(g, roller_scale, c_.pin_mass, kPin, at, stage_slopes(g, at, at.inner), block);
+  add_contact(g, roller_scale, c_.bore_mass, kBore, at, stage_slopes(g, at, at.outer), block);
+  if (at.caged) {
+    add_contact(g, roller_scale, c_.cage_mass, kCage, at, stage_slopes(g, at, at.pocket.on_roller), block);
+    add_cage_rotation(g, roller_scale, c_, at, block);
+  }
+}
+
+/// What the rings feel apart from rollers: frame, support, land, drag of the cage. The rows of an open bore
+/// hold the forces on it alone.
+template <bool OpenBore>
+void PackEngine::add_rings(double g, RingBlock& rings) const {
+  const auto frame = [&](int first) {
+    rings.a[first][first] += 1.0 - g * g * c_.centrifugal;
+    rings.a[first + 1][first + 1] += 1.0 - g * g * c_.centrifugal;
+    rings.a[first][first + 1] -= g * (2.0 * c_.coriolis_speed + g * c_.euler);
+    rings.a[first + 1][first] += g * (2.0 * c_.coriolis_speed + g * c_.euler);
+  };
+  frame(kPin);
+  if constexpr (!OpenBore) frame(kBore);
+  frame(kCage);
+  rings.a[kCage + 2][kCage + 2] +=
+      1.0 + 2.0 * g * c_.cage_drag / c_.cage_inertia * __builtin_fabs(cage_speed_);
+  const double support = g / c_.pin_mass * (g * c_.support_stiffness + c_.support_damping);
+  rings.a[kPin][kPin] += support;
+  rings.a[kPin + 1][kPin + 1] += support;
+  if (!c_.land.present) return;
+  const int land = c_.land.on_bore ? kBore : kPin;
+  const double land_mass = c_.land.on_bore ? c_.bore_mass : c_.pin_mass;
+  const GuidanceDual* force[3] = {&land_x_, &land_y_, &land_moment_};
+  const double cage_scale[3] = {-g / c_.cage_mass, -g / c_.cage_mass, -g / c_.cage_inertia};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double slope = k < 2 ? g * force[i]->slope[k] + force[i]->slope[2 + k] : force[i]->slope[4];
+      rings.a[kCage + i][kCage + k] += cage_scale[i] * slope;
+      if (k < 2) rings.a[kCage + i][land + k] -= cage_scale[i] * slope;
+      if (i < 2) rings.a[land + i][kCage + k] += g / land_mass * slope;
+      if (i < 2 && k < 2) rings.a[land + i][land + k] -= g / land_mass * slope;
+    }
+  }
+}
+
+template <int kEnd>
+void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingRow]) {
+  eliminate<kEnd>(block);
+  add_schur<kEnd>(block, rings);
+}
+
+template <bool OpenBore>
+void PackEngine::assemble(double g) {
+  g_ = g;
+  rings_ = RingBlock{};
+  for (int p = 0; p < packs_; ++p) {
+    build_block(p, g);
+    if (block_[p].caged)
+      eliminate_and_add<kRingUnknowns>(block_[p], rings_.a);
+    else
+      eliminate_and_add<kCage>(block_[p], rings_.a);
+  }
+  add_rings<OpenBore>(g, rings_);
+}
+
+[[gnu::flatten]] inline bool PackEngine::factor(double g) {
+  assemble<false>(g);
+  return rings_.factor();
+}
+
+}  // namespace orbearing::bearing::fast::ORBEARING_PACKS

@@ -1,0 +1,152 @@
+#include "bearing/motion/vectorised/vector_bearing.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/vectorised/constants_of.hpp"
+#include "bearing/motion/vectorised/engines.hpp"
+
+namespace orbearing::bearing::fast {
+
+namespace {
+
+std::unique_ptr<Engine> make_engine([[maybe_unused]] mechanics::InstructionSet set,
+                                    const Constants& constants, const RollerConstants& rollers) {
+#if defined(__x86_64__) && !defined(_WIN32)
+  if (set == mechanics::InstructionSet::avx512)
+    return std::unique_ptr<Engine>(avx512_engine(constants, rollers));
+  if (set == mechanics::InstructionSet::avx2) return std::unique_ptr<Engine>(avx2_engine(constants, rollers));
+#endif
+  return std::unique_ptr<Engine>(baseline_engine(constants, rollers));
+}
+
+std::vector<WaveConstants> waves_of(const std::vector<RaceHarmonic>& form) {
+  std::vector<WaveConstants> waves;
+  for (const RaceHarmonic& wave : form)
+    waves.push_back({.order = static_cast<int>(wave.order),
+                     .amplitude = wave.amplitude,
+                     .phase = wave.phase,
+                     .turning = wave.turning});
+  return waves;
+}
+
+void put_waves(const std::vector<WaveConstants>& waves, RaceConstants& race) {
+  race.waves = static_cast<int>(waves.size());
+  race.wave = waves.data();
+}
+
+// The constants point into `races`.
+void put_laminae(const dynamics::LaminaRaces& races, LaminaConstants& constants) {
+  constants = {.count = races.inner().laminae(),
+               .place = races.inner().places().data(),
+               .inner_drop = races.inner().drops().data(),
+               .outer_drop = races.outer().drops().data(),
+               .deepest = std::max(races.inner().greatest_drop(), races.outer().greatest_drop()),
+               .bore_tip_x = races.bore_tip().x(),
+               .bore_tip_y = races.bore_tip().y(),
+               .upright = races.upright()};
+}
+
+void turn_waves(const std::vector<RaceHarmonic>& form, double race_angle, std::vector<WaveConstants>& waves) {
+  for (std::size_t i = 0; i < waves.size(); ++i)
+    if (waves[i].turning) waves[i].phase = form[i].phase - form[i].order * race_angle;
+}
+
+}  // namespace
+
+bool supports(const dynamics::BearingModel& model) {
+  return !model.pocket.with_film && model.driving.growth == 0.0;
+}
+
+VectorBearing::VectorBearing(const dynamics::BearingModel& model, mechanics::InstructionSet set)
+    : model_(model), layout_{static_cast<int>(model.layout.rollers)}, set_(set) {
+  const auto lanes = static_cast<std::size_t>(layout_.lanes());
+  pocket_cosine_.assign(lanes, 1.0);
+  pocket_sine_.assign(lanes, 0.0);
+  roller_radius_.assign(lanes, model.geometry.roller_radius);
+  for (std::size_t j = 0; j < model.pocket_direction.size(); ++j) {
+    pocket_cosine_[j] = model.pocket_direction[j].x();
+    pocket_sine_[j] = model.pocket_direction[j].y();
+  }
+  for (std::size_t j = 0; j < model.larger_by.size(); ++j) roller_radius_[j] += model.larger_by[j];
+  inner_waves_ = waves_of(model.inner.form);
+  outer_waves_ = waves_of(model.outer.form);
+  for (const auto* waves : {&inner_waves_, &outer_waves_})
+    for (const WaveConstants& wave : *waves) turning_waves_ = turning_waves_ || wave.turning;
+  Constants constants = constants_of(model);
+  put_waves(inner_waves_, constants.inner);
+  put_waves(outer_waves_, constants.outer);
+  if (model_.laminae) put_laminae(*model_.laminae, constants.laminae);
+  engine_ = make_engine(set, constants, {pocket_cosine_.data(), pocket_sine_.data(), roller_radius_.data()});
+}
+
+void VectorBearing::set_time(double time) {
+  if (!turning_waves_) return;
+  turn_waves(model_.inner.form, model_.point.inner_speed * time, inner_waves_);
+  turn_waves(model_.outer.form, model_.point.outer_speed * time, outer_waves_);
+}
+
+void VectorBearing::derivative(double time, const double* x, double* dx) {
+  const mechanics::Vector2 load = dynamics::bore_load(model_, time);
+  set_time(time);
+  engine_->derivative(x, load.x(), load.y(), dx);
+}
+
+void VectorBearing::linearise(double time, const double* x, double* dx) {
+  const mechanics::Vector2 load = dynamics::bore_load(model_, time);
+  set_time(time);
+  engine_->linearise(x, load.x(), load.y(), dx);
+}
+
+void VectorBearing::time_slope(double time, double* rate) {
+  std::fill(rate, rate + layout_.size(), 0.0);
+  const mechanics::Vector2 slope = dynamics::bore_load_slope(model_, time);
+  rate[layout_.bore() + 2] = slope.x() / model_.bore_mass;
+  rate[layout_.bore() + 3] = slope.y() / model_.bore_mass;
+}
+
+void VectorBearing::set_motion(const dynamics::BoreMotion& motion) {
+  const CarrierFrame frame = dynamics::frame_of(model_, motion);
+  engine_->set_surroundings({frame.coriolis_speed, frame.centrifugal, frame.euler, motion.speed});
+  if (turning_waves_) turn_waves(model_.outer.form, motion.angle, outer_waves_);
+}
+
+void VectorBearing::derivative(const dynamics::BoreMotion& motion, const double* x, double* dx) {
+  set_motion(motion);
+  engine_->derivative(x, 0.0, 0.0, dx);
+  std::copy_n(motion.acceleration.data(), 2, dx + layout_.bore() + 2);
+}
+
+void VectorBearing::linearise(const dynamics::BoreMotion& motion, const double* x, double* dx) {
+  set_motion(motion);
+  engine_->linearise(x, 0.0, 0.0, dx);
+  std::copy_n(motion.acceleration.data(), 2, dx + layout_.bore() + 2);
+}
+
+dynamics::BoreReaction VectorBearing::reaction() const {
+  const BoreForces forces = engine_->bore_forces();
+  return {{forces.x, forces.y}, forces.moment};
+}
+
+std::vector<double> VectorBearing::padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const {
+  assert(flat.size() == model_.layout.size());
+  std::vector<double> x(static_cast<std::size_t>(layout_.size()), 0.0);
+  const int z = layout_.rollers, lanes = layout_.lanes();
+  const double pitch_radius = 0.5 * (model_.geometry.inner_radius + model_.geometry.outer_radius);
+  std::fill(x.begin(), x.begin() + lanes, pitch_radius);
+  for (int group = 0; group < 5; ++group)
+    std::copy(flat.data() + group * z, flat.data() + (group + 1) * z, x.begin() + group * lanes);
+  std::copy(flat.data() + 5 * z, flat.data() + flat.size(), x.begin() + layout_.cage());
+  return x;
+}
+
+void VectorBearing::flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const {
+  const int z = layout_.rollers, lanes = layout_.lanes();
+  for (int group = 0; group < 5; ++group)
+    std::copy(padded + group * lanes, padded + group * lanes + z, flat.data() + group * z);
+  std::copy(padded + layout_.cage(), padded + layout_.end(), flat.data() + 5 * z);
+}
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,78 @@
+// The planet bearing in time, vectorised over rollers, with its Jacobian in block-arrow form: the fast path
+// beside the readable equations of bearing/motion, with which it agrees to round-off.
+//
+// A roller couples only with pin, bore and cage. In the stages of a linearly implicit method positions follow
+// from velocities, so one roller leaves three unknowns and the rings seven; eliminating the rollers costs
+// O(rollers).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bearing/motion/bore_motion.hpp"
+#include "bearing/motion/model.hpp"
+#include "bearing/motion/vectorised/engine.hpp"
+#include "mechanics/packs/instruction_set.hpp"
+
+namespace orbearing::bearing::fast {
+
+/// Whether the vectorised bearing knows all that `model` holds: not oil in the pockets, nor run-ups.
+bool supports(const dynamics::BearingModel& model);
+
+/// The vectorised bearing: engine, layout and conversion from and to the flat state of bearing/motion.
+class VectorBearing {
+ public:
+  explicit VectorBearing(const dynamics::BearingModel& model,
+                         mechanics::InstructionSet set = mechanics::best_instruction_set());
+
+  const PaddedLayout& layout() const { return layout_; }
+  const dynamics::BearingModel& model() const { return model_; }
+  mechanics::InstructionSet instruction_set() const { return set_; }
+
+  /// Rate `dx` of the padded state `x` at `time` [s].
+  void derivative(double time, const double* x, double* dx);
+  /// As derivative(), and keeps the Jacobian for factor() and solve().
+  void linearise(double time, const double* x, double* dx);
+  /// Slope of the right-hand side by time alone through the load on the bore at `time` [s], into `rate`
+  /// (padded). That of waves that turn with a race is left out: their phase changes little in a step.
+  void time_slope(double time, double* rate);
+  bool factor(double g) { return engine_->factor(g); }
+  void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
+  ContactLoads loads() const { return engine_->loads(); }
+
+  /// As their namesakes, for a bore that is driven: it stands where its four entries of `x` say, and its
+  /// velocity changes at the acceleration of `motion`; place and velocity of `motion` are not used.
+  void derivative(const dynamics::BoreMotion& motion, const double* x, double* dx);
+  void linearise(const dynamics::BoreMotion& motion, const double* x, double* dx);
+  /// What the bearing does to the bore, at the last evaluation.
+  dynamics::BoreReaction reaction() const;
+  /// Slopes of its force, at the last linearisation.
+  BoreSlopes bore_slopes() const { return engine_->bore_slopes(); }
+  /// As factor() and solve() with the bore open: engine.hpp. The planet's row of a stage becomes
+  ///   (mass + port) rate = mass rhs + force,   rate: of the bore's velocity.
+  bool factor_open(double g, PortMatrix& port) { return engine_->factor_open(g, port); }
+  void reduce(const double* rhs, double* k, double (&force)[2]) { engine_->reduce(rhs, k, force); }
+  void complete(const double* rhs, const double (&rate)[2], double* k) const {
+    engine_->complete(rhs, rate, k);
+  }
+
+  std::vector<double> padded(const Eigen::Ref<const Eigen::VectorXd>& flat) const;
+  void flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const;
+
+ private:
+  void set_time(double time);
+  void set_motion(const dynamics::BoreMotion& motion);
+
+  dynamics::BearingModel model_;
+  PaddedLayout layout_;
+  mechanics::InstructionSet set_;
+  std::vector<double> pocket_cosine_;
+  std::vector<double> pocket_sine_;
+  std::vector<double> roller_radius_;
+  std::vector<WaveConstants> inner_waves_;
+  std::vector<WaveConstants> outer_waves_;
+  bool turning_waves_ = false;
+  std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace orbearing::bearing::fast

@@ -1,0 +1,29 @@
+// What a pressure along the roller comes to: peaks, edges, loads of laminae.
+#pragma once
+
+#include "bearing/pressure/contact.hpp"
+#include "bearing/pressure/length_grid.hpp"
+
+namespace orbearing::bearing::half_space {
+
+/// Length over which a peak is a mean, as a share of the roller's: a sharp corner's pressure has no other
+/// value.
+inline constexpr double kGauge = 0.01;
+
+/// The ends, as a share of the roller's length each.
+inline constexpr double kEnd = 0.1;
+
+/// Greatest mean [Pa] of `pressure` over kGauge of the length, within `begin` to `end` [m].
+double greatest_mean(const LengthGrid& grid, const Eigen::ArrayXd& pressure, double begin, double end);
+
+/// Fills peak, edge pressure and ratio, and the greatest element from the pressure along the middle; load and
+/// moment from the line load.
+void measure(const LengthGrid& grid, RollerContactPressure& solution);
+
+/// Load [N] of each of `laminae` equal parts of the length.
+Eigen::ArrayXd lamina_loads(const RollerContactPressure& solution, int laminae);
+
+/// Mean pressure along the middle [Pa] of each of `laminae` equal parts of the length.
+Eigen::ArrayXd lamina_pressures(const RollerContactPressure& solution, int laminae);
+
+}  // namespace orbearing::bearing::half_space

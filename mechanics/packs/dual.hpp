@@ -1,0 +1,124 @@
+// A number with its derivatives by a few variables: forward differentiation of scalar laws.
+#pragma once
+
+#include "mechanics/packs/pack.hpp"
+
+namespace orbearing::mechanics::ORBEARING_PACKS {
+
+/// Eight numbers, in as many registers as they take.
+using SlopeVector = double __attribute__((vector_size(64)));
+
+/// Value and slopes by `kVariables` variables, eight at most.
+template <int kVariables>
+struct Dual {
+  static_assert(kVariables <= 8);
+  double value = 0.0;
+  SlopeVector slope{};
+
+  Dual() = default;
+  explicit Dual(double number) : value(number) {}
+  /// The variable number `index` itself.
+  static Dual variable(double number, int index) {
+    Dual x(number);
+    x.slope[index] = 1.0;
+    return x;
+  }
+};
+
+/// A function of `x` with value `value` and derivative `by_x`.
+template <int n>
+Dual<n> chained(const Dual<n>& x, double value, double by_x) {
+  Dual<n> y(value);
+  y.slope = by_x * x.slope;
+  return y;
+}
+
+template <int n>
+Dual<n> chained(const Dual<n>& x, const Dual<n>& y, double value, double by_x, double by_y) {
+  Dual<n> z(value);
+  z.slope = by_x * x.slope + by_y * y.slope;
+  return z;
+}
+
+template <int n>
+Dual<n> operator+(const Dual<n>& x, const Dual<n>& y) {
+  return chained(x, y, x.value + y.value, 1.0, 1.0);
+}
+template <int n>
+Dual<n> operator-(const Dual<n>& x, const Dual<n>& y) {
+  return chained(x, y, x.value - y.value, 1.0, -1.0);
+}
+template <int n>
+Dual<n> operator*(const Dual<n>& x, const Dual<n>& y) {
+  return chained(x, y, x.value * y.value, y.value, x.value);
+}
+template <int n>
+Dual<n> operator/(const Dual<n>& x, const Dual<n>& y) {
+  const double inverse = 1.0 / y.value;
+  return chained(x, y, x.value * inverse, inverse, -x.value * inverse * inverse);
+}
+template <int n>
+Dual<n> operator-(const Dual<n>& x) {
+  return chained(x, -x.value, -1.0);
+}
+template <int n>
+Dual<n> operator+(const Dual<n>& x, double a) {
+  return chained(x, x.value + a, 1.0);
+}
+template <int n>
+Dual<n> operator+(double a, const Dual<n>& x) {
+  return x + a;
+}
+template <int n>
+Dual<n> operator-(double a, const Dual<n>& x) {
+  return chained(x, a - x.value, -1.0);
+}
+template <int n>
+Dual<n> operator-(const Dual<n>& x, double a) {
+  return chained(x, x.value - a, 1.0);
+}
+template <int n>
+Dual<n> operator*(double a, const Dual<n>& x) {
+  return chained(x, a * x.value, a);
+}
+template <int n>
+Dual<n> operator*(const Dual<n>& x, double a) {
+  return a * x;
+}
+template <int n>
+Dual<n> operator/(const Dual<n>& x, double a) {
+  return (1.0 / a) * x;
+}
+template <int n>
+Dual<n> operator/(double a, const Dual<n>& x) {
+  return chained(x, a / x.value, -a / (x.value * x.value));
+}
+
+inline double value_of(double x) {
+  return x;
+}
+template <int n>
+double value_of(const Dual<n>& x) {
+  return x.value;
+}
+
+inline double root_of(double x) {
+  return __builtin_sqrt(x);
+}
+template <int n>
+Dual<n> root_of(const Dual<n>& x) {
+  const double root = __builtin_sqrt(x.value);
+  return chained(x, root, 0.5 / root);
+}
+
+/// Angle of the vector (x, y), as atan2(y, x).
+inline double angle_of(double y, double x) {
+  return __builtin_atan2(y, x);
+}
+template <int n>
+Dual<n> angle_of(const Dual<n>& y, const Dual<n>& x) {
+  const double inverse = 1.0 / (x.value * x.value + y.value * y.value);
+  return chained(y, x, __builtin_atan2(y.value, x.value), x.value * inverse, -y.value * inverse);
+}
+
+}  // namespace orbearing::mechanics::ORBEARING_PACKS

@@ -1,0 +1,89 @@
+// Elementary functions of a pack of numbers. Relative error below 4e-16 in the ranges named.
+#pragma once
+
+#include "mechanics/packs/sums.hpp"
+
+namespace orbearing::mechanics::ORBEARING_PACKS {
+
+namespace detail {
+inline constexpr double kRounder = 0x1.8p52;  // adding it rounds a small number to a whole one
+/// Signed whole numbers below 2^51 after a shift to the right, as floating-point numbers.
+template <class Bits>
+inline auto whole_numbers(const Bits& x, int shift) {
+  return from_bits(plus_bits(x >> shift, 0x4338000000000000LL)) - kRounder;
+}
+/// Nearest whole numbers of |x| < 2^51.
+template <class Number>
+inline auto nearest(const Number& x) {
+  return plus_bits(bits_of(x + kRounder), -0x4338000000000000LL);
+}
+}  // namespace detail
+
+/// Natural logarithm of normal numbers > 0: ln x = k ln 2 + 2 artanh((m - 1)/(m + 1)), sqrt(1/2) <= m <
+/// sqrt(2).
+template <class Number>
+inline Number logarithm(const Number& x) {
+  constexpr long long kHalfRoot = 0x3fe6a09e667f3bcdLL;  // of sqrt(1/2)
+  const auto shifted = plus_bits(bits_of(x), -kHalfRoot);
+  const auto exponent = shifted >> 52;
+  const Number mantissa = from_bits(bits_of(x) - (exponent << 52));
+  const Number whole = detail::whole_numbers(exponent, 0);
+  const Number s = (mantissa - 1.0) / (mantissa + 1.0);
+  const Number q = s * s;
+  const Number even =
+      1.0 / 3 + q * q * (1.0 / 7 + q * q * (1.0 / 11 + q * q * (1.0 / 15 + q * q * (1.0 / 19))));
+  const Number odd =
+      1.0 / 5 + q * q * (1.0 / 9 + q * q * (1.0 / 13 + q * q * (1.0 / 17 + q * q * (1.0 / 21))));
+  const Number tail = q * (even + q * odd);
+  return whole * 0x1.62e42fefa3800p-1 + (2.0 * s + (2.0 * s * tail + whole * 0x1.ef35793c76730p-45));
+}
+
+/// Exponential for -700 < x < 700.
+template <class Number>
+inline Number exponential(const Number& x) {
+  const Number shifted = x * 0x1.71547652b82fep+0 + detail::kRounder;
+  const Number whole = shifted - detail::kRounder;
+  const Number r = (x - whole * 0x1.62e42fefa3800p-1) - whole * 0x1.ef35793c76730p-45;
+  const Number r2 = r * r;
+  const Number r4 = r2 * r2;
+  const Number low = (1.0 + r) + r2 * (1.0 / 2 + r * (1.0 / 6));
+  const Number middle = (1.0 / 24 + r * (1.0 / 120)) + r2 * (1.0 / 720 + r * (1.0 / 5040));
+  const Number high = (1.0 / 40320 + r * (1.0 / 362880)) + r2 * (1.0 / 3628800 + r * (1.0 / 39916800));
+  const Number top = 1.0 / 479001600 + r * (1.0 / 6227020800.0);
+  const Number y = low + r4 * (middle + r4 * (high + r4 * top));
+  return from_bits(bits_of(y) + (bits_of(shifted) << 52));
+}
+
+struct SineCosine {
+  Pack sine;
+  Pack cosine;
+};
+
+/// Sine and cosine for |x| < 1e8.
+inline SineCosine sine_cosine(const Pack& x) {
+  const Pack shifted = x * 0x1.45f306dc9c883p-1 + detail::kRounder;
+  const Pack whole = shifted - detail::kRounder;
+  const Pack r =
+      ((x - whole * 0x1.921fb54400000p+0) - whole * 0x1.0b4611a600000p-34) - whole * 0x1.3198a2e037073p-69;
+  const Pack q = r * r;
+  const Pack sine_tail =
+      -1.0 / 6 +
+      q * (1.0 / 120 + q * (-1.0 / 5040 +
+                            q * (1.0 / 362880 + q * (-1.0 / 39916800 + q * (1.0 / 6227020800.0 +
+                                                                            q * (-1.0 / 1307674368000.0))))));
+  const Pack cosine_tail =
+      1.0 / 24 +
+      q * (-1.0 / 720 + q * (1.0 / 40320 + q * (-1.0 / 3628800 +
+                                                q * (1.0 / 479001600 + q * (-1.0 / 87178291200.0 +
+                                                                            q * (1.0 / 20922789888000.0))))));
+  const Pack s = r + r * q * sine_tail;
+  const Pack c = 1.0 - 0.5 * q + q * q * cosine_tail;
+  const Mask quadrant = bits_of(shifted);
+  const Mask odd = -(quadrant & bits(1));
+  const Mask sine_negative = (quadrant & bits(2)) << 62;
+  const Mask cosine_negative = ((quadrant + bits(1)) & bits(2)) << 62;
+  return {from_bits(bits_of(select(odd, c, s)) ^ sine_negative),
+          from_bits(bits_of(select(odd, s, c)) ^ cosine_negative)};
+}
+
+}  // namespace orbearing::mechanics::ORBEARING_PACKS

@@ -1,0 +1,88 @@
+// What concerns all lanes at once: is any true, what is their sum.
+#pragma once
+
+#include "mechanics/packs/pack.hpp"
+
+namespace orbearing::mechanics::ORBEARING_PACKS {
+
+namespace detail {
+// Halves, quarters and neighbours changed over: sums by halving.
+#if defined(__AVX512F__)
+template <class Vector>
+Vector upper_half(const Vector& x) {
+  return __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
+}
+template <class Vector>
+Vector upper_quarter(const Vector& x) {
+  return __builtin_shufflevector(x, x, 2, 3, 0, 1, 6, 7, 4, 5);
+}
+// Sums of neighbours, then of pairs, then of halves; those of `y` beside those of `x`.
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 8, 2, 10, 4, 12, 6, 14) +
+         __builtin_shufflevector(x, y, 1, 9, 3, 11, 5, 13, 7, 15);
+}
+inline Register pairs(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 8, 9, 4, 5, 12, 13) +
+         __builtin_shufflevector(x, y, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+inline Register halves(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11) +
+         __builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+#elif defined(__AVX__)
+template <class Vector>
+Vector upper_quarter(const Vector& x) {
+  return __builtin_shufflevector(x, x, 2, 3, 0, 1);
+}
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 4, 2, 6) + __builtin_shufflevector(x, y, 1, 5, 3, 7);
+}
+inline Register pairs(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 1, 4, 5) + __builtin_shufflevector(x, y, 2, 3, 6, 7);
+}
+#else
+inline Register neighbours(const Register& x, const Register& y) {
+  return __builtin_shufflevector(x, y, 0, 2) + __builtin_shufflevector(x, y, 1, 3);
+}
+#endif
+}  // namespace detail
+
+/// The sums of as many registers as one has lanes, side by side.
+inline Register sums(const Register (&x)[kRegisterLanes]) {
+#if defined(__AVX512F__)
+  return detail::halves(detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3])),
+                        detail::pairs(detail::neighbours(x[4], x[5]), detail::neighbours(x[6], x[7])));
+#elif defined(__AVX__)
+  return detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3]));
+#else
+  return detail::neighbours(x[0], x[1]);
+#endif
+}
+
+inline bool any(const Mask& where) {
+  BitRegister found = where.low | where.high;
+#if defined(__AVX512F__)
+  found |= detail::upper_half(found);
+#endif
+#if defined(__AVX__)
+  found |= detail::upper_quarter(found);
+#endif
+  return (found[0] | found[1]) != 0;
+}
+
+inline bool any(const PackPairMask& where) {
+  return any(where.low | where.high);
+}
+
+inline double sum(const Pack& x) {
+  Register y = x.low + x.high;
+#if defined(__AVX512F__)
+  y += detail::upper_half(y);
+#endif
+#if defined(__AVX__)
+  y += detail::upper_quarter(y);
+#endif
+  return y[0] + y[1];
+}
+
+}  // namespace orbearing::mechanics::ORBEARING_PACKS

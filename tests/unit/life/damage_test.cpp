@@ -1,0 +1,191 @@
+// Loads counted passage by passage: prescribed motions whose numbers of passages have a closed form.
+#include "bearing/life/damage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "tests/unit/motion/reducer_bearing.hpp"
+
+namespace orbearing::bearing::dynamics::damage_test {
+namespace {
+
+constexpr double kRoundOff = 1e-11;  // of sums over 1e5 steps
+constexpr double kLambda = 0.83;
+constexpr double kBoreSpeed = -700.0;  // [rad/s]
+constexpr Eigen::Index kPlaces = 72;
+
+RollerBearingGeometry geometry() {
+  return geometry_of(test::reducer_bearing());
+}
+double rolling_speed() {
+  return race_speeds(geometry(), 0.0, kBoreSpeed).cage;
+}
+
+double load_at(Eigen::Index place) {
+  return 1000.0 * std::max(0.0, std::cos(2.0 * M_PI * static_cast<double>(place) / kPlaces) - 0.2);
+}
+Eigen::ArrayXd loads() {
+  return Eigen::ArrayXd::NullaryExpr(kPlaces, [](Eigen::Index place) { return load_at(place); });
+}
+
+// Two revolutions of one roller that goes at `speed(angle)` [rad/s]: even steps in angle, each of the time
+// that it takes.
+DamageSums damage_at(const std::function<double(double)>& speed) {
+  constexpr Eigen::Index kSteps = 500;  // for each place
+  constexpr double kStep = 2.0 * M_PI / (kPlaces * kSteps);
+  DamageSums sums(kPlaces);
+  for (Eigen::Index i = 0; i < 2 * kPlaces * kSteps; ++i) {
+    const double angle = (static_cast<double>(i) + 0.5) * kStep;
+    const double orbital = speed(angle);
+    const double load = load_at(place_of(angle, kPlaces));
+    sums.add(kStep / std::abs(orbital), 1,
+             {&angle, &orbital, &load, &load, race_speeds(geometry(), 0.0, kBoreSpeed)});
+  }
+  return sums;
+}
+
+TEST(Place, BinsAreCentredOnTheirAngles) {
+  constexpr double kBin = 2.0 * M_PI / kPlaces;
+  for (const double turn : {0.0, 2.0 * M_PI, -6.0 * M_PI}) {
+    EXPECT_EQ(place_of(turn, kPlaces), 0);
+    EXPECT_EQ(place_of(turn + 0.49 * kBin, kPlaces), 0);
+    EXPECT_EQ(place_of(turn + 0.51 * kBin, kPlaces), 1);
+    EXPECT_EQ(place_of(turn - 0.49 * kBin, kPlaces), 0);
+    EXPECT_EQ(place_of(turn - 0.51 * kBin, kPlaces), kPlaces - 1);
+  }
+}
+
+TEST(Damage, OfPureRollingIsThatOfTheLoadsByPlace) {
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const DamageSums sums = damage_at([](double) { return rolling_speed(); });
+  const BearingLife expected = lundberg_palmgren_life(bearing, kLambda, Race::inner, loads(), loads());
+  const BearingLife life = sums.life(bearing, kLambda, Race::inner);
+  EXPECT_NEAR(life.inner, expected.inner, kRoundOff * expected.inner);
+  EXPECT_NEAR(life.outer, expected.outer, kRoundOff * expected.outer);
+  EXPECT_NEAR(life.bearing, expected.bearing, kRoundOff * expected.bearing);
+  EXPECT_LT((sums.inner.mean_load() - loads()).abs().maxCoeff(), 1000.0 * kRoundOff);
+}
+
+// A cage ahead by a hundredth: the pin sees a hundredth more rollers, the bore, which turns the same way and
+// faster, so many fewer.
+TEST(Damage, GoesWithTheSpeedOfTheCage) {
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const DamageSums sums = damage_at([](double) { return 1.01 * rolling_speed(); });
+  const BearingLife rolling = lundberg_palmgren_life(bearing, kLambda, Race::inner, loads(), loads());
+  const BearingLife life = sums.life(bearing, kLambda, Race::inner);
+  EXPECT_NEAR(life.inner, rolling.inner / 1.01, kRoundOff * rolling.inner);
+  const double passed = (kBoreSpeed - 1.01 * rolling_speed()) / (kBoreSpeed - rolling_speed());
+  EXPECT_NEAR(life.outer, rolling.outer / passed, kRoundOff * rolling.outer);
+}
+
+// Rollers that go slower where they are loaded stand closer there. As many pass each place of the pin as any
+// other; of the bore, more pass where they are slow. With speed = c (1 - e cos(angle)) a revolution takes
+// 2 pi / (c sqrt(1 - e^2)).
+TEST(Damage, CountsRollersThatStandCloser) {
+  constexpr double kUneven = 0.05;
+  const double c = 1.02 * rolling_speed();
+  const auto speed = [=](double angle) { return c * (1.0 - kUneven * std::cos(angle)); };
+  const DamageSums sums = damage_at(speed);
+  const double mean_speed = c * std::sqrt(1.0 - kUneven * kUneven);  // over time
+  const double of_pin = mean_speed / rolling_speed();
+  const Eigen::ArrayXd pin = sums.inner.passages();
+  EXPECT_NEAR(pin.minCoeff(), of_pin, kRoundOff + 1e-8);  // midpoints of the steps
+  EXPECT_NEAR(pin.maxCoeff(), of_pin, kRoundOff + 1e-8);
+  const Eigen::ArrayXd fourth = loads().pow(4.0);
+  EXPECT_LT((sums.inner.damage() - of_pin * fourth).abs().maxCoeff(), 1e-8 * fourth.maxCoeff());
+  const Eigen::ArrayXd bore = sums.outer.passages();
+  for (const Eigen::Index place : {0, 9, 18, 36}) {
+    const double at = speed(2.0 * M_PI * static_cast<double>(place) / kPlaces);
+    const double expected = (kBoreSpeed / at - 1.0) * mean_speed / (kBoreSpeed - rolling_speed());
+    EXPECT_NEAR(bore[place], expected, 1e-4 * expected) << "mean over a bin for its middle";
+  }
+  const double all = (kBoreSpeed - mean_speed) / (kBoreSpeed - rolling_speed());
+  EXPECT_NEAR(bore.mean(), all, 1e-8);
+}
+
+// A bearing of `n` laminae whose rollers stand at rest at their places for equal times, under a load that the
+// damping has doubled.
+DamageSums lamina_damage(const LaminaRaces& races, Eigen::Index n, double tip) {
+  DamageSums sums(kPlaces, n);
+  const RaceSpeeds speeds = race_speeds(geometry(), 0.0, kBoreSpeed);
+  for (Eigen::Index place = 0; place < kPlaces; ++place) {
+    const double angle = 2.0 * M_PI * static_cast<double>(place) / kPlaces, orbital = rolling_speed();
+    const double inner = 1e-9 * load_at(place), outer = 0.9 * inner;  // [m]
+    const double inner_load = 2.0 * races.inner().evaluate(inner, -tip).load;
+    const double outer_tip = races.bore_tip().dot(Vector2(std::cos(angle), std::sin(angle)));
+    const double outer_load = 2.0 * races.outer().evaluate(outer, tip - outer_tip).load;
+    sums.add(1.0, 1, {&angle, &orbital, &inner_load, &outer_load, speeds, &races, &inner, &outer, &tip});
+  }
+  return sums;
+}
+
+laminae::LaminaContact contact(double crown, int n) {
+  constexpr double kLength = 5.7e-3;  // [m]
+  const std::vector<double> drops =
+      laminae::lamina_drops(profile::CircularCrown{kLength, crown}, profile::Straight{}, kLength, n);
+  return {{1.2e10}, kLength, drops};
+}
+
+// Laminae that carry alike live as the whole contact, whatever their number.
+TEST(LaminaDamage, OfEvenLoadsIsThatOfTheWholeContact) {
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  for (const int n : {1, 7, 40}) {
+    bearing.laminae = n;
+    const LaminaRaces races(contact(0.0, n), contact(0.0, n), Vector2::Zero());
+    EXPECT_TRUE(races.even());
+    EXPECT_EQ(uneven_laminae(&races), 0);
+    const BearingLife cut = lamina_damage(races, n, 0.0).life(bearing, kLambda, Race::inner);
+    const BearingLife whole = lamina_damage(races, 0, 0.0).life(bearing, kLambda, Race::inner);
+    EXPECT_NEAR(cut.inner, whole.inner, kRoundOff * whole.inner);
+    EXPECT_NEAR(cut.outer, whole.outer, kRoundOff * whole.outer);
+    EXPECT_NEAR(cut.bearing, whole.bearing, kRoundOff * whole.bearing);
+  }
+}
+
+// Against the sums written out: standing pin 4.5, turning bore 4, q_c = Q_c n^(-7/9), and the damping on all
+// laminae alike.
+TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
+  constexpr int kLaminae = 12;
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  bearing.laminae = kLaminae;
+  const Vector2 tilt(0.4e-3, -0.3e-3);
+  const LaminaRaces races(contact(0.6e-6, kLaminae), contact(0.6e-6, kLaminae), tilt);
+  EXPECT_EQ(uneven_laminae(&races), kLaminae);
+  constexpr double kTip = 0.2e-6;  // [m]
+  Eigen::ArrayXd inner = Eigen::ArrayXd::Zero(kLaminae), outer = inner;
+  double largest = 0.0;
+  for (Eigen::Index place = 0; place < kPlaces; ++place) {
+    const double angle = 2.0 * M_PI * static_cast<double>(place) / kPlaces;
+    const double outer_tip = 0.5 * 5.7e-3 * (tilt.x() * std::cos(angle) + tilt.y() * std::sin(angle));
+    const double approach = 1e-9 * load_at(place);
+    const Eigen::ArrayXd on_inner = 2.0 * races.inner().loads(approach, -kTip).load;
+    const Eigen::ArrayXd on_outer = 2.0 * races.outer().loads(0.9 * approach, kTip - outer_tip).load;
+    inner += on_inner.pow(4.5) / kPlaces;
+    outer += on_outer.pow(4.0) / kPlaces;
+    largest = std::max(largest, on_inner.maxCoeff());
+  }
+  const double share = std::pow(kLaminae, -7.0 / 9.0);
+  const double inner_capacity = share * contact_capacity(bearing, Race::inner, kLambda);
+  const double outer_capacity = share * contact_capacity(bearing, Race::outer, kLambda);
+  const double on_pin = (inner / std::pow(inner_capacity, 4.5)).sum();
+  const double on_bore = (outer.pow(4.5 / 4.0) / std::pow(outer_capacity, 4.5)).sum();
+  const DamageSums sums = lamina_damage(races, kLaminae, kTip);
+  const BearingLife life = sums.life(bearing, kLambda, Race::inner);
+  EXPECT_NEAR(life.inner, 1e6 * std::pow(on_pin, -8.0 / 9.0), kRoundOff * life.inner);
+  EXPECT_NEAR(life.outer, 1e6 * std::pow(on_bore, -8.0 / 9.0), kRoundOff * life.outer);
+  EXPECT_NEAR(sums.inner.lamina_largest, largest, kRoundOff * largest);
+  EXPECT_NE(life.inner, lamina_damage(races, 0, kTip).life(bearing, kLambda, Race::inner).inner);
+}
+
+TEST(Damage, NeedsLoadsAndSpeed) {
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  EXPECT_TRUE(std::isinf(DamageSums(kPlaces).life(bearing, kLambda, Race::inner).bearing));
+  DamageSums standing(kPlaces);
+  const double angle = 0.0, orbital = 0.0, load = 100.0;
+  standing.add(1.0, 1, {&angle, &orbital, &load, &load, {}});
+  EXPECT_TRUE(std::isinf(standing.life(bearing, kLambda, Race::inner).bearing));
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics::damage_test

@@ -1,0 +1,113 @@
+#include "bearing/life/lundberg_palmgren.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/bearing/example_bearings.hpp"
+
+namespace orbearing::bearing::lundberg_palmgren_test {
+namespace {
+
+constexpr double kRoundOff = 1e-12;   // a few powers in double precision, relative
+constexpr double kHandDigits = 1e-5;  // the hand values carry six digits
+constexpr double kLambda = 0.83;
+
+// D = l = 1 mm and 16 rollers leave 552 lambda / 2 (1 -+ 0.1)^(29/27) / (1 +- 0.1)^(1/4) 0.1^(2/9).
+CylindricalRollerBearing simple_bearing() {
+  CylindricalRollerBearing bearing;
+  bearing.rollers = 16;
+  bearing.roller_diameter = 1e-3;
+  bearing.roller_length = 1e-3;
+  bearing.pitch_diameter = 10e-3;
+  return bearing;
+}
+
+TEST(ContactCapacity, ByHand) {
+  EXPECT_NEAR(contact_capacity(simple_bearing(), Race::inner, kLambda), 119.749, 119.749 * kHandDigits);
+  EXPECT_NEAR(contact_capacity(simple_bearing(), Race::outer, kLambda), 156.194, 156.194 * kHandDigits);
+}
+
+TEST(ContactCapacity, GrowsWithSizeLengthAndFewerRollers) {
+  const CylindricalRollerBearing small = simple_bearing();
+  const auto ratio = [&](const CylindricalRollerBearing& other) {
+    return contact_capacity(other, Race::inner, 1.0) / contact_capacity(small, Race::inner, 1.0);
+  };
+  CylindricalRollerBearing other = small;
+  other.roller_diameter *= 2.0;
+  other.pitch_diameter *= 2.0;
+  EXPECT_NEAR(ratio(other), std::pow(2.0, 29.0 / 27.0), kRoundOff);
+  other = small;
+  other.roller_length *= 2.0;
+  EXPECT_NEAR(ratio(other), std::pow(2.0, 7.0 / 9.0), kRoundOff);
+  other = small;
+  other.rollers = 1;
+  EXPECT_NEAR(ratio(other), 2.0, kRoundOff);
+}
+
+TEST(EquivalentLoad, FourthPowerTurningAndPowerFourAndAHalfStanding) {
+  Eigen::ArrayXd loads = Eigen::ArrayXd::Zero(16);
+  loads[3] = 100.0;
+  EXPECT_NEAR(equivalent_load(loads, RaceMotion::turning), 50.0, 50.0 * kRoundOff);
+  const double standing = 100.0 * std::pow(16.0, -1.0 / 4.5);
+  EXPECT_NEAR(equivalent_load(loads, RaceMotion::standing), standing, standing * kRoundOff);
+}
+
+TEST(EquivalentLoad, OfEqualLoadsIsTheLoadAndOfNoneIsZero) {
+  for (const RaceMotion motion : {RaceMotion::turning, RaceMotion::standing}) {
+    EXPECT_NEAR(equivalent_load(Eigen::ArrayXd::Constant(7, 80.0), motion), 80.0, 80.0 * kRoundOff);
+    EXPECT_EQ(equivalent_load(Eigen::ArrayXd::Zero(7), motion), 0.0);
+    EXPECT_EQ(equivalent_load(Eigen::ArrayXd(), motion), 0.0);
+  }
+}
+
+TEST(EquivalentLoad, NeitherOverflowsNorUnderflows) {
+  for (const double scale : {1e-100, 1e100}) {
+    const double equivalent = equivalent_load(Eigen::ArrayXd::Constant(3, scale), RaceMotion::standing);
+    EXPECT_NEAR(equivalent / scale, 1.0, kRoundOff);
+  }
+}
+
+TEST(RaceLife, IsAMillionRevolutionsAtTheCapacity) {
+  EXPECT_NEAR(race_life(500.0, 500.0), 1e6, 1e6 * kRoundOff);
+  EXPECT_NEAR(race_life(500.0, 250.0), 16e6, 16e6 * kRoundOff);
+  EXPECT_EQ(race_life(500.0, 0.0), std::numeric_limits<double>::infinity());
+}
+
+TEST(CombinedLife, OfEqualRacesAndOfOneUnloadedRace) {
+  const double expected = 100.0 * std::pow(2.0, -8.0 / 9.0);
+  EXPECT_NEAR(combined_life(100.0, 100.0), expected, expected * kRoundOff);
+  EXPECT_NEAR(combined_life(100.0, std::numeric_limits<double>::infinity()), 100.0, 100.0 * kRoundOff);
+}
+
+TEST(SystemLife, OfEightEqualBearings) {
+  const double expected = 40000.0 * 0.157490131236859;  // 8^(-8/9) = 2^(-8/3)
+  EXPECT_NEAR(system_life(40000.0, 8), expected, expected * kRoundOff);
+  EXPECT_EQ(system_life(40000.0, 1), 40000.0);
+}
+
+TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
+  const CylindricalRollerBearing bearing = simple_bearing();
+  const Eigen::ArrayXd inner = Eigen::ArrayXd::LinSpaced(16, 0.0, 30.0);
+  const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(16, 5.0, 35.0);
+  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, Race::inner, inner, outer);
+  const double inner_life = race_life(contact_capacity(bearing, Race::inner, kLambda),
+                                      equivalent_load(inner, RaceMotion::standing));
+  const double outer_life =
+      race_life(contact_capacity(bearing, Race::outer, kLambda), equivalent_load(outer, RaceMotion::turning));
+  EXPECT_EQ(life.inner, inner_life);
+  EXPECT_EQ(life.outer, outer_life);
+  EXPECT_EQ(life.bearing, combined_life(inner_life, outer_life));
+  EXPECT_NE(lundberg_palmgren_life(bearing, kLambda, Race::outer, inner, outer).inner, inner_life);
+}
+
+TEST(Hours, OfAMillionRevolutionsAtAThousandPerMinute) {
+  const double speed = example_bearings::rpm(1000.0);
+  EXPECT_NEAR(hours(1e6, speed), 1e6 / 60000.0, 1e-11);
+  EXPECT_EQ(hours(1e6, -speed), hours(1e6, speed));
+  EXPECT_EQ(hours(1e6, 0.0), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::lundberg_palmgren_test

@@ -1,0 +1,134 @@
+#include "bearing/life/reference_life.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "bearing/contact/line_contact.hpp"
+
+namespace orbearing::bearing::rating::reference_life_test {
+namespace {
+
+constexpr double kRoundOff = 1e-12;
+constexpr ContactCapacities kCapacities{.inner = 4000.0, .outer = 5000.0};
+
+TEST(StressRiser, LargestAtTheEndsOneInTheMiddleOfAnOddNumber) {
+  const Eigen::ArrayXd even = stress_riser(40), odd = stress_riser(41);
+  EXPECT_NEAR(even[0], 1.0 - 0.01 / std::log(1.985 * 39.0 / 78.0), kRoundOff);
+  EXPECT_EQ(even[0], even[39]);
+  EXPECT_EQ(odd[20], 1.0);
+  EXPECT_NEAR(odd[19], 1.0 - 0.01 / std::log(1.985 * 2.0 / 80.0), kRoundOff);
+  EXPECT_EQ(stress_riser(1)[0], 1.0);
+  EXPECT_GT(even[0], 2.0);
+  EXPECT_TRUE((even.segment(1, 38) < even[0]).all());
+}
+
+TEST(EquivalentLaminaLoads, PowersByMotion) {
+  Eigen::ArrayXXd loads = Eigen::ArrayXXd::Zero(2, 16);
+  loads(0, 3) = 100.0;
+  EXPECT_NEAR(equivalent_lamina_loads(loads, RaceMotion::turning)[0], 50.0, 50.0 * kRoundOff);
+  EXPECT_NEAR(equivalent_lamina_loads(loads, RaceMotion::standing)[0], 100.0 * std::pow(16.0, -1.0 / 4.5),
+              100.0 * kRoundOff);
+  EXPECT_EQ(equivalent_lamina_loads(loads, RaceMotion::turning)[1], 0.0);
+}
+
+// Places that see the same load at every passage are quasi-static; scatter within a place counts by power 4.
+TEST(EquivalentOfPassages, SteadyPlacesAreQuasiStatic) {
+  const Eigen::ArrayXXd steady = (Eigen::ArrayXXd(1, 4) << 100.0, 60.0, 0.0, 20.0).finished();
+  std::vector<Eigen::ArrayXXd> places;
+  for (Eigen::Index j = 0; j < 4; ++j) places.push_back(Eigen::ArrayXXd::Constant(1, 3, steady(0, j)));
+  for (const RaceMotion motion : {RaceMotion::turning, RaceMotion::standing})
+    EXPECT_NEAR(equivalent_of_passages(places, motion)[0], equivalent_lamina_loads(steady, motion)[0],
+                100.0 * kRoundOff);
+  const std::vector<Eigen::ArrayXXd> scattered(5, (Eigen::ArrayXXd(1, 2) << 100.0, 0.0).finished());
+  EXPECT_NEAR(equivalent_of_passages(scattered, RaceMotion::standing)[0], 100.0 * std::pow(2.0, -0.25),
+              100.0 * kRoundOff);
+}
+
+// One lamina, evenly loaded: L = ((q/Q_i)^4.5 + (q/Q_o)^4.5)^(-8/9) million revolutions.
+TEST(ReferenceLife, OneLaminaByHand) {
+  const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Constant(1, 12, 500.0);
+  const BearingLife life = lamina_reference_life(kCapacities, loads, loads, turning(Race::inner));
+  EXPECT_NEAR(life.inner, 1e6 * 4096.0, 1e6 * 4096.0 * kRoundOff);
+  EXPECT_NEAR(life.outer, 1e10, 1e10 * kRoundOff);
+  const double both = 1e6 * std::pow(std::pow(8.0, -4.5) + std::pow(10.0, -4.5), -8.0 / 9.0);
+  EXPECT_NEAR(life.bearing, both, both * kRoundOff);
+}
+
+TEST(ReferenceLife, HalfTheLoadLivesSixteenTimesAndNoneForever) {
+  const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Random(40, 15).abs() * 30.0;
+  const RaceMotions motions = turning(Race::outer);
+  const double life = lamina_reference_life(kCapacities, loads, loads, motions).bearing;
+  EXPECT_NEAR(lamina_reference_life(kCapacities, 0.5 * loads, 0.5 * loads, motions).bearing / life, 16.0,
+              16.0 * kRoundOff);
+  EXPECT_EQ(lamina_reference_life(kCapacities, 0.0 * loads, 0.0 * loads, motions).bearing,
+            std::numeric_limits<double>::infinity());
+}
+
+// Equal capacities: swapping the motion of the races is swapping their loads. A name plays no part.
+TEST(ReferenceLife, GoesByMotionAndNotByName) {
+  const ContactCapacities alike{4000.0, 4000.0};
+  const Eigen::ArrayXXd a = Eigen::ArrayXXd::Random(8, 15).abs(), b = Eigen::ArrayXXd::Random(8, 15).abs();
+  const BearingLife one = lamina_reference_life(alike, a, b, turning(Race::inner));
+  const BearingLife other = lamina_reference_life(alike, b, a, turning(Race::outer));
+  EXPECT_NEAR(one.bearing / other.bearing, 1.0, kRoundOff);
+  EXPECT_NE(one.bearing, lamina_reference_life(alike, a, b, turning(Race::outer)).bearing);
+}
+
+TEST(ReferenceLife, GradientIsTheSlope) {
+  const Eigen::ArrayXXd inner = Eigen::ArrayXXd::Random(6, 5).max(0.0) * 40.0;
+  const Eigen::ArrayXXd outer = Eigen::ArrayXXd::Random(6, 5).max(0.0) * 40.0;
+  const RaceMotions motions = turning(Race::outer);
+  const LifeGradient gradient = lamina_life_gradient(kCapacities, inner, outer, motions);
+  constexpr double step = 1e-3;     // [N]
+  constexpr double central = 1e-6;  // step^2 over loads of some N, relative to the largest slope
+  const auto logarithm = [&](const Eigen::ArrayXXd& on_inner, const Eigen::ArrayXXd& on_outer) {
+    return std::log(lamina_reference_life(kCapacities, on_inner, on_outer, motions).bearing);
+  };
+  const double scale = gradient.inner.abs().maxCoeff() + gradient.outer.abs().maxCoeff();
+  for (Eigen::Index k = 0; k < 6; ++k)
+    for (Eigen::Index j = 0; j < 5; ++j) {
+      Eigen::ArrayXXd change = Eigen::ArrayXXd::Zero(6, 5);
+      change(k, j) = step;
+      const double on_inner = logarithm(inner + change, outer) - logarithm(inner - change, outer);
+      const double on_outer = logarithm(inner, outer + change) - logarithm(inner, outer - change);
+      EXPECT_NEAR(on_inner / (2.0 * step), gradient.inner(k, j), central * scale);
+      EXPECT_NEAR(on_outer / (2.0 * step), gradient.outer(k, j), central * scale);
+    }
+}
+
+// An even load on a straight roller presses after Hertz: the pressures give the loads back.
+TEST(LoadsOfPressures, HertzOfALineContactGivesTheLoadBack) {
+  const RollerSet set{.rollers = 15, .diameter = 5.24e-3, .length = 5.7e-3, .pitch_diameter = 36e-3};
+  const Material steel{.youngs_modulus = 210e9, .poisson_ratio = 0.3};
+  constexpr double load = 600.0;
+  for (const Race race : {Race::inner, Race::outer}) {
+    const double side = race == Race::inner ? -1.0 : 1.0;
+    const double radius = 0.5 * set.diameter * (1.0 + side * gamma(set));  // 1/R = 2/(D (1 -+ gamma))
+    const double pressure = hertz_pressure(load, radius, set.length, steel);
+    const Eigen::ArrayXXd loads =
+        loads_of_pressures(Eigen::ArrayXXd::Constant(40, 1, pressure), set, race, steel);
+    EXPECT_NEAR(loads.sum(), load, load * kRoundOff);
+    // and in N and mm (p/271)^2 D (1 -+ gamma) l/n
+    const double printed =
+        std::pow(1e-6 * pressure / 271.0, 2.0) * 5.24 * (1.0 + side * gamma(set)) * 5.7 / 40.0;
+    constexpr double three_digits = 3e-3;
+    EXPECT_NEAR(loads(0, 0) / printed, 1.0, three_digits);
+  }
+}
+
+TEST(BallReferenceLife, OneLoadByHand) {
+  const Eigen::ArrayXd loads = Eigen::ArrayXd::Constant(9, 500.0);
+  const BearingLife life = ball_reference_life(kCapacities, loads, loads, turning(Race::inner));
+  EXPECT_NEAR(life.inner, 512e6, 512e6 * kRoundOff);
+  EXPECT_NEAR(life.outer, 1e9, 1e9 * kRoundOff);
+  EXPECT_NEAR(life.bearing, 1e6 * std::pow(std::pow(512.0, -10.0 / 9.0) + std::pow(1e3, -10.0 / 9.0), -0.9),
+              1e9 * kRoundOff);
+  Eigen::ArrayXd single = Eigen::ArrayXd::Zero(8);
+  single[2] = 100.0;
+  EXPECT_NEAR(equivalent_ball_load(single, RaceMotion::turning), 50.0, 50.0 * kRoundOff);
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::rating::reference_life_test

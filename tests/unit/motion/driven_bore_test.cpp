@@ -1,0 +1,165 @@
+// The bearing whose bore is driven, against the one whose bore is free, and its balance of power.
+#include "bearing/motion/driven_bore.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bearing/motion/driven_start.hpp"
+#include "bearing/motion/equations.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
+
+namespace orbearing::bearing::dynamics::driven_bore_test {
+namespace {
+
+constexpr int kStates = 30;
+
+struct Variant {
+  const char* name;
+  bool film;
+  bool inner_guidance;
+  bool rough;
+};
+
+class DrivenBore : public testing::TestWithParam<Variant> {
+ protected:
+  DrivenBore() {
+    parameters.race.film_in_approach = GetParam().film;
+    point.carrier.acceleration = 300.0;
+    if (GetParam().inner_guidance) {
+      bearing.cage.guidance = Race::inner;
+      parameters.cage.guide_diameter = 33.1e-3;
+    }
+    if (!GetParam().rough) return;
+    parameters.race.lubrication = Lubrication::mixed;
+    parameters.cage.pocket_film = PocketFilm::hydrodynamic;
+    bearing.inner_form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
+    bearing.outer_form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
+                          {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
+    bearing.roller_diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
+  }
+
+  BoreMotion motion_of(const BearingModel& model, const Eigen::VectorXd& x, double time) const {
+    const ConstStateViews state = state_views(model.layout, x.data());
+    BoreMotion motion;
+    motion.position = state.bore_position;
+    motion.velocity = state.bore_velocity;
+    motion.speed = point.outer_speed;
+    motion.angle = point.outer_speed * time;
+    motion.carrier_speed = point.carrier.speed;
+    motion.carrier_acceleration = point.carrier.acceleration;
+    return motion;
+  }
+  Eigen::VectorXd shaken(const BearingModel& model, int i) {
+    return test::shaken_state(model, bearing, parameters, i % 3 == 0 ? 2e-6 : 2e-5, 0.05, random);
+  }
+
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  OperatingPoint point = test::reducer_point(6000.0);
+  test::Random random;
+};
+
+// F = m (a - frame) - load.
+TEST_P(DrivenBore, ReactionIsWhatTheFreeBoreFeels) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const PlanetBearingEquations free(model);
+  constexpr double kTime = 1e-3;
+  for (int i = 0; i < kStates; ++i) {
+    const Eigen::VectorXd x = shaken(model, i);
+    Eigen::VectorXd free_rate(x.size()), rate(x.size());
+    free.derivative(kTime, x, free_rate);
+    BoreMotion motion = motion_of(model, x, kTime);
+    motion.acceleration = free_rate.segment<2>(model.layout.bore() + 2);
+    CarrierFrame centred = model.frame;
+    centred.orbit_radius = 0.0;
+    const Vector2 expected =
+        model.bore_mass *
+            (motion.acceleration - inertial_acceleration(centred, motion.position, motion.velocity)) -
+        point.bore_load;
+    const BoreReaction found = driven_derivative(model, motion, x, rate);
+    EXPECT_LT((found.force - expected).norm(), 1e-12 * (expected.norm() + point.bore_load.norm()));
+    EXPECT_EQ((rate - free_rate).cwiseAbs().maxCoeff(), 0.0) << "all bodies feel the same";
+    const BoreReaction alone = reaction(model, motion, x);
+    EXPECT_LT((found.force - alone.force).norm(), 1e-12 * found.force.norm());
+    EXPECT_NEAR(found.moment, alone.moment, 1e-12 * found.force.norm() * model.geometry.outer_radius);
+    EXPECT_NEAR(found.moment, snapshot(model, x, kTime).bore_friction_moment,
+                1e-12 * found.force.norm() * model.geometry.outer_radius);
+  }
+}
+
+// What bore and pin put in, with all other inputs, is stored or lost: the slope of the energy along the
+// motion.
+TEST_P(DrivenBore, PowerAtTheBoreIsStoredOrLost) {
+  BearingModel model = bearing_model(bearing, point, parameters);
+  model.bore_mass = 0.0;  // its inertia belongs to whoever moves it
+  int kinked = 0;
+  for (int i = 0; i < kStates; ++i) {
+    const Eigen::VectorXd x = shaken(model, i);
+    const BoreMotion motion = motion_of(model, x, 0.0);
+    Eigen::VectorXd rate(x.size());
+    const BoreReaction on_bore = driven_derivative(model, motion, x, rate);
+    const BearingModel now = model_at(model, motion);
+    const PowerInput input = power_input(now, 0.0, x, rate);
+    const double loss = driven_snapshot(model, motion, x).loss.total();
+    const double at_port = -on_bore.force.dot(motion.velocity) - on_bore.moment * motion.speed;
+    const double others = input.euler + input.changing_film + input.standing_form;
+    const auto slope = [&](double step) {
+      const auto energy = [&](double time) { return stored_energy(now, x + time * rate, time).total(); };
+      return (energy(step) - energy(-step)) / (2.0 * step);
+    };
+    const double narrow = slope(1e-9), wide = slope(2e-9);
+    const double size = std::abs(at_port) + std::abs(loss) + std::abs(others) + std::abs(narrow);
+    if (std::abs(narrow - wide) > 1e-4 * size) {
+      ++kinked;
+      continue;
+    }
+    EXPECT_NEAR(at_port + others - loss, narrow, 2e-5 * size) << "state " << i;
+  }
+  EXPECT_LT(kinked, kStates / 3);
+}
+
+// Springs and rollers hold the pin ring; the bore is where it was put.
+TEST_P(DrivenBore, StartsWithThePinInBalance) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  for (const double y : {0.0, 10e-6, 40e-6}) {
+    BoreMotion motion;
+    motion.position = {3e-6, y};
+    motion.speed = point.outer_speed;
+    motion.carrier_speed = point.carrier.speed;
+    const PinBalance balance = balance_pin(bearing, model, parameters, motion, 0.3);
+    ASSERT_TRUE(balance.rollers.report.converged);
+    Vector2 force = model.pin_mass *
+                        inertial_acceleration(frame_of(model, motion), Vector2(0.0, 0.0), Vector2(0.0, 0.0)) -
+                    model.support.stiffness * balance.pin;
+    for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+      force -= balance.rollers.inner_load[j] *
+               Vector2(std::cos(balance.rollers.angle[j]), std::sin(balance.rollers.angle[j]));
+    EXPECT_LT(force.norm(), 1e-8 * (1.0 + balance.rollers.inner_load.sum()));
+    const Eigen::VectorXd x = driven_start(bearing, model, parameters, motion, 0.3);
+    const BoreReaction on_bore = reaction(model, motion, x);
+    // The rollers' own places are those of straight rays and round races: some per cent.
+    Vector2 expected = Vector2::Zero();
+    for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+      expected += balance.rollers.outer_load[j] *
+                  Vector2(std::cos(balance.rollers.angle[j]), std::sin(balance.rollers.angle[j]));
+    EXPECT_LT((on_bore.force - expected).norm(), 0.05 * balance.rollers.outer_load.sum() + 1.0);
+  }
+}
+
+TEST_P(DrivenBore, StartsWhereAllIsZero) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const Eigen::VectorXd x = driven_start(bearing, model, parameters, {}, 0.0);
+  Eigen::VectorXd rate(x.size());
+  EXPECT_TRUE(x.allFinite());
+  driven_derivative(model, {}, x, rate);
+  EXPECT_TRUE(rate.allFinite());
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, DrivenBore,
+                         testing::Values(Variant{"dry", false, false, false},
+                                         Variant{"film", true, false, false},
+                                         Variant{"inner_guidance", true, true, false},
+                                         Variant{"rough", true, false, true}),
+                         [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics::driven_bore_test

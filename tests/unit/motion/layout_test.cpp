@@ -1,0 +1,49 @@
+#include "bearing/motion/layout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace orbearing::bearing::dynamics::layout_test {
+namespace {
+
+TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
+  const StateLayout layout{4};
+  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(layout.size(), 0.0, static_cast<double>(layout.size() - 1));
+  const ConstStateViews state = state_views(layout, x.data());
+  std::multiset<double> seen;
+  for (const auto& rollers : {state.radius, state.angle, state.radial_speed, state.orbital_speed, state.spin})
+    seen.insert(rollers.begin(), rollers.end());
+  for (const auto& pair : {state.cage_position, state.cage_velocity, state.bore_position, state.bore_velocity,
+                           state.pin_position, state.pin_velocity})
+    seen.insert(pair.begin(), pair.end());
+  seen.insert({state.cage_angle, state.cage_speed});
+  EXPECT_EQ(seen, std::multiset<double>(x.begin(), x.end()));
+}
+
+TEST(StateLayout, NamesAndKindsDescribeEachVariable) {
+  const StateLayout layout{3};
+  const auto names = variable_names(layout);
+  const auto kinds = variable_kinds(layout);
+  ASSERT_EQ(names.size(), static_cast<std::size_t>(layout.size()));
+  ASSERT_EQ(kinds.size(), names.size());
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  const auto unit_of = [](VariableKind kind) {
+    switch (kind) {
+      case VariableKind::length:
+        return "[m]";
+      case VariableKind::angle:
+        return "[rad]";
+      case VariableKind::velocity:
+        return "[m/s]";
+      default:
+        return "[rad/s]";
+    }
+  };
+  for (std::size_t i = 0; i < names.size(); ++i)
+    EXPECT_TRUE(names[i].ends_with(unit_of(kinds[i]))) << names[i];
+  EXPECT_EQ(names[static_cast<std::size_t>(4 * layout.rollers + 2)], "roller_3_spin [rad/s]");
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics::layout_test

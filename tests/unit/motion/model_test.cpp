@@ -1,0 +1,126 @@
+#include "bearing/motion/model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/snapshot.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
+
+namespace orbearing::bearing::dynamics::model_test {
+namespace {
+
+std::string complaint(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters) {
+  try {
+    bearing_model(bearing, test::reducer_point(6000.0), parameters);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
+  using testing::HasSubstr;
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const DynamicsParameters parameters = test::reducer_parameters();
+  EXPECT_EQ(complaint(bearing, parameters), "accepted");
+
+  CylindricalRollerBearing no_cage = bearing;
+  no_cage.cage = {};
+  EXPECT_THAT(complaint(no_cage, parameters), HasSubstr("mass of the cage"));
+  DynamicsParameters tight_land = parameters;
+  tight_land.cage.guide_diameter = 38.0e-3;
+  EXPECT_THAT(complaint(bearing, tight_land), HasSubstr("clearance of cage and land"));
+  DynamicsParameters dry_film = parameters;
+  dry_film.race.film_in_approach = true;
+  dry_film.lubricant = {};
+  EXPECT_THAT(complaint(bearing, dry_film), HasSubstr("viscosity"));
+  DynamicsParameters no_support = parameters;
+  no_support.support.stiffness = 0.0;
+  EXPECT_THAT(complaint(bearing, no_support), HasSubstr("support stiffness"));
+  DynamicsParameters not_a_number = parameters;
+  not_a_number.cage.pocket_clearance = std::nan("");
+  EXPECT_THAT(complaint(bearing, not_a_number), HasSubstr("pocket clearance"));
+}
+
+TEST(BearingModel, RippleAddsItsHarmonics) {
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.ripple = {.angular_frequency = 1000.0,
+                       .harmonics = {{.order = 1, .cosine = {0.0, 7.0}, .sine = {0.0, 20.0}},
+                                     {.order = 2, .cosine = {0.0, 0.0}, .sine = {4.0, 0.0}}}};
+  const OperatingPoint point = test::reducer_point(6000.0);
+  const BearingModel model = bearing_model(test::reducer_bearing(), point, parameters);
+  const Vector2 load = bore_load(model, 0.003);
+  EXPECT_DOUBLE_EQ(load.x(), point.bore_load.x() + 4.0 * std::sin(6.0));
+  EXPECT_DOUBLE_EQ(load.y(), point.bore_load.y() + 7.0 * std::cos(3.0) + 20.0 * std::sin(3.0));
+  const double step = 1e-7;  // [s]  the series bends by 1e-8 of itself in it
+  const Vector2 difference = (bore_load(model, 0.003 + step) - bore_load(model, 0.003 - step)) / (2.0 * step);
+  EXPECT_LT((bore_load_slope(model, 0.003) - difference).norm(), 1e-6 * difference.norm());
+}
+
+// The run begins in balance: the quasi-static loads are those the equations see, film or not.
+TEST(InitialState, CarriesTheQuasiStaticLoads) {
+  for (bool film : {false, true}) {
+    const CylindricalRollerBearing bearing = test::reducer_bearing();
+    DynamicsParameters parameters = test::reducer_parameters();
+    parameters.race.film_in_approach = film;
+    const OperatingPoint point = test::reducer_point(6000.0);
+    const BearingModel model = bearing_model(bearing, point, parameters);
+    const Snapshot start = snapshot(model, initial_state(bearing, model, parameters, 0.2).x);
+    QuasiStaticOptions options;
+    if (film) options.film = parameters.lubricant;
+    const QuasiStaticState balance = quasi_static_state(bearing, point, options, 0.2);
+    // Second order in displacement / pitch radius (3e-4) on the direction of the line of centres, and the
+    // film at a speed that differs as little.
+    const double geometric = 2e-3 * balance.inner_load.maxCoeff();
+    for (int j = 0; j < bearing.rollers; ++j)
+      EXPECT_NEAR(start.inner.load[j], balance.inner_load[j], geometric)
+          << "film " << film << " roller " << j;
+  }
+}
+
+// Likewise with races that are not round, unequal rollers and the film as printed.
+TEST(InitialState, CarriesTheQuasiStaticLoadsOfAnUnevenBearing) {
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  bearing.inner_form = {{2, 3e-6, 0.4, false}};
+  bearing.outer_form = {{3, -2e-6, 0.0, false}, {8, 5e-7, 0.9, true}};
+  bearing.roller_diameter_deviation = {2e-6, 0.0, -3e-6};
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.race.film_in_approach = true;
+  parameters.race.film_approach = FilmApproach::as_printed;
+  const OperatingPoint point = test::reducer_point(6000.0);
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  EXPECT_FALSE(model.plain);
+  const Snapshot start = snapshot(model, initial_state(bearing, model, parameters, 0.2).x);
+  QuasiStaticOptions options;
+  options.film = parameters.lubricant;
+  options.film_approach = FilmApproach::as_printed;
+  const QuasiStaticState balance = quasi_static_state(bearing, point, options, 0.2);
+  const double geometric =
+      1e-2 * balance.inner_load.maxCoeff();  // as above, times the waves' order of some 8
+  for (int j = 0; j < bearing.rollers; ++j)
+    EXPECT_NEAR(start.inner.load[j], balance.inner_load[j], geometric) << "roller " << j;
+}
+
+TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
+  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const OperatingPoint point = test::reducer_point(6000.0);
+  DynamicsParameters parameters = test::reducer_parameters();
+  const BearingModel usual = bearing_model(bearing, point, parameters);
+  EXPECT_TRUE(usual.plain);
+  parameters.race.damping_law = DampingLaw::as_printed;
+  parameters.race.film_in_approach = true;
+  parameters.race.film_approach = FilmApproach::as_printed;
+  parameters.cage.reference_speed = ReferenceSpeed::as_printed;
+  const BearingModel printed = bearing_model(bearing, point, parameters);
+  EXPECT_DOUBLE_EQ(printed.inner.load.load(2e-6, 5.0), 1.1 * usual.inner.load.load(2e-6, 5.0));
+  EXPECT_EQ(printed.inner.damping, 0.0);
+  EXPECT_LT(printed.inner.side.radius, usual.inner.side.radius);
+  EXPECT_GT(printed.outer.side.radius, usual.outer.side.radius);
+  const double gamma = 5.24 / 35.64;
+  EXPECT_DOUBLE_EQ(printed.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 - gamma));
+  EXPECT_DOUBLE_EQ(usual.kinematic_cage_speed, 0.5 * point.outer_speed * (1.0 + gamma));
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::dynamics::model_test

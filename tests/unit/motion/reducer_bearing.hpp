@@ -1,0 +1,92 @@
+// The planet bearing of the 150 kW reducer [Gai2025], with the loads its gears give at 150 kW, for tests of
+// dynamics.
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+
+#include "bearing/motion/initial_state.hpp"
+#include "bearing/motion/model.hpp"
+
+namespace orbearing::test {
+
+inline bearing::CylindricalRollerBearing reducer_bearing() {
+  bearing::CylindricalRollerBearing bearing;
+  bearing.rollers = 15;
+  bearing.roller_diameter = 5.24e-3;
+  bearing.roller_length = 5.7e-3;
+  bearing.pitch_diameter = 35.64e-3;
+  bearing.bore = 25e-3;
+  bearing.outside_diameter = 47e-3;
+  bearing.width = 11.9e-3;
+  bearing.cage = {33.44e-3, 38.54e-3, 9e-3, 1310.0, bearing::Race::outer};
+  return bearing;
+}
+
+/// Carrier, bore and load [N] of one of two bearings of a planet at `sun_rpm` revolutions per minute of the
+/// sun.
+inline bearing::OperatingPoint reducer_point(double sun_rpm) {
+  const double sun_speed = sun_rpm * 2.0 * M_PI / 60.0;
+  const double carrier_speed = sun_speed / (1.0 + 79.0 / 37.0);
+  const double arm = 87.891e-3;
+  const double tooth_force = 150e3 / sun_speed / (4.0 * 0.5 * 3e-3 * 37.0 * std::cos(M_PI / 9.0));
+  const double sun_angle = 18.879 * M_PI / 180.0;
+  const double ring_angle = 23.918 * M_PI / 180.0;
+  const double planet_mass = 0.372;
+  bearing::OperatingPoint point;
+  point.carrier = {carrier_speed, 0.0, arm};
+  point.outer_speed = -(sun_speed - carrier_speed) * 37.0 / 22.0;
+  point.bore_load = {0.5 * (tooth_force * (std::sin(sun_angle) - std::sin(ring_angle)) +
+                            planet_mass * carrier_speed * carrier_speed * arm),
+                     0.5 * tooth_force * (std::cos(sun_angle) + std::cos(ring_angle))};
+  return point;
+}
+
+inline bearing::dynamics::DynamicsParameters reducer_parameters() {
+  bearing::dynamics::DynamicsParameters parameters;
+  parameters.cage.guide_diameter = 38.88e-3;
+  parameters.bore_mass = 0.186;
+  return parameters;
+}
+
+/// Uniform numbers between -1 and 1, the same in every run.
+class Random {
+ public:
+  double operator()() { return distribution_(engine_); }
+
+ private:
+  std::mt19937 engine_{20250909};
+  std::uniform_real_distribution<double> distribution_{-1.0, 1.0};
+};
+
+/// The start of a run, with every length shaken by `length` [m] and every speed by the share `speed` of the
+/// kinematic ones, so that contacts open and close, slide and bounce.
+inline Eigen::VectorXd shaken_state(const bearing::dynamics::BearingModel& model,
+                                    const bearing::CylindricalRollerBearing& bearing,
+                                    const bearing::dynamics::DynamicsParameters& parameters, double length,
+                                    double speed, Random& random) {
+  Eigen::VectorXd x = bearing::dynamics::initial_state(bearing, model, parameters, 0.3).x;
+  const auto kinds = bearing::dynamics::variable_kinds(model.layout);
+  const double pitch_radius = model.geometry.pitch_radius;
+  const double turning = 500.0;  // [rad/s]
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    using bearing::dynamics::VariableKind;
+    switch (kinds[static_cast<std::size_t>(i)]) {
+      case VariableKind::length:
+        x[i] += length * random();
+        break;
+      case VariableKind::angle:
+        x[i] += 20.0 * length / pitch_radius * random();
+        break;
+      case VariableKind::velocity:
+        x[i] += speed * turning * pitch_radius * random();
+        break;
+      case VariableKind::angular_speed:
+        x[i] += speed * turning * random();
+        break;
+    }
+  }
+  return x;
+}
+
+}  // namespace orbearing::test

@@ -1,0 +1,178 @@
+// The vectorised bearing with a driven or open bore: against the readable one, and its linear algebra against
+// that of the free bore.
+#include <gtest/gtest.h>
+
+#include "bearing/motion/driven_bore.hpp"
+#include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
+
+namespace orbearing::bearing::fast::driven_bore_test {
+namespace {
+
+using dynamics::BearingModel;
+using dynamics::BoreMotion;
+using dynamics::BoreReaction;
+
+constexpr int kStates = 30;
+constexpr double kAgreement = 1e-10;  // of the largest number of a kind: required; found 3e-11
+
+struct Variant {
+  const char* name;
+  bool film;
+  bool inner_guidance;
+  bool rough;
+};
+
+class OpenBore : public testing::TestWithParam<Variant> {
+ protected:
+  OpenBore() {
+    parameters.race.film_in_approach = GetParam().film;
+    if (GetParam().inner_guidance) {
+      bearing.cage.guidance = Race::inner;
+      parameters.cage.guide_diameter = 33.1e-3;
+    }
+    if (!GetParam().rough) return;
+    parameters.race.lubrication = dynamics::Lubrication::mixed;
+    bearing.outer_form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
+                          {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
+    bearing.roller_diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
+  }
+
+  Eigen::VectorXd shaken(const BearingModel& model, int i) {
+    return test::shaken_state(model, bearing, parameters, i % 3 == 0 ? 2e-6 : 2e-5, 0.05, random);
+  }
+  BoreMotion random_motion(const BearingModel& model, const Eigen::VectorXd& x) {
+    BoreMotion motion;
+    motion.position = x.segment<2>(model.layout.bore());
+    motion.velocity = x.segment<2>(model.layout.bore() + 2);
+    motion.acceleration = {100.0 * random(), 100.0 * random()};
+    motion.speed = -700.0 + 300.0 * random();
+    motion.angle = 10.0 * random();
+    motion.carrier_speed = 200.0 * random();
+    motion.carrier_acceleration = 500.0 * random();
+    return motion;
+  }
+
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  dynamics::DynamicsParameters parameters = test::reducer_parameters();
+  OperatingPoint point = test::reducer_point(6000.0);
+  test::Random random;
+};
+
+TEST_P(OpenBore, AgreesWithTheReadableEquations) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
+    VectorBearing fast(model, set);
+    for (int i = 0; i < kStates; ++i) {
+      const Eigen::VectorXd x = shaken(model, i);
+      const BoreMotion motion = random_motion(model, x);
+      Eigen::VectorXd expected(x.size()), found(x.size());
+      const BoreReaction on_bore = driven_derivative(model, motion, x, expected);
+      const std::vector<double> padded = fast.padded(x);
+      std::vector<double> rate(padded.size());
+      if (i % 2 == 0)
+        fast.linearise(motion, padded.data(), rate.data());
+      else
+        fast.derivative(motion, padded.data(), rate.data());
+      fast.flatten(rate.data(), found);
+      const Eigen::Index z = model.layout.rollers;
+      for (int group = 0; group < 5; ++group)
+        EXPECT_LT((found - expected).segment(group * z, z).norm(),
+                  kAgreement * expected.segment(group * z, z).norm());
+      for (Eigen::Index k = model.layout.cage(); k < model.layout.size(); ++k)
+        EXPECT_NEAR(found[k], expected[k],
+                    kAgreement * expected.segment(model.layout.cage(), 14).cwiseAbs().maxCoeff());
+      const BoreReaction here = fast.reaction();
+      EXPECT_LT((here.force - on_bore.force).norm(), kAgreement * on_bore.force.norm()) << name_of(set);
+      EXPECT_NEAR(here.moment, on_bore.moment,
+                  kAgreement * on_bore.force.norm() * model.geometry.outer_radius)
+          << name_of(set);
+    }
+  }
+}
+
+// The bore's row, put together from its inertia and the reduced bearing, gives what the free bearing gives.
+TEST_P(OpenBore, ClosedByItsInertiaIsTheFreeBearing) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const double m = model.bore_mass, turn = model.frame.centrifugal, late = model.frame.euler,
+               coriolis = model.frame.coriolis_speed;
+  for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
+    VectorBearing fast(model, set);
+    for (int i = 0; i < kStates; ++i) {
+      const double g = i % 2 == 0 ? 2e-6 : 2e-5;
+      const std::vector<double> x = fast.padded(shaken(model, i));
+      std::vector<double> rhs(x.size()), closed(x.size()), open(x.size());
+      fast.linearise(0.0, x.data(), rhs.data());
+      ASSERT_TRUE(fast.factor(g));
+      fast.solve(rhs.data(), closed.data());
+      PortMatrix port;
+      double force[2];
+      ASSERT_TRUE(fast.factor_open(g, port));
+      fast.reduce(rhs.data(), open.data(), force);
+      const double* b = rhs.data() + fast.layout().bore();
+      Eigen::Matrix2d matrix;
+      const double diagonal = m * (1.0 - g * g * turn), off = m * g * (2.0 * coriolis + g * late);
+      matrix << diagonal + port.a[0][0], port.a[0][1] - off, port.a[1][0] + off, diagonal + port.a[1][1];
+      const Eigen::Vector2d right(force[0] + m * (b[2] + g * (turn * b[0] + late * b[1])),
+                                  force[1] + m * (b[3] + g * (turn * b[1] - late * b[0])));
+      const Eigen::Vector2d found = matrix.inverse() * right;
+      const double rate[2] = {found[0], found[1]};
+      fast.complete(rhs.data(), rate, open.data());
+      const Eigen::Index z = model.layout.rollers;
+      Eigen::VectorXd one(model.layout.size()), other(one);
+      fast.flatten(closed.data(), one);
+      fast.flatten(open.data(), other);
+      for (int group = 0; group < 5; ++group)
+        EXPECT_LT((one - other).segment(group * z, z).norm(), 1e-9 * one.segment(group * z, z).norm())
+            << name_of(set) << ", group " << group;
+      EXPECT_LT((one - other).tail(14).norm(), 1e-9 * one.tail(14).norm()) << name_of(set);
+    }
+  }
+}
+
+TEST_P(OpenBore, SlopesAreThoseOfTheReadableForce) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  int kinked = 0, compared = 0;
+  for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
+    VectorBearing fast(model, set);
+    for (int i = 0; i < kStates; ++i) {
+      const Eigen::VectorXd x = shaken(model, i);
+      const BoreMotion motion = random_motion(model, x);
+      const std::vector<double> padded = fast.padded(x);
+      std::vector<double> rate(padded.size());
+      fast.linearise(motion, padded.data(), rate.data());
+      const BoreSlopes slopes = fast.bore_slopes();
+      const auto compare = [&](auto move, double step, const double(&found)[2][2]) {
+        for (int k = 0; k < 2; ++k) {
+          const auto difference = [&](double by) -> Eigen::Vector2d {
+            BoreMotion less = motion, more = motion;
+            move(less)[k] -= by;
+            move(more)[k] += by;
+            return (reaction(model, more, x).force - reaction(model, less, x).force) / (2.0 * by);
+          };
+          const Eigen::Vector2d narrow = difference(step), wide = difference(2.0 * step);
+          ++compared;
+          if ((narrow - wide).norm() > 1e-5 * narrow.norm()) {
+            ++kinked;
+            continue;
+          }
+          const Eigen::Vector2d slope = (4.0 * narrow - wide) / 3.0;
+          EXPECT_LT((slope - Eigen::Vector2d(found[0][k], found[1][k])).norm(), 2e-6 * slope.norm());
+        }
+      };
+      compare([](BoreMotion& m) -> Eigen::Vector2d& { return m.position; }, 2e-10, slopes.by_position);
+      compare([](BoreMotion& m) -> Eigen::Vector2d& { return m.velocity; }, 2e-6, slopes.by_velocity);
+    }
+  }
+  EXPECT_LT(kinked, compared / 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, OpenBore,
+                         testing::Values(Variant{"dry", false, false, false},
+                                         Variant{"film", true, false, false},
+                                         Variant{"inner_guidance", true, true, false},
+                                         Variant{"rough", true, false, true}),
+                         [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
+
+}  // namespace
+}  // namespace orbearing::bearing::fast::driven_bore_test

@@ -1,0 +1,203 @@
+// The vectorised bearing against the readable equations, and its linear algebra against differences.
+#include "bearing/motion/vectorised/vector_bearing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bearing/motion/equations.hpp"
+#include "bearing/motion/snapshot.hpp"
+#include "tests/unit/motion/reducer_bearing.hpp"
+
+namespace orbearing::bearing::fast::vector_bearing_test {
+namespace {
+
+using dynamics::BearingModel;
+using dynamics::DynamicsParameters;
+using dynamics::TractionLaw;
+
+constexpr int kStates = 30;
+constexpr double kAgreement = 1e-10;  // of the largest rate of a kind: required; round-off gives about 1e-13
+constexpr double kSlopeError = 1e-6;  // required; central differences of kinked laws give about 1e-8
+
+constexpr double kKink =
+    1e-5;  // differences over two steps part by the bend of the laws, 1e-6, or at a kink, more
+
+struct Variant {
+  const char* name;
+  bool film;
+  bool inner_guidance;
+  TractionLaw traction;
+  int rollers;
+  bool rough = false;  // mixed lubrication, waves on the races, unequal rollers
+  int laminae = 0;     // of crowned rollers
+  double tilt = 0.0;   // [rad]  of the bore
+};
+
+class VectorBearingTest : public testing::TestWithParam<Variant> {
+ protected:
+  VectorBearingTest() {
+    bearing.rollers = GetParam().rollers;
+    parameters.race.film_in_approach = GetParam().film;
+    parameters.race.traction = GetParam().traction;
+    if (GetParam().inner_guidance) {
+      bearing.cage.guidance = Race::inner;
+      parameters.cage.guide_diameter = 33.1e-3;
+    }
+    if (GetParam().rough) {
+      parameters.race.lubrication = dynamics::Lubrication::mixed;
+      bearing.inner_form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
+      bearing.outer_form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
+                            {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
+      bearing.roller_diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
+    }
+    bearing.laminae = GetParam().laminae;
+    bearing.roller_profile = profile::CircularCrown{bearing.roller_length, 5e-6};
+    bearing.inner_race_profile = profile::CircularCrown{bearing.roller_length, 1e-6};
+    point.bore_tilt = GetParam().tilt * Eigen::Vector2d(0.8, 0.6);
+    parameters.ripple = {.angular_frequency = 3e4,
+                         .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}},
+                                       {.order = 3, .cosine = {5.0, 0.0}, .sine = {0.0, 0.0}}}};
+    point.carrier.acceleration = 300.0;
+  }
+
+  Eigen::VectorXd shaken(const BearingModel& model, double length) {
+    return test::shaken_state(model, bearing, parameters, length, 0.05, random);
+  }
+
+  CylindricalRollerBearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  OperatingPoint point = test::reducer_point(6000.0);
+  test::Random random;
+};
+
+// Largest magnitude in each kind of variable, so that errors are weighed where they belong.
+Eigen::VectorXd scale_by_kind(const BearingModel& model, const Eigen::VectorXd& values) {
+  const Eigen::Index z = model.layout.rollers;
+  Eigen::VectorXd scale(values.size());
+  for (int group = 0; group < 5; ++group)
+    scale.segment(group * z, z).setConstant(values.segment(group * z, z).cwiseAbs().maxCoeff());
+  const auto pairs = [&](Eigen::Index at, Eigen::Index n) {
+    scale.segment(at, n).setConstant(values.segment(at, n).cwiseAbs().maxCoeff());
+  };
+  pairs(model.layout.cage(), 2);
+  pairs(model.layout.cage() + 2, 1);
+  pairs(model.layout.cage() + 3, 2);
+  pairs(model.layout.cage() + 5, 1);
+  for (const Eigen::Index body : {model.layout.bore(), model.layout.pin()}) {
+    pairs(body, 2);
+    pairs(body + 2, 2);
+  }
+  return scale.cwiseMax(1e-300);
+}
+
+TEST_P(VectorBearingTest, AgreesWithTheReadableEquations) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const dynamics::PlanetBearingEquations equations(model);
+  for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
+    VectorBearing fast(model, set);
+    double worst = 0.0;
+    for (int i = 0; i < kStates; ++i) {
+      const Eigen::VectorXd x = shaken(model, i % 3 == 0 ? 2e-6 : 2e-5);
+      Eigen::VectorXd expected(x.size()), found(x.size());
+      equations.derivative(1e-3, x, expected);
+      const std::vector<double> padded = fast.padded(x);
+      std::vector<double> rate(padded.size());
+      for (const bool linear : {false, true}) {
+        if (linear)
+          fast.linearise(1e-3, padded.data(), rate.data());
+        else
+          fast.derivative(1e-3, padded.data(), rate.data());
+        fast.flatten(rate.data(), found);
+        const Eigen::VectorXd scale = scale_by_kind(model, expected);
+        const Eigen::VectorXd error = (found - expected).cwiseAbs().cwiseQuotient(scale);
+        Eigen::Index at = 0;
+        worst = std::max(worst, error.maxCoeff(&at));
+        ASSERT_LT(error.maxCoeff(), kAgreement)
+            << name_of(set) << ", " << dynamics::variable_names(model.layout)[static_cast<std::size_t>(at)];
+      }
+    }
+    RecordProperty("worst_" + name_of(set), std::to_string(worst));
+  }
+}
+
+TEST_P(VectorBearingTest, LoadsAreThoseOfTheSnapshot) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  VectorBearing fast(model);
+  const Eigen::VectorXd x = shaken(model, 2e-6);
+  const dynamics::Snapshot expected = dynamics::snapshot(model, x);
+  std::vector<double> padded = fast.padded(x), rate(padded.size());
+  fast.derivative(0.0, padded.data(), rate.data());
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    EXPECT_NEAR(fast.loads().inner[j], expected.inner.load[j], 1e-9 * expected.inner.load.maxCoeff());
+    EXPECT_NEAR(fast.loads().outer[j], expected.outer.load[j], 1e-9 * expected.outer.load.maxCoeff());
+  }
+}
+
+// k = (1 - g J)^-1 b solved in blocks satisfies k - g J k = b with J k from differences.
+TEST_P(VectorBearingTest, SolvesWithTheTrueJacobian) {
+  if (GetParam().tilt != 0.0) GTEST_SKIP() << "what passes through a roller's tilt is left out of the slopes";
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  int compared = 0, kinked = 0;
+  for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
+    VectorBearing fast(model, set);
+    const auto rate_at = [&](const Eigen::VectorXd& x) {
+      const std::vector<double> padded = fast.padded(x);
+      std::vector<double> rate(padded.size());
+      Eigen::VectorXd flat(x.size());
+      fast.derivative(0.0, padded.data(), rate.data());
+      fast.flatten(rate.data(), flat);
+      return flat;
+    };
+    for (int i = 0; i < kStates; ++i) {
+      const double g = i % 2 == 0 ? 2e-6 : 2e-5;
+      const Eigen::VectorXd x = shaken(model, i % 3 == 0 ? 2e-6 : 2e-5);
+      const Eigen::VectorXd size = scale_by_kind(model, rate_at(x));
+      Eigen::VectorXd b(x.size());
+      for (Eigen::Index n = 0; n < b.size(); ++n) b[n] = size[n] * random();
+      std::vector<double> padded = fast.padded(x), rate(padded.size()), rhs = fast.padded(b),
+                          k(padded.size());
+      std::fill(rhs.begin() + model.layout.rollers, rhs.begin() + fast.layout().lanes(), 0.0);
+      fast.linearise(0.0, padded.data(), rate.data());
+      ASSERT_TRUE(fast.factor(g));
+      fast.solve(rhs.data(), k.data());
+      Eigen::VectorXd flat(x.size());
+      fast.flatten(k.data(), flat);
+      // Far below g, and extrapolated from two steps: the laws bend within a stage.
+      const auto difference = [&](double step) -> Eigen::VectorXd {
+        return (rate_at(x + step * flat) - rate_at(x - step * flat)) / (2.0 * step);
+      };
+      const double step = 1e-5 * g;
+      const Eigen::VectorXd narrow = difference(step), wide = difference(2.0 * step);
+      const Eigen::VectorXd slope = (4.0 * narrow - wide) / 3.0;
+      const Eigen::VectorXd error = flat - g * slope - b;
+      const Eigen::VectorXd scale =
+          scale_by_kind(model, flat.cwiseAbs() + g * slope.cwiseAbs() + b.cwiseAbs());
+      ++compared;
+      if ((g * (narrow - wide)).cwiseAbs().cwiseQuotient(scale).maxCoeff() > kKink) {
+        ++kinked;  // a contact opens or closes between the differences: there is no slope to compare with
+        continue;
+      }
+      Eigen::Index at = 0;
+      const double worst = error.cwiseAbs().cwiseQuotient(scale).maxCoeff(&at);
+      EXPECT_LT(worst, kSlopeError) << name_of(set) << ", g = " << g << ", state " << i << ", "
+                                    << dynamics::variable_names(model.layout)[static_cast<std::size_t>(at)];
+    }
+  }
+  EXPECT_LT(kinked, compared / 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Variants, VectorBearingTest,
+    testing::Values(Variant{"dry", false, false, TractionLaw::regularised_coulomb, 15},
+                    Variant{"film", true, false, TractionLaw::regularised_coulomb, 15},
+                    Variant{"film_and_shear", true, false, TractionLaw::limiting_shear, 15},
+                    Variant{"inner_guidance", true, true, TractionLaw::limiting_shear, 16},
+                    Variant{"rough", true, false, TractionLaw::limiting_shear, 15, true},
+                    Variant{"rough_and_dry", false, false, TractionLaw::regularised_coulomb, 20, true},
+                    Variant{"laminae", true, false, TractionLaw::regularised_coulomb, 15, false, 7},
+                    Variant{"tilted", true, false, TractionLaw::regularised_coulomb, 15, false, 32, 1e-3},
+                    Variant{"tilted_and_dry", false, false, TractionLaw::limiting_shear, 17, false, 12, 3e-3},
+                    Variant{"few_rollers", false, false, TractionLaw::regularised_coulomb, 5}),
+    [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
+
+}  // namespace
+}  // namespace orbearing::bearing::fast::vector_bearing_test
