@@ -1,0 +1,35 @@
+#include "mechanics/checks.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace orbearing::mechanics::checks_test {
+namespace {
+
+using ::testing::ThrowsMessage;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+TEST(Checks, SayWhatWasFoundAndWhatIsRequired) {
+  EXPECT_THAT([] { require(false, "gap [m]", 0.25, "0 or more"); },
+              ThrowsMessage<std::invalid_argument>("gap [m]: found 0.25; required: 0 or more"));
+  EXPECT_THAT([] { refuse("rollers", 1, "at least 2"); },
+              ThrowsMessage<std::invalid_argument>("rollers: found 1; required: at least 2"));
+  EXPECT_NO_THROW(require(true, "gap [m]", 0.25, "0 or more"));
+}
+
+TEST(Checks, NothingThatIsNoNumberPasses) {
+  for (const double value : {kNaN, kInfinite, -kInfinite, -1.0}) {
+    EXPECT_THROW(require_positive(value, "a"), std::invalid_argument) << value;
+    EXPECT_THROW(require_not_negative(value, "a"), std::invalid_argument) << value;
+  }
+  EXPECT_THROW(require_positive(0.0, "a"), std::invalid_argument);
+  EXPECT_NO_THROW(require_not_negative(0.0, "a"));
+  EXPECT_NO_THROW(require_positive(std::numeric_limits<double>::min(), "a"));
+}
+
+}  // namespace
+}  // namespace orbearing::mechanics::checks_test
