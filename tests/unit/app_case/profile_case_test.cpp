@@ -107,7 +107,7 @@ TEST(ProfileCase, WhatCannotBeMadeIsAMistake) {
               ElementsAre(HasSubstr("no relief at the place")));
   EXPECT_THAT(of({kKind + "straight-circular", "bearing.profile.straight_length=6 mm"}),
               ElementsAre(HasSubstr("straight length")));
-  EXPECT_THAT(of({kKind + "table"}), ElementsAre(HasSubstr("number of places")));
+  EXPECT_THAT(of({kKind + "table"}), ElementsAre(HasSubstr("number of points")));
   EXPECT_THAT(of({kKind + "lundberg", "bearing.profile.design_load=9e7 N"}),
               ElementsAre(HasSubstr("width over length")));
   EXPECT_THAT(setting_mistakes({"bearing.laminae=201"}), ElementsAre(HasSubstr("laminae")));

@@ -91,7 +91,10 @@ TEST(Elasticity, MirrorFactorOfSteelByHand) {
 TEST(HalfSpaceInput, ErrorsSayWhatIsRequired) {
   HalfSpaceContact contact = reducer_roller();
   contact.length = -1.0;
-  EXPECT_NE(message_of([&] { StripContact{contact}; }).find("length is -1"), std::string::npos);
+  EXPECT_NE(message_of([&] {
+              StripContact{contact};
+            }).find("length of a half-space contact [m]: found -1; required"),
+            std::string::npos);
   contact = reducer_roller();
   contact.roller.poisson_ratio = 0.7;
   EXPECT_NE(message_of([&] { StripContact{contact}; }).find("required: 0 to 0.5"), std::string::npos);
