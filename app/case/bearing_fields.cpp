@@ -227,7 +227,8 @@ void add_bearing_fields(std::vector<Field>& fields) {
                           "bore of the inner ring, and diameter of the pin, whose stiffness follows from it "
                           "where support.stiffness is left out",
                           Use(use::rollers_in_motion | use::bearings_as_springs,
-                              use::rollers_at_rest | use::mesh | use::static_load),
+                              use::rollers_at_rest | use::mesh | use::static_load)
+                              .felt_too(use::quasi_static, where_pins_are_displaced()),
                           planetary_drivetrain));
   fields.push_back(length("bearing.outside_diameter", "outside diameter of the outer ring",
                           Use(use::of_a_drivetrain, use::static_load), planetary_drivetrain));

@@ -87,8 +87,9 @@ nlohmann::json input_json(const ResolvedCase& resolved, const Input& input) {
   const auto& [path, field] = input;
   nlohmann::json used_by = nlohmann::json::array(), not_felt_by = nlohmann::json::array();
   for (const use::Analysis analysis : analyses_of(resolved)) {
-    if ((field->use.by & analysis) != 0) used_by.push_back(analysis_name(analysis));
-    if ((field->use.unfelt_by & analysis) != 0) not_felt_by.push_back(analysis_name(analysis));
+    const Standing standing = standing_in_row(resolved, input, analysis);
+    if (standing == Standing::used) used_by.push_back(analysis_name(analysis));
+    if (standing == Standing::unfelt) not_felt_by.push_back(analysis_name(analysis));
   }
   return {{"path", path},
           {"used_by", used_by},

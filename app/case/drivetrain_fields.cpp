@@ -111,7 +111,9 @@ void add_rack(std::vector<Field>& fields) {
 }
 
 void add_bodies(std::vector<Field>& fields) {
-  const Use bodies(use::gears_in_motion | use::natural | use::mesh, use::rollers_at_rest | use::fmu_bearing);
+  const Use bodies =
+      Use(use::gears_in_motion | use::natural | use::mesh, use::rollers_at_rest | use::fmu_bearing)
+          .felt_too(use::quasi_static, where_pins_are_displaced());
   const Use planet = Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing)
                          .when(where_absent("bearing.rollers"));
   fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter", bodies,

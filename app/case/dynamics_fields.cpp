@@ -166,7 +166,8 @@ void add_surroundings(std::vector<Field>& fields) {
   fields.push_back(
       quantity(dimension::stiffness,
                {"support.stiffness", "radial stiffness of the pin in the carrier, for each bearing on it",
-                Use(use::rollers_in_motion | use::bearings_as_springs, use::rollers_at_rest | use::mesh),
+                Use(use::rollers_in_motion | use::bearings_as_springs, use::rollers_at_rest | use::mesh)
+                    .felt_too(use::quasi_static, where_pins_are_displaced()),
                 positive(1e13), "", ""}));
   fields.push_back(ratio({"support.damping_ratio",
                           "damping of planet and pin on the support",

@@ -14,9 +14,20 @@ Condition where_absent(std::string path) {
   return {.paths = {std::move(path)}, .absent = true};
 }
 
+Condition where_pins_are_displaced() {
+  return where_given({"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"});
+}
+
 Use Use::when(Condition condition) const {
   Use more = *this;
   more.conditions.push_back(std::move(condition));
+  return more;
+}
+
+Use Use::felt_too(unsigned analyses, Condition condition) const {
+  Use more = *this;
+  more.felt_beside = analyses;
+  more.beside = std::move(condition);
   return more;
 }
 

@@ -52,6 +52,8 @@ struct Condition {
 Condition where(std::string path, std::vector<std::string> values);
 Condition where_given(std::vector<std::string> paths);
 Condition where_absent(std::string path);
+/// Pins off their places: loads at rest then follow from what gives way under the planets.
+Condition where_pins_are_displaced();
 
 /// Who uses a field. There is no default: a row that does not say so does not compile. An analysis that is
 /// named nowhere in the row warns of a value that is given and neither the default nor zero.
@@ -59,11 +61,15 @@ struct Use {
   Use(unsigned used_by, unsigned not_felt_by, unsigned refused = 0)
       : by(used_by), unfelt_by(not_felt_by), refused_by(refused) {}
   Use when(Condition condition) const;
+  /// Where `condition` holds, `analyses` use it too, which by nature cannot feel it elsewhere.
+  Use felt_too(unsigned analyses, Condition condition) const;
 
   unsigned by;          // it changes their results
   unsigned unfelt_by;   // they cannot feel it by nature: their results are equal to the last bit
   unsigned refused_by;  // they ought to and cannot: exit code 2
   std::vector<Condition> conditions{};  // all must hold, else the value is warned of
+  unsigned felt_beside = 0;             // of unfelt_by: they use it where `beside` holds
+  Condition beside{};
 };
 
 /// "run and sweep with --fidelity dynamic"

@@ -12,6 +12,13 @@ const std::string kBlock = "gearset.dynamics.";
 constexpr unsigned without_gear_motion = use::rollers_at_rest | use::mesh | use::fmu_bearing;
 
 const Use& of_bodies() {
+  static const Use use = Use(use::gears_in_motion | use::natural, without_gear_motion)
+                             .felt_too(use::quasi_static, where_pins_are_displaced());
+  return use;
+}
+
+// Of turning, which planets at rest under their mean loads do not feel.
+const Use& of_inertia() {
   static const Use use(use::gears_in_motion | use::natural, without_gear_motion);
   return use;
 }
@@ -19,6 +26,12 @@ const Use& of_bodies() {
 // What modes without damping and load do not feel.
 const Use& of_motion() {
   static const Use use(use::gears_in_motion, without_gear_motion | use::natural);
+  return use;
+}
+
+// Of flanks: which of them touch also decides who carries how much at rest.
+const Use& of_flanks() {
+  static const Use use = of_motion().felt_too(use::quasi_static, where_pins_are_displaced());
   return use;
 }
 
@@ -66,7 +79,7 @@ void add_body(std::vector<Field>& fields, const std::string& member, const std::
       quantity(dimension::mass, {member + ".equivalent_mass",
                                  "moment of inertia of the " + member + " over the square of its " + radius +
                                      "; derived from the teeth if absent",
-                                 of_bodies(), positive(1e6)})));
+                                 of_inertia(), positive(1e6)})));
 }
 
 void add_central(std::vector<Field>& fields, const std::string& member, const std::string& radius,
@@ -94,8 +107,9 @@ void add_bodies(std::vector<Field>& fields) {
   add_central(fields, "carrier", "centre distance", "5e8 N/m", "two bearings of the carrier");
   add_body(fields, "planet", "base radius");
   // The pin spans the walls: its stiffness follows from them where support.stiffness is left out.
-  const Use of_walls(use::gears_in_motion | use::natural | use::rollers_in_motion,
-                     use::rollers_at_rest | use::mesh);
+  const Use of_walls =
+      Use(use::gears_in_motion | use::natural | use::rollers_in_motion, use::rollers_at_rest | use::mesh)
+          .felt_too(use::quasi_static, where_pins_are_displaced());
   Field bearing =
       quantity(dimension::stiffness,
                {"planet.bearing_stiffness",
@@ -141,14 +155,14 @@ void add_meshes(std::vector<Field>& fields) {
                            "bolted steel structure"}));
   fields.push_back(quantity(dimension::length, {"backlash",
                                                 "play between the flanks along the line of action",
-                                                of_motion(),
+                                                of_flanks(),
                                                 {0.0, 100.0},
                                                 "0.1 mm",
                                                 "usual of modules of a few millimetres"}));
   fields.push_back({.path = kBlock + "separation",
                     .kind = Kind::flag,
                     .meaning = "teeth push only and can part; false: they also pull",
-                    .use = of_motion(),
+                    .use = of_flanks(),
                     .models = drivetrain,
                     .default_text = "true",
                     .default_reason = "nothing left out"});
@@ -170,7 +184,7 @@ void add_errors(std::vector<Field>& fields) {
     fields.push_back(lengths("transmission_error." + mesh,
                              "missing material on the flanks of the " + mesh +
                                  " mesh at equal steps of a mesh period that begins as a pair touches",
-                             of_motion()));
+                             of_flanks()));
   // Planets share the load unevenly in every rung of one set. What crown varies is a planet of the mean load,
   // and sets among several, which have shafts in place of a driving member, carry alike: both warn.
   const Use of_pins =

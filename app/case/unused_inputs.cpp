@@ -63,6 +63,14 @@ const Condition* first_unmet(const ResolvedCase& in, const Input& input) {
   return nullptr;
 }
 
+// Beside a value that counts itself.
+bool is_felt_beside(const ResolvedCase& in, const Input& input, const Condition& condition) {
+  return std::any_of(condition.paths.begin(), condition.paths.end(), [&](const std::string& path) {
+    const std::string other = beside(input.path, path);
+    return counts(in, other, condition.values) && first_unmet(in, {other, find_field(other)}) == nullptr;
+  });
+}
+
 std::string condition_text(const ResolvedCase& in, const Input& input, const Condition& condition) {
   std::vector<std::string> paths;
   for (const std::string& path : condition.paths) paths.push_back(beside(input.path, path));
@@ -74,18 +82,12 @@ std::string condition_text(const ResolvedCase& in, const Input& input, const Con
                      fmt::join(condition.values, " or "), now);
 }
 
-std::string users_text(const ResolvedCase& in, const Field& field) {
+std::string users_text(const ResolvedCase& in, const Input& input) {
   std::vector<std::string> names;
   for (const use::Analysis analysis : analyses_of(in))
-    if ((field.use.by & analysis) != 0) names.push_back(analysis_name(analysis));
+    if (standing_in_row(in, input, analysis) == Standing::used) names.push_back(analysis_name(analysis));
   return names.empty() ? "nothing in a case of this kind uses it"
                        : fmt::format("used by {}", fmt::join(names, ", "));
-}
-
-Standing standing_in_row(const Use& use, use::Analysis analysis) {
-  if ((use.by & analysis) != 0) return Standing::used;
-  if ((use.unfelt_by & analysis) != 0) return Standing::unfelt;
-  return (use.refused_by & analysis) != 0 ? Standing::refused : Standing::unused;
 }
 
 std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis,
@@ -93,8 +95,7 @@ std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis
   const std::string found = fmt::format("{}: {}", input.path, in.given(input.path));
   if (standing == Standing::idle)
     return fmt::format("{} has no effect: {}", found, condition_text(in, input, *first_unmet(in, input)));
-  return fmt::format("{} has no effect on {}; {}", found, analysis_name(analysis),
-                     users_text(in, *input.field));
+  return fmt::format("{} has no effect on {}; {}", found, analysis_name(analysis), users_text(in, input));
 }
 
 // Axes that the analysis goes through, and those that an option gives to one that goes through none.
@@ -106,7 +107,8 @@ class AxisCheck {
   void add(const SweepAxis& axis, std::vector<Mistake>& mistakes, std::vector<std::string>& warnings) const {
     const std::string path = "sweep." + axis.path;
     const bool goes_through = sweeps_ == Axes::all || (sweeps_ == Axes::speed && axis.path == "input.speed");
-    if (goes_through && standing_in_row(find_field(axis.path)->use, analysis_) == Standing::used) return;
+    if (goes_through && standing_in_row(in_, {axis.path, find_field(axis.path)}, analysis_) == Standing::used)
+      return;
     if (sweeps_ != Axes::none)
       mistakes.push_back(
           {axis.place,
@@ -119,7 +121,7 @@ class AxisCheck {
  private:
   std::string required(const SweepAxis& axis) const {
     if (sweeps_ == Axes::speed) return "one value of it, under " + axis.path + ", is required";
-    return "a case without this axis is required; " + users_text(in_, *find_field(axis.path));
+    return "a case without this axis is required; " + users_text(in_, {axis.path, find_field(axis.path)});
   }
 
   const ResolvedCase& in_;
@@ -129,9 +131,17 @@ class AxisCheck {
 
 }  // namespace
 
+Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
+  const Use& use = input.field->use;
+  if ((use.by & analysis) != 0) return Standing::used;
+  if ((use.felt_beside & analysis) != 0 && is_felt_beside(resolved, input, use.beside)) return Standing::used;
+  if ((use.unfelt_by & analysis) != 0) return Standing::unfelt;
+  return (use.refused_by & analysis) != 0 ? Standing::refused : Standing::unused;
+}
+
 Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis) {
   if (is_neutral(resolved, input)) return Standing::neutral;
-  const Standing standing = standing_in_row(input.field->use, analysis);
+  const Standing standing = standing_in_row(resolved, input, analysis);
   if (standing == Standing::refused || standing == Standing::unfelt) {
     // What counts for nothing anyway need not be refused.
     return standing == Standing::refused && first_unmet(resolved, input) != nullptr ? Standing::idle
@@ -152,7 +162,7 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
                           input.path,
                           {fmt::format("{}, which {} cannot take into account",
                                        quote(resolved.given(input.path)), analysis_name(analysis)),
-                           "none is required, or what would use it: " + users_text(resolved, *input.field)}});
+                           "none is required, or what would use it: " + users_text(resolved, input)}});
     else if (standing == Standing::idle || standing == Standing::unused ||
              (standing == Standing::unfelt && place.option))
       warnings.push_back(warning_of(resolved, input, analysis, standing));

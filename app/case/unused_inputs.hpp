@@ -18,6 +18,9 @@ enum class Standing {
   refused
 };
 
+/// As the row of the field says, whatever its value: used, unfelt, refused or unused.
+Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
+
 /// Of the value at `path`, which the case has.
 Standing standing_of(const ResolvedCase& resolved, const Input& input, use::Analysis analysis);
 

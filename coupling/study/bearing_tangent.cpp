@@ -38,21 +38,9 @@ Matrix2d roller_damping(const bearing::RaceEquilibrium& problem, const bearing::
   return sum;
 }
 
-// The law is a mean over time, in which rollers and turning races pass every place: it knows like rollers and
-// forms that stand still. At one place of the cage unlike ones would bend it by where they happen to be.
-bearing::CylindricalRollerBearing of_like_rollers(bearing::CylindricalRollerBearing like) {
-  like.roller_diameter_deviation.clear();
-  for (std::vector<bearing::RaceHarmonic>* form : {&like.inner_form, &like.outer_form})
-    std::erase_if(*form, [](const bearing::RaceHarmonic& wave) { return wave.turning; });
-  return like;
-}
-
 RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::OperatingPoint& point) {
   const bearing::CylindricalRollerBearing like = of_like_rollers(drivetrain.bearing);
-  bearing::QuasiStaticOptions options{.inertia = drivetrain.inertia,
-                                      .cage_positions = drivetrain.cage_positions};
-  if (drivetrain.film_in_approach) options.film = drivetrain.lubricant;
-  options.film_approach = drivetrain.film_approach;
+  const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
   const bearing::dynamics::RaceContactParameters& race = drivetrain.dynamics.race;
   const bool damped = race.damping_law == bearing::dynamics::DampingLaw::approach_speed;
   const double share = 1.0 / options.cage_positions;
@@ -73,6 +61,13 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
 }
 
 }  // namespace
+
+bearing::CylindricalRollerBearing of_like_rollers(bearing::CylindricalRollerBearing like) {
+  like.roller_diameter_deviation.clear();
+  for (std::vector<bearing::RaceHarmonic>* form : {&like.inner_form, &like.outer_form})
+    std::erase_if(*form, [](const bearing::RaceHarmonic& wave) { return wave.turning; });
+  return like;
+}
 
 gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& drivetrain,
                                                  const DrivetrainGeometry& geometry) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "coupling/study/bearing_tangent.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
@@ -24,8 +25,11 @@ constexpr double kSameForce = 1e-9;  // [-]  of the largest force
 class PlanetSupport {
  public:
   PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
-      : drivetrain_(drivetrain), point_(duty.point), options_(quasi_static_options(drivetrain)) {
-    if (drivetrain.bearing.laminae > 0) cut_.emplace(drivetrain.bearing, mechanics::InstructionSet::baseline);
+      : drivetrain_(drivetrain),
+        bearing_(of_like_rollers(drivetrain.bearing)),
+        point_(duty.point),
+        options_(quasi_static_options(drivetrain)) {
+    if (bearing_.laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
   }
 
   /// Of the planet from the place of its pin [m].
@@ -39,7 +43,7 @@ class PlanetSupport {
  private:
   Vector2d rollers(const bearing::OperatingPoint& point) const {
     return cut_ ? balanced(bearing::laminae::quasi_static_laminae(*cut_, point, options_))
-                : balanced(bearing::quasi_static_bearing(drivetrain_.bearing, point, options_));
+                : balanced(bearing::quasi_static_bearing(bearing_, point, options_));
   }
   template <class Result>
   static Vector2d balanced(const Result& result) {
@@ -48,17 +52,21 @@ class PlanetSupport {
   }
 
   const PlanetaryDrivetrain& drivetrain_;
+  bearing::CylindricalRollerBearing bearing_;
   bearing::OperatingPoint point_;
   bearing::QuasiStaticOptions options_;
   std::optional<bearing::laminae::LaminaBearing> cut_;
 };
 
-SetModel on_springs(const PlanetaryDrivetrain& drivetrain) {
+// The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
+// case states for them, so that not even its last digit does.
+SetModel on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   if (!drivetrain.gear_set)
     throw std::invalid_argument(
         "pins off their places: found gears that cannot move; required: one set with teeth");
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.coupled_bearing = false;
+  set.planet.bearing_stiffness = planet_bearing_stiffness(drivetrain, geometry);
   return gearset::dynamics::set_model(std::move(set),
                                       gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
 }
@@ -107,7 +115,7 @@ Eigen::VectorXd balanced_state(const SetModel& set, const PlanetSupport& support
 
 std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   const BearingDuty even = bearing_duty(drivetrain, geometry);
-  const SetModel set = on_springs(drivetrain);
+  const SetModel set = on_springs(drivetrain, geometry);
   const Eigen::VectorXd state = balanced_state(set, {drivetrain, even});
   gearset::dynamics::SetSnapshot snapshot;
   Eigen::VectorXd workspace;

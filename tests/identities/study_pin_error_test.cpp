@@ -127,6 +127,17 @@ TEST(PinErrors, LoadPlanetsAlikeInEveryFidelity) {
   }
 }
 
+// Shares are means over time, in which every roller passes every place.
+TEST(LoadSharing, KnowsLikeRollersAndStandingForms) {
+  PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
+  const std::vector<double> like = shares_of(drivetrain);
+  drivetrain.bearing.roller_diameter_deviation = {1e-6};
+  drivetrain.bearing.outer_form = {{.order = 2, .amplitude = 1e-6, .turning = true}};
+  EXPECT_EQ(shares_of(drivetrain), like);
+  drivetrain.bearing.outer_form = {{.order = 2, .amplitude = 1e-6, .turning = false}};
+  EXPECT_NE(shares_of(drivetrain), like);
+}
+
 TEST(PinErrors, AskForNoStateToStartFrom) {
   const PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   EXPECT_THROW(evaluate_from(drivetrain, derive(drivetrain), Eigen::VectorXd::Zero(86)),
