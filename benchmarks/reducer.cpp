@@ -28,8 +28,10 @@ Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance
   drivetrain.bearing.radial_clearance = 1e-6 * clearance;
   const study::DrivetrainGeometry geometry = study::derive(drivetrain);
   const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
-  return {drivetrain.bearing, duty.point, study::dynamics_parameters(drivetrain, geometry, duty),
-          drivetrain.steady_state.allowed_length_error};
+  return {
+      drivetrain.bearing, duty.point,
+      study::dynamics_parameters(drivetrain, geometry, duty, study::gears_on_tangent(drivetrain, geometry)),
+      drivetrain.steady_state.allowed_length_error};
 }
 
 Duty with_laminae(Duty duty, int laminae) {

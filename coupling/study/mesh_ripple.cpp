@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "bearing/carrier_frame.hpp"
-#include "coupling/study/gear_dynamics.hpp"
+#include "coupling/study/bearing_tangent.hpp"
 
 namespace orbearing::study {
 
@@ -57,40 +57,47 @@ Matrix2cd load_over_force(const PlanetaryDrivetrain& drivetrain, const BearingDu
   return inertia_of(bore_mass, frame, w) * force_over_motion.inverse() - Matrix2cd::Identity() / number;
 }
 
-GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law, int orders,
-                       const std::optional<Eigen::VectorXd>& start) {
+bool shakes(const PlanetaryDrivetrain& drivetrain) {
+  return drivetrain.gear_set && drivetrain.mesh_variation;
+}
+
+}  // namespace
+
+GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                       const AffineBearing& law, const std::optional<Eigen::VectorXd>& start) {
+  if (!shakes(drivetrain)) return {};
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.affine_bearing = law;
   const gearset::dynamics::SetModel model = gearset::dynamics::set_model(
       std::move(set), gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
   GearRunOptions options;
-  options.harmonics = orders;
-  const GearRunResult run = start ? run_gears_from(*start, model, options) : run_gears(model, options);
+  options.harmonics = ripple_orders(drivetrain, geometry, law);
+  GearRunResult run = start ? run_gears_from(*start, model, options) : run_gears(model, options);
   if (!run.completed) throw std::runtime_error("gears: " + run.message);
   return run;
 }
 
-}  // namespace
+GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  if (!shakes(drivetrain)) return {};
+  const AffineBearing tangent = bearing_tangent(drivetrain, geometry);
+  return {tangent, gears_on(drivetrain, geometry, tangent)};
+}
 
-GearDrive drive_of_gears(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                         const BearingDuty& duty, const AffineBearing& law, double bore_mass,
-                         const std::optional<Eigen::VectorXd>& start) {
-  GearDrive drive;
-  if (!drivetrain.gear_set || !drivetrain.mesh_variation) return drive;
-  const int orders = ripple_orders(drivetrain, geometry, law);
-  const GearRunResult run = gears_on(drivetrain, law, orders, start);
+bearing::dynamics::MeshRipple ripple_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,
+                                        const BearingDuty& duty, const AffineBearing& law, double bore_mass) {
+  bearing::dynamics::MeshRipple ripple;
+  if (run.planets.empty()) return ripple;
   const PlanetStatistics& planet = run.planets[static_cast<std::size_t>(duty.planet)];
-  drive.final_state = run.final_state;
-  drive.ripple.angular_frequency = two_pi * run.mesh_frequency;
+  ripple.angular_frequency = two_pi * run.mesh_frequency;
   const Eigen::Vector2d meshes(duty.gears.radial_force, duty.gears.tangential_force);
   const double least = kLeastShare * meshes.norm() / drivetrain.bearings_per_planet;
-  for (int order = 1; order <= orders; ++order) {
-    const double w = order * drive.ripple.angular_frequency;
+  for (int order = 1; order <= static_cast<int>(planet.radial_force.cosines.size()); ++order) {
+    const double w = order * ripple.angular_frequency;
     const Vector2cd load = load_over_force(drivetrain, duty, law, bore_mass, w) *
                            force_at(planet, static_cast<std::size_t>(order));
-    if (load.norm() > least) drive.ripple.harmonics.push_back({order, load.real(), -load.imag()});
+    if (load.norm() > least) ripple.harmonics.push_back({order, load.real(), -load.imag()});
   }
-  return drive;
+  return ripple;
 }
 
 int ripple_orders(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,

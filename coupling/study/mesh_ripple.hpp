@@ -4,31 +4,40 @@
 #include <optional>
 
 #include "coupling/study/drivetrain.hpp"
+#include "coupling/study/gear_dynamics.hpp"
 #include "gearset/dynamics/parameters.hpp"
 
 namespace orbearing::study {
 
-/// What the gears do on planet bearings that are linear.
-struct GearDrive {
-  bearing::dynamics::MeshRipple ripple;  // on the bore of one bearing of the planet of `duty`
-  Eigen::VectorXd final_state;           // where their motion ended, a whole number of mesh periods on
-};
-
-/// The load on the bore of one bearing under which a free bore of the given mass, on a bearing that is `law`
-/// over their number, moves relative to its pin as the planet of `duty` does in the set, less its mean, as a
-/// Fourier series. For a bore with its share of the planet's mass that is the force of the meshes, and what
-/// a carrier adds that shakes; for one without mass, the force that the gears put on the bearing. It is taken
-/// from the displacement, which is smooth where the mesh stiffness jumps. No harmonics where the
-/// drivetrain has no `gear_set`, or no mesh variation.
-/// @param bore_mass [kg] of one bearing
+/// The gears on planet bearings that are `law`, observed with as many harmonics as ripple_orders() says;
+/// empty statistics where the drivetrain has no `gear_set`, or no mesh variation.
 /// @param start state of the gears to go on from; none: their static state
 /// @throws std::runtime_error where the gears' motion cannot be computed
-GearDrive drive_of_gears(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                         const BearingDuty& duty, const gearset::dynamics::AffineBearing& law,
-                         double bore_mass, const std::optional<Eigen::VectorXd>& start = std::nullopt);
+GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                       const gearset::dynamics::AffineBearing& law,
+                       const std::optional<Eigen::VectorXd>& start = std::nullopt);
 
-/// Orders of the mesh frequency that such a series has: up to three times the frequency of a planet on its
-/// bearings, where its mass leaves an eighth of a force, and at least twelve.
+/// The gears on bearing_tangent() in place of their bearings: what every planet begins with.
+struct GearsOnTangent {
+  gearset::dynamics::AffineBearing tangent;
+  GearRunResult run;
+};
+/// Nothing where the gears give nothing but their mean loads. Throws as gears_on() and bearing_tangent().
+GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
+/// The load on the bore of one bearing under which a free bore of the given mass, on a bearing that is `law`
+/// over their number, moves relative to its pin as the planet of `duty` does in `run`, less its mean, as a
+/// Fourier series. For a bore with its share of the planet's mass that is the force of the meshes, and what
+/// a carrier adds that shakes; for one without mass, the force that the gears put on the bearing. It is taken
+/// from the displacement, which is smooth where the mesh stiffness jumps. No harmonics where `run` has none.
+/// @param run   of gears_on() the same law
+/// @param bore_mass [kg] of one bearing
+bearing::dynamics::MeshRipple ripple_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,
+                                        const BearingDuty& duty, const gearset::dynamics::AffineBearing& law,
+                                        double bore_mass);
+
+/// Orders of the mesh frequency that such a series has at most: up to three times the frequency of a planet
+/// on its bearings, where its mass leaves an eighth of a force, and at least twelve.
 int ripple_orders(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                   const gearset::dynamics::AffineBearing& law);
 

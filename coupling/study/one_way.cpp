@@ -1,11 +1,10 @@
 #include "coupling/study/one_way.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "coupling/study/affine_fit.hpp"
-#include "coupling/study/bearing_tangent.hpp"
-#include "coupling/study/mesh_ripple.hpp"
 
 namespace orbearing::study {
 
@@ -43,13 +42,17 @@ class OneWay {
         parameters_(on_its_ring(geometry, bearing_dynamics(drivetrain, geometry))),
         bearing_state_(start) {}
 
-  /// False where the gears give nothing but their mean loads.
-  bool drive(const AffineBearing& law) {
-    GearDrive now = drive_of_gears(drivetrain_, geometry_, duty_, law, parameters_.bore_mass, gear_state_);
-    if (now.ripple.harmonics.empty()) return false;
-    gear_state_ = now.final_state;
-    parameters_.ripple = now.ripple;
+  /// Driven by gears that moved on `law`; false where they give nothing but their mean loads.
+  bool drive(const AffineBearing& law, const GearRunResult& gears) {
+    const bearing::dynamics::MeshRipple ripple =
+        ripple_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
+    if (ripple.harmonics.empty()) return false;
+    gear_state_ = gears.final_state;
+    parameters_.ripple = ripple;
     return true;
+  }
+  bool drive(const AffineBearing& law) {
+    return drive(law, gears_on(drivetrain_, geometry_, law, gear_state_));
   }
 
   SteadyStateResult run_bearing(const bearing::dynamics::DynamicsParameters& parameters,
@@ -84,6 +87,12 @@ class OneWay {
   std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
 };
 
+// Gears on dampers that give energy run away: such a law is chance, of a motion too short or too small.
+bool damps(const AffineBearing& law) {
+  const Eigen::Matrix2d both = law.damping + law.damping.transpose();
+  return both.trace() > 0.0 && both.determinant() > 0.0;
+}
+
 // The last run in `record`, which it may be accepted with.
 void note(const FittedBearing& fitted, const OneWayOptions& options, OneWayRecord& record) {
   ++record.runs;
@@ -98,13 +107,12 @@ void note(const FittedBearing& fitted, const OneWayOptions& options, OneWayRecor
 }  // namespace
 
 OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                      const BearingDuty& duty, const std::optional<Eigen::VectorXd>& start,
-                      const OneWayOptions& options) {
+                      const BearingDuty& duty, const GearsOnTangent& gears,
+                      const std::optional<Eigen::VectorXd>& start, const OneWayOptions& options) {
   OneWay one_way(drivetrain, geometry, duty, start);
   OneWayRun result;
-  const bool moving = drivetrain.gear_set && drivetrain.mesh_variation;
-  const AffineBearing tangent = moving ? bearing_tangent(drivetrain, geometry) : AffineBearing{};
-  if (!moving || !one_way.drive(tangent)) {
+  const AffineBearing& tangent = gears.tangent;
+  if (!one_way.drive(tangent, gears.run)) {
     result.bearing = one_way.run_bearing(bearing_dynamics(drivetrain, geometry), drivetrain.steady_state);
     return result;
   }
@@ -115,7 +123,7 @@ OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
     result.bearing = one_way.run(law, tangent, record.runs == 0, fitted);
     if (!result.bearing.completed) return result;
     note(fitted, options, record);
-    law = fitted.bearing;
+    if (damps(fitted.bearing)) law = fitted.bearing;
   } while (record.runs < options.most_runs && !record.accepted && one_way.drive(law));
   result.fit = record;
   return result;

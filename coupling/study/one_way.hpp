@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "coupling/integration/steady_state.hpp"
-#include "coupling/study/drivetrain.hpp"
-#include "gearset/dynamics/parameters.hpp"
+#include "coupling/study/mesh_ripple.hpp"
 
 namespace orbearing::study {
 
@@ -33,9 +32,10 @@ struct OneWayRun {
   std::optional<OneWayRecord> fit;  // none where the gears give nothing but their mean loads
 };
 
-/// Gears on bearing_tangent() in place of their bearings, the bearing under the load that they give it
-/// (drive_of_gears()), the affine law fitted to its motion, and both again on that law until it stays. Each
-/// run goes on where the one before ended.
+/// Gears on the tangent of their bearings (`gears`), the bearing under the load that they give it
+/// (ripple_of()), the affine law fitted to its motion, and both again on that law until it stays. A law whose
+/// dampers would give energy is not taken: the gears stay on the one before. Each run goes on where the one
+/// before ended.
 ///
 /// Of the planet's mass the bearing gets its own outer ring, and the gears' load is what moves that ring as
 /// the planet moved: nearly the force of the bearing. With the whole mass, which is as good for a bearing
@@ -44,7 +44,8 @@ struct OneWayRun {
 /// @param start state of the bearing to begin with; none: its quasi-static state
 /// @throws std::runtime_error where the gears' motion cannot be computed
 OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                      const BearingDuty& duty, const std::optional<Eigen::VectorXd>& start = std::nullopt,
+                      const BearingDuty& duty, const GearsOnTangent& gears,
+                      const std::optional<Eigen::VectorXd>& start = std::nullopt,
                       const OneWayOptions& options = {});
 
 }  // namespace orbearing::study

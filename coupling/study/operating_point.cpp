@@ -212,10 +212,11 @@ LoadDistribution distribution_of(const WindowStatistics& means) {
 
 // A run-up has no speed at which the bearing could be fitted: its gears stay on the tangent.
 OneWayRun motion_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                    const BearingDuty& duty) {
-  if (drivetrain.run_up.acceleration == 0.0) return run_one_way(drivetrain, geometry, duty);
-  return {integration::run_up(drivetrain.bearing, duty.point, dynamics_parameters(drivetrain, geometry, duty),
-                              drivetrain.steady_state, drivetrain.run_up.duration),
+                    const BearingDuty& duty, const GearsOnTangent& gears) {
+  if (drivetrain.run_up.acceleration == 0.0) return run_one_way(drivetrain, geometry, duty, gears);
+  return {integration::run_up(drivetrain.bearing, duty.point,
+                              dynamics_parameters(drivetrain, geometry, duty, gears), drivetrain.steady_state,
+                              drivetrain.run_up.duration),
           std::nullopt};
 }
 
@@ -226,7 +227,7 @@ OneWayRun motion_from(const Eigen::VectorXd& start, const PlanetaryDrivetrain& d
     throw std::invalid_argument("state to start from: found " + std::to_string(start.size()) +
                                 " variables; required: " + std::to_string(required) + ", those of " +
                                 std::to_string(drivetrain.bearing.rollers) + " rollers");
-  return run_one_way(drivetrain, geometry, duty, start);
+  return run_one_way(drivetrain, geometry, duty, gears_on_tangent(drivetrain, geometry), start);
 }
 
 // The life in hours of a run-up is that at its mean speed.
@@ -268,12 +269,13 @@ integration::SteadyStateResult together(const std::vector<integration::SteadySta
 
 PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties) {
+  const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
   if (duties.size() == 1)
-    return driven_point(drivetrain, duties.front(), motion_of(drivetrain, geometry, duties.front()));
+    return driven_point(drivetrain, duties.front(), motion_of(drivetrain, geometry, duties.front(), gears));
   std::vector<integration::SteadyStateResult> runs;
   std::vector<WindowStatistics> means;
   for (const BearingDuty& duty : duties) {
-    runs.push_back(motion_of(drivetrain, geometry, duty).bearing);
+    runs.push_back(motion_of(drivetrain, geometry, duty, gears).bearing);
     if (!runs.back().completed) throw std::runtime_error(runs.back().message);
     means.push_back(runs.back().statistics);
   }
@@ -354,6 +356,17 @@ double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainG
   return std::max(pressure(Race::inner, result.inner), pressure(Race::outer, result.outer));
 }
 
+// Load sharing and every run of the gears begin with the same bodies and meshes, whose teeth take a while.
+PlanetaryDrivetrain with_gears_built_once(PlanetaryDrivetrain drivetrain) {
+  if (!drivetrain.gear_set) return drivetrain;
+  drivetrain.gear_set = [build = drivetrain.gear_set,
+                         built = std::optional<gearset::dynamics::SetParameters>()]() mutable {
+    if (!built) built = build();
+    return *built;
+  };
+  return drivetrain;
+}
+
 PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                       const std::vector<BearingDuty>& duties, PointResult result) {
   put_loads(drivetrain, geometry, duties, result);
@@ -365,17 +378,17 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
 
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                           const DrivetrainGeometry& geometry,
-                                                          const BearingDuty& duty) {
+                                                          const BearingDuty& duty,
+                                                          const GearsOnTangent& gears) {
   bearing::dynamics::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
-  parameters.ripple =
-      drive_of_gears(drivetrain, geometry, duty, bearing_tangent(drivetrain, geometry), parameters.bore_mass)
-          .ripple;
+  parameters.ripple = ripple_of(gears.run, drivetrain, duty, gears.tangent, parameters.bore_mass);
   parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   return parameters;
 }
 
-PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+PointResult evaluate(const PlanetaryDrivetrain& stated, const DrivetrainGeometry& geometry,
                      Fidelity fidelity) {
+  const PlanetaryDrivetrain drivetrain = with_gears_built_once(stated);
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
   const auto point = [&] {
     if (fidelity == Fidelity::quasi_static) return quasi_static_point(drivetrain, geometry, duties);
@@ -385,8 +398,9 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
   return completed(drivetrain, geometry, duties, point());
 }
 
-PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+PointResult evaluate_from(const PlanetaryDrivetrain& stated, const DrivetrainGeometry& geometry,
                           const Eigen::VectorXd& start) {
+  const PlanetaryDrivetrain drivetrain = with_gears_built_once(stated);
   if (drivetrain.pins_displaced)
     throw std::invalid_argument(
         "state to start from: found one, and pins off their places, where each planet has its own; required: "

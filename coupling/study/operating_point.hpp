@@ -101,10 +101,11 @@ struct PointResult {
   std::string status = "ok";             // "ok" or why the point failed
 };
 
-/// bearing_dynamics() with what the gears give at this duty on bearing_tangent() in place of the bearings.
+/// bearing_dynamics() with what `gears` give at this duty.
 bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
                                                           const DrivetrainGeometry& geometry,
-                                                          const BearingDuty& duty);
+                                                          const BearingDuty& duty,
+                                                          const GearsOnTangent& gears);
 
 /// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
 /// motion could not be followed.
