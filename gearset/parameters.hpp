@@ -1,10 +1,18 @@
 // What the user states about a planetary gear set, and how it is driven. SI units throughout.
 #pragma once
 
+#include <string>
+
+#include "mechanics/described.hpp"
+
 namespace orbearing::gearset {
 
 /// The three coaxial members of a simple planetary gear set.
 enum class Member { sun, ring, carrier };
+
+constexpr described::Names<Member, 3> names_of(Member) {
+  return {{{Member::sun, "sun"}, {Member::ring, "ring"}, {Member::carrier, "carrier"}}};
+}
 
 /// Basic rack profile; lengths in units of the module (ISO 53).
 struct BasicRack {
@@ -13,6 +21,24 @@ struct BasicRack {
   double clearance = 0.25;                     // [module]  bottom clearance: c*
   double root_fillet_radius = 0.38;            // [module]  rho_f*
 };
+
+/// Of the block of a case, "gearset." or "pair.", to which the rack belongs.
+template <class Visitor>
+void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, described::Felt felt,
+                   unsigned models) {
+  using namespace described;
+  const std::string_view rack = "the basic rack of ISO 53";
+  members(visit, m,
+          field(m.pressure_angle, block + "pressure_angle", felt, "normal pressure angle of the basic rack",
+                {.models = models, .dimension = dimension::angle, .range = {10.0, 35.0}, .reason = rack}),
+          field(m.addendum, block + "addendum", felt, "addendum of the basic rack, in modules",
+                {.models = models, .range = {0.5, 1.5}, .reason = rack}),
+          field(m.clearance, block + "clearance", felt, "bottom clearance of the basic rack, in modules",
+                {.models = models, .range = {0.0, 0.6}, .reason = rack}),
+          field(m.root_fillet_radius, block + "root_fillet_radius", felt,
+                "root fillet radius of the basic rack, in modules",
+                {.models = models, .range = {0.0, 0.6}, .reason = rack}));
+}
 
 /// Parameters of one planetary set with equally spaced planets.
 struct PlanetarySet {
@@ -31,11 +57,57 @@ struct PlanetarySet {
   Member fixed_member = Member::ring;
 };
 
+template <class Visitor>
+void describe(Visitor& visit, PlanetarySet& m) {
+  using namespace described;
+  constexpr unsigned set = planetary_drivetrain;
+  const auto count = [](int& member, std::string path, std::string meaning, Range range) {
+    return field(member, std::move(path), Felt::planet, std::move(meaning),
+                 {.models = set, .required_by = set, .range = range});
+  };
+  const auto length = [](double& member, std::string path, std::string meaning, double most) {
+    return field(
+        member, std::move(path), Felt::planet, std::move(meaning),
+        {.models = set, .required_by = set, .dimension = dimension::length, .range = positive(most)});
+  };
+  const Details shift{.models = set, .required_by = set, .range = {-2.0, 2.0}};
+  members(visit, m,
+          field(m.fixed_member, "gearset.fixed", Felt::planet, "member held by the housing",
+                {.models = set, .reason = "the usual reduction gear"}),
+          count(m.planets, "gearset.planets", "number of equally spaced planets", {1, 24}),
+          count(m.sun_teeth, "gearset.teeth.sun", "teeth of the sun", {5, 2000}),
+          count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
+          count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),
+          length(m.module, "gearset.module", "normal module", 100.0),
+          part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", Felt::planet, set); }),
+          field(m.sun_shift, "gearset.profile_shift.sun", Felt::planet,
+                "profile shift of the sun, in modules", shift),
+          field(m.ring_shift, "gearset.profile_shift.ring", Felt::planet,
+                "profile shift of the ring, in modules, positive outward", shift),
+          length(m.face_width, "gearset.face_width", "width of the teeth", 1e4), apart(m.planet_bore),
+          apart(m.density));
+}
+
 /// The power that enters the set, and where. The member that is neither fixed nor driven delivers.
 struct Drive {
   Member member = Member::sun;
   double power = 0.0;  // [W]
   double speed = 0.0;  // [rad/s]  of the driven member, relative to the housing
 };
+
+template <class Visitor>
+void describe(Visitor& visit, Drive& m) {
+  using namespace described;
+  constexpr unsigned set = planetary_drivetrain;
+  members(
+      visit, m,
+      field(m.member, "input.member", Felt::planet, "member that the power enters by",
+            {.models = set, .reason = "the usual reduction gear"}),
+      field(m.power, "input.power", Felt::carrier, "power that enters",
+            {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
+      field(
+          m.speed, "input.speed", Felt::planet, "speed of the driven member relative to the housing",
+          {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}));
+}
 
 }  // namespace orbearing::gearset

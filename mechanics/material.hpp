@@ -1,6 +1,8 @@
 // The material of gears, rings and rolling elements.
 #pragma once
 
+#include "mechanics/described.hpp"
+
 namespace orbearing::mechanics {
 
 /// Isotropic; steel unless stated.
@@ -13,5 +15,31 @@ struct Material {
   /// E/(1 - nu^2) [Pa]: what resists in contacts and thin plates, where strain across is held back.
   double plane_strain_modulus() const { return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio); }
 };
+
+template <class Visitor>
+void describe(Visitor& visit, Material& m) {
+  using namespace described;
+  const std::string_view steel = "rolling bearing steel";
+  members(visit, m,
+          field(m.youngs_modulus, "material.youngs_modulus", Felt::everywhere,
+                "Young's modulus of gears, rings and rollers",
+                {.models = every_model,
+                 .dimension = dimension::stress,
+                 .range = {1.0, 1000.0},
+                 .reason = steel,
+                 .fmu = InFmu::parameter}),
+          field(m.poisson_ratio, "material.poisson_ratio", Felt::everywhere,
+                "Poisson's ratio of gears, rings and rollers",
+                {.models = every_model,
+                 .range = {.least = 0.0, .most = 0.5, .most_allowed = false},
+                 .reason = steel,
+                 .fmu = InFmu::parameter}),
+          field(m.density, "material.density", Felt::carrier, "density of gears, rings and rollers",
+                {.models = every_model,
+                 .dimension = dimension::density,
+                 .range = {100.0, 25000.0},
+                 .reason = steel,
+                 .fmu = InFmu::parameter}));
+}
 
 }  // namespace orbearing::mechanics

@@ -15,6 +15,7 @@
 #include <string>
 
 #include "mechanics/convex_search.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
@@ -29,6 +30,33 @@ struct RingLoad {
   double moment_across = 0.0;  // [N m]  in the plane of y and z
   std::optional<double> tilt;  // [rad]  in the plane of x and z, given in place of both moments; none: free
 };
+
+template <class Visitor>
+void describe(Visitor& visit, RingLoad& m) {
+  using namespace described;
+  constexpr unsigned single_bearing = roller_bearing | ball_bearing;
+  members(
+      visit, m,
+      field(m.radial, "load.radial", Felt::lone, "radial load on the bearing",
+            {.models = single_bearing,
+             .required_by = single_bearing,
+             .dimension = dimension::force,
+             .range = {0.0, 1e9}}),
+      field(m.axial, "load.axial", Felt::lone, "axial load on the bearing",
+            {.models = ball_bearing,
+             .dimension = dimension::force,
+             .range = {0.0, 1e9},
+             .reason = "a radial load alone"}),
+      field(m.moment, "load.moment", Felt::lone, "moment on the inner ring in the plane of the radial load",
+            {.models = single_bearing,
+             .dimension = dimension::torque,
+             .range = {-1e9, 1e9},
+             .reason = "the shaft does not hold the ring against tilting"}),
+      apart(m.moment_across),
+      field(m.tilt, "load.tilt", Felt::lone,
+            "tilt of the inner ring in the plane of the radial load, in place of its moment",
+            {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
+}
 
 /// How the search for the balance ended.
 struct BalanceReport : mechanics::SearchReport {

@@ -1,5 +1,5 @@
-// What the motion in time needs beyond the quasi-static bearing. Every default is an assumption, with its
-// reason.
+// What the motion in time needs beyond the quasi-static bearing. Every default is an assumption; its reason
+// stands in the row beneath, or beside the member where no case states it.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,11 +16,20 @@ enum class TractionLaw {
                         // [BairWiner1979]
 };
 
+constexpr described::Names<TractionLaw, 2> names_of(TractionLaw) {
+  return {{{TractionLaw::regularised_coulomb, "regularised-coulomb"},
+           {TractionLaw::limiting_shear, "limiting-shear"}}};
+}
+
 /// Who carries the load of a race contact.
 enum class Lubrication {
   full,   // the film, or the surfaces, alone: one law of friction
   mixed,  // film and asperities share load and friction by the film ratio [OlverSpikes1998]
 };
+
+constexpr described::Names<Lubrication, 2> names_of(Lubrication) {
+  return {{{Lubrication::full, "full"}, {Lubrication::mixed, "mixed"}}};
+}
 
 /// What the damping of a race contact acts on.
 enum class DampingLaw {
@@ -29,16 +38,20 @@ enum class DampingLaw {
                    // read as damping * 1 m/s of the contact's constant
 };
 
+constexpr described::Names<DampingLaw, 2> names_of(DampingLaw) {
+  return {{{DampingLaw::approach_speed, "approach-speed"}, {DampingLaw::as_printed, "as-printed"}}};
+}
+
 /// Race contacts: damping, friction, and whether the film adds to the elastic approach.
 struct RaceContactParameters {
-  double damping = 0.1;  // [s/m]  load grows by this share per m/s of approach speed. Assumption: 10 %
-                         //        of critical at 1 kN on a small roller, typical of oiled steel
+  double damping = 0.1;  // [s/m]  load grows by this share per m/s of approach speed
   TractionLaw traction = TractionLaw::regularised_coulomb;
-  double friction = 0.05;           // [-]    largest friction. Assumption: mineral oil at moderate pressure
-  double sliding_scale = 0.1;       // [m/s]  s_0. Assumption: creep of oiled contacts at full friction
-  double limiting_friction = 0.06;  // [-]    limiting shear stress / pressure. Assumption: mineral oil
+  double friction = 0.05;           // [-]    largest friction
+  double sliding_scale = 0.1;       // [m/s]  s_0
+  double limiting_friction = 0.06;  // [-]    limiting shear stress / pressure
   double least_sliding_scale =
-      0.01;  // [m/s]  added to s_c, so that a film that has gone leaves finite slope. Assumption
+      0.01;  // [m/s]  added to s_c, so that a film that has gone leaves finite slope.
+             //        Assumption
   double largest_barus_exponent = 8.0;  // [-]    alpha p is held here: beyond it oil does not follow Barus
   double entrainment_scale = 0.01;      // [m/s]  rounds |u| at zero. Assumption: far below any running speed
   bool film_in_approach = false;        // the film takes part in the approach
@@ -46,10 +59,82 @@ struct RaceContactParameters {
   FilmApproach film_approach = FilmApproach::added;
   DampingLaw damping_law = DampingLaw::approach_speed;
   Lubrication lubrication = Lubrication::full;
-  double roughness = 0.2e-6;        // [m]  composite rms of roller and race. Assumption: honed races, ground
-                                    //      rollers
-  double boundary_friction = 0.12;  // [-]  of asperities in contact. Assumption: mineral oil with additives
+  double roughness = 0.2e-6;        // [m]  composite rms of roller and race
+  double boundary_friction = 0.12;  // [-]  of asperities in contact
 };
+
+template <class Visitor>
+void describe(Visitor& visit, RaceContactParameters& m) {
+  using namespace described;
+  constexpr Where coulomb{"traction.law", "regularised-coulomb"}, mixed{"contact.lubrication", "mixed"};
+  members(visit, m,
+          field(m.damping, "contact.damping", Felt::motion,
+                "share by which a race load grows per speed of approach",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::inverse_speed,
+                 .range = {0.0, 100.0},
+                 .reason = "a tenth of critical on a small roller at 1 kN",
+                 .fmu = InFmu::parameter}),
+          field(m.traction, "traction.law", Felt::motion, "friction in the race contacts over sliding speed",
+                {.models = planetary_drivetrain,
+                 .reason = "the law of [Gai2025]; the sheared film of [BairWiner1979] is the other choice"}),
+          field(m.friction, "traction.friction", Felt::motion,
+                "largest friction coefficient of the regularised Coulomb law",
+                {.models = planetary_drivetrain,
+                 .range = {0.0, 1.0},
+                 .reason = "mineral oil at moderate pressure",
+                 .where = coulomb,
+                 .fmu = InFmu::parameter}),
+          field(m.sliding_scale, "traction.sliding_scale", Felt::motion,
+                "sliding speed over which friction builds up",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::speed,
+                 .range = positive(100.0),
+                 .reason = "creep of oiled contacts",
+                 .where = coulomb,
+                 .fmu = InFmu::parameter}),
+          field(m.limiting_friction, "traction.limiting_friction", Felt::motion,
+                "limiting shear stress of the oil over pressure",
+                {.models = planetary_drivetrain,
+                 .range = {0.0, 1.0},
+                 .reason = "mineral oil",
+                 .where = {"traction.law", "limiting-shear"},
+                 .fmu = InFmu::parameter}),
+          internal(m.least_sliding_scale, "traction.least_sliding_scale"),
+          internal(m.largest_barus_exponent, "traction.largest_barus_exponent"),
+          internal(m.entrainment_scale, "traction.entrainment_scale"),
+          field(m.rolling_resistance, "traction.rolling_resistance", Felt::motion,
+                "shear of the oil at the inlet resists rolling",
+                {.models = planetary_drivetrain, .reason = "nothing left out"}),
+          field(m.film_in_approach, "film.enabled", Felt::carrier, "the film takes part in the approach",
+                {.models = with_rollers, .reason = "dry contacts first; the film's worth is shown apart"}),
+          field(m.film_approach, "film.approach", Felt::carrier,
+                "a film adds to the elastic approach, or is subtracted as [Gai2025] prints it",
+                {.models = planetary_drivetrain,
+                 .reason = "a film takes room between roller and race",
+                 .where = {"film.enabled", "true"}}),
+          field(m.damping_law, "contact.damping_law", Felt::motion,
+                "damping follows the approach speed, or the approach as [Gai2025] prints it",
+                {.models = planetary_drivetrain, .reason = "without a speed nothing is damped"}),
+          field(m.lubrication, "contact.lubrication", Felt::motion,
+                "friction in the race contacts: one law, or shared by film and asperities",
+                {.models = planetary_drivetrain, .reason = "smooth surfaces, fully parted"}),
+          field(m.roughness, "contact.roughness", Felt::motion,
+                "composite roughness (rms) of roller and race, for mixed lubrication",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::small_length,
+                 .range = positive(100.0),
+                 .reason = "honed races, ground rollers",
+                 .where = mixed,
+                 .fmu = InFmu::parameter}),
+          field(m.boundary_friction, "contact.boundary_friction", Felt::motion,
+                "friction coefficient of asperities, for mixed lubrication",
+                {.models = planetary_drivetrain,
+                 .range = {0.0, 1.0},
+                 .reason = "mineral oil with additives",
+                 .where = mixed,
+                 .fmu = InFmu::parameter}));
+}
 
 /// Force of the oil between cage and land.
 enum class GuidanceFilm {
@@ -57,11 +142,19 @@ enum class GuidanceFilm {
   as_printed,     // Eqs. (24) and (25) of [Gai2025], which lack both
 };
 
+constexpr described::Names<GuidanceFilm, 2> names_of(GuidanceFilm) {
+  return {{{GuidanceFilm::short_bearing, "short-bearing"}, {GuidanceFilm::as_printed, "as-printed"}}};
+}
+
 /// Oil between roller and pocket bar before they touch.
 enum class PocketFilm {
   none,          // the bar is felt when it is touched
   hydrodynamic,  // rigid-isoviscous line contact with entrainment and squeeze
 };
+
+constexpr described::Names<PocketFilm, 2> names_of(PocketFilm) {
+  return {{{PocketFilm::none, "none"}, {PocketFilm::hydrodynamic, "hydrodynamic"}}};
+}
 
 /// Cage speed at which a run starts and from which its slip is counted.
 enum class ReferenceSpeed {
@@ -69,45 +162,165 @@ enum class ReferenceSpeed {
   as_printed,  // Eq. (8) of [Gai2025]: that of a turning inner race, with the speed of the outer
 };
 
-/// Cage pockets and the land that guides the cage.
+constexpr described::Names<ReferenceSpeed, 2> names_of(ReferenceSpeed) {
+  return {{{ReferenceSpeed::rolling, "rolling"}, {ReferenceSpeed::as_printed, "as-printed"}}};
+}
+
+/// Cage pockets and the land that guides the cage. Where a case leaves out the clearance, the stiffness of
+/// the pockets or that of the land, they follow from the cage's size and material.
 struct CageParameters {
   double pocket_clearance =
       0.1e-3;                     // [m]    along the pitch circle, both sides together. Assumption: the usual
                                   //        play of moulded cages of this size
   double pocket_stiffness = 3e7;  // [N/m]  Assumption: glass-filled polyamide bar
-  double pocket_damping = 1.0;    // [s/m]  as damping of the races. Assumption: polymer
-  double pocket_friction = 0.05;  // [-]    Assumption: oiled
+  double pocket_damping = 1.0;    // [s/m]  as damping of the races
+  double pocket_friction = 0.05;  // [-]
   PocketFilm pocket_film = PocketFilm::none;
-  double pocket_roughness = 0.4e-6;  // [m]    where asperities hold the film. Assumption: the moulded bar,
-                                     //        which outweighs the roller
+  double pocket_roughness = 0.4e-6;  // [m]    where asperities hold the film
   ReferenceSpeed reference_speed = ReferenceSpeed::rolling;
   double guide_diameter = 0.0;  // [m]    of the land; 0: no guidance
   double land_width = 0.0;      // [m]    of one land; 0: what cage width and roller length leave at each side
   int lands = 2;                // [-]
   GuidanceFilm guidance_film = GuidanceFilm::short_bearing;
-  double largest_eccentricity =
-      0.98;                           // [-]    of the land's clearance where roughness takes over. Assumption
-  double touch_down_stiffness = 1e7;  // [N/m]  Assumption
-  double touch_down_damping = 1.0;    // [s/m]  Assumption
-  double touch_down_friction = 0.05;  // [-]    Assumption: oiled polymer on steel
+  double largest_eccentricity = 0.98;  // [-]    of the land's clearance where roughness takes over
+  double touch_down_stiffness = 1e7;   // [N/m]  Assumption
+  double touch_down_damping = 1.0;     // [s/m]  Assumption
+  double touch_down_friction = 0.05;   // [-]    Assumption: oiled polymer on steel
 };
+
+template <class Visitor>
+void describe(Visitor& visit, CageParameters& m) {
+  using namespace described;
+  constexpr Where land{"bearing.cage.guide_land_diameter"};
+  members(
+      visit, m,
+      field(m.pocket_clearance, "bearing.cage.pocket_clearance", Felt::motion,
+            "play of a roller in its pocket, in diametral measure",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::length,
+             .range = positive(10.0),
+             .fmu = InFmu::parameter}),
+      field(m.pocket_stiffness, "bearing.cage.pocket_stiffness", Felt::motion, "stiffness of a cage bar",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::stiffness,
+             .range = positive(1e12),
+             .fmu = InFmu::parameter}),
+      field(m.pocket_damping, "bearing.cage.pocket_damping", Felt::motion,
+            "share by which a pocket load grows per speed of approach",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::inverse_speed,
+             .range = {0.0, 100.0},
+             .reason = "polymer",
+             .fmu = InFmu::parameter}),
+      field(m.pocket_friction, "bearing.cage.pocket_friction", Felt::motion,
+            "friction coefficient of roller and bar",
+            {.models = planetary_drivetrain,
+             .range = {0.0, 1.0},
+             .reason = "oiled polymer",
+             .fmu = InFmu::parameter}),
+      field(m.pocket_film, "bearing.cage.pocket_film", Felt::motion,
+            "oil between roller and pocket bar before they touch",
+            {.models = planetary_drivetrain, .reason = "the bars are felt when they are touched"}),
+      field(m.pocket_roughness, "bearing.cage.pocket_roughness", Felt::motion,
+            "roughness of roller and bar, the least film in the pocket",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::small_length,
+             .range = positive(100.0),
+             .reason = "a moulded or milled bar",
+             .where = {"bearing.cage.pocket_film", "hydrodynamic"}}),
+      field(
+          m.reference_speed, "bearing.cage.reference_speed", Felt::motion,
+          "speed at which the cage starts and from which its slip is counted: pure rolling, or as [Gai2025] "
+          "prints it",
+          {.models = planetary_drivetrain, .reason = "the printed speed is that of a turning inner race"}),
+      field(m.guide_diameter, "bearing.cage.guide_land_diameter", Felt::motion,
+            "diameter of the land that guides the cage",
+            {.models = with_rollers,
+             .dimension = dimension::length,
+             .range = positive(1e4),
+             .fmu = InFmu::parameter}),
+      internal(m.land_width, "bearing.cage.land_width"), internal(m.lands, "bearing.cage.lands"),
+      field(m.guidance_film, "bearing.cage.guidance_film", Felt::motion,
+            "oil force between cage and land: with squeeze and whirl, or as [Gai2025] prints it",
+            {.models = planetary_drivetrain,
+             .reason = "the printed force depends on the frame and lacks squeeze",
+             .where = land}),
+      field(m.largest_eccentricity, "bearing.cage.largest_eccentricity", Felt::motion,
+            "share of the land's clearance where roughness carries",
+            {.models = planetary_drivetrain,
+             .range = {.least = 0.1, .most = 1.0, .most_allowed = false},
+             .reason = "finish of the land",
+             .where = land,
+             .fmu = InFmu::parameter}),
+      field(m.touch_down_stiffness, "bearing.cage.touch_down_stiffness", Felt::motion,
+            "stiffness of cage on land",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::stiffness,
+             .range = positive(1e12),
+             .where = land,
+             .fmu = InFmu::parameter}),
+      internal(m.touch_down_damping, "bearing.cage.touch_down_damping"),
+      internal(m.touch_down_friction, "bearing.cage.touch_down_friction"));
+}
 
 /// Oil-air mixture around the rollers. Assumption: it rests in the carrier frame, the upper bound of its
 /// drag.
 struct OilDragParameters {
   bool on = true;
-  double oil_density = 850.0;     // [kg/m^3]  Assumption: mineral oil
-  double oil_share = 0.05;        // [-]  of the free volume. Assumption: oil mist with jets
+  double oil_density = 850.0;     // [kg/m^3]
+  double oil_share = 0.05;        // [-]  of the free volume
   double drag_coefficient = 1.1;  // [-]  cylinder across the flow
   double churning_coefficient =
       0.05;  // [-]  Assumption: disc and drum friction of the Reynolds numbers at hand
 };
 
-/// Pin ring on its support in the carrier.
+template <class Visitor>
+void describe(Visitor& visit, OilDragParameters& m) {
+  using namespace described;
+  constexpr Where on{"drag.enabled", "true"};
+  members(visit, m,
+          field(m.on, "drag.enabled", Felt::motion, "drag and churning in the oil-air mixture",
+                {.models = planetary_drivetrain, .reason = "nothing left out"}),
+          field(m.oil_density, "lubricant.density", Felt::motion, "density of the oil",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::density,
+                 .range = positive(20000.0),
+                 .reason = "mineral oil",
+                 .where = on,
+                 .fmu = InFmu::parameter}),
+          field(m.oil_share, "lubricant.share", Felt::motion, "oil in the free volume of the bearing",
+                {.models = planetary_drivetrain,
+                 .range = {0.0, 1.0},
+                 .reason = "oil mist with jets",
+                 .where = on,
+                 .fmu = InFmu::parameter}),
+          internal(m.drag_coefficient, "drag.coefficient"),
+          internal(m.churning_coefficient, "drag.churning_coefficient"));
+}
+
+/// Pin ring on its support in the carrier. Where a case leaves out the stiffness, it follows from the pin.
 struct SupportParameters {
   double stiffness = 5e8;       // [N/m]  Assumption: short steel pin in both carrier walls
-  double damping_ratio = 0.05;  // [-]    of pin ring and bore together on the stiffness. Assumption
+  double damping_ratio = 0.05;  // [-]    of pin ring and bore together on the stiffness
 };
+
+template <class Visitor>
+void describe(Visitor& visit, SupportParameters& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.stiffness, "support.stiffness", Felt::pin,
+                "radial stiffness of the pin in the carrier, for each bearing on it",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::stiffness,
+                 .range = positive(1e13),
+                 .fmu = InFmu::parameter}),
+          field(m.damping_ratio, "support.damping_ratio", Felt::motion,
+                "damping of planet and pin on the support",
+                {.models = planetary_drivetrain,
+                 .range = {0.0, 10.0},
+                 .reason = "bolted steel structure",
+                 .fmu = InFmu::parameter}));
+}
 
 /// One harmonic of a load: cosine cos(order angle) + sine sin(order angle).
 struct LoadHarmonic {
@@ -137,8 +350,19 @@ struct DynamicsParameters {
   MeshRipple ripple;
   Driving driving;
   InertiaSwitches inertia;
-  Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};  // Assumption: thin oil at 90 deg C
+  Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
   double bore_mass = 0.0;  // [kg]  planet mass per bearing; 0: that of the outer ring
 };
+
+template <class Visitor>
+void describe(Visitor& visit, DynamicsParameters& m) {
+  using namespace described;
+  members(visit, m, part(m.lubricant), part(m.race), part(m.drag), part(m.support),
+          internal(
+              m.bore_mass, "planet.mass_per_bearing",
+              "planet mass per bearing, by which support.damping_ratio counts; its inertia is not in the FMU",
+              {.dimension = dimension::mass, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
+          part(m.inertia), part(m.cage), apart(m.ripple), apart(m.driving));
+}
 
 }  // namespace orbearing::bearing::dynamics

@@ -28,6 +28,33 @@ struct CoupledOptions {
   double balanced_change = 1e-9;  // [-]  of the largest force: good enough
 };
 
+/// What a case states of it.
+template <class Visitor>
+void describe(Visitor& visit, CoupledOptions& m) {
+  using namespace described;
+  rows(visit,
+       field(m.order, "simulation.exchange.order", Felt::exchange,
+             "who waits for whom in a window of the co-simulation: the bearings for the gears, or nobody",
+             {.models = planetary_drivetrain, .reason = "stable in longer windows"}),
+       field(m.window.longest, "simulation.exchange.window", Felt::exchange,
+             "longest time between two exchanges",
+             {.models = planetary_drivetrain,
+              .dimension = dimension::time,
+              .range = positive(1e-3),
+              .reason = "a fraction of the stability limit: means as of one system within half a per cent",
+              .written = "us"}),
+       field(m.extrapolation, "simulation.exchange.extrapolation", Felt::exchange,
+             "degree of the polynomial by which forces and velocities go on in a window",
+             {.models = planetary_drivetrain,
+              .range = {0, 2},
+              .reason = "order 2 without overshoot at impacts"}),
+       field(m.iteration.most_passes, "simulation.exchange.passes", Felt::exchange,
+             "passes over a window until both sides agree, at most; 1: none is repeated",
+             {.models = planetary_drivetrain,
+              .range = {1, 100},
+              .reason = "short windows cost less than repeated ones"}));
+}
+
 /// One accepted window.
 struct WindowRecord {
   Window window;

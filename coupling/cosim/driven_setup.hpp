@@ -28,6 +28,17 @@ struct DrivenBearingSetup {
   long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
 };
 
+/// Of a drivetrain too.
+inline described::Row<double> lambda_row(double& lambda) {
+  using namespace described;
+  return field(lambda, "life.lambda", Felt::life,
+               "reduction factor of the capacity: the product lambda nu of ISO/TR 1281-1",
+               {.models = with_rollers,
+                .range = positive(1.0),
+                .reason = "the product for cylindrical roller bearings in ISO/TR 1281-1",
+                .fmu = InFmu::parameter});
+}
+
 /// Inputs over a window.
 struct BoreCourse {
   Course x, y;                  // [m]

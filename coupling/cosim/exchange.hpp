@@ -3,6 +3,7 @@
 
 #include "coupling/cosim/connection.hpp"
 #include "coupling/cosim/interface_course.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::cosim {
 
@@ -11,6 +12,11 @@ enum class ExchangeOrder {
   jacobi,        // all at once, each under what is expected of the others
   gauss_seidel,  // in the order of the participants, each under what those before it have answered
 };
+
+/// Those that a case may choose.
+constexpr described::Names<ExchangeOrder, 2> names_of(ExchangeOrder) {
+  return {{{ExchangeOrder::gauss_seidel, "gauss-seidel"}, {ExchangeOrder::jacobi, "jacobi"}}};
+}
 
 /// What a pass gave.
 struct PassResult {

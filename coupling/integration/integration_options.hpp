@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "mechanics/described.hpp"
+
 namespace orbearing::integration {
 
 /// Writes the rate `dx` of the state `x` at `time` [s]; must not allocate if the steps shall not.
@@ -16,6 +18,11 @@ enum class Method {
   rk4,                // classic Runge-Kutta at a fixed step: the reference
   linearly_implicit,  // Rosenbrock2 on the vectorised bearing: integrate_bearing()
 };
+
+/// Those that a case may choose.
+constexpr described::Names<Method, 2> names_of(Method) {
+  return {{{Method::linearly_implicit, "linearly-implicit"}, {Method::dopri5, "dopri5"}}};
+}
 
 struct IntegrationOptions {
   Method method = Method::dopri5;

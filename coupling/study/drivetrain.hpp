@@ -10,6 +10,7 @@
 #include "bearing/motion/parameters.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/cosim/coupled_run.hpp"
+#include "coupling/cosim/driven_setup.hpp"
 #include "coupling/integration/steady_state.hpp"
 #include "gearset/dynamics/parameters.hpp"
 #include "gearset/mean_loads.hpp"
@@ -22,14 +23,50 @@ namespace orbearing::study {
 /// Growth of the input speed at constant power, for the dynamic bearing.
 struct RunUp {
   double acceleration = 0.0;  // [rad/s^2]  of the driven member; 0: steady speeds
-  double duration = 0.0;      // [s]
+  double duration = 0.05;     // [s]
 };
+
+template <class Visitor>
+void describe(Visitor& visit, RunUp& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.acceleration, "input.acceleration", Felt::run_up,
+                "growth of the input speed at constant power, for a single dynamic run",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::angular_acceleration,
+                 .range = {-1e9, 1e9},
+                 .reason = "steady speeds"}),
+          field(m.duration, "simulation.run_up_time", Felt::run_up, "time of the run-up",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::time,
+                 .range = positive(1e4),
+                 .reason = "some revolutions of the cage",
+                 .where = {"input.acceleration"}}));
+}
 
 /// How the bore stands on the pin. Felt by bearings cut into laminae only.
 struct Misalignment {
   double planet_tilt = 0.0;  // [rad]  in the plane of the load: the bore leans towards the load at positive z
   double carrier_wind_up = 0.0;  // [rad]  in the tangential plane: the bore leads at positive z
 };
+
+template <class Visitor>
+void describe(Visitor& visit, Misalignment& m) {
+  using namespace described;
+  const Details angle{.models = planetary_drivetrain, .dimension = dimension::angle, .range = {-2.0, 2.0}};
+  members(
+      visit, m,
+      field(
+          m.planet_tilt, "bearing.misalignment.planet_tilt", Felt::life,
+          "tilt of the planet on its pin, in the plane of the load on its bearing; positive: the bore leans "
+          "towards the load at its positive end",
+          angle),
+      field(m.carrier_wind_up, "bearing.misalignment.carrier_wind_up", Felt::life,
+            "tilt of the bore against the pin in the tangential plane, by the twist of the carrier; "
+            "positive: the "
+            "bore leads at its positive end",
+            angle));
+}
 
 /// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
 /// other and derives anew.
@@ -58,6 +95,31 @@ struct PlanetaryDrivetrain {
   bool mesh_variation = true;   // false: the meshes keep their mean stiffness, and give their mean forces
   int cage_positions = 16;      // cage angles over one roller pitch that the quasi-static model averages
 };
+
+/// What a case states of it beside the gears.
+template <class Visitor>
+void describe(Visitor& visit, PlanetaryDrivetrain& m) {
+  using namespace described;
+  members(
+      visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing),
+      field(m.bearings_per_planet, "bearing.per_planet", Felt::carrier, "bearings side by side in a planet",
+            {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
+      apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
+      apart(m.film_approach),  // dynamics' own
+      cosim::lambda_row(m.lambda), part(m.misalignment), part(m.dynamics), part(m.steady_state),
+      part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.pins_displaced),
+      field(m.mesh_variation, "gearset.mesh_variation", Felt::gear_motion,
+            "the stiffness of a mesh varies as teeth pass, and shakes gears and planet bearings; false: it "
+            "keeps "
+            "its mean",
+            {.models = planetary_drivetrain,
+             .reason = "nothing left out; several sets give mean forces whatever is said here"}),
+      field(m.cage_positions, "numerics.cage_positions", Felt::at_rest,
+            "positions of the roller set over one roller pitch that are averaged",
+            {.models = planetary_drivetrain,
+             .range = {1, 10000},
+             .reason = "evenly over one pitch, so that the place of the rollers averages out"}));
+}
 
 /// What follows from the parameters whatever the power and speed.
 struct DrivetrainGeometry {

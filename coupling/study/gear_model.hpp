@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "coupling/study/drivetrain.hpp"
@@ -42,6 +44,122 @@ struct GearDynamicsChoice {
   gearset::dynamics::RunUp run_up;
   gearset::dynamics::FrameSwitches frame;
 };
+
+/// Rows of the body `name`, whose inertia counts on its radius `on`.
+template <class Visitor>
+void describe_body(Visitor& visit, GearMemberChoice& m, const std::string& name, const std::string& on) {
+  using namespace described;
+  const std::string path = "gearset.dynamics." + name;
+  const Details mass{.models = planetary_drivetrain,
+                     .required_by = toothless_set,
+                     .dimension = dimension::mass,
+                     .range = positive(1e6)};
+  rows(visit,
+       field(m.mass, path + ".mass", Felt::gear_bodies,
+             "mass of the " + name + "; derived from the teeth if absent", mass),
+       field(m.inertia, path + ".equivalent_mass", Felt::gear_bodies,
+             "moment of inertia of the " + name + " over the square of its " + on +
+                 "; derived from the teeth if absent",
+             mass));
+}
+
+/// And of how the housing holds it; `support`: why so stiffly where a case does not say.
+template <class Visitor>
+void describe_central(Visitor& visit, GearMemberChoice& m, const std::string& name, const std::string& on,
+                      std::string_view support) {
+  using namespace described;
+  const std::string path = "gearset.dynamics." + name;
+  const auto stiffness = [](std::string_view reason) {
+    return Details{.models = planetary_drivetrain,
+                   .dimension = dimension::stiffness,
+                   .range = {0.0, 1e13},
+                   .reason = reason};
+  };
+  describe_body(visit, m, name, on);
+  rows(visit,
+       field(m.support_stiffness, path + ".support_stiffness", Felt::gear_bodies,
+             "stiffness that holds the " + name + " in its place, 0: floating", stiffness(support)),
+       field(m.torsional_stiffness, path + ".torsional_stiffness", Felt::gear_bodies,
+             "stiffness against rotation of the " + name + ", on " + on + " x angle",
+             stiffness("free to turn; a fixed member is then held rigidly")));
+}
+
+/// Run-up and frame are stated by fields that are not theirs alone, the bodies' ratios by those of the set.
+template <class Visitor>
+void describe(Visitor& visit, GearDynamicsChoice& m) {
+  using namespace described;
+  constexpr unsigned set = planetary_drivetrain;
+  const std::string block = "gearset.dynamics.";
+  const Details errors{.models = set, .dimension = dimension::small_length, .range = {-1e5, 1e5}};
+  Details pins = errors;
+  pins.where = {"input.member"};
+  const auto mesh = [&](std::optional<double>& member, const std::string& name) {
+    return field(member, block + "mesh_stiffness." + name, Felt::gear_bodies,
+                 "constant stiffness of the " + name + " mesh; from the teeth if absent",
+                 {.models = set,
+                  .required_by = toothless_set,
+                  .dimension = dimension::stiffness,
+                  .range = positive(1e13)});
+  };
+  members(
+      visit, m,
+      part(m.sun, [&] { describe_central(visit, m.sun, "sun", "base radius", "a sun on a slender shaft"); }),
+      part(m.ring,
+           [&] { describe_central(visit, m.ring, "ring", "base radius", "a ring bolted to its housing"); }),
+      part(m.carrier,
+           [&] {
+             describe_central(visit, m.carrier, "carrier", "centre distance", "two bearings of the carrier");
+           }),
+      part(m.planet, [&] { describe_body(visit, m.planet, "planet", "base radius"); }),
+      field(m.bearing_stiffness, block + "planet.bearing_stiffness", Felt::gear_bodies,
+            "radial stiffness of all bearings of a planet and their pins; of the given bearing at its mean "
+            "load if "
+            "absent",
+            {.models = set,
+             .dimension = dimension::stiffness,
+             .range = positive(1e13),
+             .reason = "two roller bearings of a planet of some 70 mm, loaded",
+             .default_without_bearing = true}),
+      field(m.carrier_plate_ratio, block + "carrier.plate_ratio", Felt::walls,
+            "thickness of both side plates of the carrier as a share of the face width",
+            {.models = set,
+             .range = positive(10.0),
+             .reason = "the carrier's design is not given; discs that reach to the planets' rims"}),
+      mesh(m.sun_mesh_stiffness, "sun"), mesh(m.ring_mesh_stiffness, "ring"),
+      field(m.mesh_damping_ratio, block + "damping_ratio.mesh", Felt::gear_motion,
+            "damping of both gears turning on their mesh",
+            {.models = set, .range = {0.0, 2.0}, .reason = "usual of oiled steel gears"}),
+      field(m.bearing_damping_ratio, block + "damping_ratio.bearing", Felt::gear_motion,
+            "damping of a planet on its bearings; bearings of rollers have their own",
+            {.models = set, .range = {0.0, 2.0}, .reason = "oiled roller bearings in a steel structure"}),
+      field(m.support_damping_ratio, block + "damping_ratio.support", Felt::gear_motion,
+            "damping of a member on its support",
+            {.models = set, .range = {0.0, 2.0}, .reason = "bolted steel structure"}),
+      field(m.backlash, block + "backlash", Felt::gear_motion,
+            "play between the flanks along the line of action",
+            {.models = set,
+             .dimension = dimension::length,
+             .range = {0.0, 100.0},
+             .reason = "usual of modules of a few millimetres"}),
+      field(m.separation, block + "separation", Felt::gear_motion,
+            "teeth push only and can part; false: they also pull",
+            {.models = set, .reason = "nothing left out"}),
+      field(m.sun_error, block + "transmission_error.sun", Felt::gear_motion,
+            "missing material on the flanks of the sun mesh at equal steps of a mesh period that begins as a "
+            "pair "
+            "touches",
+            errors),
+      field(m.ring_error, block + "transmission_error.ring", Felt::gear_motion,
+            "missing material on the flanks of the ring mesh at equal steps of a mesh period that begins as "
+            "a pair "
+            "touches",
+            errors),
+      field(m.pin_error_radial, block + "pin_error.radial", Felt::load_sharing,
+            "how far each pin stands outward of its place", pins),
+      field(m.pin_error_tangential, block + "pin_error.tangential", Felt::load_sharing,
+            "how far each pin stands ahead of its place in the sense of rotation", pins),
+      apart(m.bodies), apart(m.run_up), apart(m.frame));
+}
 
 /// A set that is stated by masses and stiffnesses alone. All optional values of `choice` must be there.
 gearset::dynamics::SetParameters lumped_set(const GearDynamicsChoice& choice, int planets,

@@ -1,0 +1,248 @@
+// How parameters are described: one row for each member of a structure of parameters, beside the structure.
+// Case files, their schema, the list of assumptions and the variables of FMUs all come from these rows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+namespace orbearing::described {
+
+/// What a quantity measures: its coherent SI unit, the unit people write it in, and an example for messages.
+struct Dimension {
+  std::string_view name;       // "length"
+  std::string_view si;         // "m"        unit of every number inside the program
+  std::string_view customary;  // "mm"       unit of ranges and messages
+  std::string_view example;    // "3 mm"
+  double factor = 1.0;         // [si / customary]
+};
+
+namespace dimension {
+inline constexpr double kRadian = 0.017453292519943295;  // [rad / deg]
+inline constexpr double kTurn = 0.10471975511965977;     // [rad/s / rpm]
+inline constexpr Dimension length{"length", "m", "mm", "3 mm", 1e-3};
+inline constexpr Dimension small_length{"length", "m", "um", "37 um", 1e-6};
+inline constexpr Dimension angle{"angle", "rad", "deg", "20 deg", kRadian};
+inline constexpr Dimension angular_speed{"angular speed", "rad/s", "rpm", "6000 rpm", kTurn};
+inline constexpr Dimension angular_acceleration{"angular acceleration", "rad/s2", "rpm/s", "5000 rpm/s",
+                                                kTurn};
+inline constexpr Dimension power{"power", "W", "kW", "150 kW", 1e3};
+inline constexpr Dimension force{"force", "N", "N", "4450 N"};
+inline constexpr Dimension torque{"torque", "N.m", "N.m", "240 N.m"};
+inline constexpr Dimension mass{"mass", "kg", "kg", "2 kg"};
+inline constexpr Dimension time{"time", "s", "s", "0.5 s"};
+inline constexpr Dimension density{"density", "kg/m3", "kg/m3", "7850 kg/m3"};
+inline constexpr Dimension stress{"stress", "Pa", "GPa", "206 GPa", 1e9};
+inline constexpr Dimension viscosity{"dynamic viscosity", "Pa.s", "Pa.s", "0.01 Pa.s"};
+inline constexpr Dimension kinematic_viscosity{"kinematic viscosity", "m2/s", "mm2/s", "20 mm2/s", 1e-6};
+inline constexpr Dimension pressure_viscosity{"pressure-viscosity coefficient", "Pa-1", "GPa-1", "15 GPa-1",
+                                              1e-9};
+inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
+inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};
+inline constexpr Dimension inverse_speed{"inverse speed", "s/m", "s/m", "0.1 s/m"};
+inline constexpr Dimension damping{"damping", "N.s/m", "N.s/m", "200 N.s/m"};
+}  // namespace dimension
+
+/// Interval of allowed values, in the customary unit of the dimension.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_allowed = true;  // false: greater than `least`
+  bool most_allowed = true;   // false: less than `most`
+};
+
+/// Greater than 0.
+constexpr Range positive(double most = std::numeric_limits<double>::infinity()) {
+  return {.least = 0.0, .most = most, .least_allowed = false};
+}
+
+/// Kinds of machines that a case can be of, as bits, so that a row can name several.
+enum Model : unsigned {
+  no_model = 0,
+  planetary_drivetrain = 1,
+  roller_bearing = 2,
+  gear_pair = 4,
+  ball_bearing = 8
+};
+inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
+inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
+
+/// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
+inline constexpr unsigned toothless_set = 1u << 16;
+
+/// The physics by which a parameter changes a result. Which analysis holds which physics, and which cannot
+/// take a parameter that it ought to, is known where analyses are (app/case/field_use).
+enum class Felt {
+  everywhere,    // gears and bearings alike
+  planet,        // teeth and all that a planet is made of
+  pair,          // a pair of gears
+  gear_bodies,   // masses and springs of the gears
+  gear_motion,   // gears in motion
+  balance,       // what rollers carry, under a static load too
+  carrier,       // the same, but only of a bearing that a carrier takes round
+  walls,         // the carrier's, which hold the pins: gears and rollers in motion
+  pin,           // what holds the bearing: its springs, and rollers in motion
+  load_sharing,  // unlike loads of the planets
+  at_rest,       // bearings at rest, and those in motion that start from them
+  motion,        // rollers and cage in motion
+  euler,         // the carrier's speed that changes
+  life,          // what loads of the rollers are worth in life
+  run,           // means over time
+  run_up,        // speeds that grow
+  lone,          // a single bearing under a static load
+  exchange       // windows of a co-simulation
+};
+
+/// What an FMU shows of a member.
+enum class InFmu {
+  resource,   // travels with the model, unseen
+  parameter,  // settable before the run
+  constant    // shown; fixes the number of variables
+};
+
+/// A parameter counts only where that of `path` is `value`; without a value, where it is given and not zero.
+struct Where {
+  std::string_view path{};
+  std::string_view value{};
+};
+
+/// What a row may say beyond the parameter's name, physics and meaning. Texts are literals.
+struct Details {
+  unsigned models = no_model;       // that know it in a case
+  unsigned required_by = no_model;  // that cannot do without it
+  Dimension dimension{};            // none: a plain number
+  Range range{};
+  std::string_view reason{};   // why the member's initial value is the default of a case; none: it is not
+  std::string_view written{};  // unit in which the default is written; none: the customary one
+  Where where{};
+  bool default_without_bearing = false;  // the default counts only where a set has no bearing
+  InFmu fmu = InFmu::resource;
+};
+
+/// All that is known of a member besides its type and initial value.
+struct Facts {
+  std::string path;
+  Felt felt = Felt::everywhere;
+  std::string meaning{};
+  Details details{};
+};
+
+/// One value of an enumeration as a case writes it. Beside each enumeration that a case can choose from
+/// stands `names_of(E)`, which gives a `Names`.
+template <class E>
+struct Name {
+  E value;
+  std::string_view text;
+};
+template <class E, std::size_t n>
+using Names = std::array<Name<E>, n>;
+
+template <class Member>
+struct Row {
+  Member& member;
+  Facts facts;
+};
+template <class Part>
+struct PartRow {
+  Part& part;
+};
+template <class Call>
+struct CallRow {
+  Call describe;
+};
+struct NoRow {};
+template <class... Rows>
+struct RowsOfOne {
+  std::tuple<Rows...> rows;
+};
+
+/// A parameter of case files.
+template <class Member>
+Row<Member> field(Member& member, std::string path, Felt felt, std::string meaning, const Details& details) {
+  return {member, {std::move(path), felt, std::move(meaning), details}};
+}
+/// A member that no case states, but that travels with an FMU's model under this name.
+template <class Member>
+Row<Member> internal(Member& member, std::string path, std::string meaning = {},
+                     const Details& details = {}) {
+  return {member, {std::move(path), Felt::everywhere, std::move(meaning), details}};
+}
+/// A structure with rows of its own.
+template <class Part>
+PartRow<Part> part(Part& member) {
+  return {member};
+}
+/// A structure whose rows `describe()` gives, since they depend on where it is.
+template <class Part, class Call>
+CallRow<Call> part(Part&, Call describe) {
+  return {describe};
+}
+/// Several rows for one member.
+template <class... Rows>
+RowsOfOne<Rows...> together(const Rows&... rows) {
+  return {{rows...}};
+}
+/// A member that is no parameter of a case or FMU.
+template <class Member>
+NoRow apart(Member&) {
+  return {};
+}
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Stands for a member of any type; an optional one makes itself of its value.
+struct AnyMember {
+  template <class T>
+  requires(!is_optional<T>) operator T() const;
+};
+
+/// Number of members of an aggregate.
+template <class T, class... Any>
+constexpr std::size_t member_count() {
+  if constexpr (requires { T{Any{}..., AnyMember{}}; })
+    return member_count<T, Any..., AnyMember>();
+  else
+    return sizeof...(Any);
+}
+
+template <class Visitor, class Member>
+void visit_row(Visitor& visit, const Row<Member>& row) {
+  visit(row.member, row.facts);
+}
+template <class Visitor, class Part>
+void visit_row(Visitor& visit, const PartRow<Part>& row) {
+  describe(visit, row.part);
+}
+template <class Visitor, class Call>
+void visit_row(Visitor&, const CallRow<Call>& row) {
+  row.describe();
+}
+template <class Visitor>
+void visit_row(Visitor&, const NoRow&) {}
+template <class Visitor, class... Rows>
+void visit_row(Visitor& visit, const RowsOfOne<Rows...>& all) {
+  std::apply([&](const Rows&... row) { (visit_row(visit, row), ...); }, all.rows);
+}
+
+/// Calls `visit(member, facts)` for rows in turn.
+template <class Visitor, class... Rows>
+void rows(Visitor& visit, const Rows&... all) {
+  (visit_row(visit, all), ...);
+}
+
+/// The same for all rows of a structure: one for each of its members.
+template <class Visitor, class Struct, class... Rows>
+void members(Visitor& visit, const Struct&, const Rows&... all) {
+  static_assert(sizeof...(Rows) == member_count<Struct>(), "each member of a structure has one row");
+  rows(visit, all...);
+}
+
+}  // namespace orbearing::described
