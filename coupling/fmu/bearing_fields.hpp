@@ -1,9 +1,10 @@
-// The setup of a driven bearing as a table of fields.
+// The setup of a driven bearing, described for FMUs.
 #pragma once
 
 #include "coupling/cosim/driven_bearing.hpp"
 #include "coupling/fmu/number_table.hpp"
-#include "coupling/fmu/setup_field.hpp"
+#include "coupling/integration/steady_state.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::fmu {
 
@@ -14,12 +15,29 @@ struct BearingModel {
   double carrier_speed = 0.0;  // [rad/s]
 };
 
-/// Those of races, drag, support and inertia, and those of the cage's motion: parts of bearing_fields().
-void add_race_fields(FieldList<BearingModel>& fields);
-void add_cage_motion_fields(FieldList<BearingModel>& fields);
-
 /// All that a bearing's future depends on beside its inputs, in a fixed order.
-std::vector<SetupField<BearingModel>> bearing_fields();
+template <class Visitor>
+void describe(Visitor& visit, BearingModel& m) {
+  using namespace described;
+  cosim::DrivenBearingSetup& setup = m.setup;
+  const Details angle{.dimension = dimension::angle, .fmu = InFmu::parameter};
+  members(
+      visit, setup, part(setup.bearing), part(setup.dynamics),
+      internal(setup.orbit_radius, "gearset.centre_distance", "from the carrier's axis to the pin's",
+               {.dimension = dimension::length, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
+      internal(setup.first_roller, "first_roller", "place of the first roller at the start", angle),
+      together(
+          internal(setup.bore_tilt.x(), "bearing.misalignment.x",
+                   "tilt of the bore's axis against the pin's: outward at the bearing's positive end; felt "
+                   "by laminae",
+                   angle),
+          internal(setup.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
+                   angle)),
+      cosim::lambda_row(setup.lambda), integration::length_error_row(setup.allowed_length_error),
+      internal(setup.places, "simulation.places"), internal(setup.most_steps, "simulation.most_steps"));
+  members(visit, m, apart(m.setup), internal(m.planet_speed, "operation.planet_speed"),
+          internal(m.carrier_speed, "operation.carrier_speed"));
+}
 
 NumberTable numbers_of(const BearingModel& model);
 

@@ -150,7 +150,7 @@ ModelFacts bearing_facts(const NumberTable& numbers) {
                    .meaning =
                        "One cylindrical roller bearing of one planet: rollers, cage and pin ring in the "
                        "carrier's frame"};
-  show_fields(bearing_fields(), model, facts);
+  show_fields(model, facts);
   facts.inputs = bearing_inputs(model);
   facts.outputs = bearing_outputs(model.setup.bearing.rollers);
   return facts;

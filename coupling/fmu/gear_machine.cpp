@@ -95,7 +95,7 @@ ModelFacts gear_facts(const NumberTable& numbers) {
   const GearModel model = gears_from(numbers);
   ModelFacts facts{.model = "gearset",
                    .meaning = "A planetary gear set whose planet bearings are computed elsewhere"};
-  show_fields(gear_fields(), model, facts);
+  show_fields(model, facts);
   facts.inputs = gear_inputs(model);
   facts.outputs = gear_outputs(model.setup.set.planets);
   return facts;

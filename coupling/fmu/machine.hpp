@@ -8,15 +8,9 @@
 #include "coupling/cosim/course.hpp"
 #include "coupling/cosim/participant.hpp"
 #include "coupling/fmu/number_table.hpp"
-#include "coupling/fmu/setup_field.hpp"
+#include "coupling/fmu/setup_numbers.hpp"
 
 namespace orbearing::fmu {
-
-/// A value that the user may set before the run, or a constant.
-struct ShownField {
-  FieldFacts facts;
-  double start = 0.0;  // [unit of the facts]
-};
 
 struct InputFacts {
   std::string name;
@@ -74,14 +68,12 @@ ModelFacts gear_facts(const NumberTable& numbers);
 std::unique_ptr<Machine> make_bearing(const NumberTable& numbers);
 std::unique_ptr<Machine> make_gears(const NumberTable& numbers);
 
-/// Parameters and constants among `fields`.
+/// Parameters and constants among the rows of `setup`.
 template <class Setup>
-void show_fields(const std::vector<SetupField<Setup>>& fields, const Setup& setup, ModelFacts& facts) {
-  for (const SetupField<Setup>& field : fields) {
-    if (field.facts.use == Use::resource) continue;
-    auto& shown = field.facts.use == Use::parameter ? facts.parameters : facts.constants;
-    shown.push_back({field.facts, field.get(setup).at(0)});
-  }
+void show_fields(const Setup& setup, ModelFacts& facts) {
+  ShownFields shown = shown_fields(setup);
+  facts.parameters = std::move(shown.parameters);
+  facts.constants = std::move(shown.constants);
 }
 
 }  // namespace orbearing::fmu

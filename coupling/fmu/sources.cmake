@@ -14,8 +14,7 @@ set(ORBEARING_FMU_CORE
   model_file.cpp
   number_table.cpp
   profile_numbers.cpp
-  race_fields.cpp
-  setup_field.cpp
+  setup_numbers.cpp
   variable_table.cpp)
 # The C interfaces, whose names an importer of others in the same program must not meet.
 set(ORBEARING_FMU_INTERFACE fmi2.cpp fmi3.cpp fmi3_refusing.cpp)

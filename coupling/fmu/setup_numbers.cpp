@@ -1,0 +1,111 @@
+#include "coupling/fmu/setup_numbers.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace orbearing::fmu {
+
+namespace {
+
+constexpr double kConversion = 1e-12;  // [-]  by which a unit's factor may be off
+
+// Whether `value` lies beyond `bound`, in a direction of +1 or -1.
+bool beyond(double value, double bound, bool bound_allowed, double direction) {
+  if (std::isinf(bound)) return false;
+  const double excess = direction * (value - bound);
+  return bound_allowed ? excess > kConversion * std::abs(bound) : excess >= 0.0;
+}
+
+std::string with_unit(double value, const FieldFacts& facts) {
+  std::ostringstream text;
+  text << value;
+  if (facts.unit != "1") text << ' ' << facts.unit;
+  return text.str();
+}
+
+std::string required(const FieldFacts& facts) {
+  const described::Range& range = facts.range;
+  std::string text;
+  if (!std::isinf(range.least))
+    text = (range.least_allowed ? "at least " : "greater than ") + with_unit(range.least, facts);
+  if (!std::isinf(range.most))
+    text += (text.empty() ? "" : " and ") + std::string(range.most_allowed ? "at most " : "less than ") +
+            with_unit(range.most, facts);
+  return text;
+}
+
+}  // namespace
+
+FieldFacts field_facts(const described::Facts& facts, double none) {
+  const described::Dimension& dimension = facts.details.dimension;
+  described::Range range = facts.details.range;
+  range.least *= dimension.factor;
+  range.most *= dimension.factor;
+  std::string unit = dimension.si.empty() ? "1" : std::string(dimension.si);
+  if (unit == "Pa-1") unit = "1/Pa";
+  return {facts.path, std::move(unit), facts.meaning, range, none};
+}
+
+void require_allowed(const FieldFacts& facts, double value) {
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument(facts.name + ": found " + with_unit(value, facts) + "; required: " + what);
+  };
+  if (!std::isfinite(value)) refuse("a finite number");
+  if (value == facts.none) return;
+  if (beyond(value, facts.range.least, facts.range.least_allowed, -1.0) ||
+      beyond(value, facts.range.most, facts.range.most_allowed, 1.0))
+    refuse(required(facts));
+}
+
+double NumberReader::single(const described::Facts& facts, const std::vector<double>& values, double none) {
+  if (facts.details.fmu != described::InFmu::resource)
+    require_allowed(field_facts(facts, none), values.empty() ? 0.0 : values[0]);
+  if (values.size() != 1)
+    throw std::invalid_argument(facts.path + ": found " + std::to_string(values.size()) +
+                                " numbers; required: 1");
+  return values[0];
+}
+
+std::vector<double> to_numbers(const std::vector<double>& list) {
+  return list;
+}
+void from_numbers(const std::vector<double>& numbers, std::vector<double>& list) {
+  list = numbers;
+}
+
+std::vector<double> to_numbers(const std::vector<bearing::RaceHarmonic>& form) {
+  std::vector<double> numbers;
+  for (const bearing::RaceHarmonic& wave : form)
+    numbers.insert(numbers.end(), {static_cast<double>(wave.order), wave.amplitude, wave.phase,
+                                   static_cast<double>(wave.turning)});
+  return numbers;
+}
+void from_numbers(const std::vector<double>& numbers, std::vector<bearing::RaceHarmonic>& form) {
+  form.clear();
+  for (std::size_t i = 0; i + 3 < numbers.size(); i += 4)
+    form.push_back({static_cast<int>(numbers[i]), numbers[i + 1], numbers[i + 2], numbers[i + 3] != 0.0});
+}
+
+std::vector<double> to_numbers(const bearing::profile::Profile& profile) {
+  return profile_numbers(profile);
+}
+void from_numbers(const std::vector<double>& numbers, bearing::profile::Profile& profile) {
+  profile = profile_from(numbers);
+}
+
+std::vector<double> to_numbers(const gearset::PeriodicCurve& curve) {
+  return curve.numbers();
+}
+void from_numbers(const std::vector<double>& numbers, gearset::PeriodicCurve& curve) {
+  curve = gearset::PeriodicCurve::from_numbers(numbers);
+}
+
+std::vector<double> to_numbers(const Eigen::Matrix2Xd& matrix) {
+  return {matrix.data(), matrix.data() + matrix.size()};
+}
+void from_numbers(const std::vector<double>& numbers, Eigen::Matrix2Xd& matrix) {
+  matrix =
+      Eigen::Map<const Eigen::Matrix2Xd>(numbers.data(), 2, static_cast<Eigen::Index>(numbers.size() / 2));
+}
+
+}  // namespace orbearing::fmu
