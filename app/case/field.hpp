@@ -1,7 +1,6 @@
 // One row of the table of fields: all that is known about an input before a case is read.
 #pragma once
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,27 +13,13 @@ namespace orbearing::app {
 
 enum class Kind { quantity, integer, number, flag, choice, text, list };
 
-/// Models of this version, as bits, so that a field can name several.
-enum Model : unsigned {
-  no_model = 0,
-  planetary_drivetrain = 1,
-  roller_bearing = 2,
-  gear_pair = 4,
-  ball_bearing = 8
-};
-inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
-
-/// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
-inline constexpr unsigned toothless_set = 1u << 16;
-
-/// Interval of allowed values, in the customary unit of the field.
-struct Range {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
-  bool least_allowed = true;  // false: greater than `least`
-  bool most_allowed = true;   // false: less than `most`
-};
+using described::Model;
+using enum described::Model;
+using described::every_model;
+using described::positive;
+using described::Range;
+using described::toothless_set;
+using described::with_rollers;
 
 struct Field {
   std::string path{};  // "bearing.radial_clearance"

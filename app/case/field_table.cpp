@@ -5,6 +5,9 @@
 #include <map>
 #include <numeric>
 
+#include "app/case/described_fields.hpp"
+#include "gearset/gear_pair.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -23,9 +26,72 @@ BlockOrder block_order(const std::string& path, std::map<std::string, std::size_
   }
 }
 
+// The order in which cases are written, where it is not that of the rows. What is not listed follows.
+constexpr const char* written_first[] = {"name",
+                                         "source",
+                                         "model",
+                                         "input",
+                                         "gearset",
+                                         "bearing",
+                                         "load",
+                                         "operation",
+                                         "material",
+                                         "contact",
+                                         "lubricant",
+                                         "film",
+                                         "life",
+                                         "inertia",
+                                         "numerics",
+                                         "traction",
+                                         "drag",
+                                         "support",
+                                         "simulation",
+                                         "gearset.fixed",
+                                         "gearset.planets",
+                                         "gearset.teeth",
+                                         "gearset.module",
+                                         "gearset.pressure_angle",
+                                         "gearset.profile_shift",
+                                         "gearset.face_width",
+                                         "bearing.type",
+                                         "bearing.per_planet",
+                                         "bearing.rollers",
+                                         "bearing.roller_diameter",
+                                         "bearing.roller_length",
+                                         "bearing.pitch_diameter",
+                                         "bearing.radial_clearance",
+                                         "bearing.bore",
+                                         "bearing.outside_diameter",
+                                         "bearing.width",
+                                         "bearing.cage",
+                                         "bearing.laminae",
+                                         "bearing.profile",
+                                         "bearing.misalignment",
+                                         "bearing.inner_race",
+                                         "bearing.outer_race",
+                                         "bearing.cage.inner_diameter",
+                                         "bearing.cage.outer_diameter",
+                                         "bearing.cage.width",
+                                         "bearing.cage.density",
+                                         "bearing.cage.guide_land_diameter",
+                                         "bearing.cage.guidance",
+                                         "bearing.cage.pocket_clearance",
+                                         "bearing.cage.pocket_stiffness",
+                                         "bearing.cage.pocket_damping",
+                                         "bearing.cage.pocket_friction",
+                                         "bearing.cage.largest_eccentricity",
+                                         "bearing.cage.touch_down_stiffness",
+                                         "bearing.cage.guidance_film",
+                                         "contact.law",
+                                         "contact.damping",
+                                         "contact.lubrication",
+                                         "contact.roughness",
+                                         "contact.boundary_friction"};
+
 // Blocks stay together in what is written from the table, whichever file adds their fields.
 std::vector<Field> grouped(std::vector<Field> fields) {
   std::map<std::string, std::size_t> first_seen;
+  for (const char* path : written_first) block_order(path, first_seen);
   std::map<std::string, BlockOrder> order;
   for (const Field& field : fields) order[field.path] = block_order(field.path, first_seen);
   std::stable_sort(fields.begin(), fields.end(),
@@ -39,10 +105,7 @@ std::vector<Field> build_table() {
   table::add_drivetrain_fields(fields);
   table::add_gear_dynamics_fields(fields);
   table::add_bearing_fields(fields);
-  table::add_condition_fields(fields);
-  table::add_dynamics_fields(fields);
-  table::add_refinement_fields(fields);
-  table::add_pair_fields(fields);
+  add_described(fields, gearset::GearPair{});
   table::add_static_fields(fields);
   return grouped(std::move(fields));
 }

@@ -51,11 +51,7 @@ namespace table {
 void add_case_fields(std::vector<Field>& fields);
 void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
-void add_condition_fields(std::vector<Field>& fields);
-void add_dynamics_fields(std::vector<Field>& fields);
-void add_refinement_fields(std::vector<Field>& fields);
 void add_gear_dynamics_fields(std::vector<Field>& fields);
-void add_pair_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
 }  // namespace table
 

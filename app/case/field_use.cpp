@@ -1,6 +1,137 @@
 #include "app/case/field_use.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace orbearing::app {
+
+namespace {
+
+// Analyses that hold the physics. All others cannot feel what belongs to it alone.
+unsigned holding(described::Felt felt) {
+  using enum described::Felt;
+  switch (felt) {
+    case everywhere:
+      return use::all;
+    case planet:
+      return use::of_a_drivetrain;
+    case pair:
+      return use::mesh;
+    case gear_bodies:
+      return use::gears_in_motion | use::natural;
+    case gear_motion:
+      return use::gears_in_motion;
+    case balance:
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load;
+    case carrier:
+      return use::lives | use::bearings_as_springs | use::fmu_bearing;
+    case walls:
+      return use::gears_in_motion | use::natural | use::rollers_in_motion;
+    case pin:
+      return use::rollers_in_motion | use::bearings_as_springs;
+    case load_sharing:
+      return use::gears_in_motion | use::quasi_static;
+    case at_rest:
+      return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
+    case motion:
+      return use::rollers_in_motion;
+    case euler:
+      return use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing;
+    case life:
+      return use::lives | use::fmu_bearing | use::static_load;
+    case run:
+      return use::in_time;
+    case run_up:
+      return use::dynamic | use::dynamic_of_sets;
+    case lone:
+      return use::static_load;
+    case exchange:
+      return use::co_simulated;
+  }
+  return 0;
+}
+
+// Analyses that ought to hold the physics and leave it out: they warn. Of several sets the meshes give mean
+// forces, and crown varies a planet of the mean load.
+unsigned leaving_out(described::Felt felt) {
+  using enum described::Felt;
+  if (felt == gear_bodies || felt == gear_motion) return use::dynamic_of_sets;
+  return felt == load_sharing ? use::dynamic_of_sets | use::crown : 0u;
+}
+
+// How single parameters differ from what their physics says.
+struct Exception {
+  std::string_view path;
+  unsigned refused_by = 0;  // analyses that ought to take it and cannot
+  unsigned unfelt_by = 0;   // analyses that vary it themselves, or do not need it
+  unsigned unused_by = 0;   // analyses that ought to feel it and leave it out
+};
+
+constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
+constexpr Exception exceptions[] = {
+    {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
+    {"input.power", 0, use::fmu_bearing},
+    {"input.speed", 0, use::mesh},
+    {"gearset.planets", 0, use::fmu_bearing},
+    // Coupled gears start on it; --fidelity dynamic fits a law of its own.
+    {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},
+    {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
+    {"film.enabled", use::static_load},
+    {"film.approach", other_rungs | use::fmu_bearing},
+    {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
+    {"bearing.cage.pocket_film", use::monolithic},  // one system of equations knows pockets without oil
+    {"bearing.cage.pocket_roughness", use::monolithic},
+    {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
+    {"bearing.misalignment.planet_tilt", 0, use::crown},
+    {"simulation.integrator", other_rungs | use::fmu_bearing}};
+
+// What gives way under the planets, with its ends: felt at rest too where pins stand off their places, since
+// then it decides who carries how much.
+constexpr std::string_view giving_way[] = {"bearing.bore",
+                                           "support.stiffness",
+                                           "gearset.dynamics.sun.mass",
+                                           "gearset.dynamics.sun.support_stiffness",
+                                           "gearset.dynamics.sun.torsional_stiffness",
+                                           "gearset.dynamics.ring.mass",
+                                           "gearset.dynamics.ring.support_stiffness",
+                                           "gearset.dynamics.ring.torsional_stiffness",
+                                           "gearset.dynamics.carrier.mass",
+                                           "gearset.dynamics.carrier.support_stiffness",
+                                           "gearset.dynamics.carrier.torsional_stiffness",
+                                           "gearset.dynamics.carrier.plate_ratio",
+                                           "gearset.dynamics.planet.mass",
+                                           "gearset.dynamics.mesh_stiffness.sun",
+                                           "gearset.dynamics.mesh_stiffness.ring",
+                                           "gearset.dynamics.backlash",
+                                           "gearset.dynamics.separation",
+                                           "gearset.dynamics.transmission_error.sun",
+                                           "gearset.dynamics.transmission_error.ring"};
+
+Use with_load_sharing(const Use& use, std::string_view path) {
+  const bool gives_way =
+      std::find(std::begin(giving_way), std::end(giving_way), path) != std::end(giving_way);
+  return gives_way ? use.felt_too(use::quasi_static, where_pins_are_displaced()) : use;
+}
+
+Exception exception_of(std::string_view path) {
+  for (const Exception& exception : exceptions)
+    if (exception.path == path) return exception;
+  return {path};
+}
+
+}  // namespace
+
+Use use_of(const described::Facts& facts) {
+  const Exception but = exception_of(facts.path);
+  const unsigned without = leaving_out(facts.felt) | but.unused_by;
+  const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
+  const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
+  const Use use = with_load_sharing(Use(by, unfelt, but.refused_by), facts.path);
+  const described::Where& only = facts.details.where;
+  if (only.path.empty()) return use;
+  const std::string path(only.path);
+  return use.when(only.value.empty() ? where_given({path}) : where(path, {std::string(only.value)}));
+}
 
 Condition where(std::string path, std::vector<std::string> values) {
   return {.paths = {std::move(path)}, .values = std::move(values)};

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/described.hpp"
+
 namespace orbearing::app {
 
 /// Analyses as bits, so that a row can name several. A new one is a bit here and a name in field_use.cpp;
@@ -71,6 +73,10 @@ struct Use {
   unsigned felt_beside = 0;             // of unfelt_by: they use it where `beside` holds
   Condition beside{};
 };
+
+/// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
+/// felt, but for those that cannot take it.
+Use use_of(const described::Facts& facts);
 
 /// "run and sweep with --fidelity dynamic"
 std::string analysis_name(use::Analysis analysis);

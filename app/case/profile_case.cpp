@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/profile/design.hpp"
@@ -39,15 +40,11 @@ Roller roller_of(const ResolvedCase& in) {
   const double station = kDropPlace * 0.5 * out.length;
   const double standard = drop(Iso16281{out.length, out.diameter, 1.0}, station);
   out.drop = length_or(in, "drop", standard);
-  const bearing::CylindricalRollerBearing races{.roller_diameter = out.diameter,
-                                                .pitch_diameter = in.quantity("bearing.pitch_diameter"),
-                                                .radial_clearance = in.quantity("bearing.radial_clearance")};
+  const auto races = from_case<bearing::CylindricalRollerBearing>(in);
   out.design = {
       .length = out.length,
       .equivalent_radius = bearing::equivalent_radius(bearing::geometry_of(races), bearing::Race::inner),
-      .material = {.youngs_modulus = in.quantity("material.youngs_modulus"),
-                   .poisson_ratio = in.number("material.poisson_ratio"),
-                   .density = in.quantity("material.density")}};
+      .material = from_case<bearing::Material>(in)};
   out.design.load = in.has(kBlock + "design_load")
                         ? in.quantity(kBlock + "design_load")
                         : design_load_of_drop(out.design, out.drop > 0.0 ? out.drop : standard);

@@ -7,11 +7,10 @@ set(ORBEARING_CASE_SOURCES
   case/case_shape.cpp
   case/changed_case.cpp
   case/check_table.cpp
-  case/condition_fields.cpp
   case/consistency.cpp
   case/derived_defaults.cpp
+  case/described_fields.cpp
   case/drivetrain_fields.cpp
-  case/dynamics_fields.cpp
   case/field.cpp
   case/field_table.cpp
   case/field_use.cpp
@@ -19,11 +18,9 @@ set(ORBEARING_CASE_SOURCES
   case/gear_dynamics_fields.cpp
   case/mistake.cpp
   case/pair_case.cpp
-  case/pair_fields.cpp
   case/printable.cpp
   case/profile_case.cpp
   case/refinement_consistency.cpp
-  case/refinement_fields.cpp
   case/resolved_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp

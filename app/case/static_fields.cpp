@@ -1,5 +1,9 @@
-// Fields of one bearing under a static load: balls and grooves, loads, and what the standard life asks.
+// Fields of one bearing under a static load: balls and grooves, loads, speeds, and what the standard life
+// asks.
+#include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/parameters.hpp"
 
 namespace orbearing::app::table {
 
@@ -23,40 +27,34 @@ Field optional_quantity(const Dimension& dimension, std::string path, std::strin
           .range = range};
 }
 
-Field ball_number(std::string path, std::string meaning, Range range, std::string text, std::string reason) {
-  return {.path = std::move(path),
-          .kind = Kind::number,
-          .meaning = std::move(meaning),
-          .use = by_static_load(),
-          .models = ball_bearing,
-          .range = range,
-          .default_text = std::move(text),
-          .default_reason = std::move(reason)};
-}
-
-void add_balls(std::vector<Field>& fields) {
-  fields.push_back({.path = "bearing.balls",
-                    .kind = Kind::integer,
-                    .meaning = "number of balls",
+void add_operation(std::vector<Field>& fields) {
+  constexpr Range speeds{-1e6, 1e6};
+  fields.push_back({.path = "operation.shaft_speed",
+                    .kind = Kind::quantity,
+                    .meaning = "speed of the inner ring",
+                    .use = by_static_load().when(where_given({"lubricant.kinematic_viscosity"})),
+                    .models = single_bearing,
+                    .dimension = dimension::angular_speed,
+                    .range = speeds,
+                    .default_text = "0 rpm",
+                    .default_reason = "a static load"});
+  fields.push_back({.path = "operation.outer_speed",
+                    .kind = Kind::quantity,
+                    .meaning = "speed of the outer ring",
+                    .use = by_static_load().when(where_given({"lubricant.kinematic_viscosity"})),
+                    .models = single_bearing,
+                    .dimension = dimension::angular_speed,
+                    .range = speeds,
+                    .default_text = "0 rpm",
+                    .default_reason = "a static load"});
+  fields.push_back({.path = "operation.turning_race",
+                    .kind = Kind::choice,
+                    .meaning = "race that turns relative to the load",
                     .use = by_static_load(),
-                    .models = ball_bearing,
-                    .required_by = ball_bearing,
-                    .range = {3, 500}});
-  Field diameter = optional_quantity(dimension::length, "bearing.ball_diameter", "diameter of a ball",
-                                     ball_bearing, {.least = 0.0, .most = 1e4, .least_allowed = false});
-  diameter.required_by = ball_bearing;
-  fields.push_back(diameter);
-  Field angle = optional_quantity(dimension::angle, "bearing.contact_angle", "nominal contact angle",
-                                  ball_bearing, {0.0, 85.0});
-  angle.default_text = "0 deg";
-  angle.default_reason = "a deep-groove bearing";
-  fields.push_back(angle);
-  constexpr Range osculation{.least = 0.5, .most = 1.0, .least_allowed = false};
-  const std::string usual = "the grooves for which ISO 281 states f_c";
-  fields.push_back(ball_number("bearing.inner_osculation", "radius of the inner groove over ball diameter",
-                               osculation, "0.52", usual));
-  fields.push_back(ball_number("bearing.outer_osculation", "radius of the outer groove over ball diameter",
-                               osculation, "0.53", usual));
+                    .models = single_bearing,
+                    .choices = {"inner", "outer"},
+                    .default_text = "inner",
+                    .default_reason = "a load that stands still on a turning shaft"});
 }
 
 void add_capacities(std::vector<Field>& fields) {
@@ -67,24 +65,6 @@ void add_capacities(std::vector<Field>& fields) {
   fields.push_back(optional_quantity(dimension::force, "bearing.fatigue_load_limit",
                                      "fatigue load limit C_u; without it that of ISO 281 by C_0",
                                      single_bearing, above_zero));
-}
-
-void add_loads(std::vector<Field>& fields) {
-  Field axial = optional_quantity(dimension::force, "load.axial", "axial load on the bearing", ball_bearing,
-                                  {0.0, 1e9});
-  axial.default_text = "0 N";
-  axial.default_reason = "a radial load alone";
-  fields.push_back(axial);
-  Field moment = optional_quantity(dimension::torque, "load.moment",
-                                   "moment on the inner ring in the plane of the radial load", single_bearing,
-                                   {-1e9, 1e9});
-  moment.default_text = "0 N.m";
-  moment.default_reason = "the shaft does not hold the ring against tilting";
-  fields.push_back(moment);
-  fields.push_back(optional_quantity(dimension::angle, "load.tilt",
-                                     "tilt of the inner ring in the plane of the radial load, in place of "
-                                     "its moment",
-                                     single_bearing, {-10.0, 10.0}));
 }
 
 Field life_number(std::string path, std::string meaning, Range range) {
@@ -127,9 +107,10 @@ void add_life(std::vector<Field>& fields) {
 }  // namespace
 
 void add_static_fields(std::vector<Field>& fields) {
-  add_balls(fields);
+  add_described(fields, bearing::equilibrium::RingLoad{});
+  add_operation(fields);
+  add_described(fields, bearing::BallBearing{});
   add_capacities(fields);
-  add_loads(fields);
   add_life(fields);
 }
 

@@ -4,7 +4,7 @@
 #include "app/commands/command_line.hpp"
 #include "app/commands/gear_study.hpp"
 #include "app/commands/static_run.hpp"
-#include "app/study/refinements.hpp"
+#include "app/study/computable.hpp"
 #include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 

@@ -1,8 +1,8 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
+#include "app/study/computable.hpp"
 #include "app/study/peak_refinement.hpp"
-#include "app/study/refinements.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {

@@ -13,9 +13,6 @@ namespace orbearing::app {
 /// gears, which itself follows from them: drivetrain_of() adds it.
 study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& resolved);
 
-/// Parameters of the bearing alone, for both models that hold one.
-bearing::CylindricalRollerBearing bearing_of(const ResolvedCase& resolved);
-
 /// Remarks on the gears, each with its place in the case; sets without bearings included.
 std::vector<std::string> gear_warnings(const ResolvedCase& resolved);
 

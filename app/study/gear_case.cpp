@@ -1,5 +1,6 @@
 #include "app/study/gear_case.hpp"
 
+#include "app/case/described_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
@@ -11,51 +12,11 @@ namespace {
 
 const std::string kBlock = "gearset.dynamics.";
 
-std::optional<double> given(const ResolvedCase& in, const std::string& path) {
-  if (!in.has(kBlock + path)) return std::nullopt;
-  return in.quantity(kBlock + path);
-}
-
-double value_or_zero(const ResolvedCase& in, const std::string& path) {
-  return given(in, path).value_or(0.0);
-}
-
-std::vector<double> list_of(const ResolvedCase& in, const std::string& path) {
-  return in.has(kBlock + path) ? in.list(kBlock + path) : std::vector<double>{};
-}
-
-study::GearMemberChoice member_choice(const ResolvedCase& in, const std::string& member) {
-  return {.mass = given(in, member + ".mass"),
-          .inertia = given(in, member + ".equivalent_mass"),
-          .support_stiffness = value_or_zero(in, member + ".support_stiffness"),
-          .torsional_stiffness = value_or_zero(in, member + ".torsional_stiffness")};
-}
-
-// What every set states, with teeth or without.
-study::GearDynamicsChoice bodies_choice(const ResolvedCase& in) {
-  return {.sun = member_choice(in, "sun"),
-          .ring = member_choice(in, "ring"),
-          .carrier = member_choice(in, "carrier"),
-          .planet = member_choice(in, "planet"),
-          .bearing_stiffness = given(in, "planet.bearing_stiffness"),
-          .sun_mesh_stiffness = given(in, "mesh_stiffness.sun"),
-          .ring_mesh_stiffness = given(in, "mesh_stiffness.ring"),
-          .mesh_damping_ratio = in.number(kBlock + "damping_ratio.mesh"),
-          .bearing_damping_ratio = in.number(kBlock + "damping_ratio.bearing"),
-          .support_damping_ratio = in.number(kBlock + "damping_ratio.support")};
-}
-
-study::GearDynamicsChoice geometric_choice(const ResolvedCase& in) {
-  study::GearDynamicsChoice choice = bodies_choice(in);
-  choice.backlash = in.quantity(kBlock + "backlash");
-  choice.separation = in.flag(kBlock + "separation");
-  choice.carrier_plate_ratio = in.number(kBlock + "carrier.plate_ratio");
+study::GearDynamicsChoice gears_of(const ResolvedCase& in) {
+  auto choice = from_case<study::GearDynamicsChoice>(in);
+  if (!in.shape().teeth) return choice;
   choice.bodies = {.sun_bore = in.number("gearset.sun_bore_ratio"),
                    .ring_outside = in.number("gearset.ring_outside_ratio")};
-  choice.sun_error = list_of(in, "transmission_error.sun");
-  choice.ring_error = list_of(in, "transmission_error.ring");
-  choice.pin_error_radial = list_of(in, "pin_error.radial");
-  choice.pin_error_tangential = list_of(in, "pin_error.tangential");
   choice.run_up = {.from = in.number(kBlock + "run_up.from"),
                    .duration = in.quantity(kBlock + "run_up.duration")};
   choice.frame = {.coriolis = in.flag("inertia.coriolis"),
@@ -68,9 +29,9 @@ study::GearDynamicsChoice geometric_choice(const ResolvedCase& in) {
 gearset::dynamics::SetModel lumped_model(const ResolvedCase& in, double carrier_speed) {
   gearset::dynamics::Operation operation;
   operation.speeds.carrier = carrier_speed;
-  return set_model(study::lumped_set(bodies_choice(in), in.integer("gearset.planets"),
-                                     in.quantity("gearset.pressure_angle")),
-                   operation);
+  return set_model(
+      study::lumped_set(gears_of(in), in.integer("gearset.planets"), in.quantity("gearset.pressure_angle")),
+      operation);
 }
 
 double planet_rings(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry) {
@@ -79,7 +40,7 @@ double planet_rings(const study::PlanetaryDrivetrain& drivetrain, const study::D
 
 gearset::dynamics::SetModel geometric_model(const ResolvedCase& in) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
-  const study::GearDynamicsChoice choice = geometric_choice(in);
+  const study::GearDynamicsChoice choice = gears_of(in);
   double rings = 0.0, stiffness = 0.0;
   if (in.shape().bearing) {
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "app/study/computable.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/refinements.hpp"
 #include "bearing/profile/design.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 

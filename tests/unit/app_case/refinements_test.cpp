@@ -1,4 +1,4 @@
-#include "app/study/refinements.hpp"
+#include "app/study/computable.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,76 @@
+// Structures of parameters from a case, by the rows beside them (mechanics/described.hpp).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "app/case/derived_defaults.hpp"
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::app {
+
+/// A visitor of rows: gives each member the value of its field. One without a value keeps what it has.
+class DescribedCase {
+ public:
+  explicit DescribedCase(const ResolvedCase& in) : in_(in) {}
+
+  template <class Member>
+  void operator()(Member& member, const described::Facts& facts) {
+    if (facts.details.models == no_model) return;
+    // What follows from other values must have done so.
+    if (in_.has(facts.path) || !default_rule(facts.path).empty()) read(member, facts);
+  }
+
+ private:
+  using Facts = described::Facts;
+
+  void read(bool& member, const Facts& facts) { member = in_.flag(facts.path); }
+  template <std::integral Count>
+  void read(Count& member, const Facts& facts) {
+    member = in_.integer(facts.path);
+  }
+  void read(std::optional<double>& member, const Facts& facts) { read(member.emplace(), facts); }
+  void read(double& member, const Facts& facts) {
+    const bool plain = facts.details.dimension.name.empty();
+    member = plain ? in_.number(facts.path) : in_.quantity(facts.path);
+  }
+  void read(std::vector<double>& member, const Facts& facts) { member = in_.list(facts.path); }
+  template <class Number, std::size_t n>
+  void read(std::array<Number, n>& member, const Facts& facts) {
+    for (std::size_t i = 0; i < n; ++i) {
+      const double value = in_.list(facts.path).at(i);
+      member[i] = static_cast<Number>(std::is_integral_v<Number> ? std::round(value) : value);
+    }
+  }
+  template <class Choice>
+  requires std::is_enum_v<Choice>
+  void read(Choice& member, const Facts& facts) {
+    for (const auto& name : names_of(member))
+      if (name.text == in_.choice(facts.path)) {
+        member = name.value;
+        return;
+      }
+    throw std::logic_error(facts.path + " has no choice '" + in_.choice(facts.path) + "'");
+  }
+  // Of kinds that no case states.
+  template <class Other>
+  requires(!std::is_arithmetic_v<Other> && !std::is_enum_v<Other>) void read(Other&, const Facts&) {}
+
+  const ResolvedCase& in_;
+};
+
+/// `parameters` with the values of the case.
+template <class Struct>
+Struct from_case(const ResolvedCase& in, Struct parameters = {}) {
+  DescribedCase visit(in);
+  describe(visit, parameters);
+  return parameters;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,30 @@
+// What a drivetrain and its gears are where a case says nothing: their members hold the defaults of the
+// fields.
+#pragma once
+
+#include "coupling/study/drivetrain.hpp"
+#include "coupling/study/gear_model.hpp"
+
+namespace orbearing::app {
+
+inline study::PlanetaryDrivetrain usual_drivetrain() {
+  study::PlanetaryDrivetrain drivetrain;
+  drivetrain.steady_state.observed_windows = 10;
+  drivetrain.steady_state.integration.method = integration::Method::linearly_implicit;
+  return drivetrain;
+}
+
+inline study::GearDynamicsChoice usual_gears() {
+  study::GearDynamicsChoice gears;
+  gears.sun.support_stiffness = 1e8;
+  gears.ring.support_stiffness = 1e9;
+  gears.carrier.support_stiffness = 5e8;
+  gears.bearing_stiffness = 3e8;
+  gears.mesh_damping_ratio = 0.07;
+  gears.bearing_damping_ratio = 0.05;
+  gears.support_damping_ratio = 0.05;
+  gears.backlash = 0.1e-3;
+  return gears;
+}
+
+}  // namespace orbearing::app

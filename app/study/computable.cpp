@@ -1,0 +1,48 @@
+#include "app/study/computable.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "app/case/unused_inputs.hpp"
+#include "app/errors.hpp"
+#include "app/study/fidelity.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+const std::string kAcceleration = "input.acceleration";
+
+[[noreturn]] void refuse(const ResolvedCase& in, const std::string& path, const std::string& found,
+                         const std::string& required) {
+  throw BadInput(fmt::format("{}: {}: found {}; required: {}", in.origin(path), path, found, required));
+}
+
+bool runs_up(const ResolvedCase& in) {
+  return in.quantity(kAcceleration) != 0.0;
+}
+
+// Gears and bearings that act on each other: one set with teeth.
+void require_two_way(const ResolvedCase& in, const std::string& fidelity) {
+  if (in.shape().several)
+    throw BadInput(in.file() +
+                   ": sets: found several sets; required: one set, as gearset at the top of a case, for "
+                   "--fidelity " +
+                   fidelity);
+}
+
+}  // namespace
+
+void require_computable(const ResolvedCase& in, const std::string& fidelity, bool sweep) {
+  if (in.model() != planetary_drivetrain || !in.has(kAcceleration)) return;  // gears alone have none
+  if (two_way(fidelity_of(fidelity))) require_two_way(in, fidelity);
+  const bool swept = std::any_of(in.axes().begin(), in.axes().end(),
+                                 [](const SweepAxis& axis) { return axis.path == kAcceleration; });
+  if (sweep && (swept || runs_up(in)))
+    refuse(in, kAcceleration, swept ? "a sweep of it" : in.given(kAcceleration),
+           "0 rpm/s in a sweep, whose points are steady; a run-up is a run with --fidelity dynamic");
+  require_used(in, rung_of(in, fidelity), sweep ? Axes::all : Axes::none);
+}
+
+}  // namespace orbearing::app
