@@ -10,7 +10,7 @@
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/kernels.hpp"
 #include "benchmarks/speed.hpp"
-#include "coupling/integration/integrate_bearing.hpp"
+#include "coupling/system/bearing_steps.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bench {
@@ -90,7 +90,7 @@ void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial,
   say("accuracy of the fast path");
   out["errors"] = errors_json(main_trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
   out["fast_allowed_length_error_m"] =
-      integration::kLinearlyImplicitErrorFactor * drivetrain.steady_state.allowed_length_error;
+      system::kLinearlyImplicitErrorFactor * drivetrain.steady_state.allowed_length_error;
   // What chance alone does to the means: RK4 at another step takes another path.
   out["reference_spread"] = errors_json(main_trial.errors(Method::rk4, kOtherReferenceStep));
   for (const auto& [rpm, clearance] : kAccuracyPoints) {

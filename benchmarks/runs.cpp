@@ -7,7 +7,8 @@
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/initial_state.hpp"
 #include "benchmarks/cvode.hpp"
-#include "coupling/integration/integrate_bearing.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/free_bearing.hpp"
 
 namespace orbearing::bench {
 
@@ -18,13 +19,6 @@ using bearing::fast::VectorBearing;
 constexpr int kMostOrder = 5;              // of BDF, as CVODE comes
 constexpr double kFirstStep = 1e-6;        // [s]
 constexpr double kFirstRollerAngle = 0.0;  // [rad]
-
-// As in coupling/integration/steady_state.cpp: a roller between its races at a typical approach.
-double roller_frequency(const bearing::dynamics::BearingModel& model) {
-  constexpr double kTypicalApproach = 1e-6;  // [m]
-  const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
-  return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
-}
 
 // From the flat state to the padded one, whose other entries stay as they are.
 void scatter(const bearing::fast::PaddedLayout& layout, const double* flat, double* padded) {
@@ -41,8 +35,7 @@ Contest::Contest(const Duty& duty) : duty_(duty), model_(duty.model()), fast_(mo
 }
 
 Eigen::VectorXd Contest::allowed(double length) const {
-  return integration::bearing_allowed_errors(model_.layout, length, model_.geometry.pitch_radius,
-                                             roller_frequency(model_));
+  return system::allowed_errors(model_, length);
 }
 
 Eigen::VectorXd Contest::quasi_static_start() const {
@@ -71,8 +64,8 @@ Run Contest::run(Method method, const Eigen::VectorXd& start, const Span& span, 
 
 Run Contest::run_fast(const Eigen::VectorXd& start, const Span& span, double tolerance) {
   LoadTally tally(duty_.bearing.rollers);
-  const auto on_step = [&](const integration::StepSample& step) {
-    tally.add(step.inner_load, step.outer_load, step.weight);
+  const auto on_step = [&](const system::StepSample& step) {
+    tally.add(step.loads.inner, step.loads.outer, step.weight);
   };
   integration::IntegrationOptions options;
   options.step = kFirstStep;
@@ -80,8 +73,8 @@ Run Contest::run_fast(const Eigen::VectorXd& start, const Span& span, double tol
   Run result{.state = start};
   const Stopwatch watch;
   const integration::IntegrationReport report =
-      integration::integrate_bearing(fast_, result.state, {0.0, span.duration, 1}, options, nullptr,
-                                     span.samples > 0 ? integration::StepObserver(on_step) : nullptr);
+      system::integrate_bearing(fast_, result.state, {0.0, span.duration, 1}, options, nullptr,
+                                span.samples > 0 ? system::StepObserver(on_step) : nullptr);
   finish(watch, start, span, tally, result);
   if (!report.completed) throw std::runtime_error(report.message);
   result.steps = report.steps;

@@ -55,7 +55,7 @@ class Contest {
   /// The state after quasi-static start and `duration` [s] by the fast path.
   Eigen::VectorXd settled(double duration);
   /// Runs from `start` by `method`. `tolerance` [m] is the allowed error of lengths in one step, from which
-  /// those of all other variables follow; the fast path turns it into its own (integrate_bearing.hpp). Throws
+  /// those of all other variables follow; the fast path turns it into its own (bearing_steps.hpp). Throws
   /// std::runtime_error where the integrator gives up.
   Run run(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance);
 

@@ -17,11 +17,12 @@ set(foreign_gearset "${numerics}|${standard}")
 set(own_bearing "(mechanics|bearing)/.+")
 set(foreign_bearing "${numerics}|${standard}")
 set(own_coupling "(mechanics|gearset|bearing|coupling)/.+")
-# Within the coupling each part knows those before it.
-set(own_coupling/integration "(mechanics|gearset|bearing|coupling/integration)/.+")
-set(own_coupling/cosim "(mechanics|gearset|bearing|coupling/(integration|cosim))/.+")
-set(own_coupling/fmu "(mechanics|gearset|bearing|coupling/(integration|cosim|fmu))/.+")
-set(own_coupling/study "(mechanics|gearset|bearing|coupling/(integration|cosim|study))/.+")
+# Within the coupling each part knows those before it; integrators know no bearing.
+set(own_coupling/integration "(mechanics|gearset|coupling/integration)/.+")
+set(own_coupling/system "(mechanics|gearset|bearing|coupling/(integration|system))/.+")
+set(own_coupling/cosim "(mechanics|gearset|bearing|coupling/(integration|system|cosim))/.+")
+set(own_coupling/fmu "(mechanics|gearset|bearing|coupling/(integration|system|cosim|fmu))/.+")
+set(own_coupling/study "(mechanics|gearset|bearing|coupling/(integration|system|cosim|study))/.+")
 set(foreign_coupling "${numerics}|${standard}|(oneapi/)?tbb/.+|nlopt\\.hpp")
 set(foreign_coupling/integration "${foreign_coupling}|boost/numeric/odeint(/.+|\\.hpp)")
 # FMUs of others are archives with XML and libraries in them.

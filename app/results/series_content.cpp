@@ -23,7 +23,7 @@ struct RollerSeries {
   const Eigen::ArrayXXd& values;
 };
 
-void add_rollers(const integration::BearingSeries& series, PointContent& content) {
+void add_rollers(const system::BearingSeries& series, PointContent& content) {
   const RollerSeries all[] = {
       {"roller_angle", "rad", "place of each roller in the carrier frame", series.angle},
       {"roller_inner_load", "N", "load on the inner race", series.inner_load},
@@ -43,7 +43,7 @@ void add_rollers(const integration::BearingSeries& series, PointContent& content
 
 }  // namespace
 
-void add_series(const integration::BearingSeries& series, PointContent& content) {
+void add_series(const system::BearingSeries& series, PointContent& content) {
   if (series.time.size() == 0) return;
   content.dimensions.push_back({"time", static_cast<std::size_t>(series.time.size())});
   content.dimensions.push_back({"roller", static_cast<std::size_t>(series.inner_load.rows())});

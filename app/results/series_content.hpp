@@ -2,12 +2,12 @@
 #pragma once
 
 #include "app/results/point_content.hpp"
-#include "coupling/integration/steady_state.hpp"
+#include "coupling/system/steady_state.hpp"
 
 namespace orbearing::app {
 
 /// Appends one cage revolution of the dynamic bearing to `content`.
-void add_series(const integration::BearingSeries& series, PointContent& content);
+void add_series(const system::BearingSeries& series, PointContent& content);
 
 /// Variable that holds the state in which the motion ended.
 inline constexpr const char* final_state_name = "final_state";

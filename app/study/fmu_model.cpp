@@ -3,10 +3,10 @@
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/cosim/driven_setup.hpp"
 #include "coupling/fmu/bearing_fields.hpp"
 #include "coupling/fmu/gear_fields.hpp"
 #include "coupling/study/driven_setups.hpp"
+#include "coupling/system/driven_bearing.hpp"
 
 namespace orbearing::app {
 

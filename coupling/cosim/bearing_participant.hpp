@@ -1,8 +1,8 @@
 // A planet bearing as a participant: takes the motion of its planet, gives force and moment.
 #pragma once
 
-#include "coupling/cosim/driven_bearing.hpp"
 #include "coupling/cosim/participant.hpp"
+#include "coupling/system/driven_bearing.hpp"
 #include "gearset/dynamics/parameters.hpp"
 
 namespace orbearing::cosim {

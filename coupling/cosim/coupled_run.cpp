@@ -136,6 +136,8 @@ void CoupledRun::accept(Solution& solution, CoupledReport& report, const WindowO
   report.not_converged += solution.converged || options_.iteration.most_passes == 1 ? 0 : 1;
   report.residual += record.residual;
   report.absolute_residual += std::abs(record.residual);
+  for (const JointValue& joint : end.joints)
+    report.passed += std::abs(joint.force * joint.velocity) * record.window.length();
   report.shortest_window = std::min(report.shortest_window, record.window.length());
   report.reached = record.window.end;
   grid_->accept(record.residual, options_.extrapolation + 2);

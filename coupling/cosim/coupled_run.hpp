@@ -74,6 +74,7 @@ struct CoupledReport {
   long not_converged = 0;          // [-]  windows that were accepted after the most passes
   double residual = 0.0;           // [J]  sum over all windows
   double absolute_residual = 0.0;  // [J]  sum of absolute values
+  double passed = 0.0;             // [J]  sum of |work| at all joints, by the values at the ends of windows
   double shortest_window = 0.0;    // [s]
   double wall_seconds = 0.0;       // [s]
   std::string message;             // empty when completed

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "coupling/cosim/course.hpp"
+#include "coupling/system/course.hpp"
 
 namespace orbearing::cosim {
 

@@ -1,7 +1,8 @@
 // The gear set as a participant: gives the motion of its planets, takes forces and moments of their bearings.
 #pragma once
 
-#include "coupling/cosim/driven_gears.hpp"
+#include "coupling/cosim/participant.hpp"
+#include "coupling/system/driven_gears.hpp"
 
 namespace orbearing::cosim {
 

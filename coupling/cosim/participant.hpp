@@ -8,18 +8,6 @@
 
 namespace orbearing::cosim {
 
-/// All that a participant's future depends on. Numbers only, whose meaning is the participant's own; equal
-/// bits give equal futures, in another process too.
-using SavedState = std::vector<double>;
-
-/// A window of time. Window k of length h begins at k h: times are multiplied, never added up.
-struct Window {
-  double begin = 0.0;  // [s]
-  double end = 0.0;    // [s]
-
-  double length() const { return end - begin; }
-};
-
 /// One side of a co-simulation. Order of calls: initialize, then for each window set_input, advance, output;
 /// save and restore at any time after initialize.
 ///

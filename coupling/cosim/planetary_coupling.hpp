@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "coupling/cosim/bearing_participant.hpp"
-#include "coupling/cosim/coupled_model.hpp"
 #include "coupling/cosim/coupled_run.hpp"
 #include "coupling/cosim/gears_participant.hpp"
+#include "coupling/system/coupled_model.hpp"
+#include "coupling/system/motion.hpp"
 
 namespace orbearing::cosim {
 
@@ -25,5 +26,29 @@ struct PlanetaryCoupling {
 /// For a one-way exchange the gears of `setup` are on springs (not coupled). Throws std::invalid_argument,
 /// with what was found and what is required, as the machines do.
 PlanetaryCoupling planetary_coupling(const CoupledSetup& setup);
+
+/// Gears and bearings of a drivetrain in motion together, by exchange in windows.
+class CoSimulatedMotion final : public system::Motion {
+ public:
+  /// From rest in each other's forces. A whole number of windows, no longer than those of `options`, lasts
+  /// `interval` [s]: the motion is advanced by multiples of it.
+  CoSimulatedMotion(const CoupledSetup& setup, const CoupledOptions& options, double interval);
+
+  int bearings() const override { return static_cast<int>(parts_.bearings.size()); }
+  void observe_steps(const system::StepObservers& observers) override;
+  void advance(const integration::OutputTimes& times,
+               const std::function<void(double time)>& observe) override;
+  void take_snapshot(int b, bearing::dynamics::Snapshot& into) const override;
+  integration::IntegrationReport report() const override;
+  /// All exchanges since the start.
+  const CoupledReport& exchange() const { return exchange_; }
+
+ private:
+  PlanetaryCoupling parts_;
+  double window_;  // [s]
+  CoupledRun run_;
+  CoupledReport exchange_;
+  long done_ = 0;  // windows
+};
 
 }  // namespace orbearing::cosim

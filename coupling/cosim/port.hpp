@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "coupling/cosim/course.hpp"
+#include "coupling/system/course.hpp"
 
 namespace orbearing::cosim {
 

@@ -1,9 +1,9 @@
 // The setup of a driven bearing, described for FMUs.
 #pragma once
 
-#include "coupling/cosim/driven_bearing.hpp"
 #include "coupling/fmu/number_table.hpp"
-#include "coupling/integration/steady_state.hpp"
+#include "coupling/system/driven_bearing.hpp"
+#include "coupling/system/steady_state.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::fmu {
@@ -33,7 +33,7 @@ void describe(Visitor& visit, BearingModel& m) {
                    angle),
           internal(setup.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
                    angle)),
-      cosim::lambda_row(setup.lambda), integration::length_error_row(setup.allowed_length_error),
+      cosim::lambda_row(setup.lambda), system::length_error_row(setup.allowed_length_error),
       internal(setup.places, "simulation.places"), internal(setup.most_steps, "simulation.most_steps"));
   members(visit, m, apart(m.setup), internal(m.planet_speed, "operation.planet_speed"),
           internal(m.carrier_speed, "operation.carrier_speed"));

@@ -1,7 +1,7 @@
 // The planet bearing behind the C interface.
-#include "coupling/cosim/driven_bearing.hpp"
 #include "coupling/fmu/bearing_fields.hpp"
 #include "coupling/fmu/machine.hpp"
+#include "coupling/system/driven_bearing.hpp"
 
 namespace orbearing::fmu {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/cosim/driven_gears.hpp"
 #include "coupling/fmu/number_table.hpp"
+#include "coupling/system/driven_gears.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::fmu {

@@ -1,7 +1,7 @@
 // The planetary gear set behind the C interface.
-#include "coupling/cosim/driven_gears.hpp"
 #include "coupling/fmu/gear_fields.hpp"
 #include "coupling/fmu/machine.hpp"
+#include "coupling/system/driven_gears.hpp"
 
 namespace orbearing::fmu {
 

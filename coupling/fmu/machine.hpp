@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "coupling/cosim/course.hpp"
 #include "coupling/cosim/participant.hpp"
 #include "coupling/fmu/number_table.hpp"
 #include "coupling/fmu/setup_numbers.hpp"
+#include "coupling/system/course.hpp"
 
 namespace orbearing::fmu {
 

@@ -1,4 +1,4 @@
-# What goes into an FMU's library beside gearset, bearing and the machines of coupling/cosim: Eigen, Boost
+# What goes into an FMU's library beside gearset, bearing and the machines of coupling/system: Eigen, Boost
 # headers and the standard library, no more.
 set(ORBEARING_FMU_CORE
   bearing_fields.cpp

@@ -20,7 +20,7 @@ bool run_dense(System system, Eigen::VectorXd& x, const OutputTimes& output,
   DenseDopri5 stepper{ControlledDopri5(WeightedError(options))};
   State start(x.data(), x.data() + x.size());
   State sample(start);
-  stepper.initialize(start, output.start, options.step);
+  stepper.initialize(start, output.time(0), options.step);
   for (long i = 1; i <= output.samples; ++i) {
     while (stepper.current_time() < output.time(i)) {
       try {
@@ -75,7 +75,7 @@ void append(const IntegrationReport& part, IntegrationReport& all) {
 IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x, const OutputTimes& output,
                             const IntegrationOptions& options, const Observer& observe) {
   IntegrationReport report;
-  report.reached = output.start;
+  report.reached = output.time(0);
   Run run(options, report);
   const System system{derivative, report.rhs_calls};
   if (!x.allFinite()) {
@@ -92,7 +92,7 @@ IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x,
       report.completed = run_fixed<Dopri5>(system, x, output, options, observe, run);
       break;
     case Method::linearly_implicit:
-      throw std::invalid_argument("linearly implicit steps need a Jacobian: integrate_bearing()");
+      throw std::invalid_argument("linearly implicit steps need a Jacobian: system::integrate_bearing()");
     case Method::rk4:
       report.completed = run_fixed<odeint::runge_kutta4<State>>(system, x, output, options, observe, run);
       break;
@@ -100,20 +100,6 @@ IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x,
   if (report.steps == 0) report.smallest_step = 0.0;
   report.wall_seconds = run.seconds();
   return report;
-}
-
-Eigen::VectorXd bearing_allowed_errors(const bearing::dynamics::StateLayout& layout, double length,
-                                       double radius, double frequency) {
-  using bearing::dynamics::VariableKind;
-  const std::vector<VariableKind> kinds = bearing::dynamics::variable_kinds(layout);
-  Eigen::VectorXd allowed(layout.size());
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const bool angular = kinds[i] == VariableKind::angle || kinds[i] == VariableKind::angular_speed;
-    const bool speed = kinds[i] == VariableKind::velocity || kinds[i] == VariableKind::angular_speed;
-    allowed[static_cast<Eigen::Index>(i)] =
-        length * (angular ? 1.0 / radius : 1.0) * (speed ? frequency : 1.0);
-  }
-  return allowed;
 }
 
 }  // namespace orbearing::integration

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "bearing/motion/layout.hpp"
 #include "coupling/integration/integration_options.hpp"
 
 namespace orbearing::integration {
@@ -17,13 +16,14 @@ using Observer = std::function<void(double time, const Eigen::Ref<const Eigen::V
 /// Adds to `all` the part of a run that follows it.
 void append(const IntegrationReport& part, IntegrationReport& all);
 
-/// Output times start, start + interval, ..., `samples` intervals in all.
+/// Output times start, start + interval, ..., `samples` intervals in all, after the first `passed` ones.
 struct OutputTimes {
   double start = 0.0;     // [s]
   double interval = 0.0;  // [s]
   long samples = 0;       // [-]
+  long passed = 0;        // [-]  so that runs in turn keep to multiples of one interval
 
-  double time(long sample) const { return start + static_cast<double>(sample) * interval; }
+  double time(long sample) const { return start + static_cast<double>(passed + sample) * interval; }
 };
 
 /// Integrates from `x` at the first output time to the last and leaves the final state in `x`. `observe` is
@@ -31,10 +31,5 @@ struct OutputTimes {
 /// too small and an exhausted budget end the run with a message; `x` is then the last good state.
 IntegrationReport integrate(const RightHandSide& derivative, Eigen::VectorXd& x, const OutputTimes& output,
                             const IntegrationOptions& options, const Observer& observe);
-
-/// Allowed errors of a bearing's state by kind: no share relative to angles, which grow. `length` [m] sets
-/// all: angles follow by `radius` [m], speeds by `frequency` [rad/s], that of a roller between its races.
-Eigen::VectorXd bearing_allowed_errors(const bearing::dynamics::StateLayout& layout, double length,
-                                       double radius, double frequency);
 
 }  // namespace orbearing::integration

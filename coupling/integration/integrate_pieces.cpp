@@ -111,7 +111,7 @@ class PiecesRun {
 bool run_pieces(Eigen::VectorXd& x, const OutputTimes& output, const Jumps& jumps,
                 const JumpObserver& at_jump, PiecesRun& pieces) {
   const double end = output.time(output.samples);
-  double begin = output.start;
+  double begin = output.time(0);
   long jump = 0;
   // Round-off of the times shall make no piece of its own.
   while (jumps.time && jumps.time(jump) <= begin + jumps.margin) ++jump;
@@ -134,7 +134,7 @@ IntegrationReport integrate_pieces(const RightHandSide& derivative, Eigen::Vecto
                                    const IntegrationOptions& options, const Observer& observe,
                                    const JumpObserver& at_jump) {
   IntegrationReport report;
-  report.reached = output.start;
+  report.reached = output.time(0);
   Run run(options, report);
   const System system{derivative, report.rhs_calls};
   if (!x.allFinite()) {

@@ -16,21 +16,20 @@ struct WindowLimits {
   double stretch = 1.2;          // [-]  of a step that reaches the end, to spare one short step more
 };
 
-/// One accepted step of `x` from `time` [s], which counts from the beginning of a window of `length` [s], not
-/// beyond its end. `step` [s] is that to try first and becomes that to try next; where the window's end cuts
-/// the step short, it stays. `attempts` counts on. `system` offers what the stepper asks of it
-/// (rosenbrock2.hpp), and
+/// One accepted step of `x` from `time` [s], not beyond the window's `end` [s]. `step` [s] is that to try
+/// first and becomes that to try next; where the window's end cuts the step short, it stays. `attempts`
+/// counts on. `system` offers what the stepper asks of it (rosenbrock2.hpp), and
 ///   begun(x)       after the linearisation at x, from which the step begins
 ///   stepped(t, h)  after a step of length h from t
 ///   settle(t, x)   then: puts into x what is known exactly
 /// @throws std::runtime_error where no step is small enough, where the state is not finite, or where the
 /// attempts are used up
 template <class Stepper, class System>
-void step_within_window(Stepper& stepper, System& system, std::vector<double>& x, double& time, double length,
+void step_within_window(Stepper& stepper, System& system, std::vector<double>& x, double& time, double end,
                         const WindowLimits& limits, double& step, long& attempts) {
   const auto fail = [&](const char* reason) {
     std::ostringstream text;
-    text << reason << " " << time << " s into a window of " << length << " s";
+    text << reason << " at t = " << time << " s of a window that ends at " << end << " s";
     throw std::runtime_error(text.str());
   };
   stepper.begin(system, x, time);
@@ -41,14 +40,14 @@ void step_within_window(Stepper& stepper, System& system, std::vector<double>& x
   while (true) {
     if (++attempts > limits.most_steps) fail("the largest number of steps was taken");
     if (!(step >= limits.smallest_step)) fail("no step was small enough, or the state is not finite,");
-    last = before + reach * step >= length - limits.smallest_step;
-    attempt = last ? length - before : step;
+    last = before + reach * step >= end - limits.smallest_step;
+    attempt = last ? end - before : step;
     if (stepper.try_step(system, x, time, attempt) == boost::numeric::odeint::success) break;
     step = attempt;
     reach = 1.0;  // or the same step would be tried for ever
   }
-  const double taken = last ? length - before : time - before;
-  if (last) time = length;
+  const double taken = last ? end - before : time - before;
+  if (last) time = end;
   system.stepped(before, taken);
   step = last ? std::max(step, attempt) : attempt;
   system.settle(time, x);

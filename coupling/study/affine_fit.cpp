@@ -44,7 +44,7 @@ AffineFit::AffineFit(double angular_frequency, int orders)
   if (orders < 1) throw std::invalid_argument("orders of a fit: found none; required: at least 1");
 }
 
-void AffineFit::add(const integration::BoreSample& sample) {
+void AffineFit::add(const system::BoreSample& sample) {
   Row row;
   row << sample.position.transpose(), sample.velocity.transpose(), sample.force.transpose();
   weight_ += sample.weight;

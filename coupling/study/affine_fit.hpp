@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "coupling/integration/steady_state.hpp"
+#include "coupling/system/steady_state.hpp"
 #include "gearset/dynamics/parameters.hpp"
 
 namespace orbearing::study {
@@ -25,7 +25,7 @@ class AffineFit {
   /// @param angular_frequency [rad/s]
   AffineFit(double angular_frequency, int orders);
 
-  void add(const integration::BoreSample& sample);
+  void add(const system::BoreSample& sample);
 
   /// Force = offset - stiffness x position - damping x velocity over all orders and in the mean. `expected`
   /// is what is known beforehand, its stiffness to kExpectedStiffness of the largest, its damping to as much

@@ -1,8 +1,8 @@
 // From a drivetrain to its gear set and its planet bearings as machines that others drive.
 #pragma once
 
-#include "coupling/cosim/coupled_model.hpp"
 #include "coupling/study/drivetrain.hpp"
+#include "coupling/system/coupled_model.hpp"
 
 namespace orbearing::study {
 

@@ -10,8 +10,8 @@
 #include "bearing/motion/parameters.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/cosim/coupled_run.hpp"
-#include "coupling/cosim/driven_setup.hpp"
-#include "coupling/integration/steady_state.hpp"
+#include "coupling/system/driven_bearing.hpp"
+#include "coupling/system/steady_state.hpp"
 #include "gearset/dynamics/parameters.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/parameters.hpp"
@@ -85,7 +85,7 @@ struct PlanetaryDrivetrain {
   double lambda = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
   Misalignment misalignment;
   bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
-  integration::SteadyStateOptions steady_state;
+  system::SteadyStateOptions steady_state;
   cosim::CoupledOptions exchange{.window = {.longest = 5e-6}};  // of gears and bearings that are co-simulated
   RunUp run_up;
   /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes

@@ -11,7 +11,7 @@ namespace orbearing::study {
 namespace {
 
 using gearset::dynamics::AffineBearing;
-using integration::SteadyStateResult;
+using system::SteadyStateResult;
 
 // The first run is so much shorter: it has to lead near the law, not to be told.
 constexpr int kFirstShare = 3;
@@ -56,10 +56,8 @@ class OneWay {
   }
 
   SteadyStateResult run_bearing(const bearing::dynamics::DynamicsParameters& parameters,
-                                const integration::SteadyStateOptions& options) const {
-    return bearing_state_ ? run_to_steady_state_from(*bearing_state_, drivetrain_.bearing, duty_.point,
-                                                     parameters, options)
-                          : run_to_steady_state(drivetrain_.bearing, duty_.point, parameters, options);
+                                const system::SteadyStateOptions& options) const {
+    return run_to_steady_state(drivetrain_.bearing, duty_.point, parameters, options, bearing_state_);
   }
 
   /// The bearing as it is driven now; what is fitted to it goes into `fitted`. `tangent` is what is known
@@ -67,9 +65,9 @@ class OneWay {
   SteadyStateResult run(const AffineBearing& law, const AffineBearing& tangent, bool first,
                         FittedBearing& fitted) {
     AffineFit fit(parameters_.ripple.angular_frequency, ripple_orders(drivetrain_, geometry_, law));
-    integration::SteadyStateOptions options = drivetrain_.steady_state;
+    system::SteadyStateOptions options = drivetrain_.steady_state;
     if (first) options.observed_windows = std::max(1, options.observed_windows / kFirstShare);
-    options.on_bore = [&](const integration::BoreSample& sample) { fit.add(sample); };
+    options.on_bore = [&](const system::BoreSample& sample) { fit.add(sample); };
     SteadyStateResult result = run_bearing(parameters_, options);
     if (!result.completed) return result;
     bearing_state_ = result.final_state;

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "coupling/integration/steady_state.hpp"
 #include "coupling/study/mesh_ripple.hpp"
+#include "coupling/system/steady_state.hpp"
 
 namespace orbearing::study {
 
@@ -28,7 +28,7 @@ struct OneWayRecord {
 
 /// A bearing in its steady state, and what drove it.
 struct OneWayRun {
-  integration::SteadyStateResult bearing;
+  system::SteadyStateResult bearing;
   std::optional<OneWayRecord> fit;  // none where the gears give nothing but their mean loads
 };
 

@@ -11,12 +11,12 @@
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/motion/layout.hpp"
-#include "coupling/integration/run_up.hpp"
+#include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/bearing_tangent.hpp"
-#include "coupling/study/coupled_motion.hpp"
+#include "coupling/study/driven_setups.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/mesh_ripple.hpp"
-#include "coupling/study/two_way.hpp"
+#include "coupling/system/monolithic.hpp"
 
 namespace orbearing::study {
 
@@ -175,7 +175,7 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
     bearings.push_back(quasi_static_bearing(drivetrain, geometry, duty));
     means.push_back(bearings.back().means);
   }
-  const WindowStatistics all = means.size() == 1 ? means.front() : pooled(means);
+  const WindowStatistics all = system::pooled(means);
   PointResult result;
   result.inner = race_result(all.inner);
   result.outer = race_result(all.outer);
@@ -190,9 +190,9 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   return result;
 }
 
-DynamicRecord record_of(const integration::SteadyStateResult& run) {
+DynamicRecord record_of(const system::SteadyStateResult& run) {
   return {.steady = run.steady,
-          .roller_slip = 1.0 - run.statistics.mean_spin / run.kinematic_spin,
+          .roller_slip = 1.0 - run.statistics.mean_spin / run.rolling.spin,
           .friction_moment = run.statistics.bore_friction_moment,
           .loss = run.statistics.loss,
           .series = run.series,
@@ -214,10 +214,10 @@ LoadDistribution distribution_of(const WindowStatistics& means) {
 OneWayRun motion_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                     const BearingDuty& duty, const GearsOnTangent& gears) {
   if (drivetrain.run_up.acceleration == 0.0) return run_one_way(drivetrain, geometry, duty, gears);
-  return {integration::run_up(drivetrain.bearing, duty.point,
-                              dynamics_parameters(drivetrain, geometry, duty, gears), drivetrain.steady_state,
-                              drivetrain.run_up.duration),
-          std::nullopt};
+  return {
+      system::run_up(drivetrain.bearing, duty.point, dynamics_parameters(drivetrain, geometry, duty, gears),
+                     drivetrain.steady_state, drivetrain.run_up.duration),
+      std::nullopt};
 }
 
 OneWayRun motion_from(const Eigen::VectorXd& start, const PlanetaryDrivetrain& drivetrain,
@@ -239,7 +239,7 @@ BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
 }
 
 PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-                          const integration::SteadyStateResult& run) {
+                          const system::SteadyStateResult& run) {
   if (!run.completed) throw std::runtime_error(run.message);
   PointResult result;
   result.inner = race_result(run.statistics.inner);
@@ -259,11 +259,11 @@ PointResult driven_point(const PlanetaryDrivetrain& drivetrain, const BearingDut
 }
 
 // Of unlike planets: their loads as passages of one bearing, the series and the end of the first's motion.
-integration::SteadyStateResult together(const std::vector<integration::SteadyStateResult>& runs,
-                                        const std::vector<WindowStatistics>& means) {
-  integration::SteadyStateResult all = runs.front();
-  all.statistics = pooled(means);
-  for (const integration::SteadyStateResult& run : runs) all.steady = all.steady && run.steady;
+system::SteadyStateResult together(const std::vector<system::SteadyStateResult>& runs,
+                                   const std::vector<WindowStatistics>& means) {
+  system::SteadyStateResult all = runs.front();
+  all.statistics = system::pooled(means);
+  for (const system::SteadyStateResult& run : runs) all.steady = all.steady && run.steady;
   return all;
 }
 
@@ -272,7 +272,7 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
   if (duties.size() == 1)
     return driven_point(drivetrain, duties.front(), motion_of(drivetrain, geometry, duties.front(), gears));
-  std::vector<integration::SteadyStateResult> runs;
+  std::vector<system::SteadyStateResult> runs;
   std::vector<WindowStatistics> means;
   for (const BearingDuty& duty : duties) {
     runs.push_back(motion_of(drivetrain, geometry, duty, gears).bearing);
@@ -290,32 +290,42 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
 std::vector<WindowStatistics> by_planet(const std::vector<WindowStatistics>& bearings, int per_planet) {
   std::vector<WindowStatistics> planets;
   for (auto first = bearings.begin(); first != bearings.end(); first += per_planet)
-    planets.push_back(pooled({first, first + per_planet}));
+    planets.push_back(system::pooled({first, first + per_planet}));
   return planets;
+}
+
+system::SteadyStateResult run_two_way(const PlanetaryDrivetrain& drivetrain,
+                                      const DrivetrainGeometry& geometry,
+                                      const bearing::OperatingPoint& point, Fidelity fidelity,
+                                      TwoWayRecord& record) {
+  const double inner = point.inner_speed, outer = point.outer_speed;
+  const system::RollingSpeeds rolling{bearing::kinematic_cage_speed(geometry.bearing, inner, outer),
+                                      bearing::kinematic_roller_spin(geometry.bearing, inner, outer)};
+  const cosim::CoupledSetup setup = coupled_setup(drivetrain, geometry);
+  if (fidelity == Fidelity::monolithic) {
+    cosim::Monolithic motion(setup);
+    motion.initialize(0.0);
+    return run_to_steady_state(motion, rolling, drivetrain.steady_state);
+  }
+  cosim::CoSimulatedMotion motion(setup, drivetrain.exchange,
+                                  sample_interval(rolling, drivetrain.steady_state));
+  const system::SteadyStateResult run = run_to_steady_state(motion, rolling, drivetrain.steady_state);
+  record.energy_residual = motion.exchange().absolute_residual / motion.exchange().passed;
+  record.window = run.duration / static_cast<double>(motion.exchange().windows);
+  return run;
 }
 
 PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const BearingDuty& duty, Fidelity fidelity) {
-  const bearing::OperatingPoint& point = duty.point;
-  const double cage_speed =
-      bearing::kinematic_cage_speed(geometry.bearing, point.inner_speed, point.outer_speed);
-  const std::unique_ptr<cosim::CoupledMotion> motion =
-      coupled_motion(drivetrain, geometry, fidelity, sample_interval(cage_speed, drivetrain.steady_state));
-  const TwoWayMeans run =
-      run_two_way(*motion, cage_speed,
-                  bearing::kinematic_roller_spin(geometry.bearing, point.inner_speed, point.outer_speed),
-                  drivetrain.steady_state);
-  PointResult result = dynamic_point(drivetrain, duty, run.pooled);
-  TwoWayRecord record{.exchange = motion->report()};
+  TwoWayRecord record;
+  const system::SteadyStateResult run = run_two_way(drivetrain, geometry, duty.point, fidelity, record);
+  PointResult result = dynamic_point(drivetrain, duty, run);
+  const double outer_speed = duty.point.outer_speed;
   for (const WindowStatistics& one : run.bearings)
     record.bearing_life_hours.push_back(
-        bearing::hours(life_under_means(drivetrain, one).bearing, point.outer_speed));
-  put_planets(drivetrain, point.outer_speed, place_angles(run.pooled.statistics.outer.mean_load.size()),
+        bearing::hours(life_under_means(drivetrain, one).bearing, outer_speed));
+  put_planets(drivetrain, outer_speed, place_angles(run.statistics.outer.mean_load.size()),
               by_planet(run.bearings, drivetrain.bearings_per_planet), result);
-  if (fidelity == Fidelity::co_simulated) {
-    record.energy_residual = record.exchange.energy_residual / record.exchange.energy_passed;
-    record.window = run.duration / static_cast<double>(record.exchange.windows);
-  }
   result.system_life_hours = life_together(record.bearing_life_hours);
   result.two_way = record;
   return result;

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "coupling/cosim/coupled_motion.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "coupling/study/fidelity.hpp"
 #include "coupling/study/one_way.hpp"
@@ -44,7 +43,7 @@ struct DynamicRecord {
   double roller_slip = 0.0;             // [-]  1 - mean roller spin / spin at pure rolling
   double friction_moment = 0.0;         // [N m]  of the bearing on the bore
   bearing::dynamics::PowerLoss loss;    // [W]  by cause
-  integration::BearingSeries series;    // of the last cage revolution
+  system::BearingSeries series;         // of the last cage revolution
   integration::IntegrationReport run;   // what it took
   Eigen::VectorXd final_state;          // where it ended; a neighbouring point may go on from here
   std::optional<OneWayRecord> one_way;  // what stood for the bearings in gears that drive one of them
@@ -55,7 +54,6 @@ struct TwoWayRecord {
   std::vector<double> bearing_life_hours;  // [h]  (planets x bearings per planet), planet by planet
   double energy_residual = 0.0;            // [-]  of all exchanges over the energy that passed the ports
   double window = 0.0;                     // [s]  mean time between exchanges; 0: one system
-  cosim::CouplingReport exchange;
 };
 
 /// One planet where planets differ or were computed one by one. Loads and life are those of one bearing.

@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "coupling/cosim/monolithic.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/driven_setups.hpp"
+#include "coupling/system/monolithic.hpp"
 
 namespace orbearing::study {
 
@@ -62,15 +62,14 @@ Trial trial(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geo
   const Eigen::Index planets = drivetrain.set.planets;
   Trial result{.path = Path::Zero(2 * planets, options.longest_windows)};
   const auto observe = [&](const cosim::WindowRecord& record) {
-    result.residual += std::abs(record.residual);
-    for (const cosim::JointValue& joint : record.end->joints) {
+    for (const cosim::JointValue& joint : record.end->joints)
       if (std::abs(joint.force) > largest_force) throw std::runtime_error("the exchange ran away");
-      result.passed += std::abs(joint.force * joint.velocity) * record.window.length();
-    }
   };
   for (long i = 0; i < options.longest_windows; ++i) {
     const cosim::CoupledReport part = run.advance(std::lround(options.longest_window / window), observe);
     if (!part.completed) throw std::runtime_error(part.message);
+    result.residual += part.absolute_residual;
+    result.passed += part.passed;
     for (Eigen::Index planet = 0; planet < planets; ++planet)  // joints x, y, rotation of each planet in turn
       for (Eigen::Index axis = 0; axis < 2; ++axis)
         result.path(2 * planet + axis, i) =

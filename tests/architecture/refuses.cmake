@@ -33,10 +33,13 @@ verdict(coupling/fmu/import/a.cpp "<filesystem>" accepted)
 
 verdict(coupling/cosim/a.cpp "\"coupling/integration/b.hpp\"" accepted)
 verdict(coupling/fmu/a.cpp "\"coupling/cosim/b.hpp\"" accepted)
+verdict(coupling/system/a.cpp "\"bearing/b.hpp\"" accepted)
 
 verdict(gearset/a.hpp "\"bearing/b.hpp\"" refused)
 verdict(coupling/cosim/a.cpp "\"coupling/study/b.hpp\"" refused)
 verdict(coupling/integration/a.cpp "\"coupling/cosim/b.hpp\"" refused)
+verdict(coupling/integration/a.cpp "\"bearing/b.hpp\"" refused)
+verdict(coupling/system/a.cpp "\"coupling/cosim/b.hpp\"" refused)
 verdict(coupling/study/a.cpp "\"coupling/fmu/b.hpp\"" refused)
 verdict(gearset/a.hpp "\"b.hpp\"" refused)
 verdict(bearing/deep/a.hpp "\"gearset/b.hpp\"" refused)

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "coupling/cosim/driven_bearing.hpp"
-#include "coupling/cosim/driven_gears.hpp"
 #include "coupling/fmu/bearing_fields.hpp"
 #include "coupling/fmu/gear_fields.hpp"
 #include "coupling/fmu/model_file.hpp"
+#include "coupling/system/driven_bearing.hpp"
+#include "coupling/system/driven_gears.hpp"
 
 namespace {
 

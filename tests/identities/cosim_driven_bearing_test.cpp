@@ -4,12 +4,12 @@
 #include "bearing/motion/driven_bore.hpp"
 #include "bearing/motion/driven_start.hpp"
 #include "bearing/motion/equations.hpp"
-#include "coupling/cosim/driven_setup.hpp"
-#include "coupling/cosim/driven_system.hpp"
 #include "coupling/integration/integrate.hpp"
-#include "coupling/integration/integrate_bearing.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/window.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/driven_bearing.hpp"
+#include "coupling/system/driven_system.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
 
 namespace orbearing::cosim::cosim_driven_bearing_test {
@@ -45,8 +45,7 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
   const bearing::dynamics::PlanetBearingEquations equations(model);
   integration::IntegrationOptions options;
   options.step = 1e-8;
-  options.allowed_error = integration::bearing_allowed_errors(
-      model.layout, 1e-15, model.geometry.pitch_radius, integration::roller_frequency(model));
+  options.allowed_error = system::allowed_errors(model, 1e-15);
   const auto derivative = [&](double t, const Eigen::Ref<const Eigen::VectorXd>& state,
                               Eigen::Ref<Eigen::VectorXd> rate) { equations.derivative(t, state, rate); };
   const Eigen::Index bore = model.layout.bore();
@@ -84,7 +83,7 @@ TEST(DrivenBearingPath, HasOrderTwo) {
     std::vector<double> x =
         fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
-    LoadsAtStep loads(setup.bearing.rollers);
+    system::LoadsAtStep loads(setup.bearing.rollers);
     bearing::dynamics::DamageSums sums(72);
     DrivenSystem system(fast, inputs, 0.0, loads, sums);
     double step = h;
@@ -93,10 +92,7 @@ TEST(DrivenBearingPath, HasOrderTwo) {
     fast.flatten(x.data(), flat);
     return flat;
   };
-  const Eigen::VectorXd scale =
-      integration::bearing_allowed_errors(model.layout, 1.0, model.geometry.pitch_radius,
-                                          integration::roller_frequency(model))
-          .cwiseInverse();
+  const Eigen::VectorXd scale = system::allowed_errors(model, 1.0).cwiseInverse();
   const Eigen::VectorXd exact = end_state(4096);
   std::vector<double> errors;
   for (const int steps : {32, 64, 128, 256})

@@ -1,16 +1,16 @@
 // Gears and bearings as one system: against the readable equations of both, its order, its energy.
-#include "coupling/cosim/monolithic.hpp"
+#include "coupling/system/monolithic.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "bearing/motion/driven_bore.hpp"
-#include "coupling/cosim/coupled_system.hpp"
 #include "coupling/integration/gear_steps.hpp"
-#include "coupling/integration/integrate_bearing.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/window.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/coupled_system.hpp"
 #include "gearset/dynamics/energy.hpp"
 #include "tests/unit/cosim/coupled_reducer.hpp"
 
@@ -66,9 +66,7 @@ Eigen::VectorXd allowed_errors(const CoupledSetup& setup, const CoupledModel& mo
   Eigen::VectorXd allowed(readable.gear_size() + model.bearings() * readable.bearing_size());
   allowed.head(readable.gear_size()) =
       integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
-  const Eigen::VectorXd bearing = integration::bearing_allowed_errors(
-      model.bearing.layout, setup.bearing.allowed_length_error, model.bearing.geometry.pitch_radius,
-      integration::roller_frequency(model.bearing));
+  const Eigen::VectorXd bearing = system::allowed_errors(model.bearing, setup.bearing.allowed_length_error);
   for (int b = 0; b < model.bearings(); ++b)
     allowed.segment(readable.gear_size() + b * readable.bearing_size(), readable.bearing_size()) = bearing;
   return allowed;

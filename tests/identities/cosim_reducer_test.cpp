@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/cosim/monolithic.hpp"
 #include "coupling/study/driven_setups.hpp"
+#include "coupling/system/monolithic.hpp"
 #include "tests/coupled_reducer.hpp"
 
 namespace orbearing::cosim::cosim_reducer_test {

@@ -5,9 +5,9 @@
 
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
-#include "coupling/integration/integrate_bearing.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
-#include "coupling/integration/steady_state.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/free_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::dynamics::dynamics_fast_path_test {
@@ -23,11 +23,8 @@ class LocalFlowAudit {
  public:
   LocalFlowAudit(const VectorBearing& bearing, double length_error)
       : bearing_(bearing), equations_(bearing.model()) {
-    integration::SteadyStateOptions options;
-    options.integration.method = Method::dopri5;
-    options.integration.step = 1e-7;
-    options.allowed_length_error = kShareOfStep * length_error;
-    exact_ = integration::integration_options(bearing.model(), options);
+    exact_.step = 1e-7;
+    exact_.allowed_error = system::allowed_errors(bearing.model(), kShareOfStep * length_error);
   }
 
   /// The step from the state seen last, after `length` [s].
@@ -68,19 +65,17 @@ class LocalFlowAudit {
 };
 
 LocalFlowAudit audited(VectorBearing& bearing, Eigen::VectorXd x, double seconds, double length_error) {
-  integration::SteadyStateOptions options;
-  options.integration.method = Method::linearly_implicit;
-  options.allowed_length_error = length_error;
+  integration::IntegrationOptions options;
+  options.allowed_error = system::allowed_errors(bearing.model(), length_error);
   LocalFlowAudit audit(bearing, length_error);
   double ahead = 0.0;  // [s]  length of the step that follows
-  const auto report = integration::integrate_bearing(
-      bearing, x, {0.0, seconds, 1}, integration::integration_options(bearing.model(), options), {},
-      [&](const integration::StepSample& step) {
-        Eigen::VectorXd flat(bearing.model().layout.size());
-        bearing.flatten(step.state, flat);
-        audit.add(flat, ahead);
-        ahead = 2.0 * step.weight - ahead;
-      });
+  const auto report = system::integrate_bearing(bearing, x, {0.0, seconds, 1}, options, {},
+                                                [&](const system::StepSample& step) {
+                                                  Eigen::VectorXd flat(bearing.model().layout.size());
+                                                  bearing.flatten(step.state, flat);
+                                                  audit.add(flat, ahead);
+                                                  ahead = 2.0 * step.weight - ahead;
+                                                });
   EXPECT_TRUE(report.completed) << report.message;
   return audit;
 }
@@ -225,8 +220,7 @@ TEST(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
   const Eigen::VectorXd start =
       test::shaken_state(model, smooth.bearing, smooth.parameters, 3e-7, 5e-3, random);
   const Eigen::VectorXd exact = exact_end(model, start);
-  const Eigen::VectorXd weight =
-      integration::bearing_allowed_errors(model.layout, 1.0, 17.8e-3, 6e5).cwiseInverse();
+  const Eigen::VectorXd weight = system::allowed_errors(model.layout, 1.0, 17.8e-3, 6e5).cwiseInverse();
   const auto error = [&](int steps) {
     return (end_of_equal_steps(model, start, steps) - exact).cwiseProduct(weight).norm();
   };

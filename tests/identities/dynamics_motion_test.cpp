@@ -7,7 +7,7 @@
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "coupling/integration/integrate.hpp"
-#include "coupling/integration/steady_state.hpp"
+#include "coupling/system/steady_state.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::dynamics::dynamics_motion_test {
@@ -106,8 +106,7 @@ class Path {
   Path(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters, Eigen::VectorXd start)
       : equations_(model_at_6000_rpm(bearing, parameters)),
         start_(std::move(start)),
-        weight_(
-            integration::bearing_allowed_errors(equations_.model().layout, 1.0, 17.8e-3, 6e5).cwiseInverse()),
+        weight_(system::allowed_errors(equations_.model().layout, 1.0, 17.8e-3, 6e5).cwiseInverse()),
         exact_(end(Method::fixed_dopri5, 1.25e-8)) {}
 
   /// Distance from the exact end of the path, as a length [m].
@@ -173,9 +172,8 @@ double share_on_pin(bool coriolis) {
   const CylindricalRollerBearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.inertia.coriolis = coriolis;
-  const integration::SteadyStateOptions options{.most_windows = 2, .observed_windows = 1, .integration = {}};
-  const auto run =
-      integration::run_to_steady_state(bearing, test::reducer_point(6000.0), parameters, options);
+  const system::SteadyStateOptions options{.most_windows = 2, .observed_windows = 1, .integration = {}};
+  const auto run = system::run_to_steady_state(bearing, test::reducer_point(6000.0), parameters, options);
   EXPECT_TRUE(run.completed) << run.message;
   const auto sun_side = (run.series.angle > 1.9 && run.series.angle < 2.5)
                             .cast<double>();  // 109 to 143 degrees: unloaded, sun side
@@ -197,7 +195,7 @@ TEST(SteadyState, AgreesWithTheQuasiStaticBearing) {
     const OperatingPoint point = test::reducer_point(rpm);
     const QuasiStaticResult expected = quasi_static_bearing(bearing, point, {});
     const auto run =
-        integration::run_to_steady_state(bearing, point, test::reducer_parameters(), {.integration = {}});
+        system::run_to_steady_state(bearing, point, test::reducer_parameters(), {.integration = {}});
     ASSERT_TRUE(run.completed) << run.message;
     EXPECT_TRUE(run.steady);
     const double inner = std::sqrt(expected.inner_load.square().mean());
@@ -216,8 +214,8 @@ double slip_in_housing(double OperatingPoint::*turning, double load) {
   OperatingPoint point;
   point.*turning = 1000.0;
   point.bore_load = {load, 0.0};
-  const integration::SteadyStateOptions options{.most_windows = 3, .observed_windows = 1, .integration = {}};
-  return integration::run_to_steady_state(bearing, point, test::reducer_parameters(), options).cage_slip();
+  const system::SteadyStateOptions options{.most_windows = 3, .observed_windows = 1, .integration = {}};
+  return system::run_to_steady_state(bearing, point, test::reducer_parameters(), options).cage_slip();
 }
 
 // Centrifugal force holds unloaded rollers to the outer race. Where that race stands they brake the cage,
@@ -236,8 +234,8 @@ TEST(CageSlip, LagsBehindADrivingInnerRaceAndRunsAheadWithADrivingOuterRace) {
 TEST(SteadyState, RefusesABearingInWhichNothingTurns) {
   OperatingPoint point = test::reducer_point(6000.0);
   point.outer_speed = 0.0;
-  EXPECT_THROW(integration::run_to_steady_state(test::reducer_bearing(), point, test::reducer_parameters(),
-                                                {.integration = {}}),
+  EXPECT_THROW(system::run_to_steady_state(test::reducer_bearing(), point, test::reducer_parameters(),
+                                           {.integration = {}}),
                std::invalid_argument);
 }
 

@@ -10,9 +10,8 @@
 #include <map>
 #include <string>
 
-#include "coupling/integration/in_place.hpp"
-#include "coupling/integration/integrate_bearing.hpp"
-#include "coupling/integration/steady_state.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/steady_state.hpp"
 #include "tests/random_motions.hpp"
 
 namespace orbearing::bearing::dynamics_random_test {
@@ -34,8 +33,8 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-integration::SteadyStateOptions short_run(Method method, double first_roller) {
-  integration::SteadyStateOptions options;
+system::SteadyStateOptions short_run(Method method, double first_roller) {
+  system::SteadyStateOptions options;
   options.first_roller = first_roller;
   options.integration.method = method;
   options.least_windows = 1;
@@ -54,16 +53,16 @@ bool sound(const dynamics::WindowStatistics& means) {
 }
 
 // Without the numbers.
-std::string reason(const integration::SteadyStateResult& run) {
+std::string reason(const system::SteadyStateResult& run) {
   return run.completed ? "completed"
                        : run.message.substr(0, std::min(run.message.find(" at t ="), run.message.find(':')));
 }
 
 // Steps of the longest length allowed over the cage revolutions of the run.
-double steps_of_longest_length(const MotionDraw& draw, const integration::SteadyStateResult& run) {
+double steps_of_longest_length(const MotionDraw& draw, const system::SteadyStateResult& run) {
   const auto model = dynamics::bearing_model(draw.bearing, draw.point, draw.parameters);
-  return kRevolutions * boost::math::double_constants::two_pi / std::abs(run.kinematic_cage_speed) /
-         integration::longest_step(model);
+  return kRevolutions * boost::math::double_constants::two_pi / std::abs(run.rolling.cage) /
+         system::longest_step(model);
 }
 
 constexpr const char* kHead =
@@ -73,7 +72,7 @@ constexpr const char* kHead =
     "s,"
     "longest_steps,steps,rejected,smallest_step_s,wall_s,cage_slip,ending";
 
-void write_line(std::ostream& out, int n, const MotionDraw& draw, const integration::SteadyStateResult& run) {
+void write_line(std::ostream& out, int n, const MotionDraw& draw, const system::SteadyStateResult& run) {
   const auto& race = draw.parameters.race;
   const double area = draw.bearing.roller_diameter * draw.bearing.roller_length * draw.bearing.rollers;
   out << n << ',' << draw.bearing.rollers << ',' << draw.bearing.roller_diameter << ','
@@ -105,14 +104,14 @@ TEST_P(RandomDynamics, EndsWithSoundNumbersOrAReason) {
     const MotionDraw draw = RandomMotion(static_cast<unsigned>(n)).draw();
     SCOPED_TRACE("draw " + std::to_string(n) + " of seed " + std::to_string(kSeed));
     const double before = processor_seconds();
-    const integration::SteadyStateResult run = integration::run_to_steady_state(
+    const system::SteadyStateResult run = system::run_to_steady_state(
         draw.bearing, draw.point, draw.parameters, short_run(GetParam(), draw.first_roller));
     ++endings[reason(run)];
     if (lines.is_open()) write_line(lines, n, draw, run);
     if (run.completed) {
       EXPECT_TRUE(sound(run.statistics)) << draw;
       const auto model = dynamics::bearing_model(draw.bearing, draw.point, draw.parameters);
-      EXPECT_EQ(integration::out_of_place(model, run.final_state), "") << draw;
+      EXPECT_EQ(system::out_of_place(model, run.final_state), "") << draw;
     }
     EXPECT_TRUE(run.completed || !run.message.empty()) << draw;
     EXPECT_TRUE(run.final_state.allFinite()) << draw;
@@ -126,7 +125,7 @@ TEST_P(RandomDynamics, EndsWithSoundNumbersOrAReason) {
 TEST(CageWithoutALand, EndsWithItsReasonWhereItIsThrownOut) {
   const MotionDraw draw = RandomMotion(5627).draw();
   ASSERT_EQ(draw.parameters.cage.guide_diameter, 0.0);
-  const integration::SteadyStateResult run = integration::run_to_steady_state(
+  const system::SteadyStateResult run = system::run_to_steady_state(
       draw.bearing, draw.point, draw.parameters, short_run(Method::linearly_implicit, draw.first_roller));
   EXPECT_FALSE(run.completed);
   EXPECT_EQ(run.message.rfind("the cage came out", 0), 0u) << run.message;

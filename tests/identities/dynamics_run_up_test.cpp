@@ -3,7 +3,7 @@
 
 #include "bearing/motion/driving.hpp"
 #include "bearing/motion/instant.hpp"
-#include "coupling/integration/run_up.hpp"
+#include "coupling/system/steady_state.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::dynamics::dynamics_run_up_test {
@@ -56,8 +56,8 @@ TEST(RunUp, RefusesAnAccelerationBesidesItsOwn) {
   EXPECT_THROW(bearing_model(test::reducer_bearing(), point, parameters), std::invalid_argument);
 }
 
-integration::SteadyStateOptions short_options() {
-  integration::SteadyStateOptions options;
+system::SteadyStateOptions short_options() {
+  system::SteadyStateOptions options;
   options.least_windows = options.most_windows = 1;
   options.samples_per_window = 400;
   options.series_samples = 100;
@@ -70,11 +70,11 @@ integration::SteadyStateOptions short_options() {
 TEST(RunUp, CageFollowsTheSpeed) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.driving.growth = 20.0;
-  const auto run = integration::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters,
-                                       short_options(), 0.01);
+  const auto run =
+      system::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters, short_options(), 0.01);
   ASSERT_TRUE(run.completed) << run.message;
   EXPECT_NEAR(run.cage_slip(), 0.0, 0.02);
-  const double kinematic = run.kinematic_cage_speed / 1.1;
+  const double kinematic = run.rolling.cage / 1.1;
   const Eigen::Index n = run.series.cage_speed.size();
   EXPECT_NEAR(run.series.cage_speed.head(n / 10).mean() / kinematic, 1.01, 0.02);
   EXPECT_NEAR(run.series.cage_speed.tail(n / 10).mean() / kinematic, 1.19, 0.02);
@@ -84,11 +84,11 @@ TEST(RunUp, CageFollowsTheSpeed) {
 TEST(RunUp, RefusesToComeToRest) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.driving.growth = -20.0;
-  EXPECT_THROW(integration::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters,
-                                   short_options(), 0.05),
-               std::invalid_argument);
-  EXPECT_THROW(integration::run_to_steady_state(test::reducer_bearing(), test::reducer_point(6000.0),
-                                                parameters, short_options()),
+  EXPECT_THROW(
+      system::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters, short_options(), 0.05),
+      std::invalid_argument);
+  EXPECT_THROW(system::run_to_steady_state(test::reducer_bearing(), test::reducer_point(6000.0), parameters,
+                                           short_options()),
                std::invalid_argument);
 }
 

@@ -24,7 +24,7 @@ orbearing_win64_sources(gearset
 orbearing_win64_sources(mechanics "^$")
 orbearing_win64_sources(bearing
   "^pressure/|^equilibrium/(balls|rollers|equilibrium_)|^life/(ball|basic|life)_|_avx[0-9]+\\.cpp$")
-orbearing_win64_sources(coupling "^(study/|cosim/[^d])")
+orbearing_win64_sources(coupling "^(study/|cosim/|system/[^bd])")
 set(interface ${ORBEARING_FMU_INTERFACE})
 list(TRANSFORM interface PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
 list(APPEND ORBEARING_SOURCES ${ORBEARING_FMU_CORE} ${interface})

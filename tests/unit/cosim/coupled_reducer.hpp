@@ -1,7 +1,7 @@
 // The reducer with gears and all planet bearings as one system, for tests.
 #pragma once
 
-#include "coupling/cosim/coupled_model.hpp"
+#include "coupling/system/coupled_model.hpp"
 #include "tests/gear_sets.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
 

@@ -1,5 +1,5 @@
 // The driven bearing as a machine: windows, state, errors, outputs.
-#include "coupling/cosim/driven_bearing.hpp"
+#include "coupling/system/driven_bearing.hpp"
 
 #include <gtest/gtest.h>
 

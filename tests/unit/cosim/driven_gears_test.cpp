@@ -1,5 +1,5 @@
 // The gear set as a machine: windows, restarts, ports, and its agreement with the set on springs.
-#include "coupling/cosim/driven_gears.hpp"
+#include "coupling/system/driven_gears.hpp"
 
 #include <gtest/gtest.h>
 

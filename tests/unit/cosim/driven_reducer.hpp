@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "coupling/cosim/driven_bearing.hpp"
+#include "coupling/system/driven_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::test {

@@ -1,7 +1,7 @@
 // The C interface of FMI 2.0: runs of bearing and gear set.
 #include <gtest/gtest.h>
 
-#include "coupling/cosim/driven_gears.hpp"
+#include "coupling/system/driven_gears.hpp"
 #include "tests/unit/fmu/fmu_model.hpp"
 
 namespace orbearing::fmu::fmi2_test {

@@ -11,6 +11,7 @@
 #include "bearing/motion/snapshot.hpp"
 #include "benchmarks/cvode.hpp"
 #include "coupling/integration/integrate.hpp"
+#include "coupling/system/bearing_steps.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bench::cvode_test {
@@ -47,8 +48,8 @@ class CvodeBearing : public testing::Test {
   CvodeBearing()
       : equations(bearing_model(bearing, point, parameters)),
         start(initial_state(bearing, equations.model(), parameters, 0.3).x),
-        allowed(integration::bearing_allowed_errors(equations.model().layout, kAllowedLength,
-                                                    equations.model().geometry.pitch_radius, 1e5)) {}
+        allowed(system::allowed_errors(equations.model().layout, kAllowedLength,
+                                       equations.model().geometry.pitch_radius, 1e5)) {}
 
   Eigen::ArrayXXd loads_by_dopri5() {
     Eigen::ArrayXXd loads(bearing.rollers, kSamples);

@@ -89,14 +89,5 @@ TEST(Integrate, RefusesAStateThatIsNotFinite) {
   EXPECT_FALSE(integrate(oscillator, x, {0.0, 1.0, 1}, options, {}).completed);
 }
 
-TEST(AllowedErrors, FollowTheKindOfEachVariable) {
-  const bearing::dynamics::StateLayout layout{2};
-  const Eigen::VectorXd allowed = bearing_allowed_errors(layout, 1e-9, 0.02, 1e5);
-  EXPECT_DOUBLE_EQ(allowed[0], 1e-9);               // radius
-  EXPECT_DOUBLE_EQ(allowed[2], 1e-9 / 0.02);        // angle
-  EXPECT_DOUBLE_EQ(allowed[4], 1e-9 * 1e5);         // radial speed
-  EXPECT_DOUBLE_EQ(allowed[8], 1e-9 / 0.02 * 1e5);  // spin
-}
-
 }  // namespace
 }  // namespace orbearing::integration::integrate_test

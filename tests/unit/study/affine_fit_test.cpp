@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using gearset::dynamics::AffineBearing;
-using integration::BoreSample;
+using system::BoreSample;
 
 constexpr double kMeshFrequency = 16000.0;  // [rad/s]
 constexpr int kBoreSamples = 20000;

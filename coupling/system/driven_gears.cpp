@@ -1,4 +1,4 @@
-#include "coupling/cosim/driven_gears.hpp"
+#include "coupling/system/driven_gears.hpp"
 
 #include <cmath>
 #include <limits>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bearing/motion/vectorised/vector_bearing.hpp"
-#include "coupling/cosim/coupled_model.hpp"
-#include "coupling/cosim/driven_system.hpp"
+#include "coupling/system/coupled_model.hpp"
+#include "coupling/system/driven_system.hpp"
 #include "gearset/dynamics/slopes.hpp"
 #include "mechanics/dense_lu.hpp"
 
@@ -55,7 +55,7 @@ class CoupledSystem {
   /// Sums of a bearing that nothing was counted of yet.
   bearing::dynamics::DamageSums no_damage(long places) const;
 
-  std::vector<LoadsAtStep> loads;                   // (bearings)
+  std::vector<system::LoadsAtStep> loads;           // (bearings)
   std::vector<bearing::dynamics::DamageSums> sums;  // (bearings)
   std::vector<bool> counted;  // (bearings)  their loads of this step are in the sums already
   long steps = 0;             // [-]  accepted since construction

@@ -1,10 +1,10 @@
-#include "coupling/integration/in_place.hpp"
+#include "coupling/system/bearing_steps.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::integration::in_place_test {
+namespace orbearing::system::bearing_steps_test {
 namespace {
 
 using bearing::dynamics::BearingModel;
@@ -43,5 +43,14 @@ TEST_F(OutOfPlace, LetsPinAndBoreMoveTogether) {
   EXPECT_EQ(out_of_place(model, x), "");
 }
 
+TEST(AllowedErrors, FollowTheKindOfEachVariable) {
+  const bearing::dynamics::StateLayout layout{2};
+  const Eigen::VectorXd allowed = allowed_errors(layout, 1e-9, 0.02, 1e5);
+  EXPECT_DOUBLE_EQ(allowed[0], 1e-9);               // radius
+  EXPECT_DOUBLE_EQ(allowed[2], 1e-9 / 0.02);        // angle
+  EXPECT_DOUBLE_EQ(allowed[4], 1e-9 * 1e5);         // radial speed
+  EXPECT_DOUBLE_EQ(allowed[8], 1e-9 / 0.02 * 1e5);  // spin
+}
+
 }  // namespace
-}  // namespace orbearing::integration::in_place_test
+}  // namespace orbearing::system::bearing_steps_test

@@ -5,18 +5,18 @@
 #include <memory>
 #include <vector>
 
-#include "coupling/cosim/coupled_model.hpp"
-#include "coupling/cosim/participant.hpp"
+#include "coupling/system/coupled_model.hpp"
+#include "coupling/system/motion.hpp"
 
 namespace orbearing::cosim {
 
 /// Not for use by two threads at once; any number of objects side by side.
-class Monolithic {
+class Monolithic final : public system::Motion {
  public:
   /// Throws std::invalid_argument, with what was found and what is required; so where the vectorised bearing
   /// does not know all of the model (oil in the pockets).
   explicit Monolithic(const CoupledSetup& setup);
-  ~Monolithic();
+  ~Monolithic() override;
   Monolithic(Monolithic&&) noexcept;
   Monolithic& operator=(Monolithic&&) noexcept;
 
@@ -31,27 +31,29 @@ class Monolithic {
   /// state is then interpolated. In place of windows, and without save() and restore(). On an error
   /// (std::runtime_error) the state is not to be used.
   void follow(double time);
+  /// By follow().
+  void advance(const integration::OutputTimes& times,
+               const std::function<void(double time)>& observe) override;
   /// Begins the sums over time anew: loads, lives, revolutions.
   void forget();
 
   int planets() const;
   /// Of all planets; bearing b belongs to planet b / bearings_per_planet.
-  int bearings() const;
+  int bearings() const override;
   double time() const;  // [s]
   DrivenGearsOutput gears() const;
   /// What bearing `b` does to its planet.
   bearing::dynamics::BoreReaction reaction(int b) const;
   DrivenBearingOutput bearing(int b) const;
-  void take_snapshot(int b, bearing::dynamics::Snapshot& into) const;
-  /// As DrivenBearing::collect_loads, for bearing `b`.
-  void collect_loads(int b, bearing::dynamics::StatisticsCollector* collector);
+  void take_snapshot(int b, bearing::dynamics::Snapshot& into) const override;
+  void observe_steps(const system::StepObservers& observers) override;
   /// Life [rev] under the loads since the start, or since forget().
   bearing::BearingLife life(int b) const;
   /// States in the orders of SetLayout and StateLayout.
   CoupledStart state() const;
-  long steps() const;     // [-]  accepted since construction
-  long rejected() const;  // [-]  attempts
-  long refined() const;   // [-]  bearings gone over again in steps of their own
+  /// Steps since construction.
+  integration::IntegrationReport report() const override;
+  long refined() const;  // [-]  bearings gone over again in steps of their own
 
   void save(SavedState& state) const;
   /// Throws std::invalid_argument where `state` is not one of such a system.

@@ -1,20 +1,44 @@
-#include "coupling/cosim/driven_bearing.hpp"
+#include "coupling/system/driven_bearing.hpp"
 
 #include <algorithm>
+#include <array>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "bearing/motion/driven_bore.hpp"
 #include "bearing/motion/driven_start.hpp"
-#include "coupling/cosim/driven_state.hpp"
-#include "coupling/cosim/driven_system.hpp"
-#include "coupling/integration/in_place.hpp"
-#include "coupling/integration/integrate_bearing.hpp"
 #include "coupling/integration/readable_window.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/driven_system.hpp"
+#include "mechanics/checks.hpp"
 
 namespace orbearing::cosim {
+
+// All that the future of a driven bearing depends on.
+struct DrivenState {
+  Eigen::VectorXd flat;      // of the readable equations
+  std::vector<double> x;     // padded, of the vectorised ones; one of both is in use
+  double step = 1e-6;        // [s]    to try next
+  double angle = 0.0;        // [rad]  of the bore
+  double turned = 0.0;       // [rad]  there and back
+  double step_before = 0.0;  // [s]    half of it is not counted yet
+  bearing::dynamics::DamageSums sums{0};
+
+  // Every number in turn, for `visit(double* first, size)`.
+  template <class Visit>
+  void each(Visit visit) {
+    for (double* one : {&step, &angle, &turned, &step_before}) visit(one, 1);
+    visit(x.data(), static_cast<long>(x.size()));
+    visit(flat.data(), static_cast<long>(flat.size()));
+    sums.each(visit);
+  }
+};
 
 namespace {
 
@@ -24,13 +48,137 @@ using bearing::dynamics::BoreReaction;
 using bearing::dynamics::DamageSums;
 using bearing::dynamics::Snapshot;
 using bearing::fast::VectorBearing;
+using mechanics::require;
 
 // Steps of central differences: far below what the laws see, far above round-off.
 constexpr double kSpeedStep = 1e-3;     // [rad/s]
 constexpr double kPlaceStep = 1e-10;    // [m]
 constexpr double kVelocityStep = 1e-6;  // [m/s]
 
+void check_numbers(const DrivenBearingSetup& setup) {
+  require(std::isfinite(setup.orbit_radius) && setup.orbit_radius >= 0.0, "orbit radius [m]",
+          setup.orbit_radius, "0 or more");
+  require(std::isfinite(setup.first_roller), "place of the first roller [rad]", setup.first_roller,
+          "a finite number");
+  require(std::isfinite(setup.lambda) && setup.lambda > 0.0, "lambda of the life [-]", setup.lambda,
+          "more than 0");
+  require(std::isfinite(setup.allowed_length_error) && setup.allowed_length_error > 0.0,
+          "allowed length error [m]", setup.allowed_length_error, "more than 0");
+  require(setup.places >= 1, "places on the races", static_cast<double>(setup.places), "at least 1");
+  const double tilt = setup.bore_tilt.norm();
+  require(std::isfinite(tilt), "tilt of the bore [rad]", tilt, "a finite number");
+  require(tilt == 0.0 || setup.bearing.laminae > 0, "tilt of the bore [rad]", tilt,
+          "0 without laminae, which alone feel it");
+  require(setup.most_steps >= 1, "largest number of steps", static_cast<double>(setup.most_steps),
+          "at least 1");
+}
+
+void check_effects(const bearing::dynamics::DynamicsParameters& dynamics) {
+  require(dynamics.driving.growth == 0.0, "growth of the speeds [1/s]", dynamics.driving.growth,
+          "0, since the speeds are inputs");
+  require(dynamics.ripple.harmonics.empty(), "harmonics of a mesh ripple",
+          static_cast<double>(dynamics.ripple.harmonics.size()), "none, since the motion is an input");
+  const bool printed =
+      dynamics.race.film_in_approach && dynamics.race.film_approach == bearing::FilmApproach::as_printed;
+  require(!printed, "film in the approach as printed", 1.0,
+          "a film that is added, since the printed one asks for the load beforehand");
+}
+
+bool finite(const Course& course) {
+  return std::all_of(course.coefficient.begin(), course.coefficient.end(),
+                     [](double c) { return std::isfinite(c); });
+}
+
+void require_finite(const BoreCourse& inputs) {
+  const std::pair<const char*, const Course*> all[] = {
+      {"x [m]", &inputs.x},
+      {"y [m]", &inputs.y},
+      {"v_x [m/s]", &inputs.v_x},
+      {"v_y [m/s]", &inputs.v_y},
+      {"speed [rad/s]", &inputs.speed},
+      {"carrier speed [rad/s]", &inputs.carrier_speed},
+      {"carrier acceleration [rad/s^2]", &inputs.carrier_acceleration}};
+  for (const auto& [name, course] : all)
+    if (!finite(*course))
+      throw std::runtime_error(std::string("driven bearing: the input ") + name +
+                               " is not finite; required: finite numbers");
+}
+
+void require_finite(const bearing::dynamics::BoreMotion& motion) {
+  const bool holds = motion.position.allFinite() && motion.velocity.allFinite() &&
+                     motion.acceleration.allFinite() && std::isfinite(motion.speed) &&
+                     std::isfinite(motion.carrier_speed) && std::isfinite(motion.carrier_acceleration);
+  if (!holds)
+    throw std::runtime_error(
+        "driven bearing: the motion of bore and carrier is not finite; required: finite numbers");
+}
+
+// What a saved state must agree in: rollers, places, which equations.
+using StateKind = std::array<double, 3>;
+
+constexpr double kVersion = 2.0;
+constexpr std::ptrdiff_t kHead = 4;  // version and kind
+
+void write(const StateKind& kind, DrivenState& state, SavedState& into) {
+  into = {kVersion, kind[0], kind[1], kind[2]};
+  state.each([&](const double* first, long size) { into.insert(into.end(), first, first + size); });
+}
+
+// Where `from` is of another kind, version or length than `state`, that is as before.
+void read(const SavedState& from, const StateKind& kind, DrivenState& state) {
+  SavedState own;
+  write(kind, state, own);
+  if (from.size() != own.size() || !std::equal(own.begin(), own.begin() + kHead, from.begin())) {
+    std::ostringstream text;
+    text << "driven bearing: found a saved state of " << from.size() << " numbers";
+    if (!from.empty()) text << " and version " << from.front();
+    text << "; required: " << own.size() << " numbers of version " << kVersion << ", of a bearing with "
+         << kind[0] << " rollers and " << kind[1] << " places";
+    throw std::invalid_argument(text.str());
+  }
+  auto at = from.begin() + kHead;
+  state.each([&](double* first, long size) {
+    std::copy_n(at, size, first);
+    at += size;
+  });
+}
+
 }  // namespace
+
+void require_length(const Window& window) {
+  if (std::isfinite(window.begin) && std::isfinite(window.end) && window.length() > 0.0) return;
+  std::ostringstream text;
+  text << "driven bearing: found a window from " << window.begin << " s to " << window.end
+       << " s; required: an end after the beginning";
+  throw std::runtime_error(text.str());
+}
+
+BearingModel driven_model(const DrivenBearingSetup& setup) {
+  check_numbers(setup);
+  check_effects(setup.dynamics);
+  bearing::OperatingPoint point;
+  point.carrier.orbit_radius = setup.orbit_radius;
+  point.bore_tilt = setup.bore_tilt;
+  return bearing_model(setup.bearing, point, setup.dynamics);
+}
+
+DrivenBearingOutput driven_output(const bearing::RollerBearingGeometry& geometry, double bore_speed,
+                                  const Snapshot& now, const BoreReaction& reaction, double turned,
+                                  double life) {
+  constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
+  const double kinematic = kinematic_cage_speed(geometry, 0.0, bore_speed);
+  DrivenBearingOutput output;
+  output.reaction = reaction;
+  output.cage_speed = now.cage_speed;
+  output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.cage_speed / kinematic : 0.0;
+  output.revolutions = turned / boost::math::double_constants::two_pi;
+  output.life_used = output.revolutions / life;
+  output.friction_loss = now.loss.total();
+  output.inner_load.assign(now.inner.load.begin(), now.inner.load.end());
+  output.outer_load.assign(now.outer.load.begin(), now.outer.load.end());
+  output.roller_angle.assign(now.angle.begin(), now.angle.end());
+  return output;
+}
 
 struct DrivenBearing::Inside {
   DrivenBearingSetup setup;
@@ -38,20 +186,18 @@ struct DrivenBearing::Inside {
   std::optional<VectorBearing> fast;  // none where the readable equations alone know all of the model
   Eigen::VectorXd allowed;
   std::optional<integration::Rosenbrock2> stepper;
-  LoadsAtStep loads;
+  system::LoadsAtStep loads;
   DrivenState state, backup;
   std::vector<double> at_instant, rate;  // padded
 
   explicit Inside(const DrivenBearingSetup& given)
       : setup(given), model(driven_model(given)), loads(given.bearing.rollers) {
-    allowed = integration::bearing_allowed_errors(model.layout, setup.allowed_length_error,
-                                                  model.geometry.pitch_radius,
-                                                  integration::roller_frequency(model));
+    allowed = system::allowed_errors(model, setup.allowed_length_error);
     state.sums = no_damage();
     state.flat = Eigen::VectorXd::Zero(model.layout.size());
     if (!bearing::fast::supports(model)) return;
     fast.emplace(model);
-    stepper.emplace(integration::linearly_implicit_errors(*fast, allowed), integration::longest_step(model));
+    stepper.emplace(system::linearly_implicit_errors(*fast, allowed), system::longest_step(model));
     at_instant.resize(static_cast<std::size_t>(fast->layout().size()));
     rate = at_instant;
     set(Eigen::VectorXd::Zero(model.layout.size()));
@@ -90,7 +236,7 @@ struct DrivenBearing::Inside {
     state.step_before = loads.step_before;
     state.turned += std::abs(angle.at(length) - state.angle);
     state.angle = angle.at(length);
-    const std::string reason = integration::out_of_place(model, flat());
+    const std::string reason = system::out_of_place(model, flat());
     if (!reason.empty()) throw std::runtime_error("driven bearing: " + reason);
   }
 
@@ -114,7 +260,7 @@ struct DrivenBearing::Inside {
     const auto on_step = [&](double time, double step, const Eigen::Ref<const Eigen::VectorXd>& x) {
       const Snapshot now = driven_snapshot(model, motion_at(time), x);
       loads.take(loads_of(now));
-      loads.count(step, state.sums);
+      loads.count(step, &state.sums);
     };
     state.flat = state_at(model, motion_at(0.0), state.flat);
     integration::through_window(derivative, state.flat, length, allowed, limits, state.step, on_step);

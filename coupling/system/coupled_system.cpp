@@ -1,4 +1,4 @@
-#include "coupling/cosim/coupled_system.hpp"
+#include "coupling/system/coupled_system.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at o
 
 CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
     : loads(static_cast<std::size_t>(model.bearings()),
-            LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
+            system::LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
       sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, places)),
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
@@ -153,14 +153,15 @@ void CoupledSystem::solve(const double* rhs, double* k) {
 void CoupledSystem::begun(const std::vector<double>& x) {
   for (int b = 0; b < bearings(); ++b) {
     const auto place = static_cast<std::size_t>(b);
-    loads[place].take(bearing(b), of_bearing(x.data(), b), bore_speed_[place]);
+    loads[place].take(bearing(b), of_bearing(x.data(), b),
+                      bearing::dynamics::race_speeds(bearing(b).model().geometry, 0.0, bore_speed_[place]));
   }
 }
 
 void CoupledSystem::stepped(double, double length) {
   ++steps;
   for (std::size_t b = 0; b < loads.size(); ++b) {
-    if (!counted[b]) loads[b].count(length, sums[b]);
+    if (!counted[b]) loads[b].count(length, &sums[b]);
     counted[b] = false;
   }
 }

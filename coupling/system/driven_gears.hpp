@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "coupling/cosim/participant.hpp"
+#include "coupling/system/course.hpp"
 #include "gearset/dynamics/parameters.hpp"
 
 namespace orbearing::cosim {

@@ -1,4 +1,4 @@
-#include "coupling/cosim/coupled_model.hpp"
+#include "coupling/system/coupled_model.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "coupling/cosim/driven_setup.hpp"
+#include "coupling/system/driven_bearing.hpp"
 
 namespace orbearing::cosim {
 

@@ -6,8 +6,8 @@
 
 #include "bearing/motion/bore_motion.hpp"
 #include "bearing/motion/model.hpp"
-#include "coupling/cosim/driven_bearing.hpp"
-#include "coupling/cosim/driven_gears.hpp"
+#include "coupling/system/driven_bearing.hpp"
+#include "coupling/system/driven_gears.hpp"
 #include "gearset/dynamics/equations.hpp"
 
 namespace orbearing::cosim {

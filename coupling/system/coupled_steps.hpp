@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "coupling/cosim/coupled_system.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/step_control.hpp"
+#include "coupling/system/coupled_system.hpp"
 
 namespace orbearing::cosim {
 

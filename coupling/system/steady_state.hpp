@@ -1,25 +1,14 @@
-// A planet bearing run in time until its means stand still, then observed over whole cage revolutions.
+// Bearings in motion, run in time until their means stand still, then observed over whole cage revolutions.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bearing/motion/parameters.hpp"
-#include "bearing/motion/statistics.hpp"
-#include "coupling/integration/integrate.hpp"
+#include "coupling/system/motion.hpp"
 
-namespace orbearing::integration {
-
-/// The bore of a bearing in motion.
-struct BoreSample {
-  double time = 0.0;                                   // [s]
-  double weight = 0.0;                                 // any unit: how long it counts
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // [m]
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // [m/s]
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();     // [N]  of the bearing on the bore
-};
-using BoreObserver = std::function<void(const BoreSample&)>;
+namespace orbearing::system {
 
 /// What belongs to the method. A window is one revolution of the cage relative to the carrier.
 struct SteadyStateOptions {
@@ -33,8 +22,8 @@ struct SteadyStateOptions {
   long series_samples = 500;            // [-]  of the last window, kept as time series
   long places = 72;                     // [-]  bins on the races
   double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
-  IntegrationOptions integration;       // allowed_error is filled in
-  BoreObserver on_bore = {};            // sees the observed windows, step by step; may be empty
+  integration::IntegrationOptions integration;  // of a bearing by itself; allowed_error is filled in
+  BoreObserver on_bore = {};  // sees the observed windows of a bearing by itself, step by step; may be empty
 };
 
 /// Of a bearing that is driven too.
@@ -93,49 +82,64 @@ struct BearingSeries {
   Eigen::ArrayXd power_loss;      // [W]
 };
 
-/// What a run gives.
+/// What pure rolling would give.
+struct RollingSpeeds {
+  double cage = 0.0;  // [rad/s]  relative to the carrier
+  double spin = 0.0;  // [rad/s]  of a roller
+};
+
+/// What a run gives. Of several bearings loads are as if all were passages of one.
 struct SteadyStateResult {
   bool completed = false;  // false: `message` says why and the means hold what there was, if anything
   bool steady = false;     // false with completed: the means drifted to the end
   std::string message;
-  bearing::dynamics::WindowStatistics statistics;            // over the observed windows
-  std::vector<bearing::dynamics::WindowStatistics> windows;  // each window on the way to the steady state
-  BearingSeries series;                                      // of the last window
-  double kinematic_cage_speed = 0.0;                         // [rad/s]
-  double kinematic_spin = 0.0;                               // [rad/s]
-  Eigen::VectorXd final_state;
-  IntegrationReport report;  // summed over all windows; smallest step of all
+  bearing::dynamics::WindowStatistics statistics;             // over the observed windows
+  std::vector<bearing::dynamics::WindowStatistics> bearings;  // the same, bearing by bearing
+  std::vector<bearing::dynamics::WindowStatistics> windows;   // each window on the way to the steady state
+  BearingSeries series;                                       // of the first bearing in the last window
+  RollingSpeeds rolling;
+  double duration = 0.0;                  // [s]  from the start to the end of what was observed
+  Eigen::VectorXd final_state;            // of a bearing by itself, in the order of StateLayout
+  integration::IntegrationReport report;  // summed over all windows; smallest step of all
 
   /// 1 - cage speed / kinematic cage speed.
-  double cage_slip() const { return 1.0 - statistics.cage_speed / kinematic_cage_speed; }
+  double cage_slip() const { return 1.0 - statistics.cage_speed / rolling.cage; }
 };
 
-/// Empty series of `samples` samples, and what stands in sample `i` at `time` [s].
-void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples);
-void record(double time, const bearing::dynamics::Snapshot& now, Eigen::Index i, BearingSeries& series);
+/// Loads of several bearings as if all were passages of one: means over the bearings, the largest load of
+/// all.
+bearing::dynamics::WindowStatistics pooled(const std::vector<bearing::dynamics::WindowStatistics>& bearings);
 
 /// Whether the means stand still from one window to the next.
 bool is_steady(const bearing::dynamics::WindowStatistics& before,
                const bearing::dynamics::WindowStatistics& now, double kinematic_cage_speed,
                const SteadyStateOptions& options);
 
-/// Options of the integrator with the errors allowed for the state of `model`.
-IntegrationOptions integration_options(const bearing::dynamics::BearingModel& model,
-                                       const SteadyStateOptions& options);
+/// Time [s] between two samples of a motion that keeps to one interval.
+double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options);
 
-/// Runs `bearing` at `point` from its quasi-static state. Throws std::invalid_argument for input that
-/// bearing_model() refuses, for a run-up (run_up.hpp) and where nothing turns; what goes wrong later is in
-/// the result.
+/// Runs `motion` from where it stands in windows of one cage revolution until the pooled loads and the cage
+/// stand still, then observes `options.observed_windows` of them. Throws std::invalid_argument where the cage
+/// does not turn; what goes wrong later is in the result.
+SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolling,
+                                      const SteadyStateOptions& options);
+
+/// One bearing by itself at `point`, from the state `start` (the final state of a neighbouring operating
+/// point), without one from its quasi-static state. Throws std::invalid_argument for input that
+/// bearing_model() refuses, and for a run-up.
 SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& bearing,
                                       const bearing::OperatingPoint& point,
                                       const bearing::dynamics::DynamicsParameters& parameters,
-                                      const SteadyStateOptions& options);
+                                      const SteadyStateOptions& options,
+                                      const std::optional<Eigen::VectorXd>& start = std::nullopt);
 
-/// As above, from the given state (the final state of a neighbouring operating point).
-SteadyStateResult run_to_steady_state_from(const Eigen::VectorXd& start,
-                                           const bearing::CylindricalRollerBearing& bearing,
-                                           const bearing::OperatingPoint& point,
-                                           const bearing::dynamics::DynamicsParameters& parameters,
-                                           const SteadyStateOptions& options);
+/// As above until it is steady, then all speeds grow by `parameters.driving.growth` for `duration` [s] at
+/// constant power. Means, series (options.series_samples over the whole run-up) and slip are those of the
+/// run-up; its time counts from its beginning, the cage's slip refers to the mean speed. Throws
+/// std::invalid_argument where the duration is not positive or the speeds would come to rest.
+SteadyStateResult run_up(const bearing::CylindricalRollerBearing& bearing,
+                         const bearing::OperatingPoint& point,
+                         const bearing::dynamics::DynamicsParameters& parameters,
+                         const SteadyStateOptions& options, double duration);
 
-}  // namespace orbearing::integration
+}  // namespace orbearing::system

@@ -1,4 +1,4 @@
-#include "coupling/cosim/coupled_steps.hpp"
+#include "coupling/system/coupled_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

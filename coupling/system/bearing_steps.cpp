@@ -1,0 +1,106 @@
+#include "coupling/system/bearing_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace orbearing::system {
+
+namespace {
+
+constexpr double kTypicalApproach = 1e-6;  // [m]
+constexpr double kStepOfImpact = 1.05;     // [rad]  of the faster of both vibrations in the longest step
+// Share of the allowed error for the radial speeds of rollers: they open and close the contacts, and life
+// errs with them more than with all other variables together.
+constexpr double kRadialSpeedShare = 0.2;
+
+// Of a roller between its races [rad/s].
+double roller_frequency(const bearing::dynamics::BearingModel& model) {
+  const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
+  return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
+}
+
+}  // namespace
+
+Eigen::VectorXd allowed_errors(const bearing::dynamics::StateLayout& layout, double length, double radius,
+                               double frequency) {
+  using bearing::dynamics::VariableKind;
+  const std::vector<VariableKind> kinds = bearing::dynamics::variable_kinds(layout);
+  Eigen::VectorXd allowed(layout.size());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    const bool angular = kinds[i] == VariableKind::angle || kinds[i] == VariableKind::angular_speed;
+    const bool speed = kinds[i] == VariableKind::velocity || kinds[i] == VariableKind::angular_speed;
+    allowed[static_cast<Eigen::Index>(i)] =
+        length * (angular ? 1.0 / radius : 1.0) * (speed ? frequency : 1.0);
+  }
+  return allowed;
+}
+
+Eigen::VectorXd allowed_errors(const bearing::dynamics::BearingModel& model, double length) {
+  return allowed_errors(model.layout, length, model.geometry.pitch_radius, roller_frequency(model));
+}
+
+std::vector<double> linearly_implicit_errors(const bearing::fast::VectorBearing& bearing,
+                                             const Eigen::VectorXd& allowed_error) {
+  std::vector<double> allowed = bearing.padded(kLinearlyImplicitErrorFactor * allowed_error);
+  const bearing::fast::PaddedLayout& layout = bearing.layout();
+  const auto radial_speeds = allowed.begin() + 2 * layout.lanes();
+  std::for_each(radial_speeds, radial_speeds + layout.rollers,
+                [](double& error) { error *= kRadialSpeedShare; });
+  for (int group = 0; group < 5; ++group)
+    std::fill(allowed.begin() + group * layout.lanes() + layout.rollers,
+              allowed.begin() + (group + 1) * layout.lanes(), 0.0);
+  return allowed;
+}
+
+double longest_step(const bearing::dynamics::BearingModel& model) {
+  const double load = model.inner.load.load(kTypicalApproach, 1.0);
+  const double races = 0.25 * static_cast<double>(model.layout.rollers) * load / kTypicalApproach;
+  const double ring = std::sqrt(model.bore_mass / std::max(races, 1.0));
+  const double pocket = std::sqrt(model.roller.mass / std::max(model.pocket.stiffness, 1.0));
+  return kStepOfImpact * std::min(ring, pocket);
+}
+
+// A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off
+// the pitch circle of the displaced rings by as much is on the other side of a race.
+std::string out_of_place(const bearing::dynamics::BearingModel& model,
+                         const Eigen::Ref<const Eigen::VectorXd>& x) {
+  const auto now = bearing::dynamics::state_views(model.layout, x.data());
+  const double limit = model.geometry.roller_radius;
+  const double cage = (now.cage_position - now.pin_position).norm();
+  std::ostringstream text;
+  if (cage > limit)
+    text << "the cage came out: it stands " << cage << " m beside the pin";
+  else if (const double off = (now.radius - model.geometry.pitch_radius).abs().maxCoeff(),
+           rings = std::max(now.pin_position.norm(), now.bore_position.norm());
+           off > limit + rings)
+    text << "a roller came out: it stands " << off << " m off the pitch circle";
+  else
+    return {};
+  text << "; required: at most the radius of a roller, " << limit << " m";
+  return text.str();
+}
+
+WithinStep::WithinStep(double begin, const std::vector<double>& from, double end,
+                       const std::vector<double>& to, double time, std::vector<double>& x)
+    : from_(from), to_(to), x_(x), length_(end - begin), share_((time - begin) / length_) {
+  for (std::size_t i = 0; i < from.size(); ++i) x[i] = from[i] + share_ * (to[i] - from[i]);
+}
+
+void WithinStep::bend(std::ptrdiff_t position, std::ptrdiff_t velocity, std::ptrdiff_t count) const {
+  const double rise = share_ * (1.0 - share_);
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const auto p = static_cast<std::size_t>(position + i), v = static_cast<std::size_t>(velocity + i);
+    const double mean = to_[p] - from_[p];
+    x_[p] += rise * ((1.0 - share_) * (length_ * from_[v] - mean) - share_ * (length_ * to_[v] - mean));
+  }
+}
+
+void WithinStep::bend(const bearing::fast::PaddedLayout& layout, std::ptrdiff_t first) const {
+  bend(first, first + 2 * layout.lanes(), 2 * layout.lanes());
+  bend(first + layout.cage(), first + layout.cage() + 3, 3);
+  bend(first + layout.bore(), first + layout.bore() + 2, 2);
+  bend(first + layout.pin(), first + layout.pin() + 2, 2);
+}
+
+}  // namespace orbearing::system

@@ -1,0 +1,123 @@
+// One planet bearing that others move: motion of bore and carrier in, force and moment out. The core of the
+// bearing as a participant and as an FMU.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bearing/motion/bore_motion.hpp"
+#include "bearing/motion/model.hpp"
+#include "bearing/motion/parameters.hpp"
+#include "bearing/motion/snapshot.hpp"
+#include "bearing/motion/statistics.hpp"
+#include "bearing/parameters.hpp"
+#include "coupling/system/course.hpp"
+#include "mechanics/described.hpp"
+
+namespace orbearing::cosim {
+
+/// The race at rest relative to the load: the pin's.
+inline constexpr bearing::Race kStanding = bearing::Race::inner;
+
+/// All that is fixed before a run.
+struct DrivenBearingSetup {
+  bearing::CylindricalRollerBearing bearing;
+  bearing::dynamics::DynamicsParameters dynamics;  // no run-up, no ripple: the inputs bring them
+  double orbit_radius = 0.0;                       // [m]    from the carrier's axis to the pin's
+  double first_roller = 0.0;                       // [rad]  place of the first roller at the start
+  double lambda = 0.83;                            // [-]    of the Lundberg-Palmgren life
+  /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Felt by
+  /// laminae only, and refused without them.
+  Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
+  double allowed_length_error = 2e-10;  // [m]    of one step; all other variables follow from it
+  long places = 72;                     // [-]    bins on the races, for the life
+  long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
+};
+
+/// Of a drivetrain too.
+inline described::Row<double> lambda_row(double& lambda) {
+  using namespace described;
+  return field(lambda, "life.lambda", Felt::life,
+               "reduction factor of the capacity: the product lambda nu of ISO/TR 1281-1",
+               {.models = with_rollers,
+                .range = positive(1.0),
+                .reason = "the product for cylindrical roller bearings in ISO/TR 1281-1",
+                .fmu = InFmu::parameter});
+}
+
+/// The model of a bearing that others drive. Throws std::invalid_argument, with what was found and what is
+/// required, where a number has no meaning or where something is asked for that follows from speeds or loads
+/// before they are known: a run-up, a mesh ripple, the film as printed.
+bearing::dynamics::BearingModel driven_model(const DrivenBearingSetup& setup);
+
+/// Throws std::runtime_error with what was found where a window has no length.
+void require_length(const Window& window);
+
+/// At the present time.
+struct DrivenBearingOutput {
+  bearing::dynamics::BoreReaction reaction;
+  double cage_speed = 0.0;   // [rad/s]  relative to the carrier
+  double cage_slip = 0.0;    // [-]  1 - cage speed / kinematic cage speed; 0 where nothing turns
+  double life_used = 0.0;    // [-]  revolutions so far over the life (in revolutions) under the loads so far
+  double revolutions = 0.0;  // [-]  of the bore relative to the carrier, since the start; absolute value
+  double friction_loss = 0.0;        // [W]
+  std::vector<double> inner_load;    // [N]  (rollers)
+  std::vector<double> outer_load;    // [N]  (rollers)
+  std::vector<double> roller_angle;  // [rad]  (rollers)
+};
+
+/// Of `now`, under a bore that turns at `bore_speed` [rad/s] and has turned by `turned` [rad] there and back;
+/// `life` [rev] under the loads so far.
+DrivenBearingOutput driven_output(const bearing::RollerBearingGeometry& geometry, double bore_speed,
+                                  const bearing::dynamics::Snapshot& now,
+                                  const bearing::dynamics::BoreReaction& reaction, double turned,
+                                  double life);
+
+/// Slopes of the force on the bore [N/m] and [N s/m]: rows x and y; the inner state held.
+struct ForceSlopes {
+  Eigen::Matrix2d by_displacement = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d by_velocity = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d by_speed = Eigen::Vector2d::Zero();  // [N s]  of the bore
+};
+
+/// Not for use by two threads at once; any number of objects side by side.
+class DrivenBearing {
+ public:
+  /// Throws std::invalid_argument, with what was found and what is required.
+  explicit DrivenBearing(const DrivenBearingSetup& setup);
+  ~DrivenBearing();
+  DrivenBearing(DrivenBearing&&) noexcept;
+  DrivenBearing& operator=(DrivenBearing&&) noexcept;
+
+  /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
+  /// zero.
+  void initialize(const bearing::dynamics::BoreMotion& motion);
+  /// From `window.begin` to its end with `inputs`, whose courses count from the beginning. On an error
+  /// (std::runtime_error) the state is that at the beginning.
+  void advance(const Window& window, const BoreCourse& inputs);
+  /// What the bearing does to the bore under the motion at the present time: the cheap part of output().
+  bearing::dynamics::BoreReaction reaction(const bearing::dynamics::BoreMotion& motion) const;
+  /// Under the motion at the present time.
+  DrivenBearingOutput output(const bearing::dynamics::BoreMotion& motion) const;
+  ForceSlopes slopes(const bearing::dynamics::BoreMotion& motion) const;
+
+  /// All that can be read off at the present time.
+  void take_snapshot(const bearing::dynamics::BoreMotion& motion, bearing::dynamics::Snapshot& into) const;
+  /// From now on the loads of every step, weighted by its length, also go to `collector`, which outlives this
+  /// or is replaced; null: no longer. No part of the saved state.
+  void collect_loads(bearing::dynamics::StatisticsCollector* collector);
+
+  /// In the order of StateLayout, the bore where it was last.
+  Eigen::VectorXd state() const;
+
+  int rollers() const;
+  void save(SavedState& state) const;
+  /// Throws std::invalid_argument where `state` is not one of such a bearing.
+  void restore(const SavedState& state);
+
+ private:
+  struct Inside;
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace orbearing::cosim

@@ -1,0 +1,81 @@
+// The vectorised bearing under prescribed inputs, as the linearly implicit stepper sees it.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "coupling/system/course.hpp"
+#include "coupling/system/loads_at_step.hpp"
+
+namespace orbearing::cosim {
+
+/// Times count from the beginning of the window. The rate of the bore's velocity is given, so its row in the
+/// matrix is that of the unit matrix.
+class DrivenSystem {
+ public:
+  DrivenSystem(bearing::fast::VectorBearing& bearing, const BoreCourse& inputs, double angle,
+               system::LoadsAtStep& loads, bearing::dynamics::DamageSums& sums)
+      : bearing_(bearing),
+        inputs_(inputs),
+        angle_(integral(angle, inputs.speed)),
+        loads_(loads),
+        sums_(sums) {}
+
+  bearing::dynamics::BoreMotion at(double time) const {
+    bearing::dynamics::BoreMotion motion = inputs_.at(time);
+    motion.angle = angle_.at(time);
+    return motion;
+  }
+
+  void linearise(double time, const double* x, double* dx) {
+    const bearing::dynamics::BoreMotion motion = at(time);
+    bore_speed_ = motion.speed;
+    bearing_.linearise(motion, x, dx);
+  }
+  void derivative(double time, const double* x, double* dx) { bearing_.derivative(at(time), x, dx); }
+  /// That of the bore's acceleration; speeds and frame change little in a step, and the order does not ask
+  /// for theirs.
+  void time_slope(double time, double* rate) const {
+    const int bore = bearing_.layout().bore();
+    std::fill_n(rate, bearing_.layout().size(), 0.0);
+    rate[bore + 2] = second_slope(inputs_.v_x, time);
+    rate[bore + 3] = second_slope(inputs_.v_y, time);
+  }
+  bool factor(double g) { return bearing_.factor_open(g, port_); }
+  void solve(const double* rhs, double* k) {
+    const int bore = bearing_.layout().bore();
+    const double rate[2] = {rhs[bore + 2], rhs[bore + 3]};
+    double force[2];
+    bearing_.reduce(rhs, k, force);
+    bearing_.complete(rhs, rate, k);
+  }
+
+  void begun(const std::vector<double>& x) {
+    loads_.take(bearing_, x.data(),
+                bearing::dynamics::race_speeds(bearing_.model().geometry, 0.0, bore_speed_));
+  }
+  void stepped(double, double length) { loads_.count(length, &sums_); }
+  void settle(double time, std::vector<double>& x) const { put(at(time), x); }
+
+  /// Puts the bore where `motion` says.
+  void put(const bearing::dynamics::BoreMotion& motion, std::vector<double>& x) const {
+    double* bore = x.data() + bearing_.layout().bore();
+    std::copy_n(motion.position.data(), 2, bore);
+    std::copy_n(motion.velocity.data(), 2, bore + 2);
+  }
+
+ private:
+  static double second_slope(const Course& course, double since) {
+    return 2.0 * course.coefficient[2] + 6.0 * since * course.coefficient[3];
+  }
+
+  bearing::fast::VectorBearing& bearing_;
+  const BoreCourse& inputs_;
+  Course angle_;
+  system::LoadsAtStep& loads_;
+  bearing::dynamics::DamageSums& sums_;
+  double bore_speed_ = 0.0;  // [rad/s]  at the last linearisation
+  bearing::fast::PortMatrix port_;
+};
+
+}  // namespace orbearing::cosim

@@ -1,0 +1,184 @@
+#include "coupling/system/free_bearing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "bearing/motion/driven_bore.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/run.hpp"
+#include "coupling/integration/window.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/loads_at_step.hpp"
+
+namespace orbearing::system {
+
+namespace {
+
+using bearing::dynamics::BearingModel;
+using bearing::fast::VectorBearing;
+using integration::IntegrationOptions;
+using integration::IntegrationReport;
+using integration::OutputTimes;
+
+bearing::dynamics::RaceSpeeds speeds_of(const BearingModel& model) {
+  return bearing::dynamics::race_speeds(model.geometry, model.point.inner_speed, model.point.outer_speed);
+}
+
+// The vectorised bearing as the linearly implicit stepper and its windows see it.
+class FreeSystem {
+ public:
+  FreeSystem(VectorBearing& bearing, const StepObserver& on_step,
+             bearing::dynamics::StatisticsCollector* collector)
+      : bearing_(bearing),
+        on_step_(on_step),
+        races_(speeds_of(bearing.model())),
+        loads_(static_cast<int>(bearing.layout().rollers)) {
+    loads_.collector = collector;
+  }
+
+  void linearise(double time, const double* x, double* dx) { bearing_.linearise(time, x, dx); }
+  void derivative(double time, const double* x, double* dx) { bearing_.derivative(time, x, dx); }
+  void time_slope(double time, double* rate) { bearing_.time_slope(time, rate); }
+  bool factor(double g) { return bearing_.factor(g); }
+  void solve(const double* rhs, double* k) const { bearing_.solve(rhs, k); }
+
+  void begun(const std::vector<double>& x) {
+    from_ = x;
+    force_ = bearing_.reaction().force;
+    loads_.take(bearing_, x.data(), races_);
+  }
+  void stepped(double time, double length) {
+    const double weight = loads_.count(length, nullptr);
+    if (on_step_) on_step_({time, weight, from_.data(), loads_.loads(), force_});
+  }
+  void settle(double, std::vector<double>&) const {}
+
+  /// Where the last step began.
+  const std::vector<double>& from() const { return from_; }
+
+ private:
+  VectorBearing& bearing_;
+  const StepObserver& on_step_;
+  bearing::dynamics::RaceSpeeds races_;
+  LoadsAtStep loads_;
+  std::vector<double> from_;
+  Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  // [N]
+};
+
+// False where the budget is used up. The last step ends with `output`.
+bool run(VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x, const OutputTimes& output,
+         const IntegrationOptions& options, const integration::Observer& observe, integration::Run& budget,
+         IntegrationReport& report) {
+  integration::Rosenbrock2 stepper(
+      linearly_implicit_errors(bearing, options.tolerance * options.allowed_error),
+      longest_step(bearing.model()));
+  const integration::WindowLimits limits{.smallest_step = options.smallest_step, .stretch = 1.0};
+  std::vector<double> state = bearing.padded(x), sample = state;
+  double time = output.time(0), step = options.step;
+  long next = 1;
+  while (next <= output.samples) {
+    const double before = time;
+    long attempts = 0;
+    step_within_window(stepper, system, state, time, output.time(output.samples), limits, step, attempts);
+    report.rejected += attempts - 1;
+    report.rhs_calls += attempts + 1;
+    if (!budget.accept(time, time - before)) return false;
+    for (; next <= output.samples && output.time(next) <= time; ++next) {
+      WithinStep(before, system.from(), time, state, output.time(next), sample).bend(bearing.layout(), 0);
+      bearing.flatten(sample.data(), x);
+      if (observe) observe(output.time(next), x);
+    }
+  }
+  stepper.begin(system, state, time);
+  system.begun(state);
+  system.stepped(time, 0.0);
+  bearing.flatten(state.data(), x);
+  return true;
+}
+
+}  // namespace
+
+IntegrationReport integrate_bearing(VectorBearing& bearing, Eigen::VectorXd& x, const OutputTimes& output,
+                                    const IntegrationOptions& options, const integration::Observer& observe,
+                                    const StepObserver& on_step,
+                                    bearing::dynamics::StatisticsCollector* collector) {
+  IntegrationReport report;
+  report.reached = output.time(0);
+  report.smallest_step = std::numeric_limits<double>::infinity();
+  integration::Run budget(options, report);
+  FreeSystem system(bearing, on_step, collector);
+  try {
+    report.completed = x.allFinite() ? run(bearing, system, x, output, options, observe, budget, report)
+                                     : budget.fail("the state is not finite");
+  } catch (const std::runtime_error& error) {
+    report.message = error.what();
+  }
+  if (report.steps == 0) report.smallest_step = 0.0;
+  report.wall_seconds = budget.seconds();
+  return report;
+}
+
+FreeBearing::FreeBearing(BearingModel model, Eigen::VectorXd start, double length_error,
+                         const IntegrationOptions& options)
+    : equations_(std::move(model)), options_(options), state_(std::move(start)), shown_(state_) {
+  options_.allowed_error = allowed_errors(this->model(), length_error);
+  if (options_.method != integration::Method::linearly_implicit) return;
+  if (bearing::fast::supports(this->model()))
+    vectorised_.emplace(this->model());
+  else
+    options_.method = integration::Method::dopri5;
+}
+
+void FreeBearing::take_snapshot(int, bearing::dynamics::Snapshot& into) const {
+  bearing::dynamics::take_snapshot(model(), shown_, into, time_);
+}
+
+void FreeBearing::advance(const OutputTimes& times, const std::function<void(double time)>& observe) {
+  const auto show = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+    const std::string reason = out_of_place(model(), x);
+    if (!reason.empty()) throw std::runtime_error(reason);
+    shown_ = x;
+    time_ = time;
+    observe(time);
+  };
+  IntegrationOptions options = options_;
+  options.step = std::min(options.step, times.interval);
+  options.most_seconds -= report_.wall_seconds;
+  options.most_steps -= report_.steps;
+  append(vectorised_ ? advance_vectorised(times, options, show) : advance_readable(times, options, show),
+         report_);
+  shown_ = state_;
+  if (!report_.completed) throw std::runtime_error(report_.message);
+}
+
+IntegrationReport FreeBearing::advance_vectorised(const OutputTimes& times, const IntegrationOptions& options,
+                                                  const integration::Observer& show) {
+  const auto on_step = [this](const StepSample& step) {
+    const double* bore = step.state + vectorised_->layout().bore();
+    observers_.on_bore({step.time, step.weight, {bore[0], bore[1]}, {bore[2], bore[3]}, step.bore_force});
+  };
+  return integrate_bearing(*vectorised_, state_, times, options, show,
+                           observers_.on_bore ? StepObserver(on_step) : nullptr, observers_.loads.front());
+}
+
+IntegrationReport FreeBearing::advance_readable(const OutputTimes& times, const IntegrationOptions& options,
+                                                const integration::Observer& show) {
+  const auto derivative = [this](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
+                                 Eigen::Ref<Eigen::VectorXd> dx) { equations_.derivative(time, x, dx); };
+  const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+    show(time, x);
+    if (!observers_.on_bore) return;
+    const bearing::OperatingPoint& point = model().point;
+    const bearing::dynamics::BoreMotion motion{.position = x.segment<2>(model().layout.bore()),
+                                               .velocity = x.segment<2>(model().layout.bore() + 2),
+                                               .speed = point.outer_speed,
+                                               .angle = point.outer_speed * time,
+                                               .carrier_speed = point.carrier.speed,
+                                               .carrier_acceleration = point.carrier.acceleration};
+    observers_.on_bore({time, 1.0, motion.position, motion.velocity, reaction(model(), motion, x).force});
+  };
+  return integrate(derivative, state_, times, options, observe);
+}
+
+}  // namespace orbearing::system

@@ -1,0 +1,413 @@
+#include "coupling/system/monolithic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "bearing/motion/driven_bore.hpp"
+#include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/window.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/coupled_steps.hpp"
+#include "gearset/dynamics/snapshot.hpp"
+
+namespace orbearing::cosim {
+
+namespace {
+
+using bearing::dynamics::BoreMotion;
+using bearing::dynamics::Snapshot;
+
+constexpr double kFirstStep = 1e-6;  // [s]
+constexpr double kSavedSystemKind = 30002.0;
+constexpr std::ptrdiff_t kSavedSystemHead = 4;
+// Errors that linearly implicit steps may make in the gears, over those of dopri5.
+constexpr double kGearErrorFactor = 100.0;
+constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
+
+CoupledModel checked_model(const CoupledSetup& setup) {
+  CoupledModel model = coupled_model(setup);
+  if (!bearing::fast::supports(model.bearing))
+    throw std::invalid_argument(
+        "monolithic solution: found oil in the pockets; required: pockets without film, as the vectorised "
+        "bearing knows them");
+  return model;
+}
+
+CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& model,
+                                const CoupledSystem& coupled) {
+  const Eigen::VectorXd gears =
+      kGearErrorFactor * integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
+  return {.gears = {gears.begin(), gears.end()},
+          .bearing = system::linearly_implicit_errors(
+              coupled.bearing(0), system::allowed_errors(model.bearing, setup.bearing.allowed_length_error)),
+          .longest_step = system::longest_step(model.bearing),
+          .most_refined = setup.most_refined,
+          .most_steps = setup.bearing.most_steps};
+}
+
+}  // namespace
+
+// State, steps, and what is shown of them. One object is either advanced from window to window or followed,
+// not both.
+struct Monolithic::Inside {
+  explicit Inside(const CoupledSetup& setup);
+  Inside(const Inside&) = delete;
+  Inside& operator=(const Inside&) = delete;
+
+  void start(double time, const CoupledStart& start);
+  void forget();
+  // Piece by piece between the jumps of the mesh stiffness; the last step ends with the window. The state is
+  // lost on an error.
+  void advance(const Window& window);
+  // To `time` [s], which steps may pass: the state shown is interpolated, positions by cubics, velocities in
+  // straight lines.
+  void follow(double time);
+
+  Eigen::VectorXd gear_state() const;
+  Eigen::VectorXd bearing_state(int b) const;
+  bearing::dynamics::BoreMotion motion(int b) const;
+
+  // Throws std::runtime_error between two steps of follow().
+  SavedState saved();
+  // What saved() gave; false where it is not of such a system, and then nothing has changed.
+  bool put(const SavedState& state);
+
+  // Between two jumps.
+  struct Piece {
+    double begin = 0.0, end = 0.0;  // [s]
+    double done = 0.0;              // [s]  since its beginning
+  };
+
+  Piece piece_from(double begin) const;
+  void enter(const Piece& piece);
+  void one_step();
+  void show(double time);
+  void show_all();
+  void count_turns();
+  void require_in_place() const;
+  template <class Visit>
+  void each(Visit visit);
+  Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
+
+  CoupledSetup setup_;
+  CoupledModel model_;
+  gearset::dynamics::PlanetarySetEquations equations;
+  CoupledSystem system_;
+  CoupledSteps stepper_;
+  std::vector<double> x_;       // as far as steps have gone
+  std::vector<double> before_;  // where the last step of follow() began
+  std::vector<double> shown_;
+  std::vector<double> turned_, angle_;                        // [rad]  (bearings)
+  double time_ = 0.0, reached_ = 0.0, reached_before_ = 0.0;  // [s]  shown, of x_, of before_
+  double step_ = 1e-6;                                        // [s]  to try next
+  Piece piece_;
+  bool following_ = false;
+};
+
+Monolithic::Inside::Inside(const CoupledSetup& setup)
+    : setup_(setup),
+      model_(checked_model(setup)),
+      equations(model_.gears),
+      system_(model_, setup.bearing.places),
+      stepper_(system_, step_options(setup, model_, system_)),
+      x_(system_.size(), 0.0),
+      before_(x_),
+      shown_(x_),
+      turned_(static_cast<std::size_t>(system_.bearings()), 0.0),
+      angle_(turned_) {}
+
+void Monolithic::Inside::start(double time, const CoupledStart& start) {
+  time_ = reached_ = reached_before_ = time;
+  step_ = kFirstStep;
+  following_ = false;
+  std::fill(x_.begin(), x_.end(), 0.0);
+  std::copy(start.gears.begin(), start.gears.end(), x_.begin());
+  for (int b = 0; b < system_.bearings(); ++b) {
+    const auto padded = system_.bearing(b).padded(start.bearings[static_cast<std::size_t>(b)]);
+    std::copy(padded.begin(), padded.end(), system_.of_bearing(x_.data(), b));
+  }
+  system_.settle(0.0, x_);
+  show_all();
+  forget();
+}
+
+void Monolithic::Inside::forget() {
+  for (int b = 0; b < system_.bearings(); ++b) {
+    const auto place = static_cast<std::size_t>(b);
+    turned_[place] = 0.0;
+    angle_[place] = motion(b).angle;
+    system_.loads[place].step_before = 0.0;
+    system_.sums[place] = system_.no_damage(setup_.bearing.places);
+  }
+}
+
+Monolithic::Inside::Piece Monolithic::Inside::piece_from(double begin) const {
+  const double close = 4e-16 * std::abs(begin) + 1e-15;  // [s]  round-off of the times
+  const integration::Jumps jumps = integration::jumps_of(model_.gears, begin);
+  if (!jumps.time) return {begin, begin + kLongestPiece};
+  long jump = 0;
+  while (jumps.time(jump) <= begin + close) ++jump;
+  return {begin, jumps.time(jump)};
+}
+
+void Monolithic::Inside::enter(const Piece& piece) {
+  piece_ = piece;
+  const double margin =
+      std::min(integration::jumps_of(model_.gears).margin, 0.25 * (piece.end - piece.begin));
+  system_.set_piece(piece.begin, piece.begin + margin, piece.end - margin);
+}
+
+void Monolithic::Inside::one_step() {
+  const double length = piece_.end - piece_.begin;
+  long attempts = 0;
+  integration::step_within_window(stepper_, system_, x_, piece_.done, length,
+                                  {.most_steps = setup_.bearing.most_steps}, step_, attempts);
+  reached_ = piece_.done >= length ? piece_.end : piece_.begin + piece_.done;
+}
+
+void Monolithic::Inside::advance(const Window& window) {
+  if (following_)
+    throw std::runtime_error("monolithic solution: found a window after follow(); required: one of both");
+  const double close = 4e-16 * std::abs(window.end) + 1e-15;  // [s]
+  const long most = system_.steps + setup_.bearing.most_steps;
+  reached_ = window.begin;
+  while (reached_ < window.end) {
+    Piece piece = piece_from(reached_);
+    if (piece.end >= window.end - close) piece.end = window.end;
+    enter(piece);
+    while (reached_ < piece.end) {
+      if (system_.steps >= most)
+        throw std::runtime_error("monolithic solution: the largest number of steps was taken");
+      one_step();
+    }
+  }
+  show_all();
+  count_turns();
+  require_in_place();
+}
+
+void Monolithic::Inside::follow(double time) {
+  if (!following_) {
+    following_ = true;
+    enter(piece_from(reached_));
+  }
+  while (reached_ < time) {
+    if (reached_ >= piece_.end) enter(piece_from(piece_.end));
+    before_ = x_;
+    reached_before_ = reached_;
+    one_step();
+  }
+  show(time);
+  count_turns();
+  require_in_place();
+}
+
+void Monolithic::Inside::show_all() {
+  shown_ = x_;
+  time_ = reached_;
+}
+
+void Monolithic::Inside::show(double time) {
+  if (!(reached_ > reached_before_)) return show_all();
+  const system::WithinStep within(reached_before_, before_, reached_, x_, time, shown_);
+  within.bend(0, freedoms(), freedoms());
+  for (int b = 0; b < system_.bearings(); ++b) within.bend(system_.bearing(b).layout(), system_.offset(b));
+  system_.settle(0.0, shown_);
+  time_ = time;
+}
+
+void Monolithic::Inside::count_turns() {
+  for (int b = 0; b < system_.bearings(); ++b) {
+    const auto place = static_cast<std::size_t>(b);
+    const double now = motion(b).angle;
+    turned_[place] += std::abs(now - angle_[place]);
+    angle_[place] = now;
+  }
+}
+
+void Monolithic::Inside::require_in_place() const {
+  for (int b = 0; b < system_.bearings(); ++b) {
+    const std::string reason = system::out_of_place(model_.bearing, bearing_state(b));
+    if (reason.empty()) continue;
+    std::ostringstream text;
+    text << "bearing " << b + 1 << " at t = " << time_ << " s: " << reason;
+    throw std::runtime_error(text.str());
+  }
+}
+
+Eigen::VectorXd Monolithic::Inside::gear_state() const {
+  return Eigen::Map<const Eigen::VectorXd>(shown_.data(), 2 * freedoms());
+}
+
+Eigen::VectorXd Monolithic::Inside::bearing_state(int b) const {
+  Eigen::VectorXd flat(model_.bearing.layout.size());
+  system_.bearing(b).flatten(system_.of_bearing(shown_.data(), b), flat);
+  return flat;
+}
+
+BoreMotion Monolithic::Inside::motion(int b) const {
+  return bore_motion(model_, model_.port_of(b), time_, system_.part(shown_.data(), 0),
+                     system_.part(shown_.data(), freedoms()));
+}
+
+// Every number of the state in turn, for `visit(double* first, size)`.
+template <class Visit>
+void Monolithic::Inside::each(Visit visit) {
+  visit(&reached_, 1);
+  visit(&step_, 1);
+  for (std::vector<double>* all : {&x_, &turned_, &angle_})
+    visit(all->data(), static_cast<long>(all->size()));
+  for (std::size_t b = 0; b < turned_.size(); ++b) {
+    visit(&system_.loads[b].step_before, 1);
+    system_.sums[b].each(visit);
+  }
+}
+
+SavedState Monolithic::Inside::saved() {
+  if (following_)
+    throw std::runtime_error("monolithic solution: found follow() before save; required: windows alone");
+  SavedState all{kSavedSystemKind, static_cast<double>(model_.bearing.layout.rollers),
+                 static_cast<double>(system_.bearings()), static_cast<double>(freedoms())};
+  each([&](const double* first, long size) { all.insert(all.end(), first, first + size); });
+  return all;
+}
+
+bool Monolithic::Inside::put(const SavedState& state) {
+  const SavedState own = saved();
+  if (state.size() != own.size() || !std::equal(own.begin(), own.begin() + kSavedSystemHead, state.begin()))
+    return false;
+  auto from = state.begin() + kSavedSystemHead;
+  each([&](double* first, long size) {
+    std::copy_n(from, size, first);
+    from += size;
+  });
+  show_all();
+  return true;
+}
+
+Monolithic::Monolithic(const CoupledSetup& setup) : inside_(std::make_unique<Inside>(setup)) {}
+Monolithic::~Monolithic() = default;
+Monolithic::Monolithic(Monolithic&&) noexcept = default;
+Monolithic& Monolithic::operator=(Monolithic&&) noexcept = default;
+
+void Monolithic::initialize(double time) {
+  initialize(time, coupled_start(inside_->setup_, inside_->model_, time));
+}
+void Monolithic::initialize(double time, const CoupledStart& start) {
+  inside_->start(time, start);
+}
+void Monolithic::forget() {
+  inside_->forget();
+}
+
+void Monolithic::advance(const Window& window) {
+  require_length(window);
+  const SavedState before = inside_->saved();
+  try {
+    inside_->advance(window);
+  } catch (...) {
+    inside_->put(before);
+    throw;
+  }
+}
+void Monolithic::follow(double time) {
+  inside_->follow(time);
+}
+void Monolithic::advance(const integration::OutputTimes& times,
+                         const std::function<void(double time)>& observe) {
+  for (long sample = 1; sample <= times.samples; ++sample) {
+    follow(times.time(sample));
+    observe(times.time(sample));
+  }
+}
+
+int Monolithic::planets() const {
+  return static_cast<int>(inside_->model_.ports.size());
+}
+int Monolithic::bearings() const {
+  return inside_->system_.bearings();
+}
+double Monolithic::time() const {
+  return inside_->time_;
+}
+integration::IntegrationReport Monolithic::report() const {
+  return {.completed = true,
+          .reached = inside_->reached_,
+          .steps = inside_->system_.steps,
+          .rejected = inside_->stepper_.rejected()};
+}
+long Monolithic::refined() const {
+  return inside_->stepper_.refined();
+}
+
+DrivenGearsOutput Monolithic::gears() const {
+  const Inside& in = *inside_;
+  Eigen::VectorXd workspace;
+  gearset::dynamics::SetSnapshot snapshot;
+  gearset::dynamics::take_snapshot(in.equations, in.time_, in.gear_state(), workspace, snapshot);
+  DrivenGearsOutput out;
+  for (int i = 0; i < planets(); ++i) {
+    const BoreMotion motion = in.motion(i * in.model_.per_planet);
+    out.planets.push_back({.displacement = motion.position,
+                           .velocity = motion.velocity,
+                           .angle = in.model_.ports[static_cast<std::size_t>(i)].turn(
+                               in.gear_state().head(in.model_.gears.layout.freedoms())),
+                           .speed = motion.speed,
+                           .sun_mesh_force = snapshot.sun_mesh_force[i],
+                           .ring_mesh_force = snapshot.ring_mesh_force[i]});
+    out.carrier_speed = motion.carrier_speed;
+    out.carrier_acceleration = motion.carrier_acceleration;
+  }
+  return out;
+}
+
+bearing::dynamics::BoreReaction Monolithic::reaction(int b) const {
+  return bearing::dynamics::reaction(inside_->model_.bearing_of(b), inside_->motion(b),
+                                     inside_->bearing_state(b));
+}
+
+DrivenBearingOutput Monolithic::bearing(int b) const {
+  const Inside& in = *inside_;
+  const BoreMotion motion = in.motion(b);
+  const bearing::dynamics::BearingModel& model = in.model_.bearing_of(b);
+  return driven_output(model.geometry, motion.speed, driven_snapshot(model, motion, in.bearing_state(b)),
+                       reaction(b), in.turned_[static_cast<std::size_t>(b)], life(b).bearing);
+}
+
+void Monolithic::take_snapshot(int b, Snapshot& into) const {
+  into = driven_snapshot(inside_->model_.bearing_of(b), inside_->motion(b), inside_->bearing_state(b));
+}
+
+void Monolithic::observe_steps(const system::StepObservers& observers) {
+  for (std::size_t b = 0; b < observers.loads.size(); ++b)
+    inside_->system_.loads[b].collector = observers.loads[b];
+}
+
+bearing::BearingLife Monolithic::life(int b) const {
+  const DrivenBearingSetup& setup = inside_->setup_.bearing;
+  return inside_->system_.sums[static_cast<std::size_t>(b)].life(setup.bearing, setup.lambda, kStanding);
+}
+
+CoupledStart Monolithic::state() const {
+  CoupledStart all{inside_->gear_state(), {}};
+  for (int b = 0; b < bearings(); ++b) all.bearings.push_back(inside_->bearing_state(b));
+  return all;
+}
+
+void Monolithic::save(SavedState& state) const {
+  state = inside_->saved();
+}
+
+void Monolithic::restore(const SavedState& state) {
+  if (inside_->put(state)) return;
+  std::ostringstream text;
+  text << "monolithic solution: found a saved state of " << state.size()
+       << " numbers; required: " << inside_->saved().size() << " numbers, of such a gear set with "
+       << bearings() << " bearings";
+  throw std::invalid_argument(text.str());
+}
+
+}  // namespace orbearing::cosim

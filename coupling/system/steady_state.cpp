@@ -1,0 +1,340 @@
+#include "coupling/system/steady_state.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "bearing/motion/driving.hpp"
+#include "bearing/motion/initial_state.hpp"
+#include "coupling/system/free_bearing.hpp"
+
+namespace orbearing::system {
+
+namespace {
+
+using bearing::dynamics::BearingModel;
+using bearing::dynamics::RaceStatistics;
+using bearing::dynamics::Snapshot;
+using bearing::dynamics::StatisticsCollector;
+using bearing::dynamics::WindowStatistics;
+using boost::math::double_constants::two_pi;
+using integration::OutputTimes;
+
+constexpr double kLongestWindow =
+    4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
+// Where loads are taken at every step, fewer states do for all other means.
+constexpr long kStatesPerSample = 5;  // of the series, for one state of the means
+
+void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {
+  for (Eigen::ArrayXXd* matrix :
+       {&series.angle, &series.inner_load, &series.outer_load, &series.inner_sliding, &series.outer_sliding,
+        &series.inner_film, &series.outer_film, &series.pocket_load, &series.spin})
+    matrix->setZero(rollers, samples);
+  series.time.setZero(samples);
+  series.cage_position.setZero(2, samples);
+  series.cage_angle.setZero(samples);
+  series.cage_speed.setZero(samples);
+  series.power_loss.setZero(samples);
+}
+
+void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& series) {
+  series.time[i] = time;
+  series.angle.col(i) = now.angle;
+  series.inner_load.col(i) = now.inner.load;
+  series.outer_load.col(i) = now.outer.load;
+  series.inner_sliding.col(i) = now.inner.sliding;
+  series.outer_sliding.col(i) = now.outer.sliding;
+  series.inner_film.col(i) = now.inner.least_film;
+  series.outer_film.col(i) = now.outer.least_film;
+  series.pocket_load.col(i) = now.pocket_load;
+  series.spin.col(i) = now.spin;
+  series.cage_position.col(i) = now.cage_position;
+  series.cage_angle[i] = now.cage_angle;
+  series.cage_speed[i] = now.cage_speed;
+  series.power_loss[i] = now.loss.total();
+}
+
+// Keeps samples of the last window as series.
+class Recorder {
+ public:
+  Recorder(long all, long per_window, long wanted, Eigen::Index rollers, BearingSeries* series)
+      : series_(series), stride_(std::max(1L, per_window / std::max(1L, wanted))), sample_(per_window - all) {
+    if (series_) resize(*series_, rollers, (per_window - 1) / stride_ + 1);
+  }
+
+  bool wants_next() const { return series_ && sample_ >= 0 && sample_ % stride_ == 0; }
+  void next(double time, const Snapshot& now) {
+    if (wants_next()) record(time, now, sample_ / stride_, *series_);
+    ++sample_;
+  }
+
+ private:
+  BearingSeries* series_;
+  long stride_;
+  long sample_;  // of the last window; negative before it
+};
+
+// Gathers what bearings in motion show.
+class Observation {
+ public:
+  Observation(Motion& motion, const SteadyStateOptions& options) : motion_(motion), options_(options) {
+    motion_.take_snapshot(0, snapshot_);
+    for (int b = 0; b < motion_.bearings(); ++b)
+      collectors_.emplace_back(snapshot_.angle.size(), options.places, uneven_laminae(snapshot_.laminae));
+  }
+
+  /// Means of all bearings over `times`; `series`, where given, keeps the last `per_window` of the first one.
+  std::vector<WindowStatistics> through(const OutputTimes& times, long per_window, BearingSeries* series) {
+    StepObservers observers{{}, series ? options_.on_bore : BoreObserver()};
+    for (int b = 0; b < motion_.bearings(); ++b) {
+      motion_.take_snapshot(b, snapshot_);
+      of(b).begin(times.time(0), snapshot_);
+      observers.loads.push_back(&of(b));
+    }
+    motion_.observe_steps(observers);
+    Recorder recorder(times.samples, per_window, options_.series_samples, snapshot_.angle.size(), series);
+    const long states = motion_.shows_steps() ? kStatesPerSample : 1;
+    long sample = 0;
+    motion_.advance(times, [&](double time) {
+      const bool counts = ++sample % states == 0 || sample == times.samples;
+      for (int b = motion_.bearings() - 1; b >= 0; --b) {
+        if (!counts && !(b == 0 && recorder.wants_next())) continue;
+        motion_.take_snapshot(b, snapshot_);
+        if (counts) add(time, of(b));
+      }
+      recorder.next(time, snapshot_);
+    });
+    std::vector<WindowStatistics> means;
+    for (const StatisticsCollector& collector : collectors_) means.push_back(collector.means());
+    return means;
+  }
+
+ private:
+  StatisticsCollector& of(int b) { return collectors_[static_cast<std::size_t>(b)]; }
+  void add(double time, StatisticsCollector& collector) const {
+    if (motion_.shows_steps())
+      collector.add_state(time, snapshot_);
+    else
+      collector.add(time, snapshot_);
+  }
+
+  Motion& motion_;
+  const SteadyStateOptions& options_;
+  Snapshot snapshot_;
+  std::vector<StatisticsCollector> collectors_;
+};
+
+// Windows in turn. One lasts a revolution of the cage: at the speed that it had in the window before, or at
+// the kinematic one where one interval holds for all.
+class Windows {
+ public:
+  Windows(Motion& motion, const RollingSpeeds& rolling, const SteadyStateOptions& options)
+      : motion_(motion),
+        observation_(motion, options),
+        revolution_(two_pi / std::abs(rolling.cage)),
+        per_window_(motion.shows_steps() ? options.series_samples : options.samples_per_window) {
+    times_.interval = revolution_ / static_cast<double>(per_window_);
+  }
+
+  /// Means of all bearings over the next `windows` taken as one.
+  std::vector<WindowStatistics> next(int windows, BearingSeries* series) {
+    times_.samples = per_window_ * windows;
+    std::vector<WindowStatistics> means = observation_.through(times_, per_window_, series);
+    if (motion_.keeps_to_interval()) {
+      times_.passed += times_.samples;
+    } else {
+      const double turn = two_pi / std::max(std::abs(pooled(means).cage_speed), 1e-300);
+      times_.start = times_.time(times_.samples);
+      times_.interval = std::min(turn, kLongestWindow * revolution_) / static_cast<double>(per_window_);
+    }
+    return means;
+  }
+  double time() const { return times_.time(0); }  // [s]
+
+ private:
+  Motion& motion_;
+  Observation observation_;
+  double revolution_;  // [s]  of the cage at its kinematic speed
+  long per_window_;    // samples
+  OutputTimes times_;
+};
+
+// Sums over bearings, to be divided by their number.
+void add(const RaceStatistics& one, RaceStatistics& sum) {
+  sum.roller_rms += one.roller_rms.square();
+  sum.load_rms += one.load_rms * one.load_rms;
+  sum.load_max = std::max(sum.load_max, one.load_max);
+  sum.mean_load += one.mean_load;
+  sum.passages += one.passages;
+  sum.damage += one.damage;
+  sum.lamina_damage += one.lamina_damage;
+  sum.lamina_load_max = std::max(sum.lamina_load_max, one.lamina_load_max);
+  sum.mean_sliding += one.mean_sliding;
+  sum.least_film = std::min(sum.least_film, one.least_film);
+}
+
+RaceStatistics zero(const RaceStatistics& like) {
+  return {.roller_rms = Eigen::ArrayXd::Zero(like.roller_rms.size()),
+          .mean_load = Eigen::ArrayXd::Zero(like.mean_load.size()),
+          .passages = Eigen::ArrayXd::Zero(like.passages.size()),
+          .damage = Eigen::ArrayXd::Zero(like.damage.size()),
+          .lamina_damage = Eigen::ArrayXXd::Zero(like.lamina_damage.rows(), like.lamina_damage.cols()),
+          .least_film = like.least_film};
+}
+
+void divide(double number, RaceStatistics& sum) {
+  sum.roller_rms = (sum.roller_rms / number).sqrt();
+  sum.load_rms = std::sqrt(sum.load_rms / number);
+  sum.mean_load /= number;
+  sum.passages /= number;
+  sum.damage /= number;
+  sum.lamina_damage /= number;
+  sum.mean_sliding /= number;
+}
+
+}  // namespace
+
+WindowStatistics pooled(const std::vector<WindowStatistics>& bearings) {
+  if (bearings.size() == 1) return bearings.front();
+  WindowStatistics all{.samples = bearings.front().samples,
+                       .duration = bearings.front().duration,
+                       .inner = zero(bearings.front().inner),
+                       .outer = zero(bearings.front().outer)};
+  const double number = static_cast<double>(bearings.size());
+  for (const WindowStatistics& one : bearings) {
+    add(one.inner, all.inner);
+    add(one.outer, all.outer);
+    all.cage_speed += one.cage_speed / number;
+    all.mean_spin += one.mean_spin / number;
+    all.mean_cage_eccentricity += one.mean_cage_eccentricity / number;
+    all.largest_cage_eccentricity = std::max(all.largest_cage_eccentricity, one.largest_cage_eccentricity);
+    all.mean_cage_position += one.mean_cage_position / number;
+    all.bore_friction_moment += one.bore_friction_moment / number;
+    all.loss += one.loss / number;
+  }
+  divide(number, all.inner);
+  divide(number, all.outer);
+  return all;
+}
+
+bool is_steady(const WindowStatistics& before, const WindowStatistics& now, double kinematic_cage_speed,
+               const SteadyStateOptions& options) {
+  const auto close = [&](double a, double b) {
+    return std::abs(a - b) <= options.load_drift * std::max(a, b);
+  };
+  return close(before.inner.load_rms, now.inner.load_rms) &&
+         close(before.outer.load_rms, now.outer.load_rms) &&
+         std::abs(before.cage_speed - now.cage_speed) <= options.cage_drift * std::abs(kinematic_cage_speed);
+}
+
+double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options) {
+  return two_pi / std::abs(rolling.cage) / static_cast<double>(options.series_samples);
+}
+
+SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolling,
+                                      const SteadyStateOptions& options) {
+  if (rolling.cage == 0.0)
+    throw std::invalid_argument(
+        "speed of the races: found a standing cage; required: races that turn the cage");
+  SteadyStateResult result;
+  result.rolling = rolling;
+  Windows windows(motion, rolling, options);
+  std::vector<WindowStatistics>& done = result.windows;
+  try {
+    while (static_cast<int>(done.size()) < options.most_windows && !result.steady) {
+      done.push_back(pooled(windows.next(1, nullptr)));
+      if (done.size() < 2 || static_cast<int>(done.size()) < options.least_windows) continue;
+      result.steady = is_steady(done.end()[-2], done.back(), rolling.cage, options);
+    }
+    result.bearings = windows.next(options.observed_windows, &result.series);
+    result.statistics = pooled(result.bearings);
+    result.completed = true;
+    if (!result.steady) result.message = "the means still drifted after the last window";
+  } catch (const std::runtime_error& error) {
+    result.message = error.what();
+  }
+  result.duration = windows.time();
+  result.report = motion.report();
+  return result;
+}
+
+namespace {
+
+RollingSpeeds rolling_speeds(const BearingModel& model) {
+  return {model.kinematic_cage_speed,
+          bearing::kinematic_roller_spin(model.geometry, model.point.inner_speed, model.point.outer_speed)};
+}
+
+constexpr double kLeastRatio =
+    0.05;  // of the first speed: the meshes' load at constant power grows without bound
+
+void require_speed(const bearing::dynamics::Driving& driving, double duration) {
+  if (duration > 0.0 && speed_ratio(driving, duration) >= kLeastRatio) return;
+  std::ostringstream text;
+  text << "run-up: found " << driving.growth << " 1/s for " << duration
+       << " s; required: a positive time, at whose end at least " << kLeastRatio
+       << " of the first speed is left";
+  throw std::invalid_argument(text.str());
+}
+
+// As many samples in a mean revolution of the cage as in the steady state.
+long samples_of(const BearingModel& model, const SteadyStateOptions& options, double duration) {
+  const double turned = std::abs(model.kinematic_cage_speed) * equivalent_time(model.driving, duration);
+  const double samples = static_cast<double>(options.samples_per_window) * turned / two_pi;
+  return std::max(options.series_samples, static_cast<long>(std::ceil(samples)));
+}
+
+}  // namespace
+
+SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& bearing,
+                                      const bearing::OperatingPoint& point,
+                                      const bearing::dynamics::DynamicsParameters& parameters,
+                                      const SteadyStateOptions& options,
+                                      const std::optional<Eigen::VectorXd>& start) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  if (model.driving.growth != 0.0)
+    throw std::invalid_argument(
+        "growth of the speeds: found a run-up, which has no steady state; required: 0");
+  FreeBearing motion(model,
+                     start ? *start : initial_state(bearing, model, parameters, options.first_roller).x,
+                     options.allowed_length_error, options.integration);
+  SteadyStateResult result = run_to_steady_state(motion, rolling_speeds(model), options);
+  result.final_state = motion.state();
+  return result;
+}
+
+SteadyStateResult run_up(const bearing::CylindricalRollerBearing& bearing,
+                         const bearing::OperatingPoint& point,
+                         const bearing::dynamics::DynamicsParameters& parameters,
+                         const SteadyStateOptions& options, double duration) {
+  require_speed(parameters.driving, duration);
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  bearing::dynamics::DynamicsParameters before = parameters;
+  before.driving = {};
+  SteadyStateOptions settling = options;
+  settling.observed_windows = 1;
+  SteadyStateResult result = run_to_steady_state(bearing, point, before, settling);
+  if (!result.completed) return result;
+  FreeBearing motion(model, result.final_state, options.allowed_length_error, options.integration);
+  const long samples = samples_of(model, options, duration);
+  try {
+    result.bearings =
+        Observation(motion, options)
+            .through({0.0, duration / static_cast<double>(samples), samples}, samples, &result.series);
+    result.statistics = pooled(result.bearings);
+  } catch (const std::runtime_error& error) {
+    result.completed = false;
+    result.message = error.what();
+  }
+  result.report = motion.report();
+  result.final_state = motion.state();
+  result.duration = duration;
+  const double mean_ratio = equivalent_time(parameters.driving, duration) / duration;
+  result.rolling.cage *= mean_ratio;
+  result.rolling.spin *= mean_ratio;
+  return result;
+}
+
+}  // namespace orbearing::system
