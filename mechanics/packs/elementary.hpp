@@ -54,6 +54,25 @@ inline Number exponential(const Number& x) {
   return from_bits(bits_of(y) + (bits_of(shifted) << 52));
 }
 
+template <class Number>
+struct SaturationOf {
+  Number value, slope;
+};
+
+/// sign(x) (1 - exp(-|x|)) with its slope exp(-|x|).
+template <class Number>
+inline SaturationOf<Number> saturation(const Number& x) {
+  const Number size = absolute(x);
+  const Number decay = exponential(-smaller(size, spread<Number>(600.0)));
+  // 1 - exp(-x) loses digits for small x; there its series.
+  const Number series =
+      size *
+      (1.0 - size * (0.5 - size * (1.0 / 6 -
+                                   size * (1.0 / 24 -
+                                           size * (1.0 / 120 - size * (1.0 / 720 - size * (1.0 / 5040)))))));
+  return {with_sign_of(select(size < 1e-2, series, 1.0 - decay), x), decay};
+}
+
 struct SineCosine {
   Pack sine;
   Pack cosine;

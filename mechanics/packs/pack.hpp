@@ -222,6 +222,12 @@ template <class Part>
 inline Two<Part> smaller(const Two<Part>& a, const Two<Part>& b) {
   return select(a < b, a, b);
 }
+inline PackPair larger(const PackPair& a, const NumberPair& b) {
+  return larger(a, spread(b));
+}
+inline PackPair smaller(const PackPair& a, const NumberPair& b) {
+  return smaller(a, spread(b));
+}
 
 inline Pack root(const Pack& x) {
   Pack y;
