@@ -4,20 +4,6 @@
 
 namespace orbearing::bearing {
 
-namespace {
-constexpr double kFilmLoadExponent = 0.13;
-constexpr double kCentralOverLeast = 4.0 / 3.0;
-
-// Eq. (10) of [Gai2025] without its load, times 4/3 and with q = Q/l.
-double central_factor(const FilmContact& contact, double speed) {
-  const double alpha = contact.lubricant.pressure_viscosity;
-  const double eta = contact.lubricant.viscosity;
-  const double least = 2.65 * std::pow(alpha, 0.54) * std::pow(eta * speed, 0.7) *
-                       std::pow(contact.equivalent_radius, 0.43) / std::pow(contact.reduced_modulus, 0.03);
-  return kCentralOverLeast * least * std::pow(contact.length, kFilmLoadExponent);
-}
-}  // namespace
-
 FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
                          Race race, const Lubricant& lubricant) {
   const Material& steel = bearing.material;
@@ -28,30 +14,30 @@ FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBe
 }
 
 Film::Film(const FilmContact& contact, double entrainment_speed)
-    : factor_(central_factor(contact, entrainment_speed)) {
-  if (factor_ <= 0.0) return;
-  const double rigid =
-      4.896 * contact.lubricant.viscosity * entrainment_speed * contact.equivalent_radius * contact.length;
-  cap_load_ = std::pow(rigid / factor_, 1.0 / (1.0 - kFilmLoadExponent));
-  cap_ = factor_ * std::pow(cap_load_, -kFilmLoadExponent);
+    : oiled_(contact.lubricant.viscosity > 0.0 && contact.lubricant.pressure_viscosity > 0.0 &&
+             entrainment_speed > 0.0) {
+  if (!oiled_) return;
+  law_ = FilmLaw<double>::of(contact);
+  log_speed_ = std::log(entrainment_speed);
+  cap_load_ = std::exp(law_.log_cap_load + law_.kCapLoadSpeed * log_speed_);
+  cap_ = std::exp(law_.log_unloaded(log_speed_));
 }
 
 double Film::central(double load) const {
-  return load > cap_load_ ? factor_ * std::pow(load, -kFilmLoadExponent) : cap_;
+  return thinned(load) ? std::exp(law_.log_central(std::log(load), log_speed_)) : cap_;
 }
 
 double Film::slope(double load) const {
-  return load > cap_load_ ? -kFilmLoadExponent * factor_ * std::pow(load, -kFilmLoadExponent - 1.0) : 0.0;
+  if (!thinned(load)) return 0.0;
+  return exponential(law_.log_central(logarithm(mechanics::variable<0>(load)), log_speed_)).by<0>();
 }
 
 double Film::least(double load) const {
-  return central(load) / kCentralOverLeast;
+  return central(load) / law_.kCentralOverLeast;
 }
 
 double Film::energy(double load) const {
-  if (load <= cap_load_) return 0.0;
-  const double exponent = 1.0 - kFilmLoadExponent;
-  return kFilmLoadExponent / exponent * factor_ * (std::pow(load, exponent) - std::pow(cap_load_, exponent));
+  return thinned(load) ? law_.energy(load, log_speed_) : 0.0;
 }
 
 }  // namespace orbearing::bearing

@@ -1,6 +1,7 @@
 // Oil film of a line contact: Dowson-Higginson, capped where the rigid-isoviscous film takes over.
 #pragma once
 
+#include "bearing/contact/film_law.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/parameters.hpp"
 
@@ -41,15 +42,17 @@ class Film {
   double cap_load() const { return cap_load_; }
   /// Central film of the unloaded contact [m]: the gap at which the contact begins to carry.
   double cap() const { return cap_; }
-  /// Central film [m] at a load of 1 N, were it not capped.
-  double factor() const { return factor_; }
   /// Integral of load over -d(central) from zero to `load` [J]: what the film's thinning stores.
   double energy(double load) const;
 
  private:
-  double factor_ = 0.0;    // central film = factor_ Q^-0.13  [m N^0.13]
-  double cap_load_ = 0.0;  // [N]
-  double cap_ = 0.0;       // [m]
+  bool thinned(double load) const { return oiled_ && load > cap_load_; }
+
+  bool oiled_ = false;
+  FilmLaw<double> law_;
+  double log_speed_ = 0.0;  // [ln(m/s)]
+  double cap_load_ = 0.0;   // [N]
+  double cap_ = 0.0;        // [m]
 };
 
 }  // namespace orbearing::bearing

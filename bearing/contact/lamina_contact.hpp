@@ -13,6 +13,7 @@
 
 #include "bearing/contact/lamina_kernel.hpp"
 #include "bearing/contact/line_contact.hpp"
+#include "bearing/contact/line_law.hpp"
 #include "bearing/profile/profile.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
@@ -20,7 +21,7 @@ namespace orbearing::bearing::laminae {
 
 /// Load of a whole straight contact: constant approach^exponent.
 struct LaminaLaw {
-  static constexpr double exponent = 10.0 / 9.0;
+  static constexpr double exponent = kLineExponent;
   double constant = 0.0;  // [N/m^(10/9)]
 };
 

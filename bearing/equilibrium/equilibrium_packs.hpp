@@ -6,6 +6,7 @@
 // with x on the race that feels the squeeze alone. Eliminating x roller by roller leaves two equations for u.
 #pragma once
 
+#include "bearing/contact/line_law.hpp"
 #include "bearing/equilibrium/equilibrium_engine.hpp"
 #include "bearing/equilibrium/equilibrium_start.hpp"
 #include "mechanics/packs/elementary.hpp"
@@ -89,7 +90,7 @@ inline void PackEquilibrium::place_rollers(const EquilibriumInput& input, int fi
   const Pack force = root(dot(load_, load_));
   scale_ = larger(force, largest);
   const Pack forces = larger(force + all, spread(1e-200));
-  reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, 0.9);
+  reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, kLineApproachExponent);
 }
 
 inline void PackEquilibrium::start() {
@@ -121,10 +122,10 @@ inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& d
   const Pack inverse = 1.0 / ((root_x + root_y) * (p + size + 1e-200));
   const Pack by_roots = inverse * (p + size + 1e-200);
   const Pack share_y = root_y * by_roots;
-  const Pack step = 0.9 * residual * by_roots;
+  const Pack step = kLineApproachExponent * residual * by_roots;
   const Mask squeezed = (approach > 0.0) & (x + step > 0.0);
   const Pack load = only(squeezed, larger(p + (1.0 - share_y) * residual, Pack{}));
-  const Pack stiffness = only(squeezed, (10.0 / 9.0) * root_x * share_y);
+  const Pack stiffness = only(squeezed, kLineExponent * root_x * share_y);
   const Pack outer = load + outward;
   sums.force.x += outer * roller.e_x;
   sums.force.y += outer * roller.e_y;

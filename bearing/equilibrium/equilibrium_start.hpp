@@ -2,6 +2,7 @@
 // Lengths as in EquilibriumConstants, one operating point a lane.
 #pragma once
 
+#include "bearing/contact/line_law.hpp"
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/powers.hpp"
 
@@ -70,7 +71,8 @@ inline FacingRollers facing(const AlignedArray<RollerUnknown>& rollers, int coun
 inline PlaneVector closed_gaps(const FacingRollers& two, double half_clearance) {
   Pack gap[2];
   for (int i = 0; i < 2; ++i)
-    gap[i] = larger(half_clearance + rough_power(absolute(two.inertial[i]) + 1e-200, 0.9), Pack{});
+    gap[i] = larger(half_clearance + rough_power(absolute(two.inertial[i]) + 1e-200, kLineApproachExponent),
+                    Pack{});
   const Pack scale = -1.0 / (two.e_x[0] * two.e_y[1] - two.e_x[1] * two.e_y[0]);
   return {scale * (gap[0] * two.e_y[1] - gap[1] * two.e_y[0]),
           scale * (gap[1] * two.e_x[0] - gap[0] * two.e_x[1])};
@@ -81,13 +83,13 @@ inline PlaneVector closed_gaps(const FacingRollers& two, double half_clearance) 
 /// interference from the stiffness of all rollers.
 inline Pack rough_approach(const Pack& force, const Pack& gap, int count) {
   const double share = 1.0 / count;
-  const Pack centred = 2.0 * rough_power(4.08 * share * force, 0.9);
+  const Pack centred = 2.0 * rough_power(4.08 * share * force, kLineApproachExponent);
   const Pack open = larger(gap, Pack{});
   Pack approach = centred;
   for (int i = 0; i < 2; ++i) {
     const Pack extent = 0.5 * approach / (approach + open);
     const Pack zone = root(extent) * (0.4139 - 0.134 * extent);
-    approach = centred * rough_power(0.2453 / larger(zone, spread(share)), 0.9);
+    approach = centred * rough_power(0.2453 / larger(zone, spread(share)), kLineApproachExponent);
   }
   const Pack squeeze = larger(-0.5 * gap, spread(1e-200));
   const Pack preloaded = 3.6 * share * force / rough_power(squeeze, 1.0 / 9);
@@ -103,7 +105,7 @@ inline PlaneVector starting_displacement(const AlignedArray<RollerUnknown>& roll
   const Pack safe = larger(size, spread(1e-200));
   const PlaneVector d{force.x / safe, force.y / safe};
   const FacingRollers two = facing(rollers, count, d);
-  const Pack gap = half_clearance + rough_power(absolute(two.inertial[0]) + 1e-200, 0.9);
+  const Pack gap = half_clearance + rough_power(absolute(two.inertial[0]) + 1e-200, kLineApproachExponent);
   const Pack approach = rough_approach(safe, gap, count);
   const PlaneVector closed = closed_gaps(two, half_clearance);
   return {only(size > 0.0, closed.x + approach * d.x), only(size > 0.0, closed.y + approach * d.y)};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/contact/line_law.hpp"
+
 namespace orbearing::bearing {
 
 namespace {
@@ -30,7 +32,7 @@ struct SqueezedRoller {
 double upper_bound(const SqueezedRoller& roller, double approach) {
   const double dry_approach = approach - roller.inner.onset() - roller.outer.onset();
   const double per_contact = roller.inner.elastic().approach(1.0) + roller.outer.elastic().approach(1.0);
-  return std::pow(std::max(dry_approach, 0.0) / per_contact, 10.0 / 9.0);
+  return std::pow(std::max(dry_approach, 0.0) / per_contact, kLineExponent);
 }
 
 // Newton's method, kept inside the bracket of all earlier iterates: the approach rises with the load

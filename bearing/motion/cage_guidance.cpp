@@ -4,8 +4,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "bearing/contact/friction.hpp"
 #include "bearing/motion/contact_damping.hpp"
-#include "bearing/motion/traction.hpp"
 
 namespace orbearing::bearing::dynamics {
 
@@ -80,7 +80,8 @@ void add_touch_down(const GuidanceModel& model, const BodyMotion& cage, const Bo
   const double land_arm = cage_arm + offset.length;
   const Vector2 tangent = across(offset.direction);
   const double sliding = land.speed * land_arm - cage.speed * cage_arm - relative_velocity.dot(tangent);
-  const double friction = regularised_friction(model.friction, normal.load, sliding, model.sliding_scale);
+  const double friction =
+      CoulombFriction<double>{model.friction, model.sliding_scale}.force(normal.load, sliding);
   const Vector2 force = -normal.load * offset.direction + friction * tangent;
   forces.on_cage += force_at(cage_arm * offset.direction, force);
   forces.on_land += force_at(land_arm * offset.direction, -force);

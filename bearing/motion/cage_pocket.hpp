@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bearing/contact/friction.hpp"
 #include "bearing/motion/contact_damping.hpp"
-#include "bearing/motion/traction.hpp"
 #include "bearing/plane.hpp"
 
 namespace orbearing::bearing::dynamics {
@@ -60,7 +60,8 @@ inline PocketForces touch_forces(const PocketModel& model, const BodyMotion& rol
   const Vector2 to_bar = bar * radius * ahead;
   const double sliding =
       -relative_velocity.dot(outward) - cage.speed * (offset + bar * radius) + roller.speed * bar * radius;
-  const double friction = regularised_friction(model.friction, normal.load, sliding, model.sliding_scale);
+  const double friction =
+      CoulombFriction<double>{model.friction, model.sliding_scale}.force(normal.load, sliding);
   const Vector2 force = -bar * normal.load * ahead + friction * outward;
   forces.on_roller = force_at(to_bar, force);
   forces.on_cage = force_at(from_cage + to_bar, -force);

@@ -18,7 +18,7 @@ void check_oil(const DynamicsParameters& parameters) {
   const bool pocket_film = parameters.cage.pocket_film == PocketFilm::hydrodynamic;
   const bool mixed = race.lubrication == Lubrication::mixed;
   const bool needs_oil =
-      race.film_in_approach || race.traction == TractionLaw::limiting_shear || mixed || pocket_film;
+      race.film_in_approach || race.traction != TractionLaw::regularised_coulomb || mixed || pocket_film;
   require(!needs_oil || parameters.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]",
           parameters.lubricant.viscosity,
           "more than 0 for a film, for limiting shear or for mixed lubrication");
@@ -143,7 +143,7 @@ std::vector<double> larger_rollers(const CylindricalRollerBearing& bearing) {
 }
 
 bool is_plain(const CylindricalRollerBearing& bearing, const BearingModel& model) {
-  return bearing.inner_form.empty() && bearing.outer_form.empty() && !model.inner.mixed.on &&
+  return bearing.inner_form.empty() && bearing.outer_form.empty() && !model.inner.friction.mixed &&
          bearing.roller_diameter_deviation.empty() && !model.pocket.with_film && !model.laminae;
 }
 

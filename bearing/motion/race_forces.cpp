@@ -17,7 +17,7 @@ RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const B
 
 RaceForces race_forces(const RaceModel& model, const FormedContact& motion, const BodyMotion& race,
                        double elastic_load) {
-  return contact_forces(model, motion.contact, elastic_load, &motion.form, model.mixed.on, race.speed);
+  return contact_forces(model, motion.contact, elastic_load, &motion.form, race.speed);
 }
 
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race, double larger) {

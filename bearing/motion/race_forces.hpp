@@ -2,12 +2,11 @@
 // bodies.
 #pragma once
 
+#include "bearing/contact/friction.hpp"
 #include "bearing/motion/contact_damping.hpp"
 #include "bearing/motion/contact_motion.hpp"
 #include "bearing/motion/form_motion.hpp"
-#include "bearing/motion/mixed_lubrication.hpp"
 #include "bearing/motion/race_load.hpp"
-#include "bearing/motion/traction.hpp"
 
 namespace orbearing::bearing::dynamics {
 
@@ -17,12 +16,9 @@ struct RaceModel {
   double roller_radius = 0.0;      // [m]
   double damping = 0.0;            // [s/m]
   double entrainment_scale = 0.0;  // [m/s]
-  bool with_rolling_resistance = false;
   RaceLoadLaw load;
-  TractionCurve traction;
-  RollingResistance rolling;
+  FrictionLaws<double> friction;
   std::vector<RaceHarmonic> form;  // none: round
-  MixedLubrication mixed;
 };
 
 /// Forces in one race contact.
@@ -62,19 +58,16 @@ inline double straight_load(const RaceModel& model, const ContactMotion& motion)
 /// tangential force of the rolling resistance on the roller makes the moments of both surfaces balance; it is
 /// what the tilted oil pressure leaves after the drag at the inlet.
 inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& motion, double elastic_load,
-                                 const FormSlope* form, bool mixed, double race_speed) {
+                                 const FormSlope* form, double race_speed) {
   RaceForces forces;
   forces.sliding = motion.sliding;
   forces.entrainment = entrainment_speed(motion.rolling, model.entrainment_scale);
   if (elastic_load <= 0.0) return forces;
   const DampedLoad normal = damped_load(elastic_load, model.damping, motion.approach_speed);
-  const double film_traction = model.traction.force(normal.load, motion.sliding, forces.entrainment);
-  const double traction =
-      mixed ? model.mixed.shared(film_traction, normal.load, motion.sliding, forces.entrainment)
-            : film_traction;
-  const double inlet = model.with_rolling_resistance
-                           ? model.rolling.force(normal.load, motion.rolling, forces.entrainment)
-                           : 0.0;
+  const double log_speed = model.friction.oiled() ? std::log(forces.entrainment) : 0.0;
+  const double traction = model.friction.friction(normal.load, motion.sliding, log_speed);
+  const double inlet =
+      model.friction.rolling_resistance ? model.friction.inlet(normal.load, motion.rolling, log_speed) : 0.0;
   const double form_moment = form ? model.side.side * normal.load * form->all : 0.0;
   const double tilt = (inlet * (motion.race_arm + motion.roller_arm) + form_moment) / motion.distance;
 
@@ -95,12 +88,12 @@ inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& mo
 RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
                        double larger = 0.0);
 
-/// The same where the race is round, the roller as stated and the lubrication full: without branches for what
+/// The same where the race is round and the roller as stated: without branches for what
 /// is absent, since most runs are such and spend their time here.
 inline RaceForces plain_race_forces(const RaceModel& model, const BodyMotion& roller,
                                     const BodyMotion& race) {
   const ContactMotion motion = contact_motion(roller, model.roller_radius, race, model.side);
-  return contact_forces(model, motion, straight_load(model, motion), nullptr, false, race.speed);
+  return contact_forces(model, motion, straight_load(model, motion), nullptr, race.speed);
 }
 
 /// The same under a given elastic load [N], in a motion that is known already.

@@ -5,11 +5,8 @@
 
 namespace orbearing::bearing::dynamics {
 
-/// Inverse of RaceContact::approach with a film that follows the entrainment speed.
-///
-/// The film h = A(u) Q^-0.13, A ~ u^0.7, is capped as in Film; cap film and cap load follow u by known
-/// powers, so that one logarithm and two exponentials serve them all. Without film the law is the elastic
-/// contact alone.
+/// Inverse of RaceContact::approach with a film that follows the entrainment speed. Without film the law is
+/// the elastic contact alone.
 class RaceLoadLaw {
  public:
   /// Dry contact.
@@ -26,24 +23,15 @@ class RaceLoadLaw {
   /// Elastic approach [m] = geometric approach + central film; zero or negative without contact.
   double elastic_approach(double approach, double entrainment) const;
 
-  /// The film at one entrainment speed.
-  struct FilmScale {
-    double factor;        // A K^-0.13, so that h = factor e^-(13/90) at elastic approach e  [m^(103/90)]
-    double cap;           // [m]
-    double cap_approach;  // elastic approach at which the cap begins [m]
-  };
   const LineContact& elastic() const { return elastic_; }
   bool with_film() const { return with_film_; }
-  FilmScale film_at_unit_speed() const { return {factor_, cap_, cap_approach_}; }
+  const FilmLaw<double>& film() const { return film_; }
 
  private:
-  FilmScale film_scale(double entrainment) const;
-
   LineContact elastic_;
   bool with_film_ = false;
-  double factor_ = 0.0;        // FilmScale::factor at 1 m/s
-  double cap_ = 0.0;           // [m]  at 1 m/s
-  double cap_approach_ = 0.0;  // [m]  at 1 m/s
+  FilmLaw<double> film_;
+  double log_stiffness_ = 0.0;  // ln K
 };
 
 }  // namespace orbearing::bearing::dynamics

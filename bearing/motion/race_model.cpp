@@ -27,17 +27,6 @@ RaceSide race_side(const CylindricalRollerBearing& bearing, const RollerBearingG
   return {side.side, side.radius + side.side * (inner ? film.inner : film.outer)};
 }
 
-MixedLubrication mixed_lubrication(const RaceContactParameters& given, const FilmContact& film) {
-  MixedLubrication mixed;
-  mixed.on = given.lubrication == Lubrication::mixed;
-  if (!mixed.on) return mixed;
-  mixed.roughness = given.roughness;
-  mixed.friction = given.boundary_friction;
-  mixed.sliding_scale = given.sliding_scale;
-  mixed.film = LeastFilm(film);
-  return mixed;
-}
-
 }  // namespace
 
 RaceModel race_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point, Race race,
@@ -51,12 +40,9 @@ RaceModel race_model(const CylindricalRollerBearing& bearing, const OperatingPoi
           .roller_radius = geometry.roller_radius,
           .damping = given.damping_law == DampingLaw::approach_speed ? given.damping : 0.0,
           .entrainment_scale = given.entrainment_scale,
-          .with_rolling_resistance = given.rolling_resistance,
           .load = film_added ? RaceLoadLaw(elastic, film) : RaceLoadLaw(elastic),
-          .traction = TractionCurve(given, film),
-          .rolling = RollingResistance(film),
-          .form = race == Race::inner ? bearing.inner_form : bearing.outer_form,
-          .mixed = mixed_lubrication(given, film)};
+          .friction = FrictionLaws<double>::of(given, film),
+          .form = race == Race::inner ? bearing.inner_form : bearing.outer_form};
 }
 
 }  // namespace orbearing::bearing::dynamics

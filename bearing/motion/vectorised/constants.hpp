@@ -2,6 +2,8 @@
 // of a library here, since files compiled for special instruction sets include it.
 #pragma once
 
+#include "bearing/contact/friction.hpp"
+
 namespace orbearing::bearing::fast {
 
 /// Lanes to which the arrays over rollers are padded, whatever the instruction set.
@@ -15,48 +17,41 @@ struct WaveConstants {
   bool turning = false;    // with the race
 };
 
-/// Load, friction and rolling resistance of the contacts of one race; see dynamics/race_forces.hpp. For one
-/// race Number is double; vectorised laws hold the numbers of both.
+/// Numbers of the contacts of one race; see dynamics/race_forces.hpp. For one race Number is double;
+/// vectorised laws hold the numbers of both.
 template <class Number>
 struct RaceNumbers {
   Number side{};               // [-]      -1 inner race, +1 outer race
   Number radius{};             // [m]
   Number speed{};              // [rad/s]  of the race
   Number stiffness{};          // [N/m^(10/9)]
+  Number log_stiffness{};      // its logarithm
   Number damping{};            // [s/m]
   Number entrainment_scale{};  // [m/s]
 
-  bool film = false;           // the film adds to the elastic approach
+  FilmLaw<Number> film_law;
+  // Of a film that is a power law, as its own search takes it.
   Number film_factor{};        // [m^(103/90)]  thinning film times approach^(13/90), at 1 m/s
   Number film_cap{};           // [m]  largest film at 1 m/s
   Number film_cap_approach{};  // [m]  elastic approach where the cap begins, at 1 m/s
-
-  bool limiting_shear = false;
-  Number friction{};               // [-]    largest friction, or limiting stress over pressure
-  Number sliding_scale{};          // [m/s]
-  Number largest_exponent{};       // [-]    of the pressure-viscosity law
-  Number pressure_factor{};        // [Pa/N^0.5]  mean pressure over the root of the load
-  Number pressure_viscosity{};     // [1/Pa]
-  Number viscosity{};              // [Pa s]
-  Number central_film_factor{};    // [m N^0.13]  at 1 m/s
-  Number central_film_cap_load{};  // [N]         at 1 m/s
-
-  bool mixed = false;          // asperities share load and friction with the film
-  Number roughness{};          // [m]
-  Number boundary_friction{};  // [-]
-  Number boundary_scale{};     // [m/s]
-  Number least_film_factor{};  // [m N^0.13]  at 1 m/s
-  Number least_film_cap{};     // [m]  at 1 m/s
-
-  bool rolling_resistance = false;
-  Number rolling_factor{};  // [N]  at unit speed and load
 };
 
 /// One race: its laws and its form.
 struct RaceConstants : RaceNumbers<double> {
+  bool film = false;  // the film adds to the elastic approach
+  FrictionLaws<double> friction;
   int waves = 0;                        // of the form; none: round
   const WaveConstants* wave = nullptr;  // (waves)
 };
+
+/// What the search by powers takes of the film law and the stiffness.
+inline void set_film_powers(RaceConstants& c) {
+  using Film = FilmLaw<double>;
+  c.film_factor = mechanics::exponential(c.film_law.log_factor - Film::kLoad * c.log_stiffness);
+  c.film_cap = mechanics::exponential(c.film_law.log_unloaded(0.0));
+  c.film_cap_approach =
+      mechanics::exponential(kLineApproachExponent * (c.film_law.log_cap_load - c.log_stiffness));
+}
 
 /// The contacts cut into laminae; see dynamics/lamina_races.hpp.
 struct LaminaConstants {

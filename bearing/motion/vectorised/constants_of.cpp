@@ -7,41 +7,21 @@ namespace orbearing::bearing::fast {
 
 namespace {
 
-using boost::math::double_constants::pi;
 using boost::math::double_constants::two_pi;
 
 RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
-  const FilmContact& contact = race.traction.contact();
-  const dynamics::RaceLoadLaw::FilmScale film = race.load.film_at_unit_speed();
   RaceConstants c;
   c.side = race.side.side;
   c.radius = race.side.radius;
   c.speed = speed;
   c.stiffness = race.load.elastic().constant();
+  c.log_stiffness = std::log(c.stiffness);
   c.damping = race.damping;
   c.entrainment_scale = race.entrainment_scale;
   c.film = race.load.with_film();
-  c.film_factor = film.factor;
-  c.film_cap = film.cap;
-  c.film_cap_approach = film.cap_approach;
-  c.limiting_shear = race.traction.law() == dynamics::TractionLaw::limiting_shear;
-  c.friction = race.traction.friction();
-  c.sliding_scale = race.traction.sliding_scale();
-  c.largest_exponent = race.traction.largest_exponent();
-  c.pressure_factor =
-      std::sqrt(pi * contact.reduced_modulus / (8.0 * contact.equivalent_radius * contact.length)) / 2.0;
-  c.pressure_viscosity = contact.lubricant.pressure_viscosity;
-  c.viscosity = contact.lubricant.viscosity;
-  c.central_film_factor = race.traction.film_at_unit_speed().factor();
-  c.central_film_cap_load = race.traction.film_at_unit_speed().cap_load();
-  c.mixed = race.mixed.on;
-  c.roughness = race.mixed.roughness;
-  c.boundary_friction = race.mixed.friction;
-  c.boundary_scale = race.mixed.sliding_scale;
-  c.least_film_factor = race.mixed.film.factor;
-  c.least_film_cap = race.mixed.film.cap;
-  c.rolling_resistance = race.with_rolling_resistance;
-  if (c.rolling_resistance) c.rolling_factor = race.rolling.factor();
+  c.film_law = race.load.film();
+  set_film_powers(c);
+  c.friction = race.friction;
   return c;
 }
 

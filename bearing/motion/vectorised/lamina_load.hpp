@@ -77,7 +77,7 @@ struct LaminaStand {
   for (int i = 0; i < kMostIterations; ++i) {
     sums = tilted_sums(laminae, elastic, contact_tips(tip, outer_tip));
     const PackPair tip_load = race.stiffness * sums.tip_load, load = race.stiffness * sums.load;
-    const PackPair by_tip = (10.0 / 9.0) * race.stiffness * sums.by_tip;
+    const PackPair by_tip = kLineExponent * race.stiffness * sums.by_tip;
     const Pack excess = tip_load.low - tip_load.high, stiffness = by_tip.low + by_tip.high;
     const Mask open = absolute(excess) > kBalance * (load.low + load.high) + kNothing;
     if (!any(open)) break;
@@ -93,7 +93,7 @@ struct LaminaStand {
 /// Load of each contact and its slope by its own elastic approach, the roller tilting. What passes from one
 /// race to the other through that tilt is left out: the integrator keeps its order with any matrix, and
 /// nothing passes without tilt.
-inline LoadSlope lamina_load(const BothRaces& race, const ElasticApproach& e, const Pack& cosine,
+inline LoadSlope lamina_load(const BothRaces& race, const PackApproach& e, const Pack& cosine,
                              const Pack& sine, LaminaStand& stand) {
   const LaminaConstants& laminae = race.laminae;
   stand = {e.value.low, e.value.high, Pack{}};
@@ -108,7 +108,7 @@ inline LoadSlope lamina_load(const BothRaces& race, const ElasticApproach& e, co
     const Pack both = larger(by_tip.low + by_tip.high, spread(1e-200));
     slope -= race.stiffness * sums.mixed * sums.mixed / both;
   }
-  return {share * sums.load, (10.0 / 9.0) * share * slope};
+  return {share * sums.load, kLineExponent * share * slope};
 }
 
 }  // namespace orbearing::bearing::fast::ORBEARING_PACKS

@@ -1,11 +1,11 @@
 // Rollers on a race: forces and their derivatives, one roller a lane. The laws are those of
-// dynamics/race_load.hpp, contact_damping.hpp, traction.hpp and race_forces.hpp, here with their slopes.
+// bearing/contact/film_law.hpp and friction.hpp, which give their own slopes, and of
+// dynamics/contact_damping.hpp and race_forces.hpp, here with theirs.
 //
 // Vectors are in polar axes (e_r, e_theta) of each roller. A derivative treats these axes as at rest; what
 // their turning adds is the caller's (ContactSlopes).
 #pragma once
 
-#include "bearing/motion/vectorised/friction.hpp"
 #include "bearing/motion/vectorised/lamina_load.hpp"
 #include "bearing/motion/vectorised/race_form.hpp"
 
@@ -66,7 +66,7 @@ struct RaceMotion {
   PackPair race_arm, roller_arm;  // [m]
   PackPair sliding, rolling;      // [m/s]
   PackPair entrainment;           // [m/s]
-  PackPair turn;                  // [-]    rolling over entrainment speed
+  PackPair log_turn;              // [s/m]  slope of the entrainment speed's logarithm by the rolling speed
   FormSlopes<PackPair> form;
 };
 
@@ -100,39 +100,71 @@ inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const M
   m.rolling = 0.5 * (race_surface + roller_surface);
   const PackPair entrainment = m.rolling * m.rolling + race.entrainment_scale * race.entrainment_scale;
   const PackPair per_entrainment = inverse_root(entrainment);
-  m.turn = m.rolling * per_entrainment;
+  m.log_turn = m.rolling * per_entrainment * per_entrainment;
   m.entrainment = entrainment * per_entrainment;
   return m;
 }
 
+/// The variables of the laws as forward differentiation numbers them.
+enum LawVariable { kLoad, kSliding, kLogSpeed, kRolling };
+
+/// A force along the tangent, with its slopes where they are wanted.
+struct TangentForce {
+  PackPair force{};  // [N]
+  PackPair by_load{}, by_sliding{};
+  PackPair by_rolling{};  // with the entrainment speed that follows
+};
+
+inline TangentForce tangent_force(const PackPair& force, const PackPair&) {
+  return {force, PackPair{}, PackPair{}, PackPair{}};
+}
+template <unsigned kVariables>
+TangentForce tangent_force(const mechanics::SparseDual<kVariables, PackPair>& x, const PackPair& log_turn) {
+  using Dual = mechanics::SparseDual<kVariables, PackPair>;
+  TangentForce t{x.value, x.template by<kLoad>(), x.template by<kSliding>(), x.template by<kRolling>()};
+  if constexpr (Dual::depends(kLogSpeed)) {
+    const PackPair by_entrainment = x.template by<kLogSpeed>() * log_turn;
+    t.by_rolling = Dual::depends(kRolling) ? t.by_rolling + by_entrainment : by_entrainment;
+  }
+  return t;
+}
+
 /// What the laws give in a motion: dynamics/race_forces.hpp.
 struct RaceLoads {
-  Slopes2 elastic;  // [N]  by approach and entrainment speed
-  PackPair damped;  // [-]  factor of the damping, cut at zero
-  PackPair load;    // [N]
-  Friction friction;
-  Slopes2 inlet;  // rolling resistance by load and rolling speed
-  PackPair tilt;  // [-]  arm of the oil pressure's tilt over the distance
+  PackPair elastic;                  // [N]
+  PackPair by_approach, by_rolling;  // its slopes
+  PackPair damped;                   // [-]  factor of the damping, cut at zero
+  PackPair load;                     // [N]
+  TangentForce friction;
+  TangentForce inlet;  // rolling resistance
+  PackPair tilt;       // [-]  arm of the oil pressure's tilt over the distance
 };
 
 template <bool WithSlopes>
 RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine,
                      LaminaStand& stand) {
+  using mechanics::variable;
   RaceLoads x;
-  const bool needs_log = race.film || race.limiting_shear || race.mixed || race.rolling_resistance;
-  const PackPair log_entrainment = needs_log ? logarithm(m.entrainment) : PackPair{};
-  const ElasticApproach e = elastic_approach<WithSlopes>(race, m.approach, m.entrainment, log_entrainment);
+  const PackPair log_speed = race.film || race.friction.oiled() ? logarithm(m.entrainment) : PackPair{};
+  const PackApproach e = elastic_approach<WithSlopes>(race, m.approach, log_speed);
   const LoadSlope elastic =
       race.laminae.count > 0 ? lamina_load(race, e, cosine, sine, stand) : straight_load(race, e);
-  x.elastic = {elastic.load, elastic.slope * e.by_approach, elastic.slope * e.by_entrainment};
+  x.elastic = elastic.load;
+  x.by_approach = elastic.slope * e.by_approach;
+  x.by_rolling = elastic.slope * (e.by_log_speed * m.log_turn);
   x.damped = larger(1.0 + race.damping * m.closing, PackPair{});
-  x.load = x.elastic.value * x.damped;
-  x.friction = race.limiting_shear ? limiting_shear(race, x.load, m.sliding, m.entrainment, log_entrainment)
-                                   : coulomb(race, x.load, m.sliding);
-  if (race.mixed)
-    x.friction = mixed_friction(race, x.friction, x.load, m.sliding, m.entrainment, log_entrainment);
-  x.inlet = race.rolling_resistance ? rolling_resistance(race, x.load, m.rolling, log_entrainment, m.turn)
-                                    : Slopes2{};
+  x.load = x.elastic * x.damped;
+  const auto tangential = [&](const auto& load, const auto& sliding, const auto& rolling, const auto& speed) {
+    race.friction.friction(load, sliding, speed,
+                           [&](const auto& force) { x.friction = tangent_force(force, m.log_turn); });
+    if (race.friction.rolling_resistance)
+      x.inlet = tangent_force(race.friction.inlet(load, rolling, speed), m.log_turn);
+  };
+  if constexpr (WithSlopes)
+    tangential(variable<kLoad>(x.load), variable<kSliding>(m.sliding), variable<kRolling>(m.rolling),
+               variable<kLogSpeed>(log_speed));
+  else
+    tangential(x.load, m.sliding, m.rolling, log_speed);
   x.tilt = (m.race_arm + m.roller_arm) * m.inverse;
   return x;
 }
@@ -156,15 +188,14 @@ struct LawSlopes {
   PackPair sliding;  // of the friction alone
 };
 
-inline LawSlopes law_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x) {
+inline LawSlopes law_slopes(const BothRaces& race, const RaceLoads& x) {
   const auto by_load = [&](const PackPair& load) {
-    return LawRate{load, x.friction.by_load * load, x.inlet.by_first * load};
+    return LawRate{load, x.friction.by_load * load, x.inlet.by_load * load};
   };
-  LawSlopes slopes{by_load(x.damped * x.elastic.by_first),
-                   by_load(only(x.damped > 0.0, x.elastic.value * race.damping)),
-                   by_load(x.damped * x.elastic.by_second * m.turn), x.friction.by_sliding};
-  slopes.rolling.friction += x.friction.by_entrainment * m.turn;
-  slopes.rolling.inlet += x.inlet.by_second;
+  LawSlopes slopes{by_load(x.damped * x.by_approach), by_load(only(x.damped > 0.0, x.elastic * race.damping)),
+                   by_load(x.damped * x.by_rolling), x.friction.by_sliding};
+  slopes.rolling.friction += x.friction.by_rolling;
+  slopes.rolling.inlet += x.inlet.by_rolling;
   return slopes;
 }
 
@@ -189,7 +220,7 @@ struct NormalSlopes {
 inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
                                   const PackPair& f_n, const PackPair& f_t) {
   const NumberPair side = race.side;
-  const LawSlopes laws = law_slopes(race, m, x);
+  const LawSlopes laws = law_slopes(race, x);
   const auto sliding_and_rolling = [&](const PackPair& sliding, const PackPair& rolling) {
     LawRate rate = rolling * laws.rolling;
     rate.friction += sliding * laws.sliding;
@@ -213,7 +244,7 @@ inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, co
   n.v_n = force_rate(race, m, x, side * laws.closing);
   n.v_t = force_rate(race, m, x, v_t);
   n.spin = force_rate(race, m, x, sliding_and_rolling(-m.roller_arm, 0.5 * m.roller_arm));
-  n.distance.tangential += x.inlet.value * (1.0 - x.tilt) * m.inverse;
+  n.distance.tangential += x.inlet.force * (1.0 - x.tilt) * m.inverse;
   // A shift across turns the normal: with it v_n and v_t, and the force itself.
   const PackPair up = m.v_t * m.inverse, down = m.v_n * m.inverse;
   n.across = {n.v_n.normal * up - n.v_t.normal * down - f_t * m.inverse,
@@ -267,16 +298,16 @@ ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, c
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
   const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
   ContactForce<PackPair> result;
-  if (!any(x.elastic.value > 0.0)) {
+  if (!any(x.elastic > 0.0)) {
     if constexpr (WithSlopes) slopes = ContactSlopes<PackPair>{};
     return result;
   }
   const PackPair f_n = -race.side * x.load;
-  PackPair f_t = x.friction.force + x.inlet.value * x.tilt;
+  PackPair f_t = x.friction.force + x.inlet.force * x.tilt;
   if (!race.round) f_t += race.side * x.load * m.form.slope * m.inverse;
   result.f_r = f_n * m.n_r - f_t * m.n_t;
   result.f_t = f_n * m.n_t + f_t * m.n_r;
-  result.moment = (x.friction.force - x.inlet.value) * m.roller_arm;
+  result.moment = (x.friction.force - x.inlet.force) * m.roller_arm;
   result.load = x.load;
   if constexpr (WithSlopes) race_slopes(race, m, x, f_n, f_t, slopes);
   return result;

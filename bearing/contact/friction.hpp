@@ -1,0 +1,244 @@
+// Friction and rolling resistance of an oiled race contact: each law once, with its constants, for plain
+// numbers, packs and both with their slopes. `Number` is a double for one race, a pair of numbers for both.
+//
+// A law has its constants, of(), which derives them from what the user states, and its force. Parameters
+// stand for dynamics::RaceContactParameters and Contact for FilmContact, which are not named here: files
+// compiled for special instruction sets include this one, and their headers must not.
+#pragma once
+
+#include "bearing/contact/film_law.hpp"
+
+namespace orbearing::bearing {
+
+/// A loaded contact as its friction laws see it.
+template <class Load, class LogLoad, class LogSpeed>
+struct OiledContact {
+  Load load;           // [N]  > 0
+  LogLoad log_load;    // [ln N]
+  LogSpeed log_speed;  // [ln(m/s)]  of the entrainment speed
+};
+
+template <class Load, class LogSpeed>
+auto oiled_contact(const Load& load, const LogSpeed& log_speed) {
+  using mechanics::logarithm;
+  const auto log_load = logarithm(load);
+  return OiledContact<Load, decltype(logarithm(load)), LogSpeed>{load, log_load, log_speed};
+}
+
+/// Regularised Coulomb friction, mu Q s / sqrt(s^2 + s_0^2): Eq. (17) of [Gai2025].
+template <class Number>
+struct CoulombFriction {
+  Number friction{};       // [-]
+  Number sliding_scale{};  // [m/s]
+
+  template <class Parameters>
+  static CoulombFriction of(const Parameters& given) {
+    return {given.friction, given.sliding_scale};
+  }
+
+  /// [N] with the sign of `sliding` [m/s], at `load` [N].
+  template <class Load, class Speed>
+  auto force(const Load& load, const Speed& sliding) const {
+    return load * (friction * mechanics::rounded_sign(sliding, sliding_scale));
+  }
+};
+
+/// Limiting shear, mu Q (1 - exp(-|s| / s_c)) sign(s): the film is sheared as a Newtonian oil, eta s / h,
+/// until the stress nears its limit, friction times pressure; the exponential between both is that of
+/// [BairWiner1979]. The viscosity follows Barus up to the largest exponent; the pressure is the mean one of a
+/// Hertzian line contact, chapter 4 of [Johnson1985]. s_c = mu p h / eta.
+template <class Number>
+struct LimitingShear {
+  Number friction{};           // [-]    limiting stress over pressure
+  Number sliding_scale{};      // [m/s]  added to s_c
+  Number largest_exponent{};   // [-]    of the pressure-viscosity law
+  Number pressure_exponent{};  // [N^-0.5]  of that law over the root of the load
+  Number log_scale{};          // [ln(m/s)]  mu p / eta at 1 N without pressure, times 1 m
+  FilmLaw<Number> film;
+
+  template <class Parameters, class Contact>
+  static LimitingShear of(const Parameters& given, const Contact& contact, const FilmLaw<Number>& film) {
+    using namespace mechanics;
+    constexpr double kPi = 3.141592653589793, kNoFriction = 1e-100;
+    // Load over the area 2 b l, b = sqrt(8 Q R / (pi E' l)), at 1 N; E' twice the composite modulus of the
+    // source.
+    const double pressure =
+        0.5 * root(kPi * contact.reduced_modulus / (8.0 * contact.equivalent_radius * contact.length));
+    return {given.limiting_friction,
+            given.least_sliding_scale,
+            given.largest_barus_exponent,
+            contact.lubricant.pressure_viscosity * pressure,
+            logarithm(larger(given.limiting_friction, kNoFriction) * pressure / contact.lubricant.viscosity),
+            film};
+  }
+
+  /// [N] with the sign of `sliding` [m/s]. The film begins to thin at the load where it does at 1 m/s.
+  template <class Oiled, class Speed>
+  auto force(const Oiled& contact, const Speed& sliding) const {
+    using namespace mechanics;
+    const auto barus = smaller(root(contact.load) * pressure_exponent, largest_exponent);
+    const auto log_film = film.log_uncapped(larger(contact.log_load, film.log_cap_load), contact.log_speed);
+    const auto scale = exponential(0.5 * contact.log_load - barus + log_film + log_scale) + sliding_scale;
+    return contact.load * (friction * saturated(sliding / scale));
+  }
+};
+
+/// Share of the load that asperities carry at `film_ratio` [-] = least film / composite roughness: 1 without
+/// film, 0 where the film is thick; 1 / (1 + ratio)^2 [OlverSpikes1998].
+template <class Ratio>
+auto asperity_share(const Ratio& film_ratio) {
+  const auto inverse = 1.0 / (1.0 + film_ratio);
+  return inverse * inverse;
+}
+
+/// Mixed lubrication: film and asperities share load and friction by the film ratio.
+template <class Number>
+struct MixedFriction {
+  CoulombFriction<Number> boundary;  // of the asperities
+  Number log_roughness{};            // [ln m]  composite rms, times central over least film
+  FilmLaw<Number> film;
+
+  template <class Parameters>
+  static MixedFriction of(const Parameters& given, const FilmLaw<Number>& film) {
+    return {{given.boundary_friction, given.sliding_scale},
+            mechanics::logarithm(film.kCentralOverLeast * given.roughness),
+            film};
+  }
+
+  /// Friction [N] of a contact whose film alone, under the whole load, would give `film_friction` [N].
+  /// Asperities carry their share with boundary friction, the film the rest: both have the sign of the
+  /// sliding.
+  template <class Oiled, class Force, class Speed>
+  auto shared(const Force& film_friction, const Oiled& contact, const Speed& sliding) const {
+    using mechanics::exponential;
+    const auto share =
+        asperity_share(exponential(film.log_central(contact.log_load, contact.log_speed) - log_roughness));
+    return film_friction + share * (boundary.force(contact.load, sliding) - film_friction);
+  }
+};
+
+/// Resistance of the oil at the inlet of a lubricated line contact to rolling.
+///
+/// The oil drags each surface back with F_R = 4.318 (alpha E' U)^0.658 W^0.0126 R l / alpha, U = eta u / (E'
+/// R), W = Q / (E' R l) [GoksemHargreaves1978] as fitted by [ZhouHoeprich1991]. The pressure's resultant
+/// gives the balance of forces, after [Houpert1987].
+template <class Number>
+struct RollingResistance {
+  static constexpr double kSpeed = 0.658;
+  static constexpr double kLoad = 0.0126;
+  static constexpr double kLoadScale = 1.0;  // [N]  below it the resistance falls in proportion to the load
+
+  Number factor{};  // [N]  at unit speed and load; 0 without oil
+
+  template <class Contact>
+  static RollingResistance of(const Contact& contact) {
+    using namespace mechanics;
+    const double alpha = contact.lubricant.pressure_viscosity, eta = contact.lubricant.viscosity;
+    if (alpha <= 0.0 || eta <= 0.0) return {};
+    const double area = contact.equivalent_radius * contact.length;
+    return {4.318 *
+            exponential(kSpeed * logarithm(alpha * eta / contact.equivalent_radius) -
+                        kLoad * logarithm(contact.reduced_modulus * area)) *
+            area / alpha};
+  }
+
+  /// Backward force on each surface [N], with the sign of `rolling` [m/s], of which the entrainment speed is
+  /// the size, rounded at zero. Falls to zero with the load.
+  template <class Oiled, class Speed>
+  auto force(const Oiled& contact, const Speed& rolling) const {
+    using mechanics::exponential;
+    const auto powers = exponential((kSpeed - 1.0) * contact.log_speed + kLoad * contact.log_load);
+    return factor * powers * (contact.load / (contact.load + kLoadScale)) * rolling;
+  }
+};
+
+/// Which laws are asked for.
+struct FrictionChoice {
+  bool limiting_shear = false;  // else Coulomb
+  bool mixed = false;           // asperities share load and friction with the film
+  bool rolling_resistance = false;
+};
+
+/// The constants of all laws: numbers alone, so that those of two races can be put side by side.
+template <class Number>
+struct FrictionNumbers {
+  CoulombFriction<Number> coulomb;
+  LimitingShear<Number> shear;
+  MixedFriction<Number> asperities;
+  RollingResistance<Number> rolling;
+};
+
+/// What acts along the tangent of one race contact.
+template <class Number>
+struct FrictionLaws : FrictionChoice, FrictionNumbers<Number> {
+  using FrictionNumbers<Number>::coulomb, FrictionNumbers<Number>::shear;
+  using FrictionNumbers<Number>::asperities, FrictionNumbers<Number>::rolling;
+
+  template <class Parameters, class Contact>
+  static FrictionLaws of(const Parameters& given, const Contact& contact) {
+    using Traction = decltype(given.traction);
+    using Lubrication = decltype(given.lubrication);
+    const auto film = FilmLaw<Number>::of(contact);
+    FrictionLaws laws;
+    laws.limiting_shear = given.traction == Traction::limiting_shear;
+    laws.mixed = given.lubrication == Lubrication::mixed;
+    laws.coulomb = CoulombFriction<Number>::of(given);
+    if (laws.limiting_shear) laws.shear = LimitingShear<Number>::of(given, contact, film);
+    if (laws.mixed) laws.asperities = MixedFriction<Number>::of(given, film);
+    laws.rolling = RollingResistance<Number>::of(contact);
+    laws.rolling_resistance = given.rolling_resistance && laws.rolling.factor > 0.0;
+    return laws;
+  }
+
+  /// Whether friction, or anything, needs the logarithms of load and entrainment speed.
+  bool oiled_friction() const { return limiting_shear || mixed; }
+  bool oiled() const { return oiled_friction() || rolling_resistance; }
+
+  /// Gives `take` the friction [N] on the roller, with the slopes that the law asked for has, at `load` [N]
+  /// >= 0, sliding speed `sliding` [m/s] of race less roller and ln of the entrainment speed (used where
+  /// oiled()). It never opposes the sliding: force * sliding >= 0.
+  template <class Load, class Speed, class LogSpeed, class Take>
+  void friction(const Load& load, const Speed& sliding, const LogSpeed& log_speed, const Take& take) const {
+    using mechanics::only;
+    if (!oiled_friction()) return take(coulomb.force(load, sliding));
+    const auto loaded = mechanics::value_of(load) > 0.0;
+    const auto contact = oiled_contact(above_zero(load, loaded), log_speed);
+    const auto finish = [&](const auto& film_friction) {
+      if (mixed)
+        take(only(loaded, asperities.shared(film_friction, contact, sliding)));
+      else
+        take(only(loaded, film_friction));
+    };
+    if (limiting_shear)
+      finish(shear.force(contact, sliding));
+    else
+      finish(coulomb.force(contact.load, sliding));
+  }
+  /// The same of plain numbers.
+  template <mechanics::Fixed Value>
+  Value friction(const Value& load, const Value& sliding, const Value& log_speed) const {
+    Value force{};
+    friction(load, sliding, log_speed, [&](const Value& f) { force = f; });
+    return force;
+  }
+
+  /// Rolling resistance [N], as RollingResistance::force(), at `load` [N] >= 0; to be asked for where it is.
+  template <class Load, class Speed, class LogSpeed>
+  auto inlet(const Load& load, const Speed& signed_speed, const LogSpeed& log_speed) const {
+    using namespace mechanics;
+    const auto loaded = mechanics::value_of(load) > 0.0;
+    return only(loaded, rolling.force(oiled_contact(above_zero(load, loaded), log_speed), signed_speed));
+  }
+
+ private:
+  // The load, 1 N where there is none.
+  template <class Load, class Mask>
+  static auto above_zero(const Load& load, const Mask& loaded) {
+    using namespace mechanics;
+    const auto& value = mechanics::value_of(load);
+    using Value = mechanics::Plain<decltype(value)>;
+    return mechanics::with_value(load, Value(select(loaded, value, Value{} + 1.0)));
+  }
+};
+
+}  // namespace orbearing::bearing
