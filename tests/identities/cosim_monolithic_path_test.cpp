@@ -156,7 +156,7 @@ TEST_F(MonolithicPath, FollowsTheReadableEquations) {
   const ReadableSystem readable(model);
   // Hundreds of steps together stay below what one of them may err, with bearings gone over again or without.
   const double one_step =
-      integration::kLinearlyImplicitErrorFactor * setup.bearing.allowed_length_error;  // [m]
+      system::kLinearlyImplicitErrorFactor * setup.bearing.allowed_length_error;  // [m]
   for (const int refined : {0, 2, 8}) {
     std::vector<double> planets, all;  // [m], [-] of what dopri5 is allowed
     for (const double tighter : {1.0, 1e-2, 1e-4}) {

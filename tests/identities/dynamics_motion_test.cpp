@@ -7,6 +7,7 @@
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "coupling/integration/integrate.hpp"
+#include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/steady_state.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
