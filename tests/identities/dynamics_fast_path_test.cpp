@@ -99,12 +99,13 @@ DynamicsParameters parameters_of(const AuditedSteps& audited) {
 
 class FastPathEnergy : public testing::TestWithParam<AuditedSteps> {};
 
-// What steps add shall be no more than a few hundredths of the friction loss, whose laws know no better. It
-// falls with the allowed error: in proportion where the motion is smooth, with its root at least where
-// contacts open and close, since the error of such a step is of second order and steps are as long as the
-// root. ENERGY_AUDIT_SECONDS: for that long.
+// What steps add shall be no more than a hundredth of the friction loss, whose laws know no better (0.4 % in
+// the worst of these, 1.4 % were the radial speeds of rollers weighed no heavier than the rest). It falls
+// with the allowed error: in proportion where the motion is smooth, with its root at least where contacts
+// open and close, since the error of such a step is of second order and steps are as long as the root.
+// ENERGY_AUDIT_SECONDS: for that long.
 TEST_P(FastPathEnergy, StepsAddLittleAndLessAtASmallerAllowedError) {
-  constexpr double kShareOfLoss = 0.03;
+  constexpr double kShareOfLoss = 0.01;
   constexpr double kStandard = 2e-10;  // [m]  what a run allows unless told otherwise
   const char* text = std::getenv("ENERGY_AUDIT_SECONDS");
   const double seconds = text == nullptr ? 4e-3 : std::atof(text);

@@ -1,0 +1,74 @@
+// The planet bearing once more, and differently: as an engineer would write it who had seen the equations and
+// none of the program. An inertial frame with its origin on the carrier's axis, Cartesian coordinates,
+// absolute speeds, so that no fictitious force exists to be forgotten or to have a wrong sign; contact
+// kinematics from the velocities of two points; films found by bisection, the land's film by quadrature. Slow
+// and plain. It includes nothing of the library. Points and vectors of the plane are complex numbers.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+namespace orbearing::reference {
+
+using Plane = std::complex<double>;
+
+struct Oil {
+  double viscosity;           // [Pa s]
+  double pressure_viscosity;  // [1/Pa]
+};
+
+struct BearingNumbers {
+  double roller_radius, roller_length;                                               // [m]
+  double pin_radius, bore_radius;                                                    // [m]   of the races
+  double roller_mass, roller_inertia, cage_mass, cage_inertia, bore_mass, pin_mass;  // [kg], [kg m^2]
+  double young, poisson;                                                             // [Pa], [-]
+  Oil oil;
+  bool film;                                          // takes part in the approach
+  double damping;                                     // [s/m]
+  double friction, sliding_scale, entrainment_scale;  // [-], [m/s], [m/s]
+  double pocket_clearance, pocket_stiffness, pocket_damping, pocket_friction;
+  double land_clearance, cage_guide_radius, land_width;  // [m]  radial; the land lies outside the cage
+  int lands;
+  double held_eccentricity;  // [-]  beyond it cage and land touch
+  double land_stiffness, land_damping, land_friction;
+  double support_stiffness, support_damping;  // [N/m], [N s/m]
+  double mixture_density;                     // [kg/m^3]
+  double cylinder_drag, churning;             // [-]
+  double cage_mean_radius, cage_width;        // [m]
+};
+
+/// The carrier turns about the origin; the undeformed axis of the pin is at orbit_radius on its arm.
+struct Carrier {
+  double angle, speed, acceleration;  // [rad], [rad/s], [rad/s^2]
+  double orbit_radius;                // [m]
+};
+
+/// Seen from outside.
+struct Body {
+  Plane position, velocity;  // [m], [m/s]
+  double angle = 0.0;        // [rad]
+  double speed = 0.0;        // [rad/s]
+};
+
+struct Bodies {
+  std::vector<Body> rollers;
+  Body cage, bore, pin;  // the speeds of bore and pin are given
+};
+
+struct BodyAcceleration {
+  Plane linear{};        // [m/s^2]
+  double angular = 0.0;  // [rad/s^2]
+};
+
+struct Accelerations {
+  std::vector<BodyAcceleration> rollers;
+  BodyAcceleration cage, bore, pin;
+  double bore_moment = 0.0, pin_moment = 0.0;  // [N m]  of the rollers, and of the cage on the bore's land
+};
+
+/// What Newton and Euler say under the contacts' forces and `bore_force` [N], which acts on the bore from
+/// outside: in inertial directions, without anything that a turning frame would add.
+Accelerations accelerations(const BearingNumbers& bearing, const Carrier& carrier, const Bodies& bodies,
+                            Plane bore_force);
+
+}  // namespace orbearing::reference
