@@ -60,13 +60,15 @@ void combine_one(const SparseDual<a, Number>& x, const SparseDual<b, Number>& y,
 template <unsigned a, unsigned b, class Number, class ByX, class ByY>
 SparseDual<a | b, Number> combined(const SparseDual<a, Number>& x, const SparseDual<b, Number>& y,
                                    const Number& value, const ByX& by_x, const ByY& by_y) {
-  static_assert((a | b) < 16, "variables 0 to 3");
+  static_assert((a | b) < 64, "variables 0 to 5");
   SparseDual<a | b, Number> z;
   z.value = value;
   detail::combine_one<0>(x, y, by_x, by_y, z);
   detail::combine_one<1>(x, y, by_x, by_y, z);
   detail::combine_one<2>(x, y, by_x, by_y, z);
   detail::combine_one<3>(x, y, by_x, by_y, z);
+  detail::combine_one<4>(x, y, by_x, by_y, z);
+  detail::combine_one<5>(x, y, by_x, by_y, z);
   return z;
 }
 
@@ -81,6 +83,8 @@ SparseDual<a, Number> changed(const SparseDual<a, Number>& x, const Number& valu
   if constexpr (n > 1) y.slope[1] = change(x.slope[1]);
   if constexpr (n > 2) y.slope[2] = change(x.slope[2]);
   if constexpr (n > 3) y.slope[3] = change(x.slope[3]);
+  if constexpr (n > 4) y.slope[4] = change(x.slope[4]);
+  if constexpr (n > 5) y.slope[5] = change(x.slope[5]);
   return y;
 }
 

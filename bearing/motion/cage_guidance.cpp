@@ -4,129 +4,44 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/contact/friction.hpp"
-#include "bearing/motion/contact_damping.hpp"
-
 namespace orbearing::bearing::dynamics {
-
-namespace {
 
 using boost::math::double_constants::two_pi;
 
-constexpr double kNoDirection =
-    1e-12;  // [-]  of the clearance: below it the film is round and has no direction
-
-// Cage against land: eccentricity and its direction.
-struct Offset {
-  Vector2 vector;               // [m]
-  double length = 0.0;          // [m]
-  Vector2 direction{1.0, 0.0};  // [-]
-};
-
-Offset offset_of(const GuidanceModel& model, const Vector2& cage, const Vector2& land) {
-  Offset offset{.vector = cage - land};
-  offset.length = offset.vector.norm();
-  if (offset.length > kNoDirection * model.clearance) offset.direction = offset.vector / offset.length;
-  return offset;
-}
-
-// Angle gamma of the substitution 1 - eps cos(theta) = (1 - eps^2) / (1 + eps cos(gamma)).
-struct SubstitutedAngle {
-  double cosine;
-  double sine;
-  double angle;
-};
-
-SubstitutedAngle substituted(double eccentricity, double root, double cosine, double sine) {
-  const double gap = 1.0 - eccentricity * cosine;
-  const double c = (cosine - eccentricity) / gap;
-  const double s = root * sine / gap;
-  return {c, s, std::atan2(s, c)};
-}
-
-// Film at the eccentricity `held` (that of the offset, or the largest allowed).
-void add_film(const GuidanceModel& model, const BodyMotion& cage, const BodyMotion& land,
-              const Offset& offset, double held, GuidanceForces& forces) {
-  const Vector2 squeeze =
-      cage.velocity - land.velocity - 0.5 * (cage.speed + land.speed) * across(offset.vector);
-  const Vector2 local(squeeze.dot(offset.direction), squeeze.dot(across(offset.direction)));
-  const double width = model.land_width;
-  const double scale = model.lands * model.viscosity * width * width * width * model.cage_radius /
-                       (model.clearance * model.clearance * model.clearance);
-  const FilmResistance film = half_film_resistance(held, local);
-  const Vector2 resisted(film.along * local.x() + film.mixed * local.y(),
-                         film.mixed * local.x() + film.across * local.y());
-  const Vector2 local_force = model.film == GuidanceFilm::as_printed
-                                  ? printed_film_force(model, held, cage.speed + land.speed)
-                                  : Vector2(-scale * resisted);
-  const Vector2 force = local_force.x() * offset.direction + local_force.y() * across(offset.direction);
-
-  const double radius = model.cage_radius;
-  const double shear = two_pi * model.viscosity * radius * radius * radius * model.lands * width *
-                       (land.speed - cage.speed) / (model.clearance * std::sqrt(1.0 - held * held));
-  // The couple of the two forces, which act through both centres, is shared evenly by both surfaces.
-  const double couple = 0.5 * cross(offset.vector, force);
-  forces.on_cage += {force, shear - couple};
-  forces.on_land += {-force, -shear - couple};
-  forces.film_power = -force.dot(squeeze) + shear * (land.speed - cage.speed);
-}
-
-void add_touch_down(const GuidanceModel& model, const BodyMotion& cage, const BodyMotion& land,
-                    const Offset& offset, double depth, GuidanceForces& forces) {
-  const Vector2 relative_velocity = cage.velocity - land.velocity;
-  const DampedLoad normal =
-      damped_load(model.stiffness * depth, model.damping, relative_velocity.dot(offset.direction));
-  const double cage_arm = model.side * model.cage_radius;
-  const double land_arm = cage_arm + offset.length;
-  const Vector2 tangent = across(offset.direction);
-  const double sliding = land.speed * land_arm - cage.speed * cage_arm - relative_velocity.dot(tangent);
-  const double friction =
-      CoulombFriction<double>{model.friction, model.sliding_scale}.force(normal.load, sliding);
-  const Vector2 force = -normal.load * offset.direction + friction * tangent;
-  forces.on_cage += force_at(cage_arm * offset.direction, force);
-  forces.on_land += force_at(land_arm * offset.direction, -force);
-  forces.touch_down_power = normal.power + friction * sliding;
-}
-
-}  // namespace
-
-FilmResistance half_film_resistance(double eccentricity, const Vector2& direction) {
-  const double speed = direction.norm();
-  if (speed <= 0.0) return {};
-  const double square = 1.0 - eccentricity * eccentricity;
-  const double root = std::sqrt(square);
-  const Vector2 towards = direction / speed;
-  const SubstitutedAngle from = substituted(eccentricity, root, towards.y(), -towards.x());
-  const SubstitutedAngle to = substituted(eccentricity, root, -towards.y(), towards.x());
-  const double span = to.angle > from.angle ? to.angle - from.angle : to.angle - from.angle + two_pi;
-  const double sine_cosine = to.sine * to.cosine - from.sine * from.cosine;
-  const double sine = to.sine - from.sine;
-  const double cosine = to.cosine - from.cosine;
-  const double sine_square = to.sine * to.sine - from.sine * from.sine;
-  return {(0.5 * (span + sine_cosine) + 2.0 * eccentricity * sine + eccentricity * eccentricity * span) /
-              (square * square * root),
-          (0.5 * sine_square - eccentricity * cosine) / (square * square),
-          0.5 * (span - sine_cosine) / (square * root)};
-}
-
-Vector2 printed_film_force(const GuidanceModel& model, double eccentricity, double rotation_sum) {
-  const double surface_speed = model.cage_radius * rotation_sum;
-  const double scale =
-      model.lands * model.viscosity * std::pow(model.land_width, 3) / (model.clearance * model.clearance);
-  const double square = 1.0 - eccentricity * eccentricity;
-  return {-scale * std::abs(surface_speed) * eccentricity * eccentricity / (square * square),
-          scale * surface_speed * boost::math::double_constants::pi * eccentricity /
-              (4.0 * square * std::sqrt(square))};
+LandLaw land_law(const GuidanceModel& model) {
+  const double width_cube = std::pow(model.land_width, 3);
+  const double printed = model.lands * model.viscosity * width_cube / (model.clearance * model.clearance);
+  const double shear = two_pi * model.viscosity * std::pow(model.cage_radius, 3) * model.lands *
+                       model.land_width / model.clearance;
+  return {.side = model.side,
+          .clearance = model.clearance,
+          .cage_radius = model.cage_radius,
+          .largest_eccentricity = model.largest_eccentricity,
+          .as_printed = model.film == GuidanceFilm::as_printed,
+          .film_scale = printed * model.cage_radius / model.clearance,
+          .printed_scale = printed,
+          .shear_scale = shear,
+          .stiffness = model.stiffness,
+          .damping = model.damping,
+          .friction = {model.friction, model.sliding_scale}};
 }
 
 GuidanceForces guidance_forces(const GuidanceModel& model, const BodyMotion& cage, const BodyMotion& land) {
   GuidanceForces forces;
   if (!model.present) return forces;
-  const Offset offset = offset_of(model, cage.position, land.position);
-  forces.eccentricity = offset.length / model.clearance;
-  add_film(model, cage, land, offset, std::min(forces.eccentricity, model.largest_eccentricity), forces);
-  const double depth = offset.length - model.largest_eccentricity * model.clearance;
-  if (depth > 0.0) add_touch_down(model, cage, land, offset, depth, forces);
+  const Vector2 offset = cage.position - land.position, velocity = cage.velocity - land.velocity;
+  const LandForces<double> now = land_law(model).forces(
+      LandMotion<double>{offset.x(), offset.y(), velocity.x(), velocity.y(), cage.speed}, land.speed);
+  const Vector2 film(now.film_x, now.film_y), squeeze(now.squeeze_x, now.squeeze_y);
+  const Vector2 touch(now.touch_x, now.touch_y);
+  // The couple of the film's two forces, which act through both centres, is shared evenly by both surfaces.
+  const double couple = 0.5 * cross(offset, film);
+  const double cage_arm = model.side * model.cage_radius;
+  forces.eccentricity = now.eccentricity;
+  forces.on_cage = {film + touch, now.shear - couple + cage_arm * now.touch_friction};
+  forces.on_land = {-film - touch, -now.shear - couple - (cage_arm + offset.norm()) * now.touch_friction};
+  forces.film_power = -film.dot(squeeze) + now.shear * (land.speed - cage.speed);
+  forces.touch_down_power = now.touch_damping_power + now.touch_friction * now.touch_sliding;
   return forces;
 }
 

@@ -1,6 +1,7 @@
 // Guidance of the cage on the land of a ring: a short journal bearing with squeeze and whirl, and touch-down.
 #pragma once
 
+#include "bearing/contact/land_law.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "bearing/plane.hpp"
 
@@ -33,29 +34,11 @@ struct GuidanceForces {
   double touch_down_power = 0.0;  // [W]  dissipated, damping and friction
 };
 
-/// Resistance of the half film to the squeeze velocity v': force = -film_coefficient * resistance * v', with
-/// the integral of u u^T / (1 - eps cos)^3 over the half circle towards v' in axes (along the eccentricity,
-/// across it).
-struct FilmResistance {
-  double along = 0.0;   // [-]
-  double mixed = 0.0;   // [-]
-  double across = 0.0;  // [-]
-};
+/// The law of `model` with its constants; the model must have a land.
+LandLaw land_law(const GuidanceModel& model);
 
-/// Resistance at `eccentricity` [-] < 1 against a squeeze velocity along `direction` (any length), given in
-/// axes along the eccentricity and across it; none where its length is zero. Closed form by the substitution
-/// of [Sommerfeld1904] in the short bearing of [Ocvirk1952]; its steady state is Eqs. (24) and (25) of
-/// [Gai2025].
-FilmResistance half_film_resistance(double eccentricity, const Vector2& direction);
-
-/// Film force [N] on the cage as Eqs. (24) and (25) of [Gai2025] print it, in axes along the eccentricity and
-/// across it: of the sum of the surface speeds `rotation_sum` [rad/s] alone, without squeeze and whirl. Its
-/// power may have either sign, and it depends on the frame in which the rotations are counted: here the
-/// carrier's.
-Vector2 printed_film_force(const GuidanceModel& model, double eccentricity, double rotation_sum);
-
-/// Forces between the cage and the ring whose land guides it. The film feels the velocity of the cage less
-/// what half the sum of both rotations gives it, so that the force does not depend on the frame.
+/// Forces between the cage and the ring whose land guides it: the law of bearing/contact/land_law.hpp on both
+/// bodies.
 GuidanceForces guidance_forces(const GuidanceModel& model, const BodyMotion& cage, const BodyMotion& land);
 
 /// Energy stored by touch-down [J].

@@ -1,18 +1,11 @@
-// Contact of a roller with the bars of its cage pocket.
-//
-//        n (sense of rotation)        The pocket's centre line runs from the cage centre along e, at the cage
-//        angle ^   |bar|                    plus the pocket's own. The roller stands off it by s along n and
-//        touches a bar |   ( o ) roller             where |s| exceeds half the clearance.
-//   o----|---|---|---> e
-//  cage      |bar|
-//
+// Contact of a roller with the bars of its cage pocket: the law of bearing/contact/pocket_law.hpp on both
+// bodies, and the film before they touch.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "bearing/contact/friction.hpp"
-#include "bearing/motion/contact_damping.hpp"
+#include "bearing/contact/pocket_law.hpp"
 #include "bearing/plane.hpp"
 
 namespace orbearing::bearing::dynamics {
@@ -41,33 +34,32 @@ struct PocketForces {
   double film_power = 0.0;      // [W]  dissipated
 };
 
+inline PocketLaw pocket_law(const PocketModel& model) {
+  return {model.half_clearance, model.stiffness, model.damping, {model.friction, model.sliding_scale}};
+}
+
 /// Forces of roller and bars that touch, in the pocket whose centre line points along `outward` [-] (e), of a
 /// roller larger in radius by `larger` [m] than stated.
 inline PocketForces touch_forces(const PocketModel& model, const BodyMotion& roller, const BodyMotion& cage,
                                  const Vector2& outward, double larger = 0.0) {
   PocketForces forces;
+  const PocketLaw law = pocket_law(model);
   const Vector2 ahead = across(outward);
   const Vector2 from_cage = roller.position - cage.position;
   const double offset = from_cage.dot(ahead);
-  const double depth = std::abs(offset) - (model.half_clearance - larger);
-  if (depth <= 0.0) return forces;
   const double bar = std::copysign(1.0, offset);
-  const Vector2 relative_velocity = roller.velocity - cage.velocity;
-  const double depth_speed = bar * (relative_velocity.dot(ahead) - cage.speed * from_cage.dot(outward));
-  const DampedLoad normal = damped_load(model.stiffness * depth, model.damping, depth_speed);
-
-  const double radius = model.roller_radius + larger;
-  const Vector2 to_bar = bar * radius * ahead;
-  const double sliding =
-      -relative_velocity.dot(outward) - cage.speed * (offset + bar * radius) + roller.speed * bar * radius;
-  const double friction =
-      CoulombFriction<double>{model.friction, model.sliding_scale}.force(normal.load, sliding);
-  const Vector2 force = -bar * normal.load * ahead + friction * outward;
-  forces.on_roller = force_at(to_bar, force);
-  forces.on_cage = force_at(from_cage + to_bar, -force);
-  forces.load = bar * normal.load;
-  forces.damping_power = normal.power;
-  forces.friction_power = friction * sliding;
+  if (law.depth(bar, offset, larger) <= 0.0) return forces;
+  const Vector2 velocity = roller.velocity - cage.velocity;
+  const auto touch = law.touch(bar, model.roller_radius + larger, larger,
+                               PocketMotion<double, double, double, double, double, double>{
+                                   offset, from_cage.dot(outward), velocity.dot(ahead), velocity.dot(outward),
+                                   roller.speed, cage.speed});
+  const Vector2 force = touch.ahead * ahead + touch.along * outward;
+  forces.on_roller = {force, touch.roller_moment};
+  forces.on_cage = {-force, touch.cage_moment};
+  forces.load = -touch.ahead;
+  forces.damping_power = touch.damping_power;
+  forces.friction_power = touch.along * touch.sliding;
   return forces;
 }
 
@@ -78,8 +70,8 @@ PocketForces pocket_forces(const PocketModel& model, const BodyMotion& roller, c
 /// Energy stored in the bar [J].
 inline double pocket_energy(const PocketModel& model, const Vector2& roller, const Vector2& cage,
                             const Vector2& outward, double larger = 0.0) {
-  const double depth =
-      std::max(0.0, std::abs((roller - cage).dot(across(outward))) - (model.half_clearance - larger));
+  const double offset = (roller - cage).dot(across(outward));
+  const double depth = std::max(0.0, pocket_law(model).depth(std::copysign(1.0, offset), offset, larger));
   return 0.5 * model.stiffness * depth * depth;
 }
 

@@ -2,8 +2,8 @@
 // bodies.
 #pragma once
 
+#include "bearing/contact/damping.hpp"
 #include "bearing/contact/friction.hpp"
-#include "bearing/motion/contact_damping.hpp"
 #include "bearing/motion/contact_motion.hpp"
 #include "bearing/motion/form_motion.hpp"
 #include "bearing/motion/race_load.hpp"
@@ -63,7 +63,7 @@ inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& mo
   forces.sliding = motion.sliding;
   forces.entrainment = entrainment_speed(motion.rolling, model.entrainment_scale);
   if (elastic_load <= 0.0) return forces;
-  const DampedLoad normal = damped_load(elastic_load, model.damping, motion.approach_speed);
+  const auto normal = damped_load(elastic_load, model.damping, motion.approach_speed);
   const double log_speed = model.friction.oiled() ? std::log(forces.entrainment) : 0.0;
   const double traction = model.friction.friction(normal.load, motion.sliding, log_speed);
   const double inlet =

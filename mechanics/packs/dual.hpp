@@ -5,13 +5,19 @@
 
 namespace orbearing::mechanics::ORBEARING_PACKS {
 
-/// Eight numbers, in as many registers as they take.
-using SlopeVector = double __attribute__((vector_size(64)));
+/// Eight numbers, in as many registers as they take: a vector wider than a register goes through memory.
+#if defined(__AVX512F__)
+using SlopeVector = Register;
+#elif defined(__AVX__)
+using SlopeVector = Pack;
+#else
+using SlopeVector = Two<Pack>;
+#endif
 
 /// Value and slopes by `kVariables` variables, eight at most.
 template <int kVariables>
 struct Dual {
-  static_assert(kVariables <= 8);
+  static_assert(kVariables <= 8 && sizeof(SlopeVector) == 8 * sizeof(double));
   double value = 0.0;
   SlopeVector slope{};
 
@@ -20,9 +26,11 @@ struct Dual {
   /// The variable number `index` itself.
   static Dual variable(double number, int index) {
     Dual x(number);
-    x.slope[index] = 1.0;
+    reinterpret_cast<double*>(&x.slope)[index] = 1.0;
     return x;
   }
+  /// Slope by the variable number `index`.
+  double by(int index) const { return reinterpret_cast<const double*>(&slope)[index]; }
 };
 
 /// A function of `x` with value `value` and derivative `by_x`.
@@ -94,27 +102,28 @@ Dual<n> operator/(double a, const Dual<n>& x) {
   return chained(x, a / x.value, -a / (x.value * x.value));
 }
 
-inline double value_of(double x) {
-  return x;
-}
 template <int n>
 double value_of(const Dual<n>& x) {
   return x.value;
 }
 
-inline double root_of(double x) {
-  return __builtin_sqrt(x);
-}
 template <int n>
-Dual<n> root_of(const Dual<n>& x) {
+Dual<n> root(const Dual<n>& x) {
   const double root = __builtin_sqrt(x.value);
   return chained(x, root, 0.5 / root);
 }
 
-/// Angle of the vector (x, y), as atan2(y, x).
-inline double angle_of(double y, double x) {
-  return __builtin_atan2(y, x);
+template <int n>
+Dual<n> inverse_root(const Dual<n>& x) {
+  const double inverse = 1.0 / __builtin_sqrt(x.value);
+  return chained(x, inverse, -0.5 * inverse * inverse * inverse);
 }
+template <int n>
+Dual<n> larger(const Dual<n>& x, double limit) {
+  return x.value > limit ? x : Dual<n>(limit);
+}
+
+/// Angle of the vector (x, y), as atan2(y, x).
 template <int n>
 Dual<n> angle_of(const Dual<n>& y, const Dual<n>& x) {
   const double inverse = 1.0 / (x.value * x.value + y.value * y.value);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "bearing/contact/friction.hpp"
+#include "bearing/contact/land_law.hpp"
+#include "bearing/contact/pocket_law.hpp"
 
 namespace orbearing::bearing::fast {
 
@@ -65,23 +67,12 @@ struct LaminaConstants {
   bool upright = true;                 // symmetric, and no roller ever tilts
 };
 
-/// The land that guides the cage; see dynamics/cage_guidance.hpp.
+/// The land that guides the cage.
 struct LandConstants {
   bool present = false;
-  bool on_bore = true;                // the bore carries the land, else the pin
-  bool as_printed = false;            // film force of the source, without squeeze and whirl
-  double speed = 0.0;                 // [rad/s]  of the land
-  double side = 1.0;                  // [-]
-  double clearance = 0.0;             // [m]      radial
-  double cage_radius = 0.0;           // [m]
-  double largest_eccentricity = 0.0;  // [-]
-  double film_scale = 0.0;            // [N s/m]    lands eta L^3 R / c^3
-  double printed_scale = 0.0;         // [N s/m]    lands eta L^3 / c^2
-  double shear_scale = 0.0;           // [N m s]    2 pi eta R^3 lands L / c
-  double stiffness = 0.0;             // [N/m]      of touch-down
-  double damping = 0.0;               // [s/m]
-  double friction = 0.0;              // [-]
-  double sliding_scale = 0.0;         // [m/s]
+  bool on_bore = true;  // the bore carries the land, else the pin
+  double speed = 0.0;   // [rad/s]  of the land
+  LandLaw law;
 };
 
 /// Constants of a run.
@@ -104,11 +95,7 @@ struct Constants {
   RaceConstants outer;
   LaminaConstants laminae;
 
-  double half_clearance = 0.0;        // [m]  of a pocket
-  double pocket_stiffness = 0.0;      // [N/m]
-  double pocket_damping = 0.0;        // [s/m]
-  double pocket_friction = 0.0;       // [-]
-  double pocket_sliding_scale = 0.0;  // [m/s]
+  PocketLaw pocket;
 
   double cage_mass = 0.0;          // [kg]
   double cage_inertia = 0.0;       // [kg m^2]

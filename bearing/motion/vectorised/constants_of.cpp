@@ -1,4 +1,3 @@
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "bearing/motion/vectorised/constants_of.hpp"
@@ -6,8 +5,6 @@
 namespace orbearing::bearing::fast {
 
 namespace {
-
-using boost::math::double_constants::two_pi;
 
 RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
   RaceConstants c;
@@ -26,28 +23,12 @@ RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
 }
 
 LandConstants land_constants(const dynamics::BearingModel& model) {
-  const dynamics::GuidanceModel& guidance = model.guidance;
-  LandConstants c;
-  c.present = guidance.present;
-  if (!c.present) return c;
-  const double width_cube = std::pow(guidance.land_width, 3);
-  const double square = guidance.clearance * guidance.clearance;
-  c.on_bore = model.guiding_race == Race::outer;
-  c.as_printed = guidance.film == dynamics::GuidanceFilm::as_printed;
-  c.speed = c.on_bore ? model.point.outer_speed : model.point.inner_speed;
-  c.side = guidance.side;
-  c.clearance = guidance.clearance;
-  c.cage_radius = guidance.cage_radius;
-  c.largest_eccentricity = guidance.largest_eccentricity;
-  c.printed_scale = guidance.lands * guidance.viscosity * width_cube / square;
-  c.film_scale = c.printed_scale * guidance.cage_radius / guidance.clearance;
-  c.shear_scale = two_pi * guidance.viscosity * std::pow(guidance.cage_radius, 3) * guidance.lands *
-                  guidance.land_width / guidance.clearance;
-  c.stiffness = guidance.stiffness;
-  c.damping = guidance.damping;
-  c.friction = guidance.friction;
-  c.sliding_scale = guidance.sliding_scale;
-  return c;
+  if (!model.guidance.present) return {};
+  const bool on_bore = model.guiding_race == Race::outer;
+  return {.present = true,
+          .on_bore = on_bore,
+          .speed = on_bore ? model.point.outer_speed : model.point.inner_speed,
+          .law = dynamics::land_law(model.guidance)};
 }
 
 }  // namespace
@@ -68,11 +49,7 @@ Constants constants_of(const dynamics::BearingModel& model) {
   c.orbit_radius = model.frame.orbit_radius;
   c.inner = race_constants(model.inner, model.point.inner_speed);
   c.outer = race_constants(model.outer, model.point.outer_speed);
-  c.half_clearance = model.pocket.half_clearance;
-  c.pocket_stiffness = model.pocket.stiffness;
-  c.pocket_damping = model.pocket.damping;
-  c.pocket_friction = model.pocket.friction;
-  c.pocket_sliding_scale = model.pocket.sliding_scale;
+  c.pocket = dynamics::pocket_law(model.pocket);
   c.cage_mass = model.cage.mass;
   c.cage_inertia = model.cage.inertia;
   c.bore_mass = model.bore_mass;

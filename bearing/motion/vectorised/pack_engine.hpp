@@ -3,9 +3,9 @@
 
 #include "bearing/motion/vectorised/block_arrow.hpp"
 #include "bearing/motion/vectorised/engine.hpp"
-#include "bearing/motion/vectorised/guidance.hpp"
 #include "bearing/motion/vectorised/pocket_contact.hpp"
 #include "mechanics/packs/aligned_array.hpp"
+#include "mechanics/packs/dual.hpp"
 
 namespace orbearing::bearing::fast::ORBEARING_PACKS {
 
@@ -208,9 +208,9 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
              own_sine = load(given_.pocket_sine + p * kLanes);
   const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
   const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
-  const PocketForce pocket =
-      pocket_contact<WithSlopes>(c_, radius, here, e_x * cosine + e_y * sine, e_y * cosine - e_x * sine,
-                                 cage[5], motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
+  const PocketForce pocket = pocket_contact<WithSlopes>(
+      c_.pocket, c_.roller_radius, radius, here, e_x * cosine + e_y * sine, e_y * cosine - e_x * sine,
+      cage[5], motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
   inner_load_[p] = races.load.low;
   outer_load_[p] = races.load.high;
   react(races.f_r.low, races.f_t.low, cosine, sine, sums.pin);

@@ -75,8 +75,8 @@ inline BoreSlopes PackEngine::bore_slopes() const {
       slopes.by_position[i][k] = sum(position[i][k]);
       slopes.by_velocity[i][k] = sum(velocity[i][k]);
       if (!c_.land.present || !c_.land.on_bore) continue;
-      slopes.by_position[i][k] += land[i]->slope[k];
-      slopes.by_velocity[i][k] += land[i]->slope[2 + k];
+      slopes.by_position[i][k] += land[i]->by(k);
+      slopes.by_velocity[i][k] += land[i]->by(2 + k);
     }
   return slopes;
 }

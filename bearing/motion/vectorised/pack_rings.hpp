@@ -8,6 +8,22 @@ namespace orbearing::bearing::fast::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
+/// Of the land on the cage; the land feels the opposite force.
+template <class T>
+struct LandForce {
+  T x, y;    // [N]
+  T moment;  // [N m]
+};
+
+template <class T>
+LandForce<T> land_force(const LandConstants& land, const LandMotion<T>& motion) {
+  if (!land.present) return {};
+  const LandForces<T> now = land.law.forces(motion, land.speed);
+  const T couple = 0.5 * (motion.offset_x * now.film_y - motion.offset_y * now.film_x);
+  return {now.film_x + now.touch_x, now.film_y + now.touch_y,
+          now.shear - couple + (land.law.side * land.law.cage_radius) * now.touch_friction};
+}
+
 template <bool WithSlopes>
 void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums,
                                 double* dx) {
@@ -20,13 +36,11 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
   const double* land = c_.land.on_bore ? bore : pin;
   const double offset[5] = {cage[0] - land[0], cage[1] - land[1], cage[3] - land[2], cage[4] - land[3],
                             cage[5]};
-  double land_x, land_y, land_moment;
+  double land_x = 0.0, land_y = 0.0, land_moment = 0.0;
   if constexpr (WithSlopes) {
-    LandMotion<GuidanceDual> motion{
-        GuidanceDual::variable(offset[0], 0), GuidanceDual::variable(offset[1], 1),
-        GuidanceDual::variable(offset[2], 2), GuidanceDual::variable(offset[3], 3),
-        GuidanceDual::variable(offset[4], 4)};
-    const LandForce<GuidanceDual> force = land_force(c_.land, motion);
+    const auto variable = [&](int index) { return GuidanceDual::variable(offset[index], index); };
+    const LandForce<GuidanceDual> force = land_force(
+        c_.land, LandMotion<GuidanceDual>{variable(0), variable(1), variable(2), variable(3), variable(4)});
     land_x_ = force.x;
     land_y_ = force.y;
     land_moment_ = force.moment;

@@ -81,7 +81,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   const double* guide = c_.land.on_bore ? bore : pin;
   const GuidanceDual* force[3] = {&land_x_, &land_y_, &land_moment_};
   for (int i = 0; i < 3 && c_.land.present; ++i)
-    land[i] = force[i]->slope[0] * (cage[0] - guide[0]) + force[i]->slope[1] * (cage[1] - guide[1]);
+    land[i] = force[i]->by(0) * (cage[0] - guide[0]) + force[i]->by(1) * (cage[1] - guide[1]);
   const double on_bore = c_.land.on_bore ? 1.0 : 0.0, on_pin = 1.0 - on_bore;
   b[0] = ring_rhs(0) + pin[2] +
          g * ((sum(loads.pin.x) - on_pin * land[0] - c_.support_stiffness * pin[0]) / c_.pin_mass +

@@ -1,6 +1,6 @@
 // Rollers on a race: forces and their derivatives, one roller a lane. The laws are those of
-// bearing/contact/film_law.hpp and friction.hpp, which give their own slopes, and of
-// dynamics/contact_damping.hpp and race_forces.hpp, here with theirs.
+// bearing/contact/film_law.hpp, friction.hpp and
+// damping.hpp, which give their own slopes; those of the motion (dynamics/race_forces.hpp) stand here.
 //
 // Vectors are in polar axes (e_r, e_theta) of each roller. A derivative treats these axes as at rest; what
 // their turning adds is the caller's (ContactSlopes).
@@ -152,7 +152,7 @@ RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cos
   x.elastic = elastic.load;
   x.by_approach = elastic.slope * e.by_approach;
   x.by_rolling = elastic.slope * (e.by_log_speed * m.log_turn);
-  x.damped = larger(1.0 + race.damping * m.closing, PackPair{});
+  x.damped = damping_factor(race.damping, m.closing);
   x.load = x.elastic * x.damped;
   const auto tangential = [&](const auto& load, const auto& sliding, const auto& rolling, const auto& speed) {
     race.friction.friction(load, sliding, speed,
@@ -188,12 +188,14 @@ struct LawSlopes {
   PackPair sliding;  // of the friction alone
 };
 
-inline LawSlopes law_slopes(const BothRaces& race, const RaceLoads& x) {
+inline LawSlopes law_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x) {
   const auto by_load = [&](const PackPair& load) {
     return LawRate{load, x.friction.by_load * load, x.inlet.by_load * load};
   };
-  LawSlopes slopes{by_load(x.damped * x.by_approach), by_load(only(x.damped > 0.0, x.elastic * race.damping)),
-                   by_load(x.damped * x.by_rolling), x.friction.by_sliding};
+  LawSlopes slopes{
+      by_load(x.damped * x.by_approach),
+      by_load(x.elastic * damping_factor(race.damping, mechanics::variable<0>(m.closing)).template by<0>()),
+      by_load(x.damped * x.by_rolling), x.friction.by_sliding};
   slopes.rolling.friction += x.friction.by_rolling;
   slopes.rolling.inlet += x.inlet.by_rolling;
   return slopes;
@@ -220,7 +222,7 @@ struct NormalSlopes {
 inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
                                   const PackPair& f_n, const PackPair& f_t) {
   const NumberPair side = race.side;
-  const LawSlopes laws = law_slopes(race, x);
+  const LawSlopes laws = law_slopes(race, m, x);
   const auto sliding_and_rolling = [&](const PackPair& sliding, const PackPair& rolling) {
     LawRate rate = rolling * laws.rolling;
     rate.friction += sliding * laws.sliding;

@@ -140,7 +140,7 @@ void PackEngine::add_rings(double g, RingBlock& rings) const {
   const double cage_scale[3] = {-g / c_.cage_mass, -g / c_.cage_mass, -g / c_.cage_inertia};
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
-      const double slope = k < 2 ? g * force[i]->slope[k] + force[i]->slope[2 + k] : force[i]->slope[4];
+      const double slope = k < 2 ? g * force[i]->by(k) + force[i]->by(2 + k) : force[i]->by(4);
       rings.a[kCage + i][kCage + k] += cage_scale[i] * slope;
       if (k < 2) rings.a[kCage + i][land + k] -= cage_scale[i] * slope;
       if (i < 2) rings.a[land + i][kCage + k] += g / land_mass * slope;

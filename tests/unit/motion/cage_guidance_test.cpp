@@ -11,9 +11,9 @@ constexpr double kRoundOff = 1e-11;
 constexpr double kQuadrature = 1e-6;  // relative, of the midpoint rule with 1e5 points on a smooth integrand
 
 // The defining integral of u u^T / (1 - eps cos)^3 over the half circle towards the squeeze velocity.
-FilmResistance by_quadrature(double eccentricity, double direction) {
+FilmResistance<double> by_quadrature(double eccentricity, double direction) {
   constexpr int kPoints = 100000;
-  FilmResistance sum;
+  FilmResistance<double> sum{};
   for (int i = 0; i < kPoints; ++i) {
     const double angle = direction + M_PI * ((i + 0.5) / kPoints - 0.5);
     const double weight = M_PI / kPoints / std::pow(1.0 - eccentricity * std::cos(angle), 3.0);
@@ -27,9 +27,9 @@ FilmResistance by_quadrature(double eccentricity, double direction) {
 TEST(CageGuidance, ClosedFormIsTheIntegralOverTheHalfFilm) {
   for (double eccentricity : {0.0, 0.1, 0.6, 0.95})
     for (double direction = -3.1; direction < 3.2; direction += 0.4) {
-      const FilmResistance closed =
-          half_film_resistance(eccentricity, 0.3 * Vector2(std::cos(direction), std::sin(direction)));
-      const FilmResistance integral = by_quadrature(eccentricity, direction);
+      const FilmResistance<double> closed =
+          half_film_resistance(eccentricity, std::cos(direction), std::sin(direction));
+      const FilmResistance<double> integral = by_quadrature(eccentricity, direction);
       const double scale = kQuadrature * (integral.along + integral.across);
       EXPECT_NEAR(closed.along, integral.along, scale) << eccentricity << " " << direction;
       EXPECT_NEAR(closed.mixed, integral.mixed, scale) << eccentricity << " " << direction;

@@ -1,0 +1,171 @@
+// Cage on the land of a ring: a short journal bearing with squeeze and whirl, and touch-down. The law once,
+// for plain numbers and for numbers with their slopes. No header of a library here: files compiled for
+// special instruction sets include it.
+#pragma once
+
+#include "bearing/contact/damping.hpp"
+#include "bearing/contact/friction.hpp"
+
+namespace orbearing::bearing {
+
+/// Cage less land, but for the speed.
+template <class T>
+struct LandMotion {
+  T offset_x, offset_y;      // [m]
+  T velocity_x, velocity_y;  // [m/s]
+  T cage_speed;              // [rad/s]
+};
+
+/// What film and touch-down do.
+template <class T>
+struct LandForces {
+  T eccentricity;          // [-]    of the clearance
+  T film_x, film_y;        // [N]    of the film on the cage
+  T squeeze_x, squeeze_y;  // [m/s]  velocity that the film feels
+  T shear;                 // [N m]  of the film on the cage, opposite on the land
+  T touch_x, touch_y;      // [N]    of touch-down on the cage
+  T touch_friction;        // [N]    along the tangent
+  T touch_sliding;         // [m/s]
+  T touch_damping_power;   // [W]    dissipated
+};
+
+/// Resistance of the half film to the squeeze velocity v': force = -film_scale * resistance * v', with the
+/// integral of u u^T / (1 - eps cos)^3 over the half circle towards v' in axes (along the eccentricity,
+/// across it).
+template <class T>
+struct FilmResistance {
+  T along;   // [-]
+  T mixed;   // [-]
+  T across;  // [-]
+};
+
+namespace detail {
+// Angle gamma of the substitution 1 - eps cos(theta) = (1 - eps^2) / (1 + eps cos(gamma)) [Sommerfeld1904].
+template <class T>
+struct SubstitutedAngle {
+  T cosine, sine;
+};
+
+template <class T>
+SubstitutedAngle<T> substituted(const T& eccentricity, const T& root, const T& cosine, const T& sine) {
+  const T inverse = 1.0 / (1.0 - eccentricity * cosine);
+  return {(cosine - eccentricity) * inverse, root * sine * inverse};
+}
+}  // namespace detail
+
+/// Resistance at `eccentricity` [-] < 1 against a squeeze towards the unit vector (`towards_x`, `towards_y`)
+/// in axes along the eccentricity and across it. Closed form by the substitution of [Sommerfeld1904] in the
+/// short bearing of [Ocvirk1952]; its steady state is Eqs. (24) and (25) of [Gai2025].
+template <class T>
+FilmResistance<T> half_film_resistance(const T& eccentricity, const T& towards_x, const T& towards_y) {
+  using mechanics::angle_of, mechanics::root, mechanics::value_of;
+  constexpr double kTwoPi = 6.283185307179586476925286766559;
+  const T square = 1.0 - eccentricity * eccentricity;
+  const T square_root = root(square);
+  const auto from = detail::substituted(eccentricity, square_root, towards_y, T(-towards_x));
+  const auto to = detail::substituted(eccentricity, square_root, T(-towards_y), towards_x);
+  // Both angles lie half a turn of the plain angle apart; their difference in (0, 2 pi).
+  T span =
+      angle_of(from.cosine * to.sine - from.sine * to.cosine, from.cosine * to.cosine + from.sine * to.sine);
+  if (value_of(span) <= 0.0) span = span + kTwoPi;
+  const T sine_cosine = to.sine * to.cosine - from.sine * from.cosine;
+  const T sine = to.sine - from.sine;
+  const T cosine = to.cosine - from.cosine;
+  const T sine_square = to.sine * to.sine - from.sine * from.sine;
+  return {(0.5 * (span + sine_cosine) + 2.0 * eccentricity * sine + eccentricity * eccentricity * span) /
+              (square * square * square_root),
+          (0.5 * sine_square - eccentricity * cosine) / (square * square),
+          0.5 * (span - sine_cosine) / (square * square_root)};
+}
+
+struct LandLaw {
+  double side = 1.0;                  // [-]  +1: the land is outside the cage, -1: inside
+  double clearance = 0.0;             // [m]  radial
+  double cage_radius = 0.0;           // [m]  of the cage's guided surface
+  double largest_eccentricity = 0.0;  // [-]  of the clearance: the film is held at this, touch-down begins
+  bool as_printed = false;            // film force of the source, without squeeze and whirl
+  double film_scale = 0.0;            // [N s/m]  lands eta L^3 R / c^3
+  double printed_scale = 0.0;         // [N s/m]  lands eta L^3 / c^2
+  double shear_scale = 0.0;           // [N m s]  2 pi eta R^3 lands L / c
+  double stiffness = 0.0;             // [N/m]    of touch-down
+  double damping = 0.0;               // [s/m]
+  CoulombFriction<double> friction;
+
+  /// Film and touch-down between the cage and a land that turns at `land_speed` [rad/s]. The film feels the
+  /// velocity of the cage less what half the sum of both rotations gives it, so that the force does not
+  /// depend on the frame.
+  template <class T>
+  LandForces<T> forces(const LandMotion<T>& motion, double land_speed) const {
+    using mechanics::root, mechanics::value_of;
+    constexpr double kNoDirection = 1e-12;  // [-]  of the clearance: below it the film has no direction
+    LandForces<T> result{};
+    const T length_square = motion.offset_x * motion.offset_x + motion.offset_y * motion.offset_y;
+    T length{}, e_x = T{} + 1.0, e_y{};
+    if (value_of(length_square) > 0.0) length = root(length_square);
+    if (value_of(length) > kNoDirection * clearance) {
+      e_x = motion.offset_x / length;
+      e_y = motion.offset_y / length;
+    }
+    result.eccentricity = length * (1.0 / clearance);
+    const T held = value_of(result.eccentricity) < largest_eccentricity ? result.eccentricity
+                                                                        : T{} + largest_eccentricity;
+    add_film(motion, land_speed, held, e_x, e_y, result);
+    const T depth = length - largest_eccentricity * clearance;
+    if (value_of(depth) > 0.0) add_touch_down(motion, land_speed, length, depth, e_x, e_y, result);
+    return result;
+  }
+
+ private:
+  template <class T>
+  void add_film(const LandMotion<T>& motion, double land_speed, const T& held, const T& e_x, const T& e_y,
+                LandForces<T>& result) const {
+    using mechanics::root, mechanics::value_of;
+    const T mean_speed = 0.5 * (motion.cage_speed + land_speed);
+    result.squeeze_x = motion.velocity_x + mean_speed * motion.offset_y;
+    result.squeeze_y = motion.velocity_y - mean_speed * motion.offset_x;
+    const T along = result.squeeze_x * e_x + result.squeeze_y * e_y;
+    const T across = result.squeeze_y * e_x - result.squeeze_x * e_y;
+    T force_along{}, force_across{};
+    const T speed_square = along * along + across * across;
+    if (as_printed) {
+      printed_film(motion.cage_speed + land_speed, held, force_along, force_across);
+    } else if (value_of(speed_square) > 0.0) {
+      const T speed = root(speed_square);
+      const FilmResistance<T> film = half_film_resistance(held, T(along / speed), T(across / speed));
+      force_along = -film_scale * (film.along * along + film.mixed * across);
+      force_across = -film_scale * (film.mixed * along + film.across * across);
+    }
+    result.film_x = force_along * e_x - force_across * e_y;
+    result.film_y = force_along * e_y + force_across * e_x;
+    result.shear = shear_scale * (land_speed - motion.cage_speed) / root(1.0 - held * held);
+  }
+
+  // Eqs. (24) and (25) of [Gai2025]: of the sum of the surface speeds alone. Its power may have either sign,
+  // and it depends on the frame in which the rotations are counted: here the carrier's.
+  template <class T>
+  void printed_film(const T& rotation_sum, const T& held, T& force_along, T& force_across) const {
+    using mechanics::root, mechanics::value_of;
+    constexpr double kPi = 3.141592653589793238462643383280;
+    const T surface = cage_radius * rotation_sum;
+    const T square = 1.0 - held * held;
+    const T size = value_of(surface) < 0.0 ? T(-surface) : surface;
+    force_along = -printed_scale * size * held * held / (square * square);
+    force_across = printed_scale * surface * (0.25 * kPi) * held / (square * root(square));
+  }
+
+  template <class T>
+  void add_touch_down(const LandMotion<T>& motion, double land_speed, const T& length, const T& depth,
+                      const T& e_x, const T& e_y, LandForces<T>& result) const {
+    const T closing = motion.velocity_x * e_x + motion.velocity_y * e_y;
+    const auto normal = damped_load(T(stiffness * depth), damping, closing);
+    const double cage_arm = side * cage_radius;
+    result.touch_sliding = land_speed * (cage_arm + length) - motion.cage_speed * cage_arm -
+                           (motion.velocity_y * e_x - motion.velocity_x * e_y);
+    result.touch_friction = friction.force(normal.load, result.touch_sliding);
+    result.touch_x = -normal.load * e_x - result.touch_friction * e_y;
+    result.touch_y = result.touch_friction * e_x - normal.load * e_y;
+    result.touch_damping_power = normal.power;
+  }
+};
+
+}  // namespace orbearing::bearing

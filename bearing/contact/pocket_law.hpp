@@ -1,0 +1,72 @@
+// A roller that touches a bar of its cage pocket: the law once, for plain numbers, packs and both with their
+// slopes.
+//
+//        a (ahead, sense of rotation)  The pocket's middle line runs from the cage's centre along e. The
+//        ^       |bar|                 roller stands off it by `offset` along a and touches a bar where
+//   o----|---|---|---> e               |offset| exceeds half the clearance.
+//  cage      |bar|
+//
+#pragma once
+
+#include "bearing/contact/damping.hpp"
+#include "bearing/contact/friction.hpp"
+
+namespace orbearing::bearing {
+
+/// Motion of a roller relative to the cage's centre in the pocket's axes.
+template <class Offset, class Along, class SpeedAhead, class SpeedAlong, class Spin, class CageSpeed>
+struct PocketMotion {
+  Offset offset;           // [m]      of the roller's centre, along a
+  Along along;             // [m]      along e
+  SpeedAhead speed_ahead;  // [m/s]    of the roller's centre less the cage's, along a
+  SpeedAlong speed_along;  // [m/s]    along e
+  Spin spin;               // [rad/s]  of the roller
+  CageSpeed cage_speed;    // [rad/s]
+};
+
+/// What a bar does to the roller; the cage feels the opposite at its own arm.
+template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
+struct PocketTouch {
+  Ahead ahead;                 // [N]    on the roller, along a
+  Along along;                 // [N]    on the roller, along e: friction
+  RollerMoment roller_moment;  // [N m]  about the roller's centre
+  CageMoment cage_moment;      // [N m]  on the cage about its own centre
+  Power damping_power;         // [W]    dissipated
+  Sliding sliding;             // [m/s]  surface of the bar less that of the roller, along e
+};
+
+struct PocketLaw {
+  double half_clearance = 0.0;  // [m]
+  double stiffness = 0.0;       // [N/m]  of a bar
+  double damping = 0.0;         // [s/m]
+  CoulombFriction<double> friction;
+
+  /// How far the bar ahead (`bar` = 1) or behind (-1) is pressed in [m] by a roller larger than stated by
+  /// `larger` [m]; negative where they do not touch.
+  template <class Bar, class Offset, class Larger>
+  auto depth(const Bar& bar, const Offset& offset, const Larger& larger) const {
+    return offset * bar - (half_clearance - larger);
+  }
+
+  /// Touch at `bar`, of a roller of `radius` [m], where the depth is positive.
+  template <class Number, class... Parts>
+  auto touch(const Number& bar, const Number& radius, const Number& larger,
+             const PocketMotion<Parts...>& m) const {
+    const auto closing = (m.speed_ahead - m.cage_speed * m.along) * bar;
+    const auto normal = damped_load(depth(bar, m.offset, larger) * stiffness, damping, closing);
+    const Number arm = bar * radius;
+    const auto sliding = (m.spin - m.cage_speed) * arm - m.speed_along - m.cage_speed * m.offset;
+    const auto rubbed = friction.force(normal.load, sliding);
+    const auto ahead = -(normal.load * bar);
+    const auto on_cage = (m.offset + arm) * rubbed - m.along * ahead;
+    const auto on_roller = -(rubbed * arm);
+    return PocketTouch<
+        decltype(-(normal.load * bar)), decltype(friction.force(normal.load, sliding)),
+        decltype(-(rubbed * arm)), decltype((m.offset + arm) * rubbed - m.along * ahead),
+        decltype(damped_load(depth(bar, m.offset, larger) * stiffness, damping, closing).power),
+        decltype((m.spin - m.cage_speed) * arm - m.speed_along - m.cage_speed * m.offset)>{
+        ahead, rubbed, on_roller, on_cage, normal.power, sliding};
+  }
+};
+
+}  // namespace orbearing::bearing
