@@ -25,9 +25,6 @@ set(own_coupling/fmu "(mechanics|gearset|bearing|coupling/(integration|system|co
 set(own_coupling/study "(mechanics|gearset|bearing|coupling/(integration|system|cosim|study))/.+")
 set(foreign_coupling "${numerics}|${standard}|(oneapi/)?tbb/.+|nlopt\\.hpp")
 set(foreign_coupling/integration "${foreign_coupling}|boost/numeric/odeint(/.+|\\.hpp)")
-# FMUs of others are archives with XML and libraries in them.
-set(files_coupling/fmu/import "zip\\.h|pugixml\\.hpp|dlfcn\\.h|filesystem|fstream|cstdio|stdlib\\.h")
-
 # An FMU of ours reads its numbers from a file, by the C library alone, and writes archives with XML.
 set(files_coupling/fmu "cstdio|sched\\.h|windows\\.h")
 set(files_coupling/fmu/export "zip\\.h|pugixml\\.hpp")
@@ -45,9 +42,7 @@ function(check_file folder file)
     set(own "${own_${CMAKE_MATCH_1}}")
   endif()
   set(files "none of them")
-  if(place MATCHES "^coupling/fmu/import/")
-    set(files "${files_coupling/fmu/import}")
-  elseif(place MATCHES "^coupling/fmu/export/")
+  if(place MATCHES "^coupling/fmu/export/")
     set(files "${files_coupling/fmu/export}")
   elseif(place MATCHES "^coupling/fmu/")
     set(files "${files_coupling/fmu}")

@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(orbearing_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Orbearing")
 set(orbearing_data_dir "${CMAKE_INSTALL_DATADIR}/orbearing")
 
-install(TARGETS orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling orbearing_fmu_import
+install(TARGETS orbearing_mechanics orbearing_gearset orbearing_bearing orbearing_coupling
         EXPORT OrbearingTargets
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 foreach(folder IN ITEMS mechanics gearset bearing coupling)

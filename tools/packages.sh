@@ -36,7 +36,6 @@ python3-yaml: tests of the command line
 python3-jsonschema: test of the schema of case files
 python3-xarray: tests that open result files as users do
 python3-venv: FMI tools of others, installed below the build folder
-libpython3.11: models that PythonFMU exported run in it
 '
 
 bench_packages='

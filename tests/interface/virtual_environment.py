@@ -7,7 +7,6 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import sysconfig
 
 SKIPPED = 77
 SECONDS = 300  # for the packages to come
@@ -63,21 +62,3 @@ def interpreter_with(*packages):
     if reason:
         skip(reason)
     return interpreter
-
-
-def python_library():
-    """The shared library of this interpreter, or of another of the same version on the path; None without one."""
-    version = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    name = f"libpython{version}.so.1.0"
-    folders = [sysconfig.get_config_var("LIBDIR"), f"/usr/lib/{sysconfig.get_config_var('MULTIARCH') or ''}"]
-    for python in (f"python{version}", "python3"):
-        found = shutil.which(python)
-        if found:
-            asked = subprocess.run([found, "-c", "import sysconfig; print(sysconfig.get_config_var('LIBDIR'))"],
-                                   capture_output=True, text=True)
-            folders.append(asked.stdout.strip())
-    for folder in filter(None, folders):
-        library = pathlib.Path(folder) / name
-        if library.exists():
-            return library
-    return None
