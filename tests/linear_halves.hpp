@@ -49,53 +49,42 @@ inline Eigen::VectorXd moved(const Eigen::MatrixXd& law, const Eigen::MatrixXd& 
 }
 
 /// One half: its laws, and what it gives from its state and its inputs.
+/// Motion is displacement and velocity, in this order.
 class LinearHalf : public Participant {
  public:
-  LinearHalf(std::string name, Gives gives, Eigen::VectorXd start)
-      : name_(std::move(name)), ports_{{"x", PortKind::translation, gives}}, start_(std::move(start)) {}
+  LinearHalf(std::vector<Input> inputs, std::vector<Output> outputs, Eigen::VectorXd start)
+      : Participant(std::move(inputs), std::move(outputs)), start_(std::move(start)) {}
 
-  std::string name() const override { return name_; }
-  const std::vector<Port>& ports() const override { return ports_; }
-  void initialize(double, const std::vector<PortInput>& inputs) override {
-    x_ = start_;
-    set_input(inputs);
-  }
-  void set_input(const std::vector<PortInput>& inputs) override {
-    input_ = inputs[0];
-    since_ = 0.0;
-  }
-  void save(SavedState& state) const override {
-    state = {since_};
-    state.insert(state.end(), x_.begin(), x_.end());
-  }
+  void initialize(double, const std::vector<double>&) override { x_ = start_; }
+  std::vector<double> slopes(const std::vector<double>&, std::size_t) const override { return {}; }
+  void save(SavedState& state) const override { state = {x_.begin(), x_.end()}; }
   void restore(const SavedState& state) override {
-    since_ = state[0];
-    x_ = Eigen::Map<const Eigen::VectorXd>(state.data() + 1, x_.size());
+    x_ = Eigen::Map<const Eigen::VectorXd>(state.data(), x_.size());
   }
 
   const Eigen::VectorXd& state() const { return x_; }
 
  protected:
-  std::string name_;
-  std::vector<Port> ports_;
   Eigen::VectorXd start_, x_;
-  PortInput input_;
-  double since_ = 0.0;
 };
 
 /// Gives the motion of the first mass; state (x, x').
 class MassHalf : public LinearHalf {
  public:
   explicit MassHalf(const LinearPair& pair, double displacement = 1.0, double velocity = 0.0)
-      : LinearHalf("mass", Gives::motion, Eigen::Vector2d(displacement, velocity)), pair_(pair) {}
+      : LinearHalf({{"force", "N", {}}}, {{"displacement", "m", {}, {}, {}}, {"velocity", "m/s", {}, {}, {}}},
+                   Eigen::Vector2d(displacement, velocity)),
+        pair_(pair) {}
 
-  void advance(const Window& window) override {
+  void advance(const Window& window, const std::vector<Course>& force) override {
     Eigen::Matrix2d law;
     law << 0.0, 1.0, -pair_.stiffness / pair_.mass, -pair_.damping / pair_.mass;
-    x_ = moved(law, Eigen::Vector2d(0.0, 1.0 / pair_.mass), {input_.force}, x_, window.length());
-    since_ = window.length();
+    x_ = moved(law, Eigen::Vector2d(0.0, 1.0 / pair_.mass), force, x_, window.length());
   }
-  void output(std::vector<PortOutput>& outputs) const override { outputs = {{x_[0], x_[1], 0.0}}; }
+  std::vector<double> values(const std::vector<double>&, std::size_t) const override {
+    return {x_[0], x_[1]};
+  }
+  Side side() { return {this, {{"x", PortKind::translation, Gives::motion, 0, 1, 0}}}; }
 
  private:
   LinearPair pair_;
@@ -105,22 +94,22 @@ class MassHalf : public LinearHalf {
 class ForceHalf : public LinearHalf {
  public:
   explicit ForceHalf(const LinearPair& pair)
-      : LinearHalf("force", Gives::force, Eigen::Vector2d::Zero()), pair_(pair) {}
+      : LinearHalf({{"displacement", "m", {}}, {"velocity", "m/s", {}}}, {{"force", "N", {}, {}, {}}},
+                   Eigen::Vector2d::Zero()),
+        pair_(pair) {}
 
-  void advance(const Window& window) override {
-    since_ = window.length();
+  void advance(const Window& window, const std::vector<Course>& motion) override {
     if (pair_.behind == 0.0) return;
     Eigen::Matrix2d law, by_input;
     law << 0.0, 1.0, -(pair_.joint_stiffness + pair_.behind_stiffness) / pair_.behind,
         -pair_.joint_damping / pair_.behind;
     by_input << 0.0, 0.0, pair_.joint_stiffness / pair_.behind, pair_.joint_damping / pair_.behind;
-    x_ = moved(law, by_input, {input_.displacement, input_.velocity}, x_, window.length());
+    x_ = moved(law, by_input, motion, x_, window.length());
   }
-  void output(std::vector<PortOutput>& outputs) const override {
-    outputs = {{0.0, 0.0,
-                pair_.joint_stiffness * (x_[0] - input_.displacement.at(since_)) +
-                    pair_.joint_damping * (x_[1] - input_.velocity.at(since_))}};
+  std::vector<double> values(const std::vector<double>& motion, std::size_t) const override {
+    return {pair_.joint_stiffness * (x_[0] - motion[0]) + pair_.joint_damping * (x_[1] - motion[1])};
   }
+  Side side() { return {this, {{"x", PortKind::translation, Gives::force, 0, 1, 0}}}; }
 
  private:
   LinearPair pair_;
@@ -142,15 +131,13 @@ struct LinearRun {
   LinearRun(const LinearPair& pair, const CoupledOptions& options, bool force_first = false)
       : mass(pair),
         force(pair),
-        participants(force_first ? Participants{&force, &mass} : Participants{&mass, &force}),
-        run(participants, connect_by_name(participants), options) {
+        run(force_first ? Sides{force.side(), mass.side()} : Sides{mass.side(), force.side()}, options) {
     run.initialize(0.0);
   }
   LinearRun(const LinearRun&) = delete;
 
   MassHalf mass;
   ForceHalf force;
-  Participants participants;
   CoupledRun run;
 };
 

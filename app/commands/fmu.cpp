@@ -113,7 +113,7 @@ int fmu_command(const Options& options) {
   const std::string content = fmu_content(numbers, description, libraries.found);
   write_fmu(file, content);
   const fmu::ModelFacts facts = fmu::facts_of(numbers);
-  Outcome outcome{facts.inputs.size(),    facts.outputs.size(),   facts.parameters.size(),
+  Outcome outcome{facts.inputs.size(),    facts.outputs.size(),   facts.shown.parameters.size(),
                   content.size(),         fmu::token_of(numbers), platforms_of(libraries.found),
                   gear_warnings(resolved)};
   outcome.warnings.insert(outcome.warnings.end(), unused.begin(), unused.end());

@@ -3,10 +3,8 @@
 #include "app/errors.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/planetary_case.hpp"
-#include "coupling/fmu/bearing_fields.hpp"
-#include "coupling/fmu/gear_fields.hpp"
+#include "coupling/fmu/model.hpp"
 #include "coupling/study/driven_setups.hpp"
-#include "coupling/system/driven_bearing.hpp"
 
 namespace orbearing::app {
 
@@ -23,13 +21,14 @@ void require_drivable_set(const ResolvedCase& in) {
   require(!in.shape().several, in, "sets", "several sets", "one set, as gearset at the top of a case");
 }
 
-fmu::BearingModel bearing_model(const ResolvedCase& in) {
+cosim::DrivenBearingSetup bearing_setup(const ResolvedCase& in) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
   const study::DrivetrainGeometry geometry = study::derive(drivetrain);
   const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
-  return {.setup = study::driven_bearing_setup(drivetrain, geometry),
-          .planet_speed = duty.point.outer_speed,
-          .carrier_speed = duty.point.carrier.speed};
+  cosim::DrivenBearingSetup setup = study::driven_bearing_setup(drivetrain, geometry);
+  setup.planet_speed = duty.point.outer_speed;
+  setup.carrier_speed = duty.point.carrier.speed;
+  return setup;
 }
 
 // Gears without roller bearings have no drivetrain that could be computed as a whole.
@@ -62,21 +61,21 @@ std::vector<double> start_forces(const cosim::DrivenGearsSetup& setup) {
 fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
   require_drivable_set(in);
   require(in.shape().bearing, in, "bearing", "no bearing", "a planet bearing, or --model gearset");
-  const fmu::BearingModel model = bearing_model(in);
+  const cosim::DrivenBearingSetup setup = bearing_setup(in);
   try {
-    cosim::driven_model(model.setup);
+    cosim::driven_model(setup);
   } catch (const std::invalid_argument& unfit) {
     throw BadInput(in.file() + ": " + unfit.what());
   }
-  return fmu::numbers_of(model);
+  return fmu::numbers_of(setup);
 }
 
 fmu::NumberTable gear_numbers(const ResolvedCase& in) {
   require_drivable_set(in);
   require(in.shape().teeth, in, "gearset", "no teeth", "tooth numbers, from which loads and speeds follow");
   cosim::DrivenGearsSetup setup = gears_setup(in);
-  const std::vector<double> forces = start_forces(setup);
-  return fmu::numbers_of(fmu::GearModel{std::move(setup), forces});
+  setup.start_force = start_forces(setup);
+  return fmu::numbers_of(setup);
 }
 
 }  // namespace orbearing::app

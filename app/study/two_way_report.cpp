@@ -22,7 +22,7 @@ std::string how(const cosim::CoupledOptions& exchange, const std::string& fideli
     return "gears and all bearings as one system of equations";
   const char* order = exchange.order == cosim::ExchangeOrder::jacobi ? "Jacobi" : "Gauss-Seidel";
   return fmt::format("co-simulated, {} exchange of degree {} in windows of at most {:.3g} \u00b5s{}", order,
-                     exchange.extrapolation, kMicro * exchange.window.longest,
+                     exchange.extrapolation, kMicro * exchange.window,
                      exchange.iteration.most_passes > 1
                          ? fmt::format(", each repeated up to {} times", exchange.iteration.most_passes)
                          : "");

@@ -2,30 +2,39 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
+#include <algorithm>
+#include <deque>
+#include <vector>
 
 namespace orbearing::cosim {
 
-enum class Acceleration {
-  fixed_point,   // the answer itself
-  aitken,        // a share of it, from the last two answers [KuettlerWall2008]
-  quasi_newton,  // IQN-ILS: least squares over all answers of this window and the last ones [Degroote2009]
-};
-
-/// State of an iteration.
-class Accelerator {
+/// State of an iteration: IQN-ILS, least squares over all answers of this window and the last ones
+/// [Degroote2009]. Eqs. (9) and (10) of README.md.
+class QuasiNewton {
  public:
-  virtual ~Accelerator() = default;
+  /// @param windows before the present one whose differences it goes on using
+  explicit QuasiNewton(int windows) : windows_(static_cast<std::size_t>(std::max(0, windows))) {}
+
   /// A new window begins.
-  virtual void begin() = 0;
+  void begin();
   /// The next expectation, from the last and what it was answered by.
   /// @param weight one over the size of a typical value: makes values of different units comparable; may
   /// change from call to call
-  virtual Eigen::VectorXd next(const Eigen::VectorXd& expected, const Eigen::VectorXd& answer,
-                               const Eigen::VectorXd& weight) = 0;
-};
+  Eigen::VectorXd next(const Eigen::VectorXd& expected, const Eigen::VectorXd& answer,
+                       const Eigen::VectorXd& weight);
 
-/// @param windows whose differences quasi_newton goes on using
-std::unique_ptr<Accelerator> make_accelerator(Acceleration kind, int windows);
+ private:
+  struct Column {
+    Eigen::VectorXd residual;  // difference of two residuals
+    Eigen::VectorXd answer;    // and of their answers
+  };
+
+  Eigen::VectorXd correction(const Eigen::VectorXd& residual, const Eigen::VectorXd& weight) const;
+
+  std::size_t windows_;
+  std::deque<std::vector<Column>> columns_ = {{}};  // windows, the newest first
+  Eigen::VectorXd residual_;
+  Eigen::VectorXd answer_;
+};
 
 }  // namespace orbearing::cosim

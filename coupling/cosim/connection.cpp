@@ -12,16 +12,15 @@ struct NamedPlace {
   PortPlace place;
 };
 
-std::vector<NamedPlace> all_ports(const Participants& participants) {
+std::vector<NamedPlace> all_ports(const Sides& sides) {
   std::vector<NamedPlace> out;
-  for (std::size_t p = 0; p < participants.size(); ++p)
-    for (std::size_t i = 0; i < participants[p]->ports().size(); ++i)
-      out.push_back({participants[p]->ports()[i], {p, i}});
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    for (std::size_t i = 0; i < sides[s].ports.size(); ++i) out.push_back({sides[s].ports[i], {s, i}});
   return out;
 }
 
 bool is_same(const PortPlace& a, const PortPlace& b) {
-  return a.participant == b.participant && a.port == b.port;
+  return a.side == b.side && a.port == b.port;
 }
 
 [[noreturn]] void refuse(const std::string& name, const char* problem) {
@@ -41,10 +40,18 @@ Connection joined(const NamedPlace& motion, const std::vector<NamedPlace>& ports
   return out;
 }
 
+void require_whole(const Port& port) {
+  if (port.velocity == kNone || port.force == kNone ||
+      (port.gives == Gives::motion && port.displacement == kNone))
+    throw std::invalid_argument("port " + port.name +
+                                ": found no input or output for its motion or force; required: one each");
+}
+
 }  // namespace
 
-std::vector<Connection> connect_by_name(const Participants& participants) {
-  const std::vector<NamedPlace> ports = all_ports(participants);
+std::vector<Connection> connect_by_name(const Sides& sides) {
+  const std::vector<NamedPlace> ports = all_ports(sides);
+  for (const NamedPlace& port : ports) require_whole(port.port);
   std::vector<Connection> out;
   for (const NamedPlace& port : ports)
     if (port.port.gives == Gives::motion) out.push_back(joined(port, ports));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,25 +16,13 @@ namespace {
 using mechanics::refuse;
 
 constexpr int kHighestOrder = 2;
-constexpr int kMostHalvings = 30;
 
-void require_sound(const CoupledOptions& options, bool can_restore) {
-  const WindowControl& window = options.window;
-  if (!(window.longest > 0.0 && std::isfinite(window.longest)))
-    refuse("length of a window [s]", window.longest, "above 0");
+void require_sound(const CoupledOptions& options) {
+  if (!(options.window > 0.0 && std::isfinite(options.window)))
+    refuse("length of a window [s]", options.window, "above 0");
   if (options.extrapolation < 0 || options.extrapolation > kHighestOrder)
     refuse("degree of extrapolation", options.extrapolation, "0, 1 or 2");
   if (options.iteration.most_passes < 1) refuse("passes", options.iteration.most_passes, "at least 1");
-  if (window.halvings < 0 || window.halvings > kMostHalvings)
-    refuse("halvings of a window", window.halvings, "0 to 30");
-  if (window.halvings > 0 && !(window.allowed_residual > 0.0))
-    refuse("allowed energy residual [W]", window.allowed_residual, "above 0");
-  if (window.halvings > 0 && options.iteration.most_passes > 1)
-    refuse("passes of windows that the energy residual controls", options.iteration.most_passes,
-           "1, since iterated windows have no residual");
-  if (!can_restore && (window.halvings > 0 || options.iteration.most_passes > 1))
-    throw std::invalid_argument(
-        "participants: found one that cannot be restored; required: explicit exchange in fixed windows");
 }
 
 // Power [W] that the interface makes out of nothing: what is told to one side and what the other has given.
@@ -61,14 +48,9 @@ struct CoupledRun::Solution {
   bool converged = true;
 };
 
-CoupledRun::CoupledRun(const Participants& participants, const std::vector<Connection>& connections,
-                       const CoupledOptions& options)
-    : options_(options),
-      exchange_(participants, connections, options.order),
-      accelerator_(make_accelerator(options.iteration.acceleration, options.iteration.windows)) {
-  can_restore_ = std::all_of(participants.begin(), participants.end(),
-                             [](const Participant* participant) { return participant->can_restore(); });
-  require_sound(options, can_restore_);
+CoupledRun::CoupledRun(const Sides& sides, const CoupledOptions& options)
+    : options_(options), exchange_(sides, options.order), iteration_(options.iteration.windows) {
+  require_sound(options);
 }
 
 void CoupledRun::initialize(double time) {
@@ -79,22 +61,29 @@ void CoupledRun::start_from(const InterfaceHistory& history) {
   if (history.empty()) throw std::invalid_argument("history: found none; required: values at the start");
   history_ = history;
   exchange_.renew_forces(history_.back());
-  grid_ = std::make_unique<WindowGrid>(options_.window, history_.back().time);
+  begin_ = history_.back().time;
+  done_ = 0;
 }
 
 // With nothing to extrapolate from, the first window would spoil the order of all others. A second pass mends
 // what was expected of the state, a third the forces that answered an expected velocity.
 int CoupledRun::most_passes() const {
   constexpr int passes_at_start = 3;
-  const bool first = history_.size() == 1 && options_.extrapolation == kHighestOrder && can_restore_;
+  const bool first = history_.size() == 1 && options_.extrapolation == kHighestOrder;
   return std::max(options_.iteration.most_passes, first ? passes_at_start : 1);
+}
+
+// Times are an index times a length, never added up.
+Window CoupledRun::next_window() const {
+  return {begin_ + static_cast<double>(done_) * options_.window,
+          begin_ + static_cast<double>(done_ + 1) * options_.window};
 }
 
 CoupledRun::Solution CoupledRun::solve(const Window& window) {
   Solution solution;
   solution.record.window = window;
   InterfaceValues expected = extrapolated(history_, options_.extrapolation, window);
-  accelerator_->begin();
+  iteration_.begin();
   const int most = most_passes();
   while (true) {
     solution.result = exchange_.pass(history_, expected, options_.extrapolation, window);
@@ -109,20 +98,18 @@ CoupledRun::Solution CoupledRun::solve(const Window& window) {
         told.size() == 0 ? 0.0 : weight.cwiseProduct(answer - told).cwiseAbs().maxCoeff();
     solution.converged = solution.record.change <= options_.iteration.allowed_change;
     if (solution.converged || solution.record.passes == most) return solution;
-    unpack(exchange_, accelerator_->next(told, answer, weight), expected);
+    unpack(exchange_, iteration_.next(told, answer, weight), expected);
     restore();
   }
 }
 
 void CoupledRun::save() {
-  if (!can_restore_) return;
-  saved_.resize(exchange_.participants().size());
-  for (std::size_t p = 0; p < saved_.size(); ++p) exchange_.participants()[p]->save(saved_[p]);
+  saved_.resize(exchange_.sides().size());
+  for (std::size_t s = 0; s < saved_.size(); ++s) exchange_.sides()[s].participant->save(saved_[s]);
 }
 
 void CoupledRun::restore() {
-  if (!can_restore_) return;
-  for (std::size_t p = 0; p < saved_.size(); ++p) exchange_.participants()[p]->restore(saved_[p]);
+  for (std::size_t s = 0; s < saved_.size(); ++s) exchange_.sides()[s].participant->restore(saved_[s]);
 }
 
 void CoupledRun::accept(Solution& solution, CoupledReport& report, const WindowObserver& observer) {
@@ -138,9 +125,8 @@ void CoupledRun::accept(Solution& solution, CoupledReport& report, const WindowO
   report.absolute_residual += std::abs(record.residual);
   for (const JointValue& joint : end.joints)
     report.passed += std::abs(joint.force * joint.velocity) * record.window.length();
-  report.shortest_window = std::min(report.shortest_window, record.window.length());
   report.reached = record.window.end;
-  grid_->accept(record.residual, options_.extrapolation + 2);
+  ++done_;
   solution.record.end = &history_.back();
   if (observer) observer(solution.record);
 }
@@ -148,26 +134,16 @@ void CoupledRun::accept(Solution& solution, CoupledReport& report, const WindowO
 bool CoupledRun::step(CoupledReport& report, const WindowObserver& observer) {
   save();
   try {
-    Solution solution = solve(grid_->window());
-    const InterfaceValues& begin = history_.back();
-    InterfaceValues told = begin;
-    if (options_.order == ExchangeOrder::one_way)
-      for (JointValue& joint : told.joints) joint.force = 0.0;
+    Solution solution = solve(next_window());
+    // At the window's beginning all are told what the others give.
     solution.record.residual =
-        0.5 * solution.record.window.length() *
-        (false_power(told, begin) + false_power(solution.result.input, solution.result.end));
-    if (grid_->accepts(solution.record.residual)) {
-      accept(solution, report, observer);
-    } else {
-      restore();
-      grid_->reject();
-      ++report.rejected;
-    }
+        0.5 * solution.record.window.length() * false_power(solution.result.input, solution.result.end);
+    accept(solution, report, observer);
     return true;
   } catch (const std::runtime_error& error) {
     restore();
     std::ostringstream text;
-    text << error.what() << "; in the window that begins at t = " << grid_->window().begin << " s";
+    text << error.what() << "; in the window that begins at t = " << next_window().begin << " s";
     report.message = text.str();
     return false;
   }
@@ -179,11 +155,8 @@ CoupledReport CoupledRun::advance(long windows, const WindowObserver& observer) 
   const Clock::time_point begin = Clock::now();
   CoupledReport report;
   report.reached = history_.back().time;
-  report.shortest_window = std::numeric_limits<double>::infinity();
-  const long last = grid_->index() + windows * grid_->ticks_of_longest();
   report.completed = true;
-  while (report.completed && grid_->index() < last) report.completed = step(report, observer);
-  if (report.windows == 0) report.shortest_window = 0.0;
+  while (report.completed && report.windows < windows) report.completed = step(report, observer);
   report.wall_seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   return report;
 }

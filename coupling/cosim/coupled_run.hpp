@@ -1,29 +1,26 @@
-// A co-simulation: participants that move over windows in turn, and what it took.
+// A co-simulation: sides that move over windows in turn, and what it took.
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "coupling/cosim/acceleration.hpp"
 #include "coupling/cosim/exchange.hpp"
-#include "coupling/cosim/window_control.hpp"
 
 namespace orbearing::cosim {
 
 struct Iteration {
   int most_passes = 1;           // [-]  1: explicit exchange
   double allowed_change = 1e-6;  // [-]  between expectation and answer, over the largest value of its kind
-  Acceleration acceleration = Acceleration::quasi_newton;
-  int windows = 4;  // [-]  whose differences the quasi-Newton iteration goes on using
+  int windows = 4;               // [-]  before, whose differences the iteration goes on using
 };
 
 struct CoupledOptions {
   ExchangeOrder order = ExchangeOrder::gauss_seidel;
   int extrapolation = 1;  // [-]  degree, 0 to 2
   Iteration iteration;
-  WindowControl window;
+  double window = 0.0;            // [s]
   int balance_rounds = 30;        // [-]  at the start, at most
   double balanced_change = 1e-9;  // [-]  of the largest force: good enough
 };
@@ -36,8 +33,7 @@ void describe(Visitor& visit, CoupledOptions& m) {
        field(m.order, "simulation.exchange.order", Felt::exchange,
              "who waits for whom in a window of the co-simulation: the bearings for the gears, or nobody",
              {.models = planetary_drivetrain, .reason = "stable in longer windows"}),
-       field(m.window.longest, "simulation.exchange.window", Felt::exchange,
-             "longest time between two exchanges",
+       field(m.window, "simulation.exchange.window", Felt::exchange, "longest time between two exchanges",
              {.models = planetary_drivetrain,
               .dimension = dimension::time,
               .range = positive(1e-3),
@@ -55,7 +51,7 @@ void describe(Visitor& visit, CoupledOptions& m) {
               .reason = "short windows cost less than repeated ones"}));
 }
 
-/// One accepted window.
+/// One window.
 struct WindowRecord {
   Window window;
   int passes = 0;                        // [-]
@@ -68,14 +64,12 @@ using WindowObserver = std::function<void(const WindowRecord&)>;
 struct CoupledReport {
   bool completed = false;
   double reached = 0.0;            // [s]
-  long windows = 0;                // [-]  accepted
-  long rejected = 0;               // [-]
+  long windows = 0;                // [-]
   long passes = 0;                 // [-]
   long not_converged = 0;          // [-]  windows that were accepted after the most passes
   double residual = 0.0;           // [J]  sum over all windows
   double absolute_residual = 0.0;  // [J]  sum of absolute values
   double passed = 0.0;             // [J]  sum of |work| at all joints, by the values at the ends of windows
-  double shortest_window = 0.0;    // [s]
   double wall_seconds = 0.0;       // [s]
   std::string message;             // empty when completed
 };
@@ -83,9 +77,9 @@ struct CoupledReport {
 /// Goes on from where it stands with each call of advance().
 class CoupledRun {
  public:
-  /// Keeps the participants, which must outlive it. Throws std::invalid_argument for options without meaning.
-  CoupledRun(const Participants& participants, const std::vector<Connection>& connections,
-             const CoupledOptions& options);
+  /// The participants must outlive it. Throws std::invalid_argument for options without meaning, or as
+  /// connect_by_name().
+  CoupledRun(const Sides& sides, const CoupledOptions& options);
 
   /// All participants to their balance at `time` [s].
   void initialize(double time);
@@ -93,11 +87,13 @@ class CoupledRun {
   /// first windows to their order.
   void start_from(const InterfaceHistory& history);
 
-  /// Over so many of the longest windows. What goes wrong is in the report, which is of this call alone; the
-  /// run then stands at the last good window.
+  /// Over so many windows. What goes wrong is in the report, which is of this call alone; the run then stands
+  /// at the last good window.
   CoupledReport advance(long windows, const WindowObserver& observer = {});
 
   const InterfaceValues& values() const { return history_.back(); }
+  /// Present inputs of a side that gives forces.
+  const std::vector<double>& inputs(std::size_t side) const { return exchange_.inputs(side); }
 
  private:
   struct Solution;
@@ -106,15 +102,16 @@ class CoupledRun {
   bool step(CoupledReport& report, const WindowObserver& observer);
   void accept(Solution& solution, CoupledReport& report, const WindowObserver& observer);
   int most_passes() const;
+  Window next_window() const;
   void save();
   void restore();
 
   CoupledOptions options_;
   Exchange exchange_;
-  std::unique_ptr<Accelerator> accelerator_;
+  QuasiNewton iteration_;
   InterfaceHistory history_;
-  std::unique_ptr<WindowGrid> grid_;
-  bool can_restore_ = true;
+  double begin_ = 0.0;  // [s]
+  long done_ = 0;       // windows since then
   std::vector<SavedState> saved_;
 };
 

@@ -24,53 +24,102 @@ double change_of_forces(const InterfaceValues& before, const InterfaceValues& no
   return change;
 }
 
+// Outputs that the ports of a side ask for, as a number of the first ones.
+std::size_t asked_for(const Side& side) {
+  std::size_t number = 0;
+  for (const Port& port : side.ports)
+    number = std::max(
+        number, 1 + (port.gives == Gives::force ? port.force : std::max(port.displacement, port.velocity)));
+  return number;
+}
+
+void add_to(Course& sum, const Course& more) {
+  for (std::size_t k = 0; k < sum.coefficient.size(); ++k) sum.coefficient[k] += more.coefficient[k];
+}
+
+std::vector<double> values_at(const std::vector<Course>& courses, double since) {
+  std::vector<double> values;
+  for (const Course& course : courses) values.push_back(course.at(since));
+  return values;
+}
+
 }  // namespace
 
-Exchange::Exchange(const Participants& participants, const std::vector<Connection>& connections,
-                   ExchangeOrder order)
-    : participants_(participants), connections_(connections), order_(order) {
-  for (const Participant* participant : participants_) {
-    inputs_.emplace_back(participant->ports().size());
-    outputs_.emplace_back(participant->ports().size());
-  }
-}
+Exchange::Exchange(const Sides& sides, ExchangeOrder order)
+    : sides_(sides),
+      connections_(connect_by_name(sides)),
+      order_(order),
+      inputs_(sides.size()),
+      outputs_(sides.size()) {}
 
 const Port& Exchange::port(std::size_t joint) const {
   const PortPlace& place = connections_[joint].motion;
-  return participants_[place.participant]->ports()[place.port];
+  return sides_[place.side].ports[place.port];
 }
 
 bool Exchange::motion_is_expected(std::size_t joint) const {
   if (order_ == ExchangeOrder::jacobi) return true;
   const Connection& connection = connections_[joint];
-  return std::any_of(connection.forces.begin(), connection.forces.end(), [&](const PortPlace& force) {
-    return force.participant < connection.motion.participant;
-  });
+  return std::any_of(connection.forces.begin(), connection.forces.end(),
+                     [&](const PortPlace& force) { return force.side < connection.motion.side; });
 }
 
 bool Exchange::force_is_expected(std::size_t joint) const {
   if (order_ == ExchangeOrder::jacobi) return true;
-  if (order_ == ExchangeOrder::one_way) return false;
   const Connection& connection = connections_[joint];
-  return std::any_of(connection.forces.begin(), connection.forces.end(), [&](const PortPlace& force) {
-    return force.participant > connection.motion.participant;
-  });
+  return std::any_of(connection.forces.begin(), connection.forces.end(),
+                     [&](const PortPlace& force) { return force.side > connection.motion.side; });
 }
 
-void Exchange::read_motion(std::size_t participant, InterfaceValues& values) const {
+// Inputs of `side` over a window from `begin` [s] on: the nominal ones, and at each port the half that
+// `course_of(joint, who gives it)` says.
+template <class CourseOf>
+std::vector<Course> Exchange::inputs_from(std::size_t side, double begin, const CourseOf& course_of) const {
+  const Side& own = sides_[side];
+  std::vector<Course> inputs(own.participant->inputs().size());
+  for (const Nominal& nominal : own.inputs) inputs[nominal.place] = nominal.course(begin);
   for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
-    const PortPlace& place = connections_[joint].motion;
-    if (place.participant != participant) continue;
-    const PortOutput& given = outputs_[participant][place.port];
-    values.joints[joint].displacement = given.displacement;
-    values.joints[joint].velocity = given.velocity;
+    const Connection& connection = connections_[joint];
+    if (connection.motion.side == side)
+      add_to(inputs[port(joint).force], course_of(joint, Gives::force).force);
+    for (const PortPlace& place : connection.forces) {
+      if (place.side != side) continue;
+      const JointCourse motion = course_of(joint, Gives::motion);
+      const Port& taken = own.ports[place.port];
+      if (taken.displacement != kNone) add_to(inputs[taken.displacement], motion.displacement);
+      add_to(inputs[taken.velocity], motion.velocity);
+    }
+  }
+  return inputs;
+}
+
+std::vector<double> Exchange::inputs_under(const InterfaceValues& values, std::size_t side) const {
+  const auto constant = [&](std::size_t joint, Gives) -> JointCourse {
+    const JointValue& value = values.joints[joint];
+    return {Course::constant(value.displacement), Course::constant(value.velocity),
+            Course::constant(value.force)};
+  };
+  return values_at(inputs_from(side, values.time, constant), 0.0);
+}
+
+void Exchange::read(std::size_t side, double time, const std::vector<double>& inputs) {
+  const Side& own = sides_[side];
+  outputs_[side] = own.participant->values(inputs, asked_for(own));
+  for (const Nominal& nominal : own.outputs) outputs_[side][nominal.place] -= nominal.course(time).at(0.0);
+}
+
+void Exchange::read_motion(std::size_t side, InterfaceValues& values) const {
+  for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
+    if (connections_[joint].motion.side != side) continue;
+    values.joints[joint].displacement = outputs_[side][port(joint).displacement];
+    values.joints[joint].velocity = outputs_[side][port(joint).velocity];
   }
 }
 
 double Exchange::force_of(std::size_t joint) const {
   double sum = 0.0;
   for (const PortPlace& place : connections_[joint].forces)
-    sum += outputs_[place.participant][place.port].force;
+    sum += outputs_[place.side][sides_[place.side].ports[place.port].force];
   return sum;
 }
 
@@ -79,34 +128,27 @@ void Exchange::read_forces(InterfaceValues& values) const {
     values.joints[joint].force = force_of(joint);
 }
 
-void Exchange::advance(std::size_t participant, const InterfaceHistory& history, const InterfaceValues& known,
+void Exchange::advance(std::size_t side, const InterfaceHistory& history, const InterfaceValues& known,
                        int force_order, const Window& window) {
-  for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
-    const Connection& connection = connections_[joint];
-    if (connection.motion.participant == participant && order_ != ExchangeOrder::one_way)
-      inputs_[participant][connection.motion.port].force =
-          force_course(history, joint, known.joints[joint].force, force_order, window);
-    for (const PortPlace& place : connection.forces) {
-      if (place.participant != participant) continue;
-      PortInput& input = inputs_[participant][place.port];
-      input.displacement = motion_course(history, joint, known.joints[joint], window);
-      input.velocity = slope_of(input.displacement);
-    }
-  }
-  participants_[participant]->set_input(inputs_[participant]);
-  participants_[participant]->advance(window);
-  participants_[participant]->output(outputs_[participant]);
+  const auto course_of = [&](std::size_t joint, Gives giver) -> JointCourse {
+    if (giver == Gives::force)
+      return {.force = force_course(history, joint, known.joints[joint].force, force_order, window)};
+    const Course displacement = motion_course(history, joint, known.joints[joint], window);
+    return {.displacement = displacement, .velocity = slope_of(displacement)};
+  };
+  const std::vector<Course> inputs = inputs_from(side, window.begin, course_of);
+  sides_[side].participant->advance(window, inputs);
+  read(side, window.end, values_at(inputs, window.length()));
 }
 
-// What `participant` has answered, into what those after it are told; the force of a joint once all of its
-// givers have moved.
-void Exchange::learn(std::size_t participant, std::vector<std::size_t>& still_to_come,
+// What `side` has answered, into what those after it are told; the force of a joint once all of its givers
+// have moved.
+void Exchange::learn(std::size_t side, std::vector<std::size_t>& still_to_come,
                      InterfaceValues& known) const {
-  read_motion(participant, known);
+  read_motion(side, known);
   for (std::size_t joint = 0; joint < connections_.size(); ++joint)
     for (const PortPlace& place : connections_[joint].forces)
-      if (place.participant == participant && --still_to_come[joint] == 0)
-        known.joints[joint].force = force_of(joint);
+      if (place.side == side && --still_to_come[joint] == 0) known.joints[joint].force = force_of(joint);
 }
 
 InterfaceValues Exchange::told(const InterfaceValues& expected, const InterfaceValues& answered) const {
@@ -115,7 +157,7 @@ InterfaceValues Exchange::told(const InterfaceValues& expected, const InterfaceV
     JointValue& value = values.joints[joint];
     const double force = force_is_expected(joint) ? value.force : answered.joints[joint].force;
     if (!motion_is_expected(joint)) value = answered.joints[joint];
-    value.force = order_ == ExchangeOrder::one_way ? 0.0 : force;
+    value.force = force;
   }
   return values;
 }
@@ -125,53 +167,36 @@ PassResult Exchange::pass(const InterfaceHistory& history, const InterfaceValues
   InterfaceValues known = expected, answered = expected;
   std::vector<std::size_t> still_to_come;  // (joints)  givers of force that have not moved yet
   for (const Connection& connection : connections_) still_to_come.push_back(connection.forces.size());
-  for (std::size_t p = 0; p < participants_.size(); ++p) {
-    advance(p, history, known, force_order, window);
-    read_motion(p, answered);
-    if (order_ != ExchangeOrder::jacobi) learn(p, still_to_come, known);
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
+    advance(side, history, known, force_order, window);
+    read_motion(side, answered);
+    if (order_ != ExchangeOrder::jacobi) learn(side, still_to_come, known);
   }
   read_forces(answered);
   return {answered, told(expected, answered)};
 }
 
-void Exchange::set_constant_motion(const InterfaceValues& values, std::size_t participant) {
-  for (std::size_t joint = 0; joint < connections_.size(); ++joint)
-    for (const PortPlace& place : connections_[joint].forces) {
-      if (place.participant != participant) continue;
-      PortInput& input = inputs_[participant][place.port];
-      input.displacement = Course::constant(values.joints[joint].displacement);
-      input.velocity = Course::constant(values.joints[joint].velocity);
-    }
-}
-
 void Exchange::renew_forces(InterfaceValues& values) {
-  for (std::size_t p = 0; p < participants_.size(); ++p) {
-    const std::vector<Port>& ports = participants_[p]->ports();
-    const bool gives =
-        std::any_of(ports.begin(), ports.end(), [](const Port& port) { return port.gives == Gives::force; });
-    if (!gives) continue;
-    set_constant_motion(values, p);
-    participants_[p]->set_input(inputs_[p]);
-    participants_[p]->output(outputs_[p]);
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
+    const std::vector<Port>& ports = sides_[side].ports;
+    if (std::none_of(ports.begin(), ports.end(), [](const Port& port) { return port.gives == Gives::force; }))
+      continue;
+    inputs_[side] = inputs_under(values, side);
+    read(side, values.time, inputs_[side]);
   }
   read_forces(values);
 }
 
 InterfaceValues Exchange::initialize(double time, int rounds, double allowed_change) {
   InterfaceValues values{time, std::vector<JointValue>(connections_.size())};
-  for (std::size_t p = 0; p < participants_.size(); ++p) inputs_[p].assign(inputs_[p].size(), {});
   for (int round = 0; round < rounds; ++round) {
     const InterfaceValues before = values;
-    for (std::size_t p = 0; p < participants_.size(); ++p) {
-      set_constant_motion(values, p);
-      for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
-        const PortPlace& place = connections_[joint].motion;
-        if (place.participant == p && order_ != ExchangeOrder::one_way)
-          inputs_[p][place.port].force = Course::constant(values.joints[joint].force);
-      }
-      participants_[p]->initialize(time, inputs_[p]);
-      participants_[p]->output(outputs_[p]);
-      read_motion(p, values);
+    for (std::size_t side = 0; side < sides_.size(); ++side) {
+      const std::vector<double> inputs = inputs_under(values, side);
+      Participant& participant = *sides_[side].participant;
+      round == 0 ? participant.initialize(time, inputs) : participant.balance(time, inputs);
+      read(side, time, inputs);
+      read_motion(side, values);
     }
     read_forces(values);
     if (round > 0 && change_of_forces(before, values, *this) <= allowed_change) break;

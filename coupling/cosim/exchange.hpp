@@ -1,4 +1,4 @@
-// One pass of all participants over a window: who hears of whom, and when.
+// One pass of all sides over a window: who hears of whom, and when.
 #pragma once
 
 #include "coupling/cosim/connection.hpp"
@@ -8,9 +8,8 @@
 namespace orbearing::cosim {
 
 enum class ExchangeOrder {
-  one_way,       // motion is handed over, forces are not: who gives the motion must hold itself
   jacobi,        // all at once, each under what is expected of the others
-  gauss_seidel,  // in the order of the participants, each under what those before it have answered
+  gauss_seidel,  // in the order of the sides, each under what those before it have answered
 };
 
 /// Those that a case may choose.
@@ -20,18 +19,18 @@ constexpr described::Names<ExchangeOrder, 2> names_of(ExchangeOrder) {
 
 /// What a pass gave.
 struct PassResult {
-  InterfaceValues end;    // what the participants answered
+  InterfaceValues end;    // what the sides answered
   InterfaceValues input;  // what they had been told for the end of the window
 };
 
-/// The participants at their joints. Keeps references; works in place.
+/// The sides at their joints, which are their ports of one name.
 class Exchange {
  public:
-  Exchange(const Participants& participants, const std::vector<Connection>& connections, ExchangeOrder order);
+  /// Throws std::invalid_argument as connect_by_name().
+  Exchange(const Sides& sides, ExchangeOrder order);
 
-  /// All participants to the balance in which each is under the others' answers: `rounds` times in turn, less
-  /// where forces change by less than `allowed_change` of the largest of their kind. Returns the values
-  /// there.
+  /// All sides to the balance in which each is under the others' answers: `rounds` times in turn, less where
+  /// forces change by less than `allowed_change` of the largest of their kind. Returns the values there.
   InterfaceValues initialize(double time, int rounds, double allowed_change);
 
   /// Over `window`, under courses that end with `expected` where nothing newer is known.
@@ -47,26 +46,30 @@ class Exchange {
   bool motion_is_expected(std::size_t joint) const;
   bool force_is_expected(std::size_t joint) const;
 
-  const Participants& participants() const { return participants_; }
-  const std::vector<Connection>& connections() const { return connections_; }
+  const Sides& sides() const { return sides_; }
+  /// Inputs of a side that gives forces, when they were renewed last.
+  const std::vector<double>& inputs(std::size_t side) const { return inputs_[side]; }
   const Port& port(std::size_t joint) const;
   std::size_t joints() const { return connections_.size(); }
 
  private:
-  void read_motion(std::size_t participant, InterfaceValues& values) const;
+  template <class CourseOf>
+  std::vector<Course> inputs_from(std::size_t side, double begin, const CourseOf& course_of) const;
+  std::vector<double> inputs_under(const InterfaceValues& values, std::size_t side) const;
+  void read(std::size_t side, double time, const std::vector<double>& inputs);
+  void read_motion(std::size_t side, InterfaceValues& values) const;
   double force_of(std::size_t joint) const;
   void read_forces(InterfaceValues& values) const;
-  void set_constant_motion(const InterfaceValues& values, std::size_t participant);
-  void learn(std::size_t participant, std::vector<std::size_t>& still_to_come, InterfaceValues& known) const;
+  void learn(std::size_t side, std::vector<std::size_t>& still_to_come, InterfaceValues& known) const;
   InterfaceValues told(const InterfaceValues& expected, const InterfaceValues& answered) const;
-  void advance(std::size_t participant, const InterfaceHistory& history, const InterfaceValues& known,
+  void advance(std::size_t side, const InterfaceHistory& history, const InterfaceValues& known,
                int force_order, const Window& window);
 
-  Participants participants_;
+  Sides sides_;
   std::vector<Connection> connections_;
   ExchangeOrder order_;
-  std::vector<std::vector<PortInput>> inputs_;    // (participants)(ports)
-  std::vector<std::vector<PortOutput>> outputs_;  // (participants)(ports)
+  std::vector<std::vector<double>> inputs_;   // (sides)(inputs)
+  std::vector<std::vector<double>> outputs_;  // (sides)(outputs as far as ports ask for them)
 };
 
 }  // namespace orbearing::cosim

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "coupling/cosim/courses.hpp"
-#include "coupling/cosim/participant.hpp"
 
 namespace orbearing::cosim {
 
@@ -16,11 +15,11 @@ struct JointValue {
   double force = 0.0;         // [N] or [N m]  sum of all givers
 };
 
-/// At one joint over a window.
+/// At one joint over a window; one half, the other is zero.
 struct JointCourse {
-  Course displacement;  // [m] or [rad]
-  Course velocity;      // [m/s] or [rad/s]
-  Course force;         // [N] or [N m]
+  Course displacement = {};  // [m] or [rad]
+  Course velocity = {};      // [m/s] or [rad/s]
+  Course force = {};         // [N] or [N m]
 };
 
 /// All joints at one instant.

@@ -7,45 +7,98 @@ namespace orbearing::cosim {
 
 namespace {
 
-std::string bearing_name(int planet, int bearing) {
-  return "planet_" + std::to_string(planet + 1) + ".bearing_" + std::to_string(bearing + 1);
+// What a participant takes and gives of a planet, which all call alike but for what stands before the names.
+struct PlanetNames {
+  std::string joint;   // "planet_1."
+  std::string motion;  // before displacement, velocity, angle and speed
+  std::string force;   // before force and moment
+};
+
+std::vector<Port> planet_ports(const Participant& of, Gives gives, const PlanetNames& names) {
+  const auto motion = [&](const std::string& name) {
+    return gives == Gives::motion ? place_of(of.outputs(), names.motion + name)
+                                  : place_of(of.inputs(), names.motion + name);
+  };
+  const auto force = [&](const std::string& name) {
+    return gives == Gives::force ? place_of(of.outputs(), names.force + name)
+                                 : place_of(of.inputs(), names.force + name);
+  };
+  std::vector<Port> ports;
+  for (const char* axis : {"x", "y"})
+    ports.push_back({names.joint + axis, PortKind::translation, gives,
+                     motion(std::string("displacement.") + axis), motion(std::string("velocity.") + axis),
+                     force(std::string("force.") + axis)});
+  ports.push_back({names.joint + "rotation", PortKind::rotation, gives, motion("angle"), motion("speed"),
+                   force("moment")});
+  return ports;
+}
+
+// `speed` [rad/s] times what the run-up leaves of it, along a straight line from its value and rate.
+Nominal nominal(std::size_t place, const gearset::dynamics::Operation& operation, double speed) {
+  return {place, [operation, speed](double time) -> Course {
+            const gearset::dynamics::SpeedState now = speed_at(operation, time);
+            return {{speed * now.factor, speed * now.rate, 0.0, 0.0}};
+          }};
+}
+
+Side side_of(DrivenGears& gears, const gearset::dynamics::Operation& operation) {
+  Side side{&gears, {}};
+  for (int planet = 1; planet <= gears.planets(); ++planet) {
+    const std::string number = std::to_string(planet), own = "planet[" + number + "].";
+    for (Port& port : planet_ports(gears, Gives::motion, {"planet_" + number + ".", own, own}))
+      side.ports.push_back(std::move(port));
+    side.outputs.push_back(
+        nominal(place_of(gears.outputs(), own + "speed"), operation, operation.speeds.planet_relative));
+  }
+  return side;
+}
+
+Side side_of(DrivenBearing& bearing, int planet, const gearset::dynamics::Operation& operation) {
+  const auto input = [&](const char* name) { return place_of(bearing.inputs(), name); };
+  const double carrier = operation.speeds.carrier;
+  const auto acceleration = [operation, carrier](double time) {
+    return Course::constant(carrier * speed_at(operation, time).rate);
+  };
+  return {&bearing,
+          planet_ports(bearing, Gives::force, {"planet_" + std::to_string(planet + 1) + ".", "planet.", ""}),
+          {nominal(input("planet.speed"), operation, operation.speeds.planet_relative),
+           nominal(input("carrier.speed"), operation, carrier),
+           {input("carrier.acceleration"), acceleration}}};
 }
 
 CoupledOptions with_window(CoupledOptions options, double window) {
-  options.window.longest = window;
+  options.window = window;
   return options;
 }
 
 }  // namespace
 
-Participants PlanetaryCoupling::participants() const {
-  Participants out{gears.get()};
-  for (const std::unique_ptr<BearingParticipant>& bearing : bearings) out.push_back(bearing.get());
-  return out;
-}
-
 PlanetaryCoupling planetary_coupling(const CoupledSetup& setup) {
   PlanetaryCoupling out;
-  out.gears = std::make_unique<GearsParticipant>(setup.gears);
-  for (int planet = 0; planet < setup.gears.set.planets; ++planet)
-    for (int bearing = 0; bearing < setup.bearings_per_planet; ++bearing)
-      out.bearings.push_back(std::make_unique<BearingParticipant>(
-          bearing_of_planet(setup, planet, bearing),
-          BearingPlace{bearing_name(planet, bearing), planet, setup.gears.operation}));
+  const gearset::dynamics::Operation& operation = setup.gears.operation;
+  out.gears = std::make_unique<DrivenGears>(setup.gears);
+  out.sides.push_back(side_of(*out.gears, operation));
+  const int count = setup.gears.set.planets * setup.bearings_per_planet;
+  out.bearings.reserve(static_cast<std::size_t>(count));  // they stay where they are from here on
+  for (int b = 0; b < count; ++b) {
+    const int planet = b / setup.bearings_per_planet;
+    out.bearings.emplace_back(bearing_of_planet(setup, planet, b % setup.bearings_per_planet));
+    out.sides.push_back(side_of(out.bearings.back(), planet, operation));
+  }
   return out;
 }
 
 CoSimulatedMotion::CoSimulatedMotion(const CoupledSetup& setup, const CoupledOptions& options,
                                      double interval)
     : parts_(planetary_coupling(setup)),
-      window_(interval / std::ceil(interval / options.window.longest)),
-      run_(parts_.participants(), connect_by_name(parts_.participants()), with_window(options, window_)) {
+      window_(interval / std::ceil(interval / options.window)),
+      run_(parts_.sides, with_window(options, window_)) {
   run_.initialize(0.0);
 }
 
 void CoSimulatedMotion::observe_steps(const system::StepObservers& observers) {
   for (std::size_t b = 0; b < observers.loads.size(); ++b)
-    parts_.bearings[b]->collect_loads(observers.loads[b]);
+    parts_.bearings[b].collect_loads(observers.loads[b]);
 }
 
 void CoSimulatedMotion::advance(const integration::OutputTimes& times,
@@ -56,7 +109,6 @@ void CoSimulatedMotion::advance(const integration::OutputTimes& times,
     done_ = until;
     exchange_.reached = part.reached;
     exchange_.windows += part.windows;
-    exchange_.rejected += part.rejected;
     exchange_.passes += part.passes;
     exchange_.absolute_residual += part.absolute_residual;
     exchange_.passed += part.passed;
@@ -67,14 +119,14 @@ void CoSimulatedMotion::advance(const integration::OutputTimes& times,
 }
 
 void CoSimulatedMotion::take_snapshot(int b, bearing::dynamics::Snapshot& into) const {
-  parts_.bearings[static_cast<std::size_t>(b)]->take_snapshot(into);
+  const std::size_t bearing = static_cast<std::size_t>(b);
+  parts_.bearings[bearing].take_snapshot(DrivenBearing::motion_of(run_.inputs(1 + bearing)), into);
 }
 
 integration::IntegrationReport CoSimulatedMotion::report() const {
   return {.completed = true,
           .reached = exchange_.reached,
           .steps = exchange_.windows,
-          .rejected = exchange_.rejected,
           .wall_seconds = exchange_.wall_seconds};
 }
 

@@ -1,4 +1,4 @@
-// A planetary drivetrain as participants: its gear set, and every bearing of every planet.
+// A planetary drivetrain in co-simulation: its gear set, and every bearing of every planet.
 //
 // Each mass and spring once: the gear set has the planets with the outer rings of their bearings and all
 // their inertial loads; a bearing has rollers, cage, pin ring and the support of its pin.
@@ -7,24 +7,21 @@
 #include <memory>
 #include <vector>
 
-#include "coupling/cosim/bearing_participant.hpp"
 #include "coupling/cosim/coupled_run.hpp"
-#include "coupling/cosim/gears_participant.hpp"
 #include "coupling/system/coupled_model.hpp"
 #include "coupling/system/motion.hpp"
 
 namespace orbearing::cosim {
 
 struct PlanetaryCoupling {
-  std::unique_ptr<GearsParticipant> gears;
-  std::vector<std::unique_ptr<BearingParticipant>> bearings;  // those of planet 1, then of planet 2, ...
-
-  /// Gears first.
-  Participants participants() const;
+  std::unique_ptr<DrivenGears> gears;
+  std::vector<DrivenBearing> bearings;  // those of planet 1, then of planet 2, ...
+  Sides sides;                          // gears first, then the bearings
 };
 
-/// For a one-way exchange the gears of `setup` are on springs (not coupled). Throws std::invalid_argument,
-/// with what was found and what is required, as the machines do.
+/// The ports of planet n, counted from 1, are "planet_n.x", "planet_n.y" and "planet_n.rotation"; the last is
+/// relative to the carrier and beyond the nominal rotation. Throws std::invalid_argument, with what was found
+/// and what is required, as gears and bearings do.
 PlanetaryCoupling planetary_coupling(const CoupledSetup& setup);
 
 /// Gears and bearings of a drivetrain in motion together, by exchange in windows.

@@ -6,9 +6,11 @@
 // are connected give forces, which add up.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
-#include "coupling/system/course.hpp"
+#include "coupling/system/participant.hpp"
 
 namespace orbearing::cosim {
 
@@ -18,28 +20,30 @@ enum class PortKind { translation, rotation };
 /// The half of the pair that a participant gives; it takes the other.
 enum class Gives { motion, force };
 
+/// Inputs and outputs of a participant that belong together: the motion among its outputs and the force among
+/// its inputs where it gives the motion, else the other way round.
 struct Port {
   std::string name;  // e.g. "planet_1.y"; unique within a participant
   PortKind kind = PortKind::translation;
   Gives gives = Gives::motion;
-
-  const char* displacement_unit() const { return kind == PortKind::translation ? "m" : "rad"; }
-  const char* velocity_unit() const { return kind == PortKind::translation ? "m/s" : "rad/s"; }
-  const char* force_unit() const { return kind == PortKind::translation ? "N" : "N.m"; }
+  std::size_t displacement = kNone;  // may be missing where the motion is taken
+  std::size_t velocity = kNone;      // slope of the displacement
+  std::size_t force = kNone;
 };
 
-/// What a participant takes at one port over a window: the motion, or the force.
-struct PortInput {
-  Course displacement;  // [m] or [rad]
-  Course velocity;      // [m/s] or [rad/s]  the slope of the displacement
-  Course force;         // [N] or [N m]
+/// What an input or output runs through where nothing moves at the ports. A port's velocity adds to it.
+struct Nominal {
+  std::size_t place = kNone;
+  std::function<Course(double time)> course;  // from `time` [s] on
 };
 
-/// What it gives at the end of a window; its own half, the other is zero.
-struct PortOutput {
-  double displacement = 0.0;  // [m] or [rad]
-  double velocity = 0.0;      // [m/s] or [rad/s]
-  double force = 0.0;         // [N] or [N m]
+/// One side of a co-simulation.
+struct Side {
+  Participant* participant = nullptr;  // not owned
+  std::vector<Port> ports;
+  std::vector<Nominal> inputs = {};
+  std::vector<Nominal> outputs = {};
 };
+using Sides = std::vector<Side>;
 
 }  // namespace orbearing::cosim

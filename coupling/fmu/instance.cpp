@@ -31,7 +31,7 @@ const char* category_of(Status status) {
 
 std::vector<double> starts(const ModelFacts& facts) {
   std::vector<double> values;
-  for (const InputFacts& input : facts.inputs) values.push_back(input.start);
+  for (const cosim::Input& input : facts.inputs) values.push_back(input.start);
   return values;
 }
 
@@ -116,29 +116,29 @@ void Instance::terminate() {
 
 void Instance::reset() {
   InstanceState fresh;
-  for (const ShownField& field : facts_.parameters) fresh.parameters.push_back(field.start);
+  for (const ShownField& field : facts_.shown.parameters) fresh.parameters.push_back(field.start);
   fresh.inputs = starts(facts_);
   state_ = std::move(fresh);
   clear_derivatives();
-  machine_.reset();
+  participant_.reset();
   outputs_.reset();
 }
 
-Machine& Instance::machine() {
-  if (!machine_) machine_ = make_machine(numbers_, state_.parameters);
-  return *machine_;
+cosim::Participant& Instance::participant() {
+  if (!participant_) participant_ = make_participant(numbers_, state_.parameters);
+  return *participant_;
 }
 
 void Instance::compute_start() {
   if (state_.computed) return;
-  machine().initialize(state_.time, state_.inputs);
+  participant().initialize(state_.time, state_.inputs);
   state_.computed = true;
 }
 
 const std::vector<double>& Instance::outputs() {
   if (outputs_) return *outputs_;
   if (state_.phase == Phase::initializing) compute_start();
-  std::vector<double> values = machine().outputs(state_.inputs);
+  std::vector<double> values = participant().values(state_.inputs, facts_.outputs.size());
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
       throw Refused(Status::discard, facts_.outputs[i].name + ": found no finite value under these inputs");
@@ -199,7 +199,7 @@ void Instance::require_settable(const Variable& one, double value) const {
     throw Refused(one.name + ": found " + text_of(value) + "; required: a finite number");
   if (one.role == Role::parameter) {
     require_phase({Phase::instantiated, Phase::initializing}, one.name.c_str());
-    require_allowed(facts_.parameters[one.index].facts, value);
+    require_allowed(facts_.shown.parameters[one.index].facts, value);
   }
 }
 
@@ -211,7 +211,7 @@ void Instance::set(References references, const double* values) {
     require_settable(variable(references.list[i]), values[i]);
   for (std::size_t i = 0; i < references.number; ++i) {
     const Variable& one = variables_[references.list[i]];
-    if (one.role == Role::parameter) machine_.reset();
+    if (one.role == Role::parameter) participant_.reset();
     (one.role == Role::parameter ? state_.parameters : state_.inputs)[one.index] = values[i];
   }
   if (references.number == 0) return;

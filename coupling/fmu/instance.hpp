@@ -80,7 +80,7 @@ class Instance {
   void require_settable(const Variable& variable, double value) const;
   void require_known(const InstanceState* state) const;
   void require_step(double point, double size) const;
-  Machine& machine();
+  cosim::Participant& participant();
   void compute_start();
   const std::vector<double>& outputs();
   double value_of(const Variable& variable);
@@ -98,8 +98,8 @@ class Instance {
   Log log_;
   bool logging_ = false;
   std::vector<std::string> categories_;
-  InstanceState state_;  // but for the machine's numbers
-  std::unique_ptr<Machine> machine_;
+  InstanceState state_;  // but for the participant's numbers
+  std::unique_ptr<cosim::Participant> participant_;
   std::optional<std::vector<double>> outputs_;  // at the present time, where they are known
   std::list<InstanceState> kept_;
 };

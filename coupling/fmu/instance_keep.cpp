@@ -20,7 +20,7 @@ void Instance::require_known(const InstanceState* state) const {
 
 InstanceState Instance::present() const {
   InstanceState state = state_;
-  if (state.computed) machine_->save(state.machine);
+  if (state.computed) participant_->save(state.participant);
   return state;
 }
 
@@ -37,11 +37,11 @@ InstanceState* Instance::keep_state(InstanceState* again) {
 
 void Instance::go_to_state(const InstanceState* state) {
   require_known(state);
-  if (machine_ && state->parameters != state_.parameters) machine_.reset();
+  if (participant_ && state->parameters != state_.parameters) participant_.reset();
   state_ = *state;
-  state_.machine.clear();
+  state_.participant.clear();
   outputs_.reset();
-  if (state->computed) machine().restore(state->machine);  // it fits: it was saved or tried before
+  if (state->computed) participant().restore(state->participant);  // it fits: it was saved or tried before
 }
 
 void Instance::free_state(const InstanceState* state) {
@@ -66,8 +66,10 @@ void Instance::serialize(const InstanceState* state, char* bytes, std::size_t si
 
 InstanceState* Instance::deserialize(const char* bytes, std::size_t size, InstanceState* again) {
   if (bytes == nullptr) throw Refused("serialised state: found NULL; required: bytes");
-  InstanceState state = state_from(bytes, size, hash_, {facts_.parameters.size(), facts_.inputs.size()});
-  if (state.computed) make_machine(numbers_, state.parameters)->restore(state.machine);  // a state that fits
+  InstanceState state =
+      state_from(bytes, size, hash_, {facts_.shown.parameters.size(), facts_.inputs.size()});
+  if (state.computed)
+    make_participant(numbers_, state.parameters)->restore(state.participant);  // a state that fits
   return place_state(std::move(state), again);
 }
 

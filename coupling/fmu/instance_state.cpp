@@ -33,7 +33,7 @@ std::vector<double> numbers_of(const InstanceState& s) {
   add(s.first);
   add(s.second);
   for (const bool has : s.has_first) numbers.push_back(has ? 1.0 : 0.0);
-  add(s.machine);
+  add(s.participant);
   return numbers;
 }
 
@@ -43,7 +43,7 @@ std::size_t count_of(const StateSizes& sizes) {
   return kFixed + sizes.parameters + 4 * sizes.inputs;
 }
 
-// The numbers of the machine are its own business; all before must be finite.
+// The numbers of the participant are its own business; all before must be finite.
 InstanceState state_of(const std::vector<double>& numbers, const StateSizes& sizes) {
   for (std::size_t i = 0; i < count_of(sizes); ++i)
     if (!std::isfinite(numbers[i])) throw Refused("serialised state: found a number that is not finite");
@@ -68,7 +68,7 @@ InstanceState state_of(const std::vector<double>& numbers, const StateSizes& siz
   s.first = take(sizes.inputs);
   s.second = take(sizes.inputs);
   for (const double has : take(sizes.inputs)) s.has_first.push_back(has != 0.0);
-  s.machine.assign(from, numbers.end());
+  s.participant.assign(from, numbers.end());
   return s;
 }
 
@@ -79,7 +79,7 @@ void require(bool good, const std::string& found, const std::string& required) {
 }  // namespace
 
 std::size_t byte_number(const InstanceState& s) {
-  const std::size_t lists = s.parameters.size() + 4 * s.inputs.size() + s.machine.size();
+  const std::size_t lists = s.parameters.size() + 4 * s.inputs.size() + s.participant.size();
   return sizeof(Header) + (kFixed + lists) * sizeof(double);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/cosim/participant.hpp"
+#include "coupling/system/participant.hpp"
 
 namespace orbearing::fmu {
 
@@ -15,7 +15,7 @@ struct InstanceState {
   Phase phase = Phase::instantiated;
   bool experiment_set = false;
   bool has_stop = false;
-  bool computed = false;  // the machine holds a state
+  bool computed = false;  // the participant holds a state
   double time = 0.0;      // [s]
   double stop = 0.0;      // [s]
   std::vector<double> parameters;
@@ -23,7 +23,7 @@ struct InstanceState {
   std::vector<double> first;   // [unit/s]    derivatives of the inputs for the next step
   std::vector<double> second;  // [unit/s^2]
   std::vector<bool> has_first;
-  cosim::SavedState machine;
+  cosim::SavedState participant;
 };
 
 /// How many numbers of each kind a model has.

@@ -51,9 +51,9 @@ std::vector<cosim::Course> Instance::courses() const {
   for (std::size_t i = 0; i < state_.inputs.size(); ++i)
     courses.push_back({{state_.inputs[i], state_.first[i], 0.5 * state_.second[i], 0.0}});
   for (std::size_t i = 0; i < courses.size(); ++i) {
-    const int rate = facts_.inputs[i].rate;
-    if (rate >= 0 && !state_.has_first[i])
-      courses[i] = cosim::integral(state_.inputs[i], courses[static_cast<std::size_t>(rate)]);
+    const std::size_t rate = facts_.inputs[i].rate;
+    if (rate != cosim::kNone && !state_.has_first[i])
+      courses[i] = cosim::integral(state_.inputs[i], courses[rate]);
   }
   return courses;
 }
@@ -89,7 +89,7 @@ void Instance::step(double point, double size) {
   const std::vector<cosim::Course> inputs = courses();
   std::vector<double> ends = input_values(inputs, window.length());
   try {
-    machine().advance(window, inputs);
+    participant().advance(window, inputs);
   } catch (const std::exception& failure) {
     throw Refused(Status::discard, std::string("step: ") + failure.what());
   }
@@ -102,7 +102,7 @@ void Instance::step(double point, double size) {
 std::vector<double> Instance::slopes(const Variable& known) {
   require_phase({Phase::stepping, Phase::terminated}, "derivatives of outputs");
   if (known.role != Role::input) throw Refused(known.name + ": found as a known; required: an input");
-  return machine().slopes(state_.inputs, known.index);
+  return participant().slopes(state_.inputs, known.index);
 }
 
 namespace {

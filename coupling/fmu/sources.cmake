@@ -1,16 +1,12 @@
-# What goes into an FMU's library beside gearset, bearing and the machines of coupling/system: Eigen, Boost
+# What goes into an FMU's library beside gearset, bearing and the participants of coupling/system: Eigen, Boost
 # headers and the standard library, no more.
 set(ORBEARING_FMU_CORE
-  bearing_fields.cpp
-  bearing_machine.cpp
-  gear_fields.cpp
-  gear_machine.cpp
   guard.cpp
   instance.cpp
   instance_keep.cpp
   instance_state.cpp
   instance_step.cpp
-  machine.cpp
+  model.cpp
   model_file.cpp
   number_table.cpp
   profile_numbers.cpp

@@ -25,14 +25,14 @@ std::string hexadecimal(std::uint64_t number) {
 std::vector<Variable> variables_of(const ModelFacts& facts) {
   std::vector<Variable> table;
   add(table, Role::time, 0, "time", "s", "simulation time", 0.0);
-  add_fields(table, Role::parameter, facts.parameters);
-  add_fields(table, Role::constant, facts.constants);
+  add_fields(table, Role::parameter, facts.shown.parameters);
+  add_fields(table, Role::constant, facts.shown.constants);
   for (std::size_t i = 0; i < facts.inputs.size(); ++i) {
-    const InputFacts& input = facts.inputs[i];
+    const cosim::Input& input = facts.inputs[i];
     add(table, Role::input, i, input.name, input.unit, input.meaning, input.start);
   }
   for (std::size_t i = 0; i < facts.outputs.size(); ++i) {
-    const OutputFacts& output = facts.outputs[i];
+    const cosim::Output& output = facts.outputs[i];
     add(table, Role::output, i, output.name, output.unit, output.meaning, 0.0);
   }
   return table;

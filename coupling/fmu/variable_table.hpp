@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "coupling/fmu/machine.hpp"
+#include "coupling/fmu/model.hpp"
 
 namespace orbearing::fmu {
 

@@ -86,7 +86,7 @@ struct PlanetaryDrivetrain {
   Misalignment misalignment;
   bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
   system::SteadyStateOptions steady_state;
-  cosim::CoupledOptions exchange{.window = {.longest = 5e-6}};  // of gears and bearings that are co-simulated
+  cosim::CoupledOptions exchange{.window = 5e-6};  // of gears and bearings that are co-simulated
   RunUp run_up;
   /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes
   /// give their mean forces. Called once for each operating point that is computed in time.

@@ -45,43 +45,13 @@ struct GearDynamicsChoice {
   gearset::dynamics::FrameSwitches frame;
 };
 
-/// Rows of the body `name`, whose inertia counts on its radius `on`.
+/// Rows of a body that the housing holds; `support`: why so stiffly where a case does not say.
 template <class Visitor>
-void describe_body(Visitor& visit, GearMemberChoice& m, const std::string& name, const std::string& on) {
-  using namespace described;
-  const std::string path = "gearset.dynamics." + name;
-  const Details mass{.models = planetary_drivetrain,
-                     .required_by = toothless_set,
-                     .dimension = dimension::mass,
-                     .range = positive(1e6)};
-  rows(visit,
-       field(m.mass, path + ".mass", Felt::gear_bodies,
-             "mass of the " + name + "; derived from the teeth if absent", mass),
-       field(m.inertia, path + ".equivalent_mass", Felt::gear_bodies,
-             "moment of inertia of the " + name + " over the square of its " + on +
-                 "; derived from the teeth if absent",
-             mass));
-}
-
-/// And of how the housing holds it; `support`: why so stiffly where a case does not say.
-template <class Visitor>
-void describe_central(Visitor& visit, GearMemberChoice& m, const std::string& name, const std::string& on,
+void describe_central(Visitor& visit, GearMemberChoice& m, const std::string& name,
                       std::string_view support) {
-  using namespace described;
-  const std::string path = "gearset.dynamics." + name;
-  const auto stiffness = [](std::string_view reason) {
-    return Details{.models = planetary_drivetrain,
-                   .dimension = dimension::stiffness,
-                   .range = {0.0, 1e13},
-                   .reason = reason};
-  };
-  describe_body(visit, m, name, on);
-  rows(visit,
-       field(m.support_stiffness, path + ".support_stiffness", Felt::gear_bodies,
-             "stiffness that holds the " + name + " in its place, 0: floating", stiffness(support)),
-       field(m.torsional_stiffness, path + ".torsional_stiffness", Felt::gear_bodies,
-             "stiffness against rotation of the " + name + ", on " + on + " x angle",
-             stiffness("free to turn; a fixed member is then held rigidly")));
+  using namespace gearset::dynamics;
+  rows(visit, mass_row(m.mass, name), inertia_row(m.inertia, name),
+       support_row(m.support_stiffness, name, support), torsional_row(m.torsional_stiffness, name));
 }
 
 /// Run-up and frame are stated by fields that are not theirs alone, the bodies' ratios by those of the set.
@@ -102,24 +72,12 @@ void describe(Visitor& visit, GearDynamicsChoice& m) {
                   .range = positive(1e13)});
   };
   members(
-      visit, m,
-      part(m.sun, [&] { describe_central(visit, m.sun, "sun", "base radius", "a sun on a slender shaft"); }),
-      part(m.ring,
-           [&] { describe_central(visit, m.ring, "ring", "base radius", "a ring bolted to its housing"); }),
-      part(m.carrier,
-           [&] {
-             describe_central(visit, m.carrier, "carrier", "centre distance", "two bearings of the carrier");
-           }),
-      part(m.planet, [&] { describe_body(visit, m.planet, "planet", "base radius"); }),
-      field(m.bearing_stiffness, block + "planet.bearing_stiffness", Felt::gear_bodies,
-            "radial stiffness of all bearings of a planet and their pins; of the given bearing at its mean "
-            "load if "
-            "absent",
-            {.models = set,
-             .dimension = dimension::stiffness,
-             .range = positive(1e13),
-             .reason = "two roller bearings of a planet of some 70 mm, loaded",
-             .default_without_bearing = true}),
+      visit, m, part(m.sun, [&] { describe_central(visit, m.sun, "sun", "a sun on a slender shaft"); }),
+      part(m.ring, [&] { describe_central(visit, m.ring, "ring", "a ring bolted to its housing"); }),
+      part(m.carrier, [&] { describe_central(visit, m.carrier, "carrier", "two bearings of the carrier"); }),
+      together(gearset::dynamics::mass_row(m.planet.mass, "planet"),
+               gearset::dynamics::inertia_row(m.planet.inertia, "planet")),
+      gearset::dynamics::bearing_stiffness_row(m.bearing_stiffness),
       field(m.carrier_plate_ratio, block + "carrier.plate_ratio", Felt::walls,
             "thickness of both side plates of the carrier as a share of the face width",
             {.models = set,

@@ -56,8 +56,8 @@ Trial trial(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geo
   setup.bearing.allowed_length_error = options.allowed_length_error;
   const cosim::PlanetaryCoupling parts = cosim::planetary_coupling(setup);
   CoupledOptions exchange = scheme.options;
-  exchange.window = {.longest = window};
-  cosim::CoupledRun run(parts.participants(), cosim::connect_by_name(parts.participants()), exchange);
+  exchange.window = window;
+  cosim::CoupledRun run(parts.sides, exchange);
   run.initialize(0.0);
   const Eigen::Index planets = drivetrain.set.planets;
   Trial result{.path = Path::Zero(2 * planets, options.longest_windows)};

@@ -31,9 +31,9 @@ constexpr int kMostRounds = 30;
 constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good enough
 
 // Bearings under the motion of the gears at rest; what they do to each planet.
-std::vector<PlanetForceCourse> answer(const CoupledModel& model, const DrivenGearsOutput& gears,
-                                      std::vector<DrivenBearing>& bearings) {
-  std::vector<PlanetForceCourse> forces(model.ports.size());
+std::vector<double> answer(const CoupledModel& model, const DrivenGearsOutput& gears,
+                           std::vector<DrivenBearing>& bearings) {
+  std::vector<double> forces(3 * model.ports.size(), 0.0);  // x, y, moment of each planet
   for (std::size_t b = 0; b < bearings.size(); ++b) {
     const std::size_t planet = b / static_cast<std::size_t>(model.per_planet);
     BoreMotion motion;
@@ -43,21 +43,19 @@ std::vector<PlanetForceCourse> answer(const CoupledModel& model, const DrivenGea
     motion.carrier_acceleration = gears.carrier_acceleration;
     bearings[b].initialize(motion);
     const bearing::dynamics::BoreReaction reaction = bearings[b].reaction(motion);
-    forces[planet].x.coefficient[0] += reaction.force.x();
-    forces[planet].y.coefficient[0] += reaction.force.y();
+    forces[3 * planet] += reaction.force.x();
+    forces[3 * planet + 1] += reaction.force.y();
   }
   return forces;
 }
 
 // Largest change of a force over the largest force.
-double change(const std::vector<PlanetForceCourse>& before, const std::vector<PlanetForceCourse>& now) {
+double change(const std::vector<double>& before, const std::vector<double>& now) {
   double change = 0.0, largest = 0.0;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    for (const auto axis : {&PlanetForceCourse::x, &PlanetForceCourse::y}) {
-      const double force = (now[i].*axis).coefficient[0];
-      change = std::max(change, std::abs(force - (before[i].*axis).coefficient[0]));
-      largest = std::max(largest, std::abs(force));
-    }
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    change = std::max(change, std::abs(now[i] - before[i]));
+    largest = std::max(largest, std::abs(now[i]));
+  }
   return change / largest;
 }
 
@@ -114,10 +112,10 @@ CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model,
   for (int b = 0; b < model.bearings(); ++b)
     bearings.emplace_back(bearing_of_planet(setup, b / model.per_planet, b % model.per_planet));
   gears.initialize(time);
-  std::vector<PlanetForceCourse> forces = answer(model, gears.output(), bearings);
+  std::vector<double> forces = answer(model, gears.output(), bearings);
   for (int round = 0; round < kMostRounds; ++round) {
-    const std::vector<PlanetForceCourse> before = forces;
-    gears.balance(forces);
+    const std::vector<double> before = forces;
+    gears.balance(time, forces);
     forces = answer(model, gears.output(), bearings);
     if (change(before, forces) <= kBalancedChange) break;
   }

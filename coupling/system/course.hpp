@@ -16,7 +16,7 @@ struct Window {
   double length() const { return end - begin; }
 };
 
-/// All that the future of a machine depends on. Numbers only, whose meaning is the machine's own; equal bits
+/// All that the future of a participant depends on. Numbers only, whose meaning is its own; equal bits
 /// give equal futures, in another process too.
 using SavedState = std::vector<double>;
 

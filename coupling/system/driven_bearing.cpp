@@ -1,7 +1,6 @@
 #include "coupling/system/driven_bearing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <optional>
@@ -113,35 +112,56 @@ void require_finite(const bearing::dynamics::BoreMotion& motion) {
         "driven bearing: the motion of bore and carrier is not finite; required: finite numbers");
 }
 
-// What a saved state must agree in: rollers, places, which equations.
-using StateKind = std::array<double, 3>;
+namespace bearing_input {
+enum Place : std::size_t { x, y, velocity_x, velocity_y, planet_speed, carrier_speed, carrier_acceleration };
+}
+
+std::vector<Input> bearing_inputs(const DrivenBearingSetup& setup) {
+  using namespace bearing_input;
+  const std::string goes_on = "; inside a step it goes on with ";
+  const auto displacement = [&](const char* axis, const char* sense) {
+    return std::string("displacement of the planet's axis from that of its undeformed pin, ") + sense +
+           goes_on + "planet.velocity." + axis;
+  };
+  return {
+      {"planet.displacement.x", "m", displacement("x", "outward"), 0.0, velocity_x},
+      {"planet.displacement.y", "m", displacement("y", "in the sense of carrier rotation"), 0.0, velocity_y},
+      {"planet.velocity.x", "m/s", "slope of planet.displacement.x by time"},
+      {"planet.velocity.y", "m/s", "slope of planet.displacement.y by time"},
+      {"planet.speed", "rad/s", "speed of the planet about its axis, relative to the carrier",
+       setup.planet_speed},
+      {"carrier.speed", "rad/s", "speed of the carrier" + goes_on + "carrier.acceleration",
+       setup.carrier_speed, carrier_acceleration},
+      {"carrier.acceleration", "rad/s2", "slope of carrier.speed by time"}};
+}
+
+// What rolls on the bore feels its motion at once; the rest only through its own motion.
+std::vector<Output> bearing_outputs(int rollers) {
+  using namespace bearing_input;
+  using Inputs = std::vector<std::size_t>;
+  const Inputs none, turning{planet_speed}, bore{x, y, velocity_x, velocity_y, planet_speed};
+  const Inputs all{x, y, velocity_x, velocity_y, planet_speed, carrier_speed, carrier_acceleration};
+  std::vector<Output> outputs{
+      {"force.x", "N", "force of the bearing on the planet, outward", bore, all},
+      {"force.y", "N", "force of the bearing on the planet, in the sense of carrier rotation", bore, all},
+      {"moment", "N.m", "moment of the bearing on the planet about its axis", bore, all},
+      {"life_used", "1", "revolutions so far over the life under the loads so far", none, none, false},
+      {"cage.slip", "1", "1 - speed of the cage over that at pure rolling", turning, turning},
+      {"cage.speed", "rad/s", "speed of the cage relative to the carrier", none, turning},
+      {"revolutions", "1", "revolutions of the planet relative to the carrier since the start", none, none,
+       false},
+      {"friction_loss", "W", "power lost to friction", bore, all}};
+  for (int i = 1; i <= rollers; ++i) {
+    const std::string roller = "roller[" + std::to_string(i) + "].";
+    outputs.push_back({roller + "inner_load", "N", "load between roller and pin", none, all});
+    outputs.push_back({roller + "outer_load", "N", "load between roller and planet", bore, all});
+    outputs.push_back(
+        {roller + "angle", "rad", "place of the roller, from outward towards carrier rotation", none, none});
+  }
+  return outputs;
+}
 
 constexpr double kVersion = 2.0;
-constexpr std::ptrdiff_t kHead = 4;  // version and kind
-
-void write(const StateKind& kind, DrivenState& state, SavedState& into) {
-  into = {kVersion, kind[0], kind[1], kind[2]};
-  state.each([&](const double* first, long size) { into.insert(into.end(), first, first + size); });
-}
-
-// Where `from` is of another kind, version or length than `state`, that is as before.
-void read(const SavedState& from, const StateKind& kind, DrivenState& state) {
-  SavedState own;
-  write(kind, state, own);
-  if (from.size() != own.size() || !std::equal(own.begin(), own.begin() + kHead, from.begin())) {
-    std::ostringstream text;
-    text << "driven bearing: found a saved state of " << from.size() << " numbers";
-    if (!from.empty()) text << " and version " << from.front();
-    text << "; required: " << own.size() << " numbers of version " << kVersion << ", of a bearing with "
-         << kind[0] << " rollers and " << kind[1] << " places";
-    throw std::invalid_argument(text.str());
-  }
-  auto at = from.begin() + kHead;
-  state.each([&](double* first, long size) {
-    std::copy_n(at, size, first);
-    at += size;
-  });
-}
 
 }  // namespace
 
@@ -220,6 +240,12 @@ struct DrivenBearing::Inside {
     return x;
   }
 
+  // What a saved state must agree in: version, rollers, places, which equations.
+  std::vector<double> head() const {
+    return {kVersion, static_cast<double>(setup.bearing.rollers), static_cast<double>(setup.places),
+            fast ? 1.0 : 0.0};
+  }
+
   BoreMotion here(BoreMotion motion) const {
     motion.angle = state.angle;
     return motion;
@@ -293,14 +319,12 @@ struct DrivenBearing::Inside {
   }
 };
 
-DrivenBearing::DrivenBearing(const DrivenBearingSetup& setup) : inside_(std::make_unique<Inside>(setup)) {}
+DrivenBearing::DrivenBearing(const DrivenBearingSetup& setup)
+    : Participant(bearing_inputs(setup), bearing_outputs(setup.bearing.rollers)),
+      inside_(std::make_unique<Inside>(setup)) {}
 DrivenBearing::~DrivenBearing() = default;
 DrivenBearing::DrivenBearing(DrivenBearing&&) noexcept = default;
 DrivenBearing& DrivenBearing::operator=(DrivenBearing&&) noexcept = default;
-
-int DrivenBearing::rollers() const {
-  return inside_->setup.bearing.rollers;
-}
 
 void DrivenBearing::initialize(const BoreMotion& motion) {
   require_finite(motion);
@@ -374,13 +398,76 @@ ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
 }
 
 void DrivenBearing::save(SavedState& state) const {
-  const double places = static_cast<double>(inside_->setup.places), path = inside_->fast ? 1.0 : 0.0;
-  write({static_cast<double>(rollers()), places, path}, inside_->state, state);
+  state = saved_state(inside_->head(), inside_->state);
 }
 
 void DrivenBearing::restore(const SavedState& state) {
-  const double places = static_cast<double>(inside_->setup.places), path = inside_->fast ? 1.0 : 0.0;
-  read(state, {static_cast<double>(rollers()), places, path}, inside_->state);
+  restore_state(state, "driven bearing", inside_->head(), inside_->state);
+}
+
+BoreMotion DrivenBearing::motion_of(const std::vector<double>& in) {
+  using namespace bearing_input;
+  BoreMotion motion;
+  motion.position = {in[x], in[y]};
+  motion.velocity = {in[velocity_x], in[velocity_y]};
+  motion.speed = in[planet_speed];
+  motion.carrier_speed = in[carrier_speed];
+  motion.carrier_acceleration = in[carrier_acceleration];
+  return motion;
+}
+
+void DrivenBearing::initialize(double, const std::vector<double>& inputs) {
+  initialize(motion_of(inputs));
+}
+
+void DrivenBearing::advance(const Window& window, const std::vector<Course>& in) {
+  using namespace bearing_input;
+  advance(window, BoreCourse{.x = in[x],
+                             .y = in[y],
+                             .v_x = in[velocity_x],
+                             .v_y = in[velocity_y],
+                             .speed = in[planet_speed],
+                             .carrier_speed = in[carrier_speed],
+                             .carrier_acceleration = in[carrier_acceleration]});
+}
+
+std::vector<double> DrivenBearing::values(const std::vector<double>& inputs, std::size_t number) const {
+  const BoreMotion motion = motion_of(inputs);
+  constexpr std::size_t of_reaction = 3;
+  if (number <= of_reaction) {
+    const BoreReaction now = reaction(motion);
+    return {now.force.x(), now.force.y(), now.moment};
+  }
+  const DrivenBearingOutput now = output(motion);
+  std::vector<double> values{now.reaction.force.x(), now.reaction.force.y(), now.reaction.moment,
+                             now.life_used,          now.cage_slip,          now.cage_speed,
+                             now.revolutions,        now.friction_loss};
+  for (std::size_t i = 0; i < now.inner_load.size(); ++i)
+    values.insert(values.end(), {now.inner_load[i], now.outer_load[i], now.roller_angle[i]});
+  return values;
+}
+
+// Those of the force exactly, all others by central differences, with steps far below what changes a contact
+// and far above round-off.
+std::vector<double> DrivenBearing::slopes(const std::vector<double>& inputs, std::size_t input) const {
+  using namespace bearing_input;
+  constexpr double kLength = 1e-9, kVelocity = 1e-5, kSpeed = 1e-3;  // [m], [m/s], [rad/s]
+  const double step = input < velocity_x ? kLength : input < planet_speed ? kVelocity : kSpeed;
+  std::vector<double> moved = inputs;
+  moved[input] = inputs[input] + step;
+  std::vector<double> by = values(moved, outputs().size());
+  moved[input] = inputs[input] - step;
+  const std::vector<double> below = values(moved, outputs().size());
+  for (std::size_t i = 0; i < by.size(); ++i) by[i] = (by[i] - below[i]) / (2.0 * step);
+  if (input > planet_speed) return by;
+  const ForceSlopes force = slopes(motion_of(inputs));
+  const Eigen::Vector2d column = input < velocity_x ? force.by_displacement.col(static_cast<int>(input - x))
+                                 : input < planet_speed
+                                     ? force.by_velocity.col(static_cast<int>(input - velocity_x))
+                                     : force.by_speed;
+  by[0] = column.x();
+  by[1] = column.y();
+  return by;
 }
 
 }  // namespace orbearing::cosim

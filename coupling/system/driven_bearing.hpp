@@ -1,5 +1,4 @@
-// One planet bearing that others move: motion of bore and carrier in, force and moment out. The core of the
-// bearing as a participant and as an FMU.
+// One planet bearing that others move: motion of bore and carrier in, force and moment out.
 #pragma once
 
 #include <memory>
@@ -11,7 +10,8 @@
 #include "bearing/motion/snapshot.hpp"
 #include "bearing/motion/statistics.hpp"
 #include "bearing/parameters.hpp"
-#include "coupling/system/course.hpp"
+#include "coupling/system/participant.hpp"
+#include "coupling/system/steady_state.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::cosim {
@@ -32,6 +32,8 @@ struct DrivenBearingSetup {
   double allowed_length_error = 2e-10;  // [m]    of one step; all other variables follow from it
   long places = 72;                     // [-]    bins on the races, for the life
   long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
+  double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start where nobody says
+  double carrier_speed = 0.0;  // [rad/s]  the same
 };
 
 /// Of a drivetrain too.
@@ -43,6 +45,29 @@ inline described::Row<double> lambda_row(double& lambda) {
                 .range = positive(1.0),
                 .reason = "the product for cylindrical roller bearings in ISO/TR 1281-1",
                 .fmu = InFmu::parameter});
+}
+
+/// All that a bearing's future depends on beside its inputs, in the order of an FMU's model.
+template <class Visitor>
+void describe(Visitor& visit, DrivenBearingSetup& m) {
+  using namespace described;
+  const Details angle{.dimension = dimension::angle, .fmu = InFmu::parameter};
+  members(
+      visit, m, part(m.bearing), part(m.dynamics),
+      internal(m.orbit_radius, "gearset.centre_distance", "from the carrier's axis to the pin's",
+               {.dimension = dimension::length, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
+      internal(m.first_roller, "first_roller", "place of the first roller at the start", angle),
+      together(
+          internal(m.bore_tilt.x(), "bearing.misalignment.x",
+                   "tilt of the bore's axis against the pin's: outward at the bearing's positive end; felt "
+                   "by laminae",
+                   angle),
+          internal(m.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
+                   angle)),
+      lambda_row(m.lambda), system::length_error_row(m.allowed_length_error),
+      internal(m.places, "simulation.places"), internal(m.most_steps, "simulation.most_steps"),
+      internal(m.planet_speed, "operation.planet_speed"),
+      internal(m.carrier_speed, "operation.carrier_speed"));
 }
 
 /// The model of a bearing that others drive. Throws std::invalid_argument, with what was found and what is
@@ -81,13 +106,21 @@ struct ForceSlopes {
 };
 
 /// Not for use by two threads at once; any number of objects side by side.
-class DrivenBearing {
+class DrivenBearing final : public Participant {
  public:
   /// Throws std::invalid_argument, with what was found and what is required.
   explicit DrivenBearing(const DrivenBearingSetup& setup);
-  ~DrivenBearing();
+  ~DrivenBearing() override;
   DrivenBearing(DrivenBearing&&) noexcept;
   DrivenBearing& operator=(DrivenBearing&&) noexcept;
+
+  void initialize(double time, const std::vector<double>& inputs) override;
+  void advance(const Window& window, const std::vector<Course>& inputs) override;
+  /// Of the first three, which are the reaction, no more is computed.
+  std::vector<double> values(const std::vector<double>& inputs, std::size_t number) const override;
+  std::vector<double> slopes(const std::vector<double>& inputs, std::size_t input) const override;
+  /// That of the bore under `inputs`.
+  static bearing::dynamics::BoreMotion motion_of(const std::vector<double>& inputs);
 
   /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
   /// zero.
@@ -110,10 +143,9 @@ class DrivenBearing {
   /// In the order of StateLayout, the bore where it was last.
   Eigen::VectorXd state() const;
 
-  int rollers() const;
-  void save(SavedState& state) const;
+  void save(SavedState& state) const override;
   /// Throws std::invalid_argument where `state` is not one of such a bearing.
-  void restore(const SavedState& state);
+  void restore(const SavedState& state) override;
 
  private:
   struct Inside;

@@ -23,9 +23,46 @@ using gearset::dynamics::SetModel;
 using gearset::dynamics::SetParameters;
 using gearset::dynamics::SpeedState;
 
-// Saved state: [ kind and version | time | step | x ].
-constexpr double kSavedGearsKind = 20001.0;
-constexpr std::size_t kSavedGearsHead = 3;
+constexpr double kSavedGearsKind = 20001.0;  // and version
+constexpr Index kForcesOfPlanet = 3;         // x, y, moment
+
+std::vector<Input> force_inputs(const DrivenGearsSetup& setup) {
+  std::vector<Input> inputs;
+  const auto add = [&](const std::string& name, const char* unit, const std::string& meaning) {
+    const std::size_t place = inputs.size();
+    inputs.push_back(
+        {name, unit, meaning, place < setup.start_force.size() ? setup.start_force[place] : 0.0});
+  };
+  for (int i = 1; i <= setup.set.planets; ++i) {
+    const std::string planet = "planet[" + std::to_string(i) + "].", all = "of all bearings on the planet, ";
+    add(planet + "force.x", "N", "force " + all + "outward");
+    add(planet + "force.y", "N", "force " + all + "in the sense of carrier rotation");
+    add(planet + "moment", "N.m", "moment " + all + "about its axis");
+  }
+  return inputs;
+}
+
+std::vector<Output> motion_outputs(int planets) {
+  std::vector<Output> outputs;
+  const auto add = [&](const std::string& name, const char* unit, const std::string& meaning) {
+    outputs.push_back({name, unit, meaning, {}, {}});
+  };
+  for (int i = 1; i <= planets; ++i) {
+    const std::string planet = "planet[" + std::to_string(i) + "].";
+    const std::string along = ", in the sense of carrier rotation";
+    add(planet + "displacement.x", "m", "of the planet's axis from that of its pin, outward");
+    add(planet + "displacement.y", "m", "of the planet's axis from that of its pin" + along);
+    add(planet + "velocity.x", "m/s", "slope of displacement.x by time");
+    add(planet + "velocity.y", "m/s", "slope of displacement.y by time");
+    add(planet + "speed", "rad/s", "of the planet about its axis, relative to the carrier");
+    add(planet + "angle", "rad", "of the planet beyond its nominal rotation");
+    add(planet + "sun_mesh_force", "N", "force of the sun mesh along its line of action");
+    add(planet + "ring_mesh_force", "N", "force of the ring mesh along its line of action");
+  }
+  outputs.push_back({"carrier.speed", "rad/s", "nominal speed of the carrier", {}, {}, false});
+  outputs.push_back({"carrier.acceleration", "rad/s2", "slope of carrier.speed by time", {}, {}, false});
+  return outputs;
+}
 
 SetParameters with_ports(const SetParameters& set) {
   if (!(set.planet.bearing_stiffness > 0.0))
@@ -72,18 +109,25 @@ struct DrivenGears::Inside {
   Index planets() const { return equations.model().layout.planets; }
   const SetModel& model() const { return equations.model(); }
 
-  void require_one_each(const std::vector<PlanetForceCourse>& forces) const {
-    if (static_cast<Index>(forces.size()) != planets())
-      mechanics::refuse("number of forces on planets", static_cast<double>(forces.size()),
-                        "one for each planet");
+  void require_one_each(std::size_t forces) const {
+    if (static_cast<Index>(forces) != kForcesOfPlanet * planets())
+      mechanics::refuse("number of forces on planets", static_cast<double>(forces), "three for each planet");
   }
 
-  void set_loads(const std::vector<PlanetForceCourse>& forces, double since) {
+  void set_loads(const std::vector<Course>& forces, double since) {
     for (Index i = 0; i < planets(); ++i) {
-      const PlanetForceCourse& force = forces[static_cast<std::size_t>(i)];
-      loads.force.col(i) << force.x.at(since), force.y.at(since);
-      loads.moment[i] = force.moment.at(since);
+      const Course* force = &forces[static_cast<std::size_t>(kForcesOfPlanet * i)];
+      loads.force.col(i) << force[0].at(since), force[1].at(since);
+      loads.moment[i] = force[2].at(since);
     }
+  }
+
+  // Every number of the state in turn, for `visit(double* first, size)`.
+  template <class Visit>
+  void each(Visit visit) {
+    visit(&time, 1);
+    visit(&options.step, 1);
+    visit(x.data(), static_cast<long>(x.size()));
   }
 
   PlanetarySetEquations equations;
@@ -94,32 +138,35 @@ struct DrivenGears::Inside {
   PortLoads loads;    // workspace
 };
 
-DrivenGears::DrivenGears(const DrivenGearsSetup& setup) : inside_(std::make_unique<Inside>(setup)) {}
+DrivenGears::DrivenGears(const DrivenGearsSetup& setup)
+    : Participant(force_inputs(setup), motion_outputs(setup.set.planets)),
+      inside_(std::make_unique<Inside>(setup)) {}
 DrivenGears::~DrivenGears() = default;
 DrivenGears::DrivenGears(DrivenGears&&) noexcept = default;
 DrivenGears& DrivenGears::operator=(DrivenGears&&) noexcept = default;
 
-void DrivenGears::initialize(double time) {
+void DrivenGears::initialize(double time, const std::vector<double>&) {
   inside_->x = gearset::dynamics::static_state(inside_->springs);
   inside_->time = time;
   inside_->options.step = first_step(inside_->model().operation);
 }
 
-void DrivenGears::balance(const std::vector<PlanetForceCourse>& forces) {
-  inside_->require_one_each(forces);
-  inside_->set_loads(forces, 0.0);
+void DrivenGears::balance(double, const std::vector<double>& forces) {
+  inside_->require_one_each(forces.size());
   BearingPorts ports;
   inside_->equations.motion_at_ports(inside_->x, ports);
   SetModel springs = inside_->springs;
   // A spring that gives F at the displacement d has the deflection F / k there.
   for (Index i = 0; i < inside_->planets(); ++i)
     springs.bearings[static_cast<std::size_t>(i)].pin_error +=
-        ports.displacement.col(i) + inside_->loads.force.col(i) / springs.parameters.planet.bearing_stiffness;
+        ports.displacement.col(i) +
+        Eigen::Map<const Eigen::Vector2d>(&forces[static_cast<std::size_t>(kForcesOfPlanet * i)]) /
+            springs.parameters.planet.bearing_stiffness;
   inside_->x = gearset::dynamics::static_state(springs);
 }
 
-void DrivenGears::advance(const Window& window, const std::vector<PlanetForceCourse>& forces) {
-  inside_->require_one_each(forces);
+void DrivenGears::advance(const Window& window, const std::vector<Course>& forces) {
+  inside_->require_one_each(forces.size());
   if (!(window.end > window.begin)) mechanics::refuse("length of a window", window.length(), "above 0");
   const auto derivative = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                               Eigen::Ref<Eigen::VectorXd> dx) {
@@ -156,7 +203,6 @@ DrivenGearsOutput DrivenGears::output() const {
                            .speed = nominal.planet_relative * speed.factor + ports.speed[i],
                            .sun_mesh_force = snapshot.sun_mesh_force[i],
                            .ring_mesh_force = snapshot.ring_mesh_force[i]});
-  out.planet_speed = nominal.planet_relative * speed.factor;
   out.carrier_speed = nominal.carrier * speed.factor;
   out.carrier_acceleration = nominal.carrier * speed.rate;
   return out;
@@ -166,21 +212,27 @@ int DrivenGears::planets() const {
   return static_cast<int>(inside_->planets());
 }
 
+std::vector<double> DrivenGears::values(const std::vector<double>&, std::size_t) const {
+  const DrivenGearsOutput now = output();
+  std::vector<double> values;
+  for (const PlanetMotion& planet : now.planets)
+    values.insert(values.end(),
+                  {planet.displacement.x(), planet.displacement.y(), planet.velocity.x(), planet.velocity.y(),
+                   planet.speed, planet.angle, planet.sun_mesh_force, planet.ring_mesh_force});
+  values.insert(values.end(), {now.carrier_speed, now.carrier_acceleration});
+  return values;
+}
+
+std::vector<double> DrivenGears::slopes(const std::vector<double>&, std::size_t) const {
+  return std::vector<double>(outputs().size(), 0.0);
+}
+
 void DrivenGears::save(SavedState& state) const {
-  state = {kSavedGearsKind, inside_->time, inside_->options.step};
-  state.insert(state.end(), inside_->x.begin(), inside_->x.end());
+  state = saved_state({kSavedGearsKind}, *inside_);
 }
 
 void DrivenGears::restore(const SavedState& state) {
-  const std::size_t required = kSavedGearsHead + static_cast<std::size_t>(inside_->x.size());
-  if (state.size() != required)
-    mechanics::refuse("size of a saved state", static_cast<double>(state.size()), std::to_string(required));
-  if (state[0] != kSavedGearsKind)
-    mechanics::refuse("kind of a saved state", state[0], "that of a gear set, 20001");
-  if (!(state[2] > 0.0)) mechanics::refuse("step of a saved state", state[2], "above 0");
-  inside_->time = state[1];
-  inside_->options.step = state[2];
-  inside_->x = Eigen::Map<const Eigen::VectorXd>(state.data() + kSavedGearsHead, inside_->x.size());
+  restore_state(state, "gears", {kSavedGearsKind}, *inside_);
 }
 
 }  // namespace orbearing::cosim

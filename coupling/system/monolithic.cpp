@@ -22,7 +22,6 @@ using bearing::dynamics::Snapshot;
 
 constexpr double kFirstStep = 1e-6;  // [s]
 constexpr double kSavedSystemKind = 30002.0;
-constexpr std::ptrdiff_t kSavedSystemHead = 4;
 // Errors that linearly implicit steps may make in the gears, over those of dopri5.
 constexpr double kGearErrorFactor = 100.0;
 constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
@@ -70,10 +69,10 @@ struct Monolithic::Inside {
   Eigen::VectorXd bearing_state(int b) const;
   bearing::dynamics::BoreMotion motion(int b) const;
 
-  // Throws std::runtime_error between two steps of follow().
+  // Both throw std::runtime_error between two steps of follow().
   SavedState saved();
-  // What saved() gave; false where it is not of such a system, and then nothing has changed.
-  bool put(const SavedState& state);
+  // Throws std::invalid_argument where it is not one of such a system, and then nothing has changed.
+  void put(const SavedState& state);
 
   // Between two jumps.
   struct Piece {
@@ -90,6 +89,7 @@ struct Monolithic::Inside {
   void require_in_place() const;
   template <class Visit>
   void each(Visit visit);
+  std::vector<double> head() const;
   Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
 
   CoupledSetup setup_;
@@ -266,26 +266,21 @@ void Monolithic::Inside::each(Visit visit) {
   }
 }
 
-SavedState Monolithic::Inside::saved() {
+// Version, rollers, bearings, freedoms of the gears.
+std::vector<double> Monolithic::Inside::head() const {
   if (following_)
     throw std::runtime_error("monolithic solution: found follow() before save; required: windows alone");
-  SavedState all{kSavedSystemKind, static_cast<double>(model_.bearing.layout.rollers),
-                 static_cast<double>(system_.bearings()), static_cast<double>(freedoms())};
-  each([&](const double* first, long size) { all.insert(all.end(), first, first + size); });
-  return all;
+  return {kSavedSystemKind, static_cast<double>(model_.bearing.layout.rollers),
+          static_cast<double>(system_.bearings()), static_cast<double>(freedoms())};
 }
 
-bool Monolithic::Inside::put(const SavedState& state) {
-  const SavedState own = saved();
-  if (state.size() != own.size() || !std::equal(own.begin(), own.begin() + kSavedSystemHead, state.begin()))
-    return false;
-  auto from = state.begin() + kSavedSystemHead;
-  each([&](double* first, long size) {
-    std::copy_n(from, size, first);
-    from += size;
-  });
+SavedState Monolithic::Inside::saved() {
+  return saved_state(head(), *this);
+}
+
+void Monolithic::Inside::put(const SavedState& state) {
+  restore_state(state, "monolithic solution", head(), *this);
   show_all();
-  return true;
 }
 
 Monolithic::Monolithic(const CoupledSetup& setup) : inside_(std::make_unique<Inside>(setup)) {}
@@ -402,12 +397,7 @@ void Monolithic::save(SavedState& state) const {
 }
 
 void Monolithic::restore(const SavedState& state) {
-  if (inside_->put(state)) return;
-  std::ostringstream text;
-  text << "monolithic solution: found a saved state of " << state.size()
-       << " numbers; required: " << inside_->saved().size() << " numbers, of such a gear set with "
-       << bearings() << " bearings";
-  throw std::invalid_argument(text.str());
+  inside_->put(state);
 }
 
 }  // namespace orbearing::cosim

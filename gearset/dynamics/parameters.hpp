@@ -3,13 +3,84 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gearset/kinematics.hpp"
 #include "gearset/mesh/periodic_curve.hpp"
 #include "gearset/parameters.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::gearset::dynamics {
+
+// Rows of what a case states of the bodies too, there to stand in for what follows from the teeth.
+
+inline std::string described_body(const std::string& name) {
+  return "gearset.dynamics." + name;
+}
+/// On which the inertia of a body counts.
+inline std::string radius_of(const std::string& body) {
+  return body == "carrier" ? "centre distance" : "base radius";
+}
+inline described::Details described_mass() {
+  using namespace described;
+  return {.models = planetary_drivetrain,
+          .required_by = toothless_set,
+          .dimension = dimension::mass,
+          .range = positive(1e6),
+          .fmu = InFmu::parameter};
+}
+inline described::Details described_stiffness(std::string_view reason) {
+  using namespace described;
+  return {.models = planetary_drivetrain,
+          .dimension = dimension::stiffness,
+          .range = {0.0, 1e13},
+          .reason = reason,
+          .fmu = InFmu::parameter};
+}
+/// Only what a case may leave out is optional.
+template <class Member>
+std::string if_absent(const std::string& what) {
+  return described::is_optional<Member> ? "; " + what + " if absent" : "";
+}
+template <class Member>
+described::Row<Member> mass_row(Member& mass, const std::string& body) {
+  const std::string rings = body == "planet" ? " with the outer rings of its bearings" : "";
+  return field(mass, described_body(body) + ".mass", described::Felt::gear_bodies,
+               "mass of the " + body + rings + if_absent<Member>("derived from the teeth"), described_mass());
+}
+template <class Member>
+described::Row<Member> inertia_row(Member& inertia, const std::string& body) {
+  return field(inertia, described_body(body) + ".equivalent_mass", described::Felt::gear_bodies,
+               "moment of inertia of the " + body + " over the square of its " + radius_of(body) +
+                   if_absent<Member>("derived from the teeth"),
+               described_mass());
+}
+/// @param reason why so stiff where a case does not say
+inline described::Row<double> support_row(double& stiffness, const std::string& body,
+                                          std::string_view reason = {}) {
+  return field(stiffness, described_body(body) + ".support_stiffness", described::Felt::gear_bodies,
+               "stiffness that holds the " + body + " in its place, 0: floating",
+               described_stiffness(reason));
+}
+inline described::Row<double> torsional_row(double& stiffness, const std::string& body) {
+  return field(stiffness, described_body(body) + ".torsional_stiffness", described::Felt::gear_bodies,
+               "stiffness against rotation of the " + body + ", on " + radius_of(body) + " x angle",
+               described_stiffness("free to turn; a fixed member is then held rigidly"));
+}
+template <class Member>
+described::Row<Member> bearing_stiffness_row(Member& stiffness) {
+  using namespace described;
+  return field(stiffness, described_body("planet") + ".bearing_stiffness", Felt::gear_bodies,
+               "radial stiffness of all bearings of a planet and their pins" +
+                   if_absent<Member>("of the given bearing at its mean load"),
+               {.models = planetary_drivetrain,
+                .dimension = dimension::stiffness,
+                .range = positive(1e13),
+                .reason = "two roller bearings of a planet of some 70 mm, loaded",
+                .default_without_bearing = true,
+                .fmu = InFmu::parameter});
+}
 
 /// How the housing holds a central member. Rotations count as u = radius x angle.
 struct Support {
@@ -21,6 +92,22 @@ struct Support {
   bool held_in_rotation = false;     // u is zero
 };
 
+/// Rows of structures below `body` are those of an FMU's model, in its order.
+template <class Visitor>
+void describe(Visitor& visit, Support& m, const std::string& body) {
+  using namespace described;
+  const std::string path = described_body(body);
+  const Details damping{.dimension = dimension::damping, .range = {.least = 0.0}, .fmu = InFmu::parameter};
+  members(visit, m, support_row(m.stiffness, body),
+          internal(m.damping, path + ".support_damping", "radial damping between " + body + " and housing",
+                   damping),
+          torsional_row(m.torsional_stiffness, body),
+          internal(m.torsional_damping, path + ".torsional_damping",
+                   "damping between " + body + " and housing on radius x angle", damping),
+          internal(m.held_in_place, path + ".held_in_place"),
+          internal(m.held_in_rotation, path + ".held_in_rotation"));
+}
+
 /// Sun, ring or carrier.
 struct CentralMember {
   double mass = 0.0;     // [kg]
@@ -28,6 +115,14 @@ struct CentralMember {
   double radius = 0.0;   // [m]   base radius of sun and ring, centre distance for the carrier
   Support support;
 };
+
+template <class Visitor>
+void describe(Visitor& visit, CentralMember& m, const std::string& body) {
+  using namespace described;
+  members(visit, m, mass_row(m.mass, body), inertia_row(m.inertia, body),
+          internal(m.radius, described_body(body) + ".radius"),
+          part(m.support, [&] { describe(visit, m.support, body); }));
+}
 
 /// Bearings of a planet that need not be alike in all directions. With the displacement d [m] of the planet's
 /// axis from its pin's, outward and in the sense of rotation, they exert on the planet
@@ -49,6 +144,19 @@ struct PlanetMember {
   std::optional<AffineBearing> affine_bearing;  // in place of the stiffness and damping above
 };
 
+template <class Visitor>
+void describe(Visitor& visit, PlanetMember& m) {
+  using namespace described;
+  const std::string path = described_body("planet");
+  Row<double> stiffness = bearing_stiffness_row(m.bearing_stiffness);
+  stiffness.facts.meaning += "; serves only to find the state in which the run begins";
+  members(visit, m, mass_row(m.mass, "planet"), inertia_row(m.inertia, "planet"),
+          internal(m.radius, path + ".radius"), stiffness,
+          internal(m.bearing_damping, path + ".bearing_damping"),
+          internal(m.coupled_bearing, path + ".coupled_bearing"),
+          apart(m.affine_bearing));  // not of FMUs
+}
+
 /// Sun or ring mesh, alike for all planets but for its phase.
 struct Mesh {
   double pressure_angle = 0.0;  // [rad]    working
@@ -58,12 +166,33 @@ struct Mesh {
   double backlash = 0.0;  // [m]      between both flanks, along the line of action
 };
 
+template <class Visitor>
+void describe(Visitor& visit, Mesh& m, const std::string& name) {
+  using namespace described;
+  const std::string path = described_body(name + "_mesh.");
+  const Range not_negative{.least = 0.0};
+  members(
+      visit, m, internal(m.pressure_angle, path + "pressure_angle"),
+      internal(m.damping, path + "damping", "damping of the " + name + " mesh while in contact",
+               {.dimension = dimension::damping, .range = not_negative, .fmu = InFmu::parameter}),
+      internal(m.backlash, path + "backlash", "backlash of the " + name + " mesh along the line of action",
+               {.dimension = dimension::length, .range = not_negative, .fmu = InFmu::parameter}),
+      internal(m.stiffness, path + "stiffness"), internal(m.error, path + "error"));
+}
+
 /// Terms of the carrier's rotation that act on the bodies.
 struct FrameSwitches {
   bool coriolis = true;
   bool centrifugal = true;
   bool euler = true;
 };
+
+template <class Visitor>
+void describe(Visitor& visit, FrameSwitches& m) {
+  using namespace described;
+  members(visit, m, internal(m.coriolis, "inertia.coriolis"),
+          internal(m.centrifugal, "inertia.carrier_centrifugal"), internal(m.euler, "inertia.euler"));
+}
 
 /// One planetary set. Planet n stands at the angle 2 pi n / planets.
 struct SetParameters {
@@ -80,6 +209,22 @@ struct SetParameters {
   FrameSwitches frame;
   bool separation = true;  // teeth push only, beyond half the backlash; false: they also pull
 };
+
+template <class Visitor>
+void describe(Visitor& visit, SetParameters& m) {
+  using namespace described;
+  members(visit, m,
+          internal(m.planets, "gearset.planets", "number of planets",
+                   {.range = positive(), .fmu = InFmu::constant}),
+          part(m.planet), part(m.sun, [&] { describe(visit, m.sun, "sun"); }),
+          part(m.ring, [&] { describe(visit, m.ring, "ring"); }),
+          part(m.carrier, [&] { describe(visit, m.carrier, "carrier"); }),
+          part(m.sun_mesh, [&] { describe(visit, m.sun_mesh, "sun"); }),
+          part(m.ring_mesh, [&] { describe(visit, m.ring_mesh, "ring"); }),
+          internal(m.sun_phase, "gearset.sun_phase"), internal(m.ring_phase, "gearset.ring_phase"),
+          internal(m.pin_error, "gearset.dynamics.pin_error"), part(m.frame),
+          internal(m.separation, "gearset.dynamics.separation"));
+}
 
 /// Speed of all members over time: the factor on the nominal speeds goes from `from` to 1 at a constant rate.
 struct RunUp {
@@ -99,6 +244,23 @@ struct Operation {
   /// keeps its mean speed. False: the load's torque stays, and friction slows the set down.
   bool load_yields = true;
 };
+
+template <class Visitor>
+void describe(Visitor& visit, Operation& m) {
+  using namespace described;
+  members(
+      visit, m, internal(m.driven, "input.member"), internal(m.power, "input.power"),
+      together(internal(m.speeds.sun, "operation.sun_speed"), internal(m.speeds.ring, "operation.ring_speed"),
+               internal(m.speeds.carrier, "operation.carrier_speed"),
+               internal(m.speeds.planet_relative, "operation.planet_speed")),
+      together(internal(m.torques.sun, "operation.sun_torque"),
+               internal(m.torques.ring, "operation.ring_torque"),
+               internal(m.torques.carrier, "operation.carrier_torque")),
+      internal(m.mesh_frequency, "operation.mesh_frequency"),
+      internal(m.load_yields, "operation.load_yields"),
+      together(internal(m.run_up.from, "gearset.dynamics.run_up.from"),
+               internal(m.run_up.duration, "gearset.dynamics.run_up.duration")));
+}
 
 /// Operation of a set whose tooth numbers are known.
 /// @throws std::invalid_argument as member_speeds and member_torques

@@ -1,6 +1,6 @@
-// The machine inside an FMU without any interface: reads the numbers of the model and, from standard input,
-// one line of inputs for each step (step size first); prints the outputs after each. For comparison with
-// FMPy.
+// What is inside an FMU without any interface: reads the numbers of the model and, from standard input, one
+// line of inputs for each step (step size first; a bearing's may end with the slopes of both velocities);
+// prints the outputs after each. For comparison with FMPy.
 //
 //   machine_run RESOURCES_FOLDER
 #include <cstdio>
@@ -9,11 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "coupling/fmu/bearing_fields.hpp"
-#include "coupling/fmu/gear_fields.hpp"
+#include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
-#include "coupling/system/driven_bearing.hpp"
-#include "coupling/system/driven_gears.hpp"
 
 namespace {
 
@@ -47,13 +44,18 @@ bearing::dynamics::BoreMotion motion_of(const std::vector<double>& in) {
 
 // Displacement and carrier speed go on with the rates beside them.
 cosim::BoreCourse course_of(const std::vector<double>& in) {
-  return {{{in[1], in[3], 0.0, 0.0}}, {{in[2], in[4], 0.0, 0.0}}, Course::constant(in[3]),
-          Course::constant(in[4]),    Course::constant(in[5]),    {{in[6], in[7], 0.0, 0.0}},
+  const double slope_x = in.size() > 9 ? in[8] : 0.0, slope_y = in.size() > 9 ? in[9] : 0.0;
+  return {{{in[1], in[3], 0.5 * slope_x, 0.0}},
+          {{in[2], in[4], 0.5 * slope_y, 0.0}},
+          {{in[3], slope_x, 0.0, 0.0}},
+          {{in[4], slope_y, 0.0, 0.0}},
+          Course::constant(in[5]),
+          {{in[6], in[7], 0.0, 0.0}},
           Course::constant(in[7])};
 }
 
 void run_bearing(const fmu::NumberTable& numbers) {
-  cosim::DrivenBearing bearing(fmu::bearing_from(numbers).setup);
+  cosim::DrivenBearing bearing(fmu::setup_from<cosim::DrivenBearingSetup>(numbers));
   double time = 0.0;
   bool begun = false;
   for (std::vector<double> in = next_line(); !in.empty(); in = next_line()) {
@@ -70,13 +72,12 @@ void run_bearing(const fmu::NumberTable& numbers) {
 }
 
 void run_gears(const fmu::NumberTable& numbers) {
-  cosim::DrivenGears gears(fmu::gears_from(numbers).setup);
+  cosim::DrivenGears gears(fmu::setup_from<cosim::DrivenGearsSetup>(numbers));
   gears.initialize(0.0);
   double time = 0.0;
   for (std::vector<double> in = next_line(); !in.empty(); in = next_line()) {
-    std::vector<cosim::PlanetForceCourse> forces;
-    for (std::size_t i = 1; i + 2 < in.size(); i += 3)
-      forces.push_back({Course::constant(in[i]), Course::constant(in[i + 1]), Course::constant(in[i + 2])});
+    std::vector<Course> forces;
+    for (std::size_t i = 1; i < in.size(); ++i) forces.push_back(Course::constant(in[i]));
     gears.advance({time, time + in[0]}, forces);
     time += in[0];
     const cosim::PlanetMotion planet = gears.output().planets[0];

@@ -36,8 +36,8 @@ InterfaceHistory past(const LinearPair& pair, double window) {
 Errors errors_of(const CoupledOptions& options, bool force_first, bool with_past) {
   const LinearPair pair;
   LinearRun linear(pair, options, force_first);
-  if (with_past) linear.run.start_from(past(pair, options.window.longest));
-  const CoupledReport report = linear.run.advance(std::lround(kEnd / options.window.longest));
+  if (with_past) linear.run.start_from(past(pair, options.window));
+  const CoupledReport report = linear.run.advance(std::lround(kEnd / options.window));
   EXPECT_TRUE(report.completed) << report.message;
   EXPECT_EQ(report.not_converged, 0);
   const Eigen::Vector4d exact = linear_halves::exact(pair, kEnd);
@@ -59,10 +59,8 @@ class CosimOrder : public testing::TestWithParam<Scheme> {
  protected:
   Errors errors(double window) const {
     CoupledOptions options{
-        .order = GetParam().order, .extrapolation = GetParam().extrapolation, .window = {.longest = window}};
-    if (GetParam().iterated)
-      options.iteration = {
-          .most_passes = 50, .allowed_change = 1e-13, .acceleration = Acceleration::fixed_point};
+        .order = GetParam().order, .extrapolation = GetParam().extrapolation, .window = window};
+    if (GetParam().iterated) options.iteration = {.most_passes = 50, .allowed_change = 1e-13};
     return errors_of(options, GetParam().force_first, GetParam().with_past);
   }
 };

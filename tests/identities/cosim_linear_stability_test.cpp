@@ -67,8 +67,7 @@ TEST_P(CosimStabilityOf, ExtrapolationIsThatOfTheMatrix) {
   const double longest = limit(pair, order);
   for (const double share : {0.9, 1.1}) {
     for (const ExchangeOrder exchange : {ExchangeOrder::jacobi, ExchangeOrder::gauss_seidel}) {
-      LinearRun linear(pair,
-                       {.order = exchange, .extrapolation = order, .window = {.longest = share * longest}});
+      LinearRun linear(pair, {.order = exchange, .extrapolation = order, .window = share * longest});
       linear.run.advance(100);
       const double before = linear.mass.state().norm();
       const long windows = 200;

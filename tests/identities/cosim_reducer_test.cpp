@@ -39,8 +39,7 @@ CoupledSetup setup_of(const PlanetaryDrivetrain& drivetrain, const Tolerances& t
 struct ReducerRun {
   ReducerRun(const PlanetaryDrivetrain& drivetrain, const Tolerances& tolerances,
              const CoupledOptions& options)
-      : parts(planetary_coupling(setup_of(drivetrain, tolerances))),
-        run(parts.participants(), connect_by_name(parts.participants()), options) {
+      : parts(planetary_coupling(setup_of(drivetrain, tolerances))), run(parts.sides, options) {
     run.initialize(0.0);
   }
 
@@ -89,13 +88,13 @@ class CosimReducerOrder : public ::testing::TestWithParam<Scheme> {
  protected:
   Errors errors(double window) const {
     CoupledOptions options{
-        .order = GetParam().order, .extrapolation = GetParam().extrapolation, .window = {.longest = window}};
+        .order = GetParam().order, .extrapolation = GetParam().extrapolation, .window = window};
     if (GetParam().iterated) options.iteration = {.most_passes = 30, .allowed_change = 1e-10};
     ReducerRun reducer(smooth_reducer(), kTight, options);
     const CoupledReport report = reducer.run.advance(std::lround(kPath / window));
     EXPECT_TRUE(report.completed) << report.message;
     EXPECT_EQ(report.not_converged, 0);
-    const Eigen::Matrix2Xd found = displacements(reducer.parts.gears->gears().output());
+    const Eigen::Matrix2Xd found = displacements(reducer.parts.gears->output());
     return {(found - solved_as_one()).cwiseAbs().maxCoeff(), report.absolute_residual};
   }
 };
@@ -121,14 +120,14 @@ INSTANTIATE_TEST_SUITE_P(
     [](const ::testing::TestParamInfo<Scheme>& scheme) { return scheme.param.name; });
 
 CoupledOptions usual(double window) {
-  return {.extrapolation = 1, .window = {.longest = window}};
+  return {.extrapolation = 1, .window = window};
 }
 
 // All participants, in one list of numbers.
 SavedState everything(const PlanetaryCoupling& parts) {
   SavedState all, one;
-  for (const Participant* participant : parts.participants()) {
-    participant->save(one);
+  for (const Side& side : parts.sides) {
+    side.participant->save(one);
     all.insert(all.end(), one.begin(), one.end());
   }
   return all;
@@ -139,12 +138,11 @@ TEST(CosimReducer, ARestoredRunGivesTheSameBits) {
   ReducerRun one(drivetrain, {}, usual(1e-5)), other(drivetrain, {}, usual(1e-5));
   one.run.advance(20);
   std::vector<SavedState> saved;
-  for (const Participant* participant : one.parts.participants()) participant->save(saved.emplace_back());
+  for (const Side& side : one.parts.sides) side.participant->save(saved.emplace_back());
   const InterfaceHistory here{one.run.values()};
   one.run.start_from(here);
   one.run.advance(30);
-  const Participants participants = other.parts.participants();
-  for (std::size_t p = 0; p < participants.size(); ++p) participants[p]->restore(saved[p]);
+  for (std::size_t s = 0; s < saved.size(); ++s) other.parts.sides[s].participant->restore(saved[s]);
   other.run.start_from(here);
   other.run.advance(30);
   EXPECT_EQ(everything(one.parts), everything(other.parts));
@@ -156,9 +154,9 @@ TEST(CosimReducer, OrderOfTheBearingsDoesNotMatter) {
   ReducerRun one(drivetrain, {}, usual(1e-5));
   one.run.advance(20);
   const PlanetaryCoupling parts = planetary_coupling(setup_of(drivetrain, {}));
-  Participants reversed = parts.participants();
+  Sides reversed = parts.sides;
   std::reverse(reversed.begin() + 1, reversed.end());
-  CoupledRun run(reversed, connect_by_name(reversed), usual(1e-5));
+  CoupledRun run(reversed, usual(1e-5));
   run.initialize(0.0);
   run.advance(20);
   EXPECT_EQ(everything(one.parts), everything(parts));
@@ -175,8 +173,8 @@ TEST(CosimReducer, PlanetsCanBeRenamed) {
   ReducerRun renamed(drivetrain, {}, usual(5e-6));
   one.run.advance(40);
   renamed.run.advance(40);
-  const Eigen::Matrix2Xd before = displacements(one.parts.gears->gears().output());
-  const Eigen::Matrix2Xd after = displacements(renamed.parts.gears->gears().output());
+  const Eigen::Matrix2Xd before = displacements(one.parts.gears->output());
+  const Eigen::Matrix2Xd after = displacements(renamed.parts.gears->output());
   // Steps of the gears differ by round-off, which rollers amplify within 0.2 ms.
   for (Eigen::Index i = 0; i < 4; ++i)
     EXPECT_LT((after.col(i) - before.col((i + 1) % 4)).norm(), 1e-6 * before.col(i).norm());

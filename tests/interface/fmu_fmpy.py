@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Our FMUs in FMPy, a tool that is not ours: valid, and with the results of the machine inside.
+"""Our FMUs in FMPy, a tool that is not ours: valid, and with the results of what is inside.
 
 Needs ORBEARING and ORBEARING_MACHINE_RUN. Skipped where FMPy (PyPI) cannot be installed.
 """
@@ -40,6 +40,12 @@ def inputs_at(model, step):
     return [value for i in range(4) for value in (50.0 * math.sin(phase + i), -1900.0 + 100.0 * math.cos(phase), 0.5)]
 
 
+def slopes_at(step):
+    """Slopes of both velocities of the bearing's motion above, which swing."""
+    phase, swing = 2 * math.pi * step / 17, 2 * math.pi / (17 * STEP)
+    return [-1e-6 * swing**2 * math.sin(phase), -2e-6 * swing**2 * math.cos(phase)]
+
+
 class Fmu:
     """One unpacked FMU; instances are made of it."""
 
@@ -74,15 +80,18 @@ class Fmu:
     def get(self, slave):
         return list((slave.getFloat64 if self.version == 3 else slave.getReal)(self.of(self.outputs)))
 
-    def run(self, slave, first, last):
+    def run(self, slave, first, last, sloping=False):
         for step in range(first, last):
             self.set(slave, step)
+            if sloping:
+                slave.setRealInputDerivatives(self.of(BEARING_INPUTS[2:4]), [1, 1], slopes_at(step))
             slave.doStep(step * STEP, STEP)
         return self.get(slave)
 
 
-def machine_outputs(fmu):
-    lines = "".join(" ".join(repr(x) for x in [STEP, *inputs_at(fmu.model, step)]) + "\n" for step in range(STEPS))
+def machine_outputs(fmu, sloping=False):
+    lines = "".join(" ".join(repr(x) for x in [STEP, *inputs_at(fmu.model, step), *(slopes_at(step) if sloping else ())])
+                    + "\n" for step in range(STEPS))
     done = subprocess.run([os.environ["ORBEARING_MACHINE_RUN"], str(pathlib.Path(fmu.folder, "resources"))],
                           input=lines, capture_output=True, text=True, check=True)
     return [float(word) for word in done.stdout.splitlines()[-1].split()]
@@ -117,6 +126,36 @@ class InFmpy(unittest.TestCase):
             worst = max(abs(a - b) / abs(b) for a, b in zip(found, expected))
             print(f"{fmu.model}, FMI {fmu.version}.0: largest relative difference {worst:.1e}")
             self.assertLess(worst, ROUND_OFF)
+
+    def test_slopes_of_inputs_are_felt_as_by_the_machine(self):
+        for fmu in self.each():
+            if fmu.model != "bearing" or fmu.version != 2:  # FMI 3.0 has none
+                continue
+            found, expected = fmu.run(fmu.instance(), 0, STEPS, True), machine_outputs(fmu, True)
+            self.assertLess(max(abs(a - b) / abs(b) for a, b in zip(found, expected)), ROUND_OFF)
+            held = machine_outputs(fmu)
+            self.assertGreater(abs(held[1] - expected[1]), 1e-3 * abs(expected[1]))
+
+    def test_directional_derivatives_are_slopes_of_the_force(self):
+        step = 1e-10  # [m]
+        for fmu in self.each():
+            if fmu.model != "bearing":
+                continue
+            slave = fmu.instance()
+            fmu.run(slave, 0, 5)
+            unknown, known = fmu.of(["force.y"]), fmu.of(["planet.displacement.y"])
+            (found,) = slave.getDirectionalDerivative(unknown, known, [1.0])
+            get = slave.getFloat64 if fmu.version == 3 else slave.getReal
+            put = slave.setFloat64 if fmu.version == 3 else slave.setReal
+            (middle,) = get(known)
+            force = []
+            for sign in (1, -1):
+                put(known, [middle + sign * step])
+                force += get(unknown)
+            slope = (force[0] - force[1]) / (2 * step)
+            self.assertLess(slope, 0.0)
+            # Curvature of the contacts; round-off of 1e4 N over the step.
+            self.assertLess(abs(found - slope), 1e-4 * abs(slope) + 1e-11 * 1e4 / step)
 
     def test_simulation_by_fmpy_itself(self):
         results = {}

@@ -20,7 +20,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_output.hpp"
 #include "app/study/static_study.hpp"
-#include "coupling/fmu/machine.hpp"
+#include "coupling/fmu/model.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/several_sets.hpp"
 
@@ -64,27 +64,27 @@ inline std::string crown_result(const ResolvedCase& in) {
   return digits(std::vector{point.life_hours, point.pressure.peak, point.pressure.edge_ratio}) + point.status;
 }
 
-/// The machine inside an FMU, driven for a while at fixed inputs.
+/// What is inside an FMU, driven for a while at fixed inputs.
 inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing) {
   constexpr double step = 2e-5;  // [s]
   constexpr int steps = 200;     // some revolutions of the cage pockets past the load
   const fmu::ModelFacts facts = fmu::facts_of(numbers);
   std::vector<double> parameters, inputs;
-  for (const fmu::ShownField& parameter : facts.parameters) parameters.push_back(parameter.start);
-  for (const fmu::InputFacts& input : facts.inputs) inputs.push_back(input.start);
+  for (const fmu::ShownField& parameter : facts.shown.parameters) parameters.push_back(parameter.start);
+  for (const cosim::Input& input : facts.inputs) inputs.push_back(input.start);
   if (bearing) {
     inputs.at(0) = 2e-6;  // [m]        outward
     inputs.at(1) = 6e-6;  // [m]        under load
     inputs.at(6) = 2e3;   // [rad/s^2]  of the carrier
   }
-  const std::unique_ptr<fmu::Machine> machine = fmu::make_machine(numbers, parameters);
-  machine->initialize(0.0, inputs);
+  const std::unique_ptr<cosim::Participant> driven = fmu::make_participant(numbers, parameters);
+  driven->initialize(0.0, inputs);
   for (int i = 0; i < steps; ++i) {
     std::vector<cosim::Course> courses;
     for (const double input : inputs) courses.push_back(cosim::Course::constant(input));
-    machine->advance({i * step, (i + 1) * step}, courses);
+    driven->advance({i * step, (i + 1) * step}, courses);
   }
-  return digits(machine->outputs(inputs));
+  return digits(driven->values(inputs, facts.outputs.size()));
 }
 
 inline std::string modes_result(const ResolvedCase& in, bool turning) {

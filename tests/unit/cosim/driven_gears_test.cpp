@@ -29,12 +29,12 @@ DrivenGearsSetup setup(double share = 1e-8) {
   return out;
 }
 
-std::vector<PlanetForceCourse> spring_forces(const DrivenGears& gears, const SetParameters& set,
-                                             double moment = 0.0) {
-  std::vector<PlanetForceCourse> forces;
+// x, y, moment of each planet.
+std::vector<Course> spring_forces(const DrivenGears& gears, const SetParameters& set, double moment = 0.0) {
+  std::vector<Course> forces;
   for (const PlanetMotion& planet : gears.output().planets) {
     const Eigen::Vector2d force = -set.planet.bearing_stiffness * planet.displacement;
-    forces.push_back({Course::constant(force.x()), Course::constant(force.y()), Course::constant(moment)});
+    for (const double value : {force.x(), force.y(), moment}) forces.push_back(Course::constant(value));
   }
   return forces;
 }
@@ -111,10 +111,10 @@ TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheCourse) {
     for (int k = 0; k < windows; ++k) {
       auto forces = spring_forces(gears, smooth.set);
       const auto planets = gears.output().planets;
-      for (std::size_t i = 0; i < forces.size(); ++i) {
+      for (std::size_t i = 0; i < planets.size(); ++i) {
         const Eigen::Vector2d slope = -smooth.set.planet.bearing_stiffness * planets[i].velocity;
-        forces[i].x.coefficient[1] = slope.x();
-        forces[i].y.coefficient[1] = slope.y();
+        forces[3 * i].coefficient[1] = slope.x();
+        forces[3 * i + 1].coefficient[1] = slope.y();
       }
       gears.advance({k * end / windows, (k + 1) * end / windows}, forces);
     }
@@ -136,12 +136,12 @@ TEST(DrivenGears, BalanceWithBearingsThatAreNotTheStatedSprings) {
   const Eigen::Vector2d before = gears.output().planets[0].displacement;
   const Eigen::Vector2d gap(2e-6, -5e-6);  // [m]
   for (int round = 0; round < 40; ++round) {
-    std::vector<PlanetForceCourse> forces;
+    std::vector<double> forces;
     for (const PlanetMotion& planet : gears.output().planets) {
       const Eigen::Vector2d force = -1.5 * setup().set.planet.bearing_stiffness * (planet.displacement - gap);
-      forces.push_back({Course::constant(force.x()), Course::constant(force.y()), {}});
+      forces.insert(forces.end(), {force.x(), force.y(), 0.0});
     }
-    gears.balance(forces);
+    gears.balance(0.0, forces);
   }
   const Eigen::Vector2d after = gears.output().planets[0].displacement;
   // The shift by the gap itself changes the centrifugal load a little.
@@ -170,7 +170,7 @@ TEST(DrivenGears, KeepTheirStateWhereAWindowFails) {
   SavedState before, after;
   gears.save(before);
   auto forces = spring_forces(gears, setup().set);
-  forces[2].x = Course::constant(std::nan(""));
+  forces[6] = Course::constant(std::nan(""));
   EXPECT_THROW(gears.advance({0.0, 1e-5}, forces), std::runtime_error);
   gears.save(after);
   EXPECT_EQ(before, after);

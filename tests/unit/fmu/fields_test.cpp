@@ -57,32 +57,33 @@ TEST(FmuFields, NamesAreUnique) {
 }
 
 TEST(FmuFields, TextKeepsEveryBit) {
-  BearingModel model = test::bearing_model();
-  model.setup.bearing.radial_clearance = 0.1e-6 / 3.0;
-  model.setup.bearing.inner_form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
-  model.setup.bearing.roller_diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
+  cosim::DrivenBearingSetup model = test::bearing_model();
+  model.bearing.radial_clearance = 0.1e-6 / 3.0;
+  model.bearing.inner_form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
+  model.bearing.roller_diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
   const std::string text = text_of(numbers_of(model));
-  const BearingModel again = bearing_from(table_from(text));
+  const cosim::DrivenBearingSetup again = setup_from<cosim::DrivenBearingSetup>(table_from(text));
   EXPECT_EQ(text_of(numbers_of(again)), text);
-  EXPECT_EQ(again.setup.bearing.radial_clearance, model.setup.bearing.radial_clearance);
-  EXPECT_EQ(again.setup.bearing.roller_diameter_deviation, model.setup.bearing.roller_diameter_deviation);
-  EXPECT_EQ(again.setup.bearing.inner_form[0].turning, true);
-  EXPECT_EQ(again.setup.bearing.inner_form[1].amplitude, -1e-6);
+  EXPECT_EQ(again.bearing.radial_clearance, model.bearing.radial_clearance);
+  EXPECT_EQ(again.bearing.roller_diameter_deviation, model.bearing.roller_diameter_deviation);
+  EXPECT_EQ(again.bearing.inner_form[0].turning, true);
+  EXPECT_EQ(again.bearing.inner_form[1].amplitude, -1e-6);
 }
 
 TEST(FmuFields, MeshCurvesAreTheSameCurves) {
-  const GearModel model = test::gear_model();
-  const GearModel again = gears_from(table_from(text_of(numbers_of(model))));
-  const gearset::PeriodicCurve& curve = model.setup.set.sun_mesh.stiffness;
-  ASSERT_EQ(again.setup.set.sun_mesh.stiffness.jumps(), curve.jumps());
+  const cosim::DrivenGearsSetup model = test::gear_model();
+  const cosim::DrivenGearsSetup again =
+      setup_from<cosim::DrivenGearsSetup>(table_from(text_of(numbers_of(model))));
+  const gearset::PeriodicCurve& curve = model.set.sun_mesh.stiffness;
+  ASSERT_EQ(again.set.sun_mesh.stiffness.jumps(), curve.jumps());
   for (double fraction = -1.0; fraction < 2.0; fraction += 0.00731) {
-    EXPECT_EQ(again.setup.set.sun_mesh.stiffness.at(fraction).value, curve.at(fraction).value);
-    EXPECT_EQ(again.setup.set.sun_mesh.stiffness.at(fraction).slope, curve.at(fraction).slope);
+    EXPECT_EQ(again.set.sun_mesh.stiffness.at(fraction).value, curve.at(fraction).value);
+    EXPECT_EQ(again.set.sun_mesh.stiffness.at(fraction).slope, curve.at(fraction).slope);
   }
 }
 
 TEST(FmuFields, BrokenCurvesAreRefused) {
-  const std::vector<double> numbers = test::gear_model().setup.set.sun_mesh.stiffness.numbers();
+  const std::vector<double> numbers = test::gear_model().set.sun_mesh.stiffness.numbers();
   for (std::size_t length = 0; length < std::min<std::size_t>(numbers.size(), 40); ++length)
     EXPECT_THROW(
         gearset::PeriodicCurve::from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)}),
@@ -134,8 +135,8 @@ TEST(FmuModelText, NumbersThatMakeNoSenseAreRefused) {
   NumberTable numbers = numbers_of(test::bearing_model());
   for (NumberRow& row : numbers.rows)
     if (row.name == "bearing.width") row.values = {-1.0};
-  EXPECT_THROW(bearing_from(numbers), std::invalid_argument);
-  EXPECT_THROW(bearing_from(NumberTable{"bearing", {}}), std::invalid_argument);
+  EXPECT_THROW(setup_from<cosim::DrivenBearingSetup>(numbers), std::invalid_argument);
+  EXPECT_THROW(setup_from<cosim::DrivenBearingSetup>(NumberTable{"bearing", {}}), std::invalid_argument);
   EXPECT_THROW(facts_of(NumberTable{"engine", {}}), std::invalid_argument);
 }
 

@@ -58,7 +58,7 @@ TEST(Fmi2Bearing, AStateBringsItsParametersBack) {
   ASSERT_EQ(instance.begin(), fmi2OK);
   run(instance, 0, 3);
   ASSERT_EQ(fmi2SetFMUstate(instance.component, fresh), fmi2OK);
-  EXPECT_EQ(instance.get("bearing.radial_clearance"), bearing_model().setup.bearing.radial_clearance);
+  EXPECT_EQ(instance.get("bearing.radial_clearance"), bearing_model().bearing.radial_clearance);
   press(instance);
   ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
   run(instance, 0, 3);
@@ -110,10 +110,10 @@ TEST(Fmi2Bearing, OutputsDependOnTheInputsOfTheTableAndOnNoOthers) {
     const std::string& name = facts.inputs[input].name;
     const double middle = instance.get(name);
     std::vector<double> before;
-    for (const OutputFacts& output : facts.outputs) before.push_back(instance.get(output.name));
+    for (const cosim::Output& output : facts.outputs) before.push_back(instance.get(output.name));
     instance.set(name, middle + (input < 2 ? 1e-6 : input < 4 ? 1e-2 : 10.0));
     for (std::size_t i = 0; i < facts.outputs.size(); ++i) {
-      const OutputFacts& output = facts.outputs[i];
+      const cosim::Output& output = facts.outputs[i];
       const bool listed = std::find(output.inputs.begin(), output.inputs.end(), input) != output.inputs.end();
       if (!listed) {
         EXPECT_EQ(instance.get(output.name), before[i]) << output.name << " by " << name;

@@ -20,9 +20,9 @@ const Resources& bearing_resources() {
   return resources;
 }
 
-// The same run by the machine without any interface.
+// The same run without any interface.
 cosim::DrivenBearing direct(const bearing::dynamics::BoreMotion& motion, int steps) {
-  cosim::DrivenBearing bearing(bearing_model().setup);
+  cosim::DrivenBearing bearing(bearing_model());
   bearing.initialize(motion);
   const cosim::BoreCourse inputs = orbearing::test::constant_course(motion);
   double time = 0.0;
@@ -33,7 +33,7 @@ cosim::DrivenBearing direct(const bearing::dynamics::BoreMotion& motion, int ste
   return bearing;
 }
 
-TEST(Fmi2Bearing, RunsAsTheMachineDoes) {
+TEST(Fmi2Bearing, RunsAsWithoutInterface) {
   Instance2 instance(bearing_resources());
   ASSERT_NE(instance.component, nullptr);
   press(instance);
@@ -162,22 +162,22 @@ TEST(Fmi2Bearing, OutputsDuringInitializationFollowInputsAndParameters) {
   const double loose = instance.get("force.y");
   EXPECT_LT(pressed, loose);
   press(instance);
-  instance.set("bearing.radial_clearance", bearing_model().setup.bearing.radial_clearance);
+  instance.set("bearing.radial_clearance", bearing_model().bearing.radial_clearance);
   EXPECT_EQ(instance.get("force.y"), pressed);
 }
 
-TEST(Fmi2Gears, RunsAsTheMachineDoes) {
+TEST(Fmi2Gears, RunsAsWithoutInterface) {
   const Resources resources(numbers_of(test::gear_model()));
   Instance2 instance(resources);
   ASSERT_NE(instance.component, nullptr);
   ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
-  cosim::DrivenGears gears(test::gear_model().setup);
+  cosim::DrivenGears gears(test::gear_model());
   gears.initialize(0.0);
-  std::vector<cosim::PlanetForceCourse> inputs(static_cast<std::size_t>(gears.planets()));
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
+  std::vector<cosim::Course> inputs(gears.inputs().size());  // x, y, moment of each planet
+  for (std::size_t i = 0; i < inputs.size() / 3; ++i) {
     const std::string planet = "planet[" + std::to_string(i + 1) + "].";
-    inputs[i] = {.x = cosim::Course::constant(100.0),
-                 .y = cosim::Course::constant(-900.0 - 10.0 * double(i))};
+    inputs[3 * i] = cosim::Course::constant(100.0);
+    inputs[3 * i + 1] = cosim::Course::constant(-900.0 - 10.0 * double(i));
     instance.set(planet + "force.x", 100.0);
     instance.set(planet + "force.y", -900.0 - 10.0 * double(i));
   }

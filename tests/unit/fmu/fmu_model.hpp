@@ -9,9 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/fmu/bearing_fields.hpp"
 #include "coupling/fmu/fmi2.hpp"
-#include "coupling/fmu/gear_fields.hpp"
+#include "coupling/fmu/model.hpp"
 #include "coupling/fmu/model_file.hpp"
 #include "coupling/fmu/variable_table.hpp"
 #include "tests/gear_sets.hpp"
@@ -20,17 +19,19 @@
 namespace orbearing::fmu::test {
 
 /// The reducer's bearing pressed by its planet at 6000 rpm of the sun.
-inline BearingModel bearing_model() {
+inline cosim::DrivenBearingSetup bearing_model() {
   const bearing::dynamics::BoreMotion motion = orbearing::test::pressed_motion();
-  return {orbearing::test::driven_reducer(), motion.speed, motion.carrier_speed};
+  cosim::DrivenBearingSetup setup = orbearing::test::driven_reducer();
+  setup.planet_speed = motion.speed;
+  setup.carrier_speed = motion.carrier_speed;
+  return setup;
 }
 
-inline GearModel gear_model() {
-  GearModel model{.setup = {.set = gearset::dynamics::test::reducer_dynamics(),
-                            .operation = gearset::dynamics::test::reducer_operation(628.0)},
-                  .start_force = {}};
-  model.setup.set.planet.coupled_bearing = true;
-  return model;
+inline cosim::DrivenGearsSetup gear_model() {
+  cosim::DrivenGearsSetup setup{.set = gearset::dynamics::test::reducer_dynamics(),
+                                .operation = gearset::dynamics::test::reducer_operation(628.0)};
+  setup.set.planet.coupled_bearing = true;
+  return setup;
 }
 
 /// Resources of an unpacked FMU in a folder of their own, with a blank in its name.

@@ -12,15 +12,15 @@ inline constexpr long kFewSteps =
     300;  // internal ones of one call: wild inputs shall not take the time of the test
 
 inline NumberTable short_bearing() {
-  BearingModel model = test::bearing_model();
-  model.setup.bearing.rollers = 5;
-  model.setup.most_steps = kFewSteps;
+  cosim::DrivenBearingSetup model = test::bearing_model();
+  model.bearing.rollers = 5;
+  model.most_steps = kFewSteps;
   return numbers_of(model);
 }
 
 inline NumberTable short_gears() {
-  GearModel model = test::gear_model();
-  model.setup.most_steps = kFewSteps;
+  cosim::DrivenGearsSetup model = test::gear_model();
+  model.most_steps = kFewSteps;
   return numbers_of(model);
 }
 

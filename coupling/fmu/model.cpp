@@ -1,0 +1,60 @@
+#include "coupling/fmu/model.hpp"
+
+#include <stdexcept>
+
+namespace orbearing::fmu {
+
+namespace {
+
+using cosim::DrivenBearing;
+using cosim::DrivenBearingSetup;
+using cosim::DrivenGears;
+using cosim::DrivenGearsSetup;
+
+// The result of `call` for the setup that `numbers` are of, and what stands behind it.
+template <class Call>
+auto of_model(const NumberTable& numbers, const Call& call) {
+  if (numbers.model == "bearing")
+    return call.template operator()<DrivenBearing>(setup_from<DrivenBearingSetup>(numbers));
+  if (numbers.model == "gearset")
+    return call.template operator()<DrivenGears>(setup_from<DrivenGearsSetup>(numbers));
+  throw std::invalid_argument("model: found '" + numbers.model + "'; required: bearing or gearset");
+}
+
+const char* meaning_of(const std::string& model) {
+  return model == "bearing"
+             ? "One cylindrical roller bearing of one planet: rollers, cage and pin ring in the "
+               "carrier's frame"
+             : "A planetary gear set whose planet bearings are computed elsewhere";
+}
+
+}  // namespace
+
+NumberTable numbers_of(const DrivenBearingSetup& setup) {
+  return numbers_of_setup("bearing", setup);
+}
+NumberTable numbers_of(const DrivenGearsSetup& setup) {
+  return numbers_of_setup("gearset", setup);
+}
+
+ModelFacts facts_of(const NumberTable& numbers) {
+  return of_model(numbers, [&]<class Driven>(const auto& setup) -> ModelFacts {
+    const Driven driven(setup);
+    return {numbers.model, meaning_of(numbers.model), shown_fields(setup), driven.inputs(), driven.outputs()};
+  });
+}
+
+std::unique_ptr<cosim::Participant> make_participant(const NumberTable& numbers,
+                                                     const std::vector<double>& parameters) {
+  NumberTable own = numbers;
+  const std::vector<ShownField> fields =
+      of_model(numbers, []<class>(const auto& setup) { return shown_fields(setup).parameters; });
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    for (NumberRow& row : own.rows)
+      if (row.name == fields[i].facts.name) row.values = {parameters.at(i)};
+  return of_model(own, []<class Driven>(const auto& setup) -> std::unique_ptr<cosim::Participant> {
+    return std::make_unique<Driven>(setup);
+  });
+}
+
+}  // namespace orbearing::fmu
