@@ -152,7 +152,7 @@ ModelFacts bearing_facts(const NumberTable& numbers) {
                        "carrier's frame"};
   show_fields(model, facts);
   facts.inputs = bearing_inputs(model);
-  facts.outputs = bearing_outputs(model.setup.bearing.rollers);
+  facts.outputs = bearing_outputs(model.setup.bearing.rollers().count);
   return facts;
 }
 

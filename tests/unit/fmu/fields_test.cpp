@@ -59,15 +59,16 @@ TEST(FmuFields, NamesAreUnique) {
 TEST(FmuFields, TextKeepsEveryBit) {
   BearingModel model = test::bearing_model();
   model.setup.bearing.radial_clearance = 0.1e-6 / 3.0;
-  model.setup.bearing.inner_form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
-  model.setup.bearing.roller_diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
+  model.setup.bearing.inner.form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
+  model.setup.bearing.rollers().diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
   const std::string text = text_of(numbers_of(model));
   const BearingModel again = bearing_from(table_from(text));
   EXPECT_EQ(text_of(numbers_of(again)), text);
   EXPECT_EQ(again.setup.bearing.radial_clearance, model.setup.bearing.radial_clearance);
-  EXPECT_EQ(again.setup.bearing.roller_diameter_deviation, model.setup.bearing.roller_diameter_deviation);
-  EXPECT_EQ(again.setup.bearing.inner_form[0].turning, true);
-  EXPECT_EQ(again.setup.bearing.inner_form[1].amplitude, -1e-6);
+  EXPECT_EQ(again.setup.bearing.rollers().diameter_deviation,
+            model.setup.bearing.rollers().diameter_deviation);
+  EXPECT_EQ(again.setup.bearing.inner.form[0].turning, true);
+  EXPECT_EQ(again.setup.bearing.inner.form[1].amplitude, -1e-6);
 }
 
 TEST(FmuFields, MeshCurvesAreTheSameCurves) {

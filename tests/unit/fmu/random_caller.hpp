@@ -13,7 +13,7 @@ inline constexpr long kFewSteps =
 
 inline NumberTable short_bearing() {
   BearingModel model = test::bearing_model();
-  model.setup.bearing.rollers = 5;
+  model.setup.bearing.rollers().count = 5;
   model.setup.most_steps = kFewSteps;
   return numbers_of(model);
 }
