@@ -14,6 +14,7 @@
 namespace orbearing::bearing::static_bearings_test {
 namespace {
 
+using equilibrium::balance_bearing;
 using equilibrium::RingLoad;
 using equilibrium::RingState;
 
