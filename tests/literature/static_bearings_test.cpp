@@ -66,7 +66,9 @@ TEST(StaticBearings, RollersAndBallsGoOneWay) {
     EXPECT_EQ(state.lamina_load.size() > 0, row.bearing.has_rollers());
     for (std::size_t j = 0; j < row.contact_loads.size(); ++j)
       EXPECT_NEAR(state.contact_load[static_cast<Eigen::Index>(j)], row.contact_loads[j], kPrintedLoad) << j;
-    if (row.radial > 0.0) EXPECT_NEAR(1e6 * state.radial, row.radial, kDisplacement);
+    if (row.radial > 0.0) {
+      EXPECT_NEAR(1e6 * state.radial, row.radial, kDisplacement);
+    }
 
     rating::StatedRatings stated;
     if (row.dynamic_capacity > 0.0) stated.dynamic_capacity = row.dynamic_capacity;
@@ -74,7 +76,9 @@ TEST(StaticBearings, RollersAndBallsGoOneWay) {
     const rating::ElementLoads loads{state.contact_load, state.lamina_load};
     const BearingLife life = rating::reference_life(row.bearing, ratings.contacts, loads, loads);
     EXPECT_GT(life.bearing, 0.0);
-    if (row.life > 0.0) EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);
+    if (row.life > 0.0) {
+      EXPECT_NEAR(1e-6 * life.bearing / row.life, 1.0, kLife);
+    }
   }
 }
 
