@@ -2,33 +2,39 @@
 #pragma once
 
 #include "bearing/parameters.hpp"
+#include "bearing/profile/design.hpp"
 
 namespace orbearing::bearing {
 
-/// Derived geometry and inertia of a cylindrical roller bearing.
-struct RollerBearingGeometry {
+/// Derived geometry and inertia of a bearing.
+struct BearingGeometry {
   double pitch_radius = 0.0;     // [m]
-  double roller_radius = 0.0;    // [m]
-  double inner_radius = 0.0;     // [m]       race of the pin: R_i
-  double outer_radius = 0.0;     // [m]       race of the bore: R_o
-  double roller_mass = 0.0;      // [kg]
-  double roller_inertia = 0.0;   // [kg m^2]  about its own axis
+  double element_radius = 0.0;   // [m]       of a roller or ball
+  double slenderness = 0.0;      // [-]       gamma = D cos(alpha)/d_m
+  double inner_radius = 0.0;     // [m]       of the inner race, of a groove where it is deepest: R_i
+  double outer_radius = 0.0;     // [m]       of the outer race: R_o
+  double element_mass = 0.0;     // [kg]
+  double element_inertia = 0.0;  // [kg m^2]  about its own axis
   double cage_mass = 0.0;        // [kg]      ring less pockets
   double cage_inertia = 0.0;     // [kg m^2]  about its axis
-  double outer_ring_mass = 0.0;  // [kg]      between outer race and outside diameter
+  double outer_ring_mass = 0.0;  // [kg]      between outer race and outside diameter; no grooves taken off
   double inner_ring_mass = 0.0;  // [kg]      between bore and inner race
 };
 
 /// Geometry of `bearing`. The clearance is shared evenly: races of diameter d_m -+ (D + G/2).
-RollerBearingGeometry geometry_of(const CylindricalRollerBearing& bearing);
+BearingGeometry geometry_of(const Bearing& bearing);
 
 /// Equivalent radius of a roller on its race [m]: convex on the inner race, concave on the outer.
-double equivalent_radius(const RollerBearingGeometry& geometry, Race race);
+double equivalent_radius(const BearingGeometry& geometry, Race race);
+
+/// What a logarithmic profile of the rollers is laid out for: `load` [N] on the inner race, where they are
+/// pressed most.
+profile::DesignLoad design_under(const Bearing& bearing, double load);
 
 /// Speed of the cage at pure rolling [rad/s], from the speeds of both races in the same frame.
-double kinematic_cage_speed(const RollerBearingGeometry& geometry, double inner_speed, double outer_speed);
+double kinematic_cage_speed(const BearingGeometry& geometry, double inner_speed, double outer_speed);
 
 /// Spin of a roller at pure rolling on both races [rad/s], in the frame of the race speeds.
-double kinematic_roller_spin(const RollerBearingGeometry& geometry, double inner_speed, double outer_speed);
+double kinematic_roller_spin(const BearingGeometry& geometry, double inner_speed, double outer_speed);
 
 }  // namespace orbearing::bearing

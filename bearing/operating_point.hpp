@@ -18,4 +18,10 @@ struct OperatingPoint {
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
 };
 
+/// Speed [rad/s] of the race that turns relative to the load, in whose revolutions lives count: of the inner
+/// one where both do.
+inline double turning_speed(const Bearing& bearing, const OperatingPoint& point) {
+  return bearing.motions.inner == RaceMotion::turning ? point.inner_speed : point.outer_speed;
+}
+
 }  // namespace orbearing::bearing

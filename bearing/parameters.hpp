@@ -1,7 +1,12 @@
-// What the user states about a bearing of rollers or balls and what lies around it. SI units throughout. The
-// rows beneath each structure say what its members are for (mechanics/described.hpp).
+// What the user states about a bearing, of rollers or balls, and what lies around it. SI units throughout.
+// The rows beneath each structure say what its members are for (mechanics/described.hpp).
 #pragma once
 
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "bearing/profile/profile.hpp"
@@ -110,134 +115,208 @@ constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
   return {{{FilmApproach::added, "added"}, {FilmApproach::as_printed, "as-printed"}}};
 }
 
-/// Cylindrical roller bearing between a pin (inner race) and the bore of a planet (outer race).
-struct CylindricalRollerBearing {
-  int rollers = 0;
-  double roller_diameter = 0.0;   // [m]
-  double roller_length = 0.0;     // [m]  effective contact length
-  double pitch_diameter = 0.0;    // [m]
-  double radial_clearance = 0.0;  // [m]  internal clearance in diametral measure (ISO 5753)
-  double bore = 0.0;              // [m]  of the inner ring
-  double outside_diameter = 0.0;  // [m]  of the outer ring
-  double width = 0.0;             // [m]
-  Material material;
-  ContactLaw contact_law = ContactLaw::palmgren;
-  Cage cage;
-  std::vector<RaceHarmonic> inner_form;           // of the pin's race; none: round
-  std::vector<RaceHarmonic> outer_form;           // of the bore's race
-  std::vector<double> roller_diameter_deviation;  // [m]  (rollers)  from roller_diameter; missing ones: 0
-  int laminae = 0;                  // into which each contact is cut; 0: one load over its length
-  profile::Profile roller_profile;  // of one roller; with laminae only, as the next two
-  profile::Profile inner_race_profile;
-  profile::Profile outer_race_profile;
+/// How a race moves relative to the load: every point of a turning one passes the loaded zone.
+enum class RaceMotion { turning, standing };
+
+struct RaceMotions {
+  RaceMotion inner = RaceMotion::turning;
+  RaceMotion outer = RaceMotion::standing;
 };
 
-/// Rows of rollers and balls alike.
-inline described::Row<double> pitch_diameter_row(double& pitch_diameter) {
-  using namespace described;
-  return field(pitch_diameter, "bearing.pitch_diameter", Felt::balance,
-               "diameter of the circle of centres of rollers or balls",
-               {.models = with_rollers | ball_bearing,
-                .required_by = with_rollers | ball_bearing,
-                .dimension = dimension::length,
-                .range = positive(1e4),
-                .fmu = InFmu::parameter});
-}
-inline described::Row<double> radial_clearance_row(double& radial_clearance) {
-  using namespace described;
-  return field(radial_clearance, "bearing.radial_clearance", Felt::balance,
-               "internal clearance in diametral measure (ISO 5753); negative is interference",
-               {.models = with_rollers | ball_bearing,
-                .required_by = with_rollers | ball_bearing,
-                .dimension = dimension::small_length,
-                .range = {-100.0, 2000.0},
-                .fmu = InFmu::parameter});
+/// One ring with its race.
+struct Ring {
+  double seat_diameter = 0.0;      // [m]  bore of the inner ring, outside diameter of the outer one
+  std::vector<RaceHarmonic> form;  // of the race; none: round
+  profile::Profile profile;        // of the race along rollers cut into laminae
+  double osculation = 0.52;        // [-]  radius of a ball's groove over ball diameter
+};
+
+/// Cylindrical rollers of one row.
+struct CylindricalRollers {
+  static constexpr const char* kind = "cylindrical rollers";
+
+  int count = 0;
+  double diameter = 0.0;                   // [m]
+  double length = 0.0;                     // [m]  effective contact length
+  int laminae = 0;                         // into which each contact is cut; 0: one load over its length
+  std::vector<double> diameter_deviation;  // [m]  (rollers)  from diameter; missing ones: 0
+  profile::Profile profile;                // of one roller; with laminae only
+};
+
+/// Balls of one row.
+struct Balls {
+  static constexpr const char* kind = "balls";
+
+  int count = 0;
+  double diameter = 0.0;       // [m]
+  double contact_angle = 0.0;  // [rad]  nominal: without load where the clearance is zero
+};
+
+using Elements = std::variant<CylindricalRollers, Balls>;
+
+/// `elements` as those of one kind. Throws std::invalid_argument where they are of another.
+template <class Kind, class AnyElements>
+auto& elements_of_kind(AnyElements& elements) {
+  if (auto* found = std::get_if<Kind>(&elements)) return *found;
+  const char* found = std::visit([](const auto& row) { return row.kind; }, elements);
+  throw std::invalid_argument(std::string("rolling elements of the bearing: found ") + found +
+                              "; required: " + Kind::kind);
 }
 
-/// A case states forms and profiles by several fields each (app/case).
+/// One row of rolling elements between two rings: of a planet the inner ring sits on the pin, the outer race
+/// is in the planet's bore.
+struct Bearing {
+  Ring inner;
+  Ring outer{.osculation = 0.53};
+  Cage cage;
+  Elements elements;
+  double pitch_diameter = 0.0;  // [m]
+  double radial_clearance =
+      0.0;             // [m]    internal clearance in diametral measure (ISO 5753); of balls beyond
+                       //        what the nominal contact angle takes
+  double width = 0.0;  // [m]    of the rings
+  Material material;
+  ContactLaw contact_law = ContactLaw::palmgren;  // of rollers
+  RaceMotions motions{RaceMotion::standing,
+                      RaceMotion::turning};  // of a planet, whose load stands on its pin
+  double first_element =
+      0.0;  // [rad]  place of the first element from the radial load, under a static load; a
+            //        motion and a quasi-static pitch state where they begin
+
+  const Ring& ring(Race race) const { return race == Race::inner ? inner : outer; }
+  RaceMotion motion(Race race) const { return race == Race::inner ? motions.inner : motions.outer; }
+  bool has_rollers() const { return std::holds_alternative<CylindricalRollers>(elements); }
+
+  /// For what knows one kind of elements alone. Throws std::invalid_argument where they are of the other.
+  const CylindricalRollers& rollers() const { return elements_of_kind<CylindricalRollers>(elements); }
+  CylindricalRollers& rollers() { return elements_of_kind<CylindricalRollers>(elements); }
+  const Balls& balls() const { return elements_of_kind<Balls>(elements); }
+  Balls& balls() { return elements_of_kind<Balls>(elements); }
+
+  int element_count() const {
+    return std::visit([](const auto& row) { return row.count; }, elements);
+  }
+  double element_diameter() const {  // [m]
+    return std::visit([](const auto& row) { return row.diameter; }, elements);
+  }
+  double contact_angle() const { return has_rollers() ? 0.0 : balls().contact_angle; }  // [rad]  nominal
+};
+
+/// D cos(alpha)/d_m [-], with the nominal contact angle.
+inline double slenderness(const Bearing& bearing) {
+  return bearing.element_diameter() * std::cos(bearing.contact_angle()) / bearing.pitch_diameter;
+}
+
 template <class Visitor>
-void describe(Visitor& visit, CylindricalRollerBearing& m) {
+void describe(Visitor& visit, CylindricalRollers& m) {
   using namespace described;
-  const auto length = [](double& member, std::string path, Felt felt, unsigned models, unsigned required_by,
-                         std::string meaning) {
-    return field(member, std::move(path), felt, std::move(meaning),
-                 {.models = models,
-                  .required_by = required_by,
+  const auto length = [](double& member, std::string path, std::string meaning) {
+    return field(member, std::move(path), Felt::balance, std::move(meaning),
+                 {.models = with_rollers,
+                  .required_by = with_rollers,
                   .dimension = dimension::length,
                   .range = positive(1e4),
                   .fmu = InFmu::parameter});
   };
   members(
       visit, m,
-      field(m.rollers, "bearing.rollers", Felt::balance, "number of rollers",
+      field(m.count, "bearing.rollers", Felt::balance, "number of rollers",
             {.models = with_rollers, .required_by = with_rollers, .range = {3, 500}, .fmu = InFmu::constant}),
-      length(m.roller_diameter, "bearing.roller_diameter", Felt::balance, with_rollers, with_rollers,
-             "diameter of a roller"),
-      length(m.roller_length, "bearing.roller_length", Felt::balance, with_rollers, with_rollers,
-             "effective contact length of a roller"),
-      pitch_diameter_row(m.pitch_diameter), radial_clearance_row(m.radial_clearance),
-      length(m.bore, "bearing.bore", Felt::pin, with_rollers, planetary_drivetrain,
-             "bore of the inner ring, and diameter of the pin, whose stiffness follows from it where "
-             "support.stiffness is left out"),
-      length(m.outside_diameter, "bearing.outside_diameter", Felt::planet, with_rollers, planetary_drivetrain,
-             "outside diameter of the outer ring"),
-      length(m.width, "bearing.width", Felt::carrier, with_rollers, planetary_drivetrain,
-             "width of the rings"),
-      part(m.cage), part(m.material),
-      field(m.contact_law, "contact.law", Felt::balance,
-            "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
-            {.models = with_rollers, .reason = "each contact on its own, as the film needs it"}),
+      length(m.diameter, "bearing.roller_diameter", "diameter of a roller"),
+      length(m.length, "bearing.roller_length", "effective contact length of a roller"),
       field(m.laminae, "bearing.laminae", Felt::life,
             "laminae into which each contact is cut, for profile and misalignment",
             {.models = with_rollers, .range = {1, 200}}),
-      internal(m.inner_form, "bearing.inner_race.form"), internal(m.outer_form, "bearing.outer_race.form"),
       field(
-          m.roller_diameter_deviation, "bearing.roller_diameter_deviation", Felt::motion,
+          m.diameter_deviation, "bearing.roller_diameter_deviation", Felt::motion,
           "by how much single rollers are larger than roller_diameter, from the first on",
           {.models = planetary_drivetrain, .dimension = dimension::small_length, .range = {-1000.0, 1000.0}}),
-      internal(m.roller_profile, "bearing.profile"),
-      internal(m.inner_race_profile, "bearing.inner_race.profile"),
-      internal(m.outer_race_profile, "bearing.outer_race.profile"));
+      internal(m.profile, "bearing.profile"));
 }
 
-/// One row of balls between two grooved races.
-struct BallBearing {
-  int balls = 0;                   // [-]
-  double ball_diameter = 0.0;      // [m]
-  double pitch_diameter = 0.0;     // [m]
-  double inner_osculation = 0.52;  // [-]    groove radius over ball diameter
-  double outer_osculation = 0.53;  // [-]
-  double contact_angle = 0.0;      // [rad]  nominal: without load where the clearance is zero
-  double radial_clearance = 0.0;   // [m]    diametral; beyond what the nominal contact angle takes
-  double first_element = 0.0;      // [rad]  place of the first ball, from the radial load
-  Material material;
-};
-
 template <class Visitor>
-void describe(Visitor& visit, BallBearing& m) {
+void describe(Visitor& visit, Balls& m) {
   using namespace described;
-  const Details groove{.models = ball_bearing,
-                       .range = {.least = 0.5, .most = 1.0, .least_allowed = false},
-                       .reason = "the grooves for which ISO 281 states f_c"};
   members(visit, m,
-          field(m.balls, "bearing.balls", Felt::lone, "number of balls",
+          field(m.count, "bearing.balls", Felt::lone, "number of balls",
                 {.models = ball_bearing, .required_by = ball_bearing, .range = {3, 500}}),
-          field(m.ball_diameter, "bearing.ball_diameter", Felt::lone, "diameter of a ball",
+          field(m.diameter, "bearing.ball_diameter", Felt::lone, "diameter of a ball",
                 {.models = ball_bearing,
                  .required_by = ball_bearing,
                  .dimension = dimension::length,
                  .range = positive(1e4)}),
-          pitch_diameter_row(m.pitch_diameter),
           field(m.contact_angle, "bearing.contact_angle", Felt::lone, "nominal contact angle",
                 {.models = ball_bearing,
                  .dimension = dimension::angle,
                  .range = {0.0, 85.0},
-                 .reason = "a deep-groove bearing"}),
-          field(m.inner_osculation, "bearing.inner_osculation", Felt::lone,
-                "radius of the inner groove over ball diameter", groove),
-          field(m.outer_osculation, "bearing.outer_osculation", Felt::lone,
-                "radius of the outer groove over ball diameter", groove),
-          radial_clearance_row(m.radial_clearance), apart(m.first_element), part(m.material));
+                 .reason = "a deep-groove bearing"}));
+}
+
+/// Rows of one ring under `name`, "inner" or "outer". `seat` is that of its diameter. A case states forms and
+/// profiles by several fields each (app/case).
+template <class Visitor, class Seat>
+void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat, bool grooved) {
+  using namespace described;
+  const auto groove = field(m.osculation, "bearing." + name + "_osculation", Felt::lone,
+                            "radius of the " + name + " groove over ball diameter",
+                            {.models = ball_bearing,
+                             .range = {.least = 0.5, .most = 1.0, .least_allowed = false},
+                             .reason = "the grooves for which ISO 281 states f_c"});
+  const std::string race = "bearing." + name + "_race";
+  members(visit, m, seat, internal(m.form, race + ".form"), internal(m.profile, race + ".profile"),
+          part(m.osculation, [&] {
+            if (grooved) visit_row(visit, groove);
+          }));
+}
+
+template <class Visitor>
+void describe(Visitor& visit, Bearing& m) {
+  using namespace described;
+  constexpr unsigned any_bearing = with_rollers | ball_bearing;
+  const auto of_rings = [](double& member, std::string path, Felt felt, std::string meaning) {
+    return field(member, std::move(path), felt, std::move(meaning),
+                 {.models = with_rollers,
+                  .required_by = planetary_drivetrain,
+                  .dimension = dimension::length,
+                  .range = positive(1e4),
+                  .fmu = InFmu::parameter});
+  };
+  const auto bore = of_rings(m.inner.seat_diameter, "bearing.bore", Felt::pin,
+                             "bore of the inner ring, and diameter of the pin, whose stiffness follows from "
+                             "it where support.stiffness is left out");
+  const auto outside = of_rings(m.outer.seat_diameter, "bearing.outside_diameter", Felt::planet,
+                                "outside diameter of the outer ring");
+  const bool grooved = !m.has_rollers();
+  members(
+      visit, m,
+      part(m.elements, [&] { std::visit([&](auto& elements) { describe(visit, elements); }, m.elements); }),
+      field(m.pitch_diameter, "bearing.pitch_diameter", Felt::balance,
+            "diameter of the circle of centres of rollers or balls",
+            {.models = any_bearing,
+             .required_by = any_bearing,
+             .dimension = dimension::length,
+             .range = positive(1e4),
+             .fmu = InFmu::parameter}),
+      field(m.radial_clearance, "bearing.radial_clearance", Felt::balance,
+            "internal clearance in diametral measure (ISO 5753); negative is interference",
+            {.models = any_bearing,
+             .required_by = any_bearing,
+             .dimension = dimension::small_length,
+             .range = {-100.0, 2000.0},
+             .fmu = InFmu::parameter}),
+      part(m.inner, [&] { describe(visit, m.inner, "inner", bore, grooved); }),
+      part(m.outer, [&] { describe(visit, m.outer, "outer", outside, grooved); }),
+      of_rings(m.width, "bearing.width", Felt::carrier, "width of the rings"), part(m.cage), part(m.material),
+      field(m.contact_law, "contact.law", Felt::balance,
+            "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
+            {.models = with_rollers, .reason = "each contact on its own, as the film needs it"}),
+      apart(m.motions),  // of a single bearing a case states operation.turning_race
+      field(m.first_element, "bearing.first_element_angle", Felt::lone,
+            "angle of the first rolling element from the radial load",
+            {.models = roller_bearing | ball_bearing,
+             .dimension = dimension::angle,
+             .range = {-360.0, 360.0},
+             .reason = "the first one stands on the line of the radial load"}));
 }
 
 /// Which inertial loads of the carrier frame act on the bodies in it.

@@ -114,7 +114,7 @@ std::vector<bearing::fast::EquilibriumPoint> static_points(const study::Planetar
 
 void add_static(const study::PlanetaryDrivetrain& drivetrain) {
   const auto points = static_points(drivetrain);
-  const bearing::CylindricalRollerBearing bearing = drivetrain.bearing;
+  const bearing::Bearing bearing = drivetrain.bearing;
   add("plain_static", [points, bearing] {
     for (int i = 0; i < kPlainStaticPoints; ++i)
       benchmark::DoNotOptimize(bearing::quasi_static_state(bearing, points[static_cast<std::size_t>(i)].point,
@@ -129,9 +129,10 @@ void add_static(const study::PlanetaryDrivetrain& drivetrain) {
 // A combination as studies of profiles ask for it: profile, tilt and operating point are new each time.
 void add_laminae(const study::PlanetaryDrivetrain& drivetrain) {
   using namespace bearing::laminae;
-  bearing::CylindricalRollerBearing bearing = drivetrain.bearing;
-  bearing.laminae = kLaminae;
-  bearing.roller_profile = bearing::profile::Iso16281{bearing.roller_length, bearing.roller_diameter, 1.0};
+  bearing::Bearing bearing = drivetrain.bearing;
+  bearing.rollers().laminae = kLaminae;
+  bearing.rollers().profile =
+      bearing::profile::Iso16281{bearing.rollers().length, bearing.rollers().diameter, 1.0};
   const auto cut = std::make_shared<LaminaBearing>(bearing);
   add("lamina_contacts", [cut] {
     for (int i = 0; i < kLaminaContacts; ++i)
@@ -143,7 +144,7 @@ void add_laminae(const study::PlanetaryDrivetrain& drivetrain) {
     for (int i = 0; i < kLaminaPoints; ++i) {
       bearing::OperatingPoint point = points[static_cast<std::size_t>(i)];
       point.bore_tilt = 0.5e-3 * (i % 5) * point.bore_load.normalized();
-      bearing.roller_profile = bearing::profile::CircularCrown{bearing.roller_length, 1e-6 * (i % 8)};
+      bearing.rollers().profile = bearing::profile::CircularCrown{bearing.rollers().length, 1e-6 * (i % 8)};
       benchmark::DoNotOptimize(quasi_static_laminae(LaminaBearing(bearing), point, {}));
     }
   });

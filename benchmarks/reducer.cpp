@@ -35,18 +35,18 @@ Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance
 }
 
 Duty with_laminae(Duty duty, int laminae) {
-  const double length = duty.bearing.roller_length;
-  duty.bearing.laminae = laminae;
-  duty.bearing.roller_profile = bearing::profile::Iso16281{length, duty.bearing.roller_diameter, 1.0};
+  const double length = duty.bearing.rollers().length;
+  duty.bearing.rollers().laminae = laminae;
+  duty.bearing.rollers().profile = bearing::profile::Iso16281{length, duty.bearing.rollers().diameter, 1.0};
   return duty;
 }
 
 Duty with_more_rollers(const Duty& duty, int factor) {
   Duty larger = duty;
-  larger.bearing.rollers *= factor;
+  larger.bearing.rollers().count *= factor;
   const double growth = (factor - 1) * duty.bearing.pitch_diameter;
-  for (double* diameter : {&larger.bearing.pitch_diameter, &larger.bearing.bore,
-                           &larger.bearing.outside_diameter, &larger.bearing.cage.inner_diameter,
+  for (double* diameter : {&larger.bearing.pitch_diameter, &larger.bearing.inner.seat_diameter,
+                           &larger.bearing.outer.seat_diameter, &larger.bearing.cage.inner_diameter,
                            &larger.bearing.cage.outer_diameter, &larger.parameters.cage.guide_diameter})
     *diameter += growth;
   larger.point.bore_load *= factor;

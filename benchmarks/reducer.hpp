@@ -8,7 +8,7 @@ namespace orbearing::bench {
 
 /// One operating point, ready to be run in time.
 struct Duty {
-  bearing::CylindricalRollerBearing bearing;
+  bearing::Bearing bearing;
   bearing::OperatingPoint point;
   bearing::dynamics::DynamicsParameters parameters;
   double allowed_length_error = 0.0;  // [m]  of one step, as the case has it

@@ -63,7 +63,7 @@ Run Contest::run(Method method, const Eigen::VectorXd& start, const Span& span, 
 }
 
 Run Contest::run_fast(const Eigen::VectorXd& start, const Span& span, double tolerance) {
-  LoadTally tally(duty_.bearing.rollers);
+  LoadTally tally(duty_.bearing.rollers().count);
   const auto on_step = [&](const system::StepSample& step) {
     tally.add(step.loads.inner, step.loads.outer, step.weight);
   };
@@ -110,7 +110,7 @@ Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span&
   options.method = method == Method::rk4 ? integration::Method::rk4 : integration::Method::dopri5;
   options.step = method == Method::rk4 ? tolerance : kFirstStep;
   options.allowed_error = allowed(tolerance);
-  LoadTally tally(duty_.bearing.rollers);
+  LoadTally tally(duty_.bearing.rollers().count);
   Eigen::VectorXd ignored(start.size());
   const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
     derivative(time, x.data(), ignored.data());
@@ -129,7 +129,7 @@ Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span&
 }
 
 Run Contest::run_cvode(const Eigen::VectorXd& start, const Span& span, double tolerance, int most_order) {
-  LoadTally tally(duty_.bearing.rollers);
+  LoadTally tally(duty_.bearing.rollers().count);
   Eigen::VectorXd ignored(start.size());
   const auto rate = [&](double time, const double* x, double* dx) { derivative(time, x, dx); };
   const auto observe = [&](double time, const double* x) {

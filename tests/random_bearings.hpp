@@ -14,14 +14,15 @@ namespace orbearing::bearing {
 inline constexpr unsigned kSeed = 20260101;
 
 struct Draw {
-  CylindricalRollerBearing bearing;
+  Bearing bearing;
   OperatingPoint point;
   QuasiStaticOptions options;
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Draw& draw) {
-  const CylindricalRollerBearing& b = draw.bearing;
-  return out << b.rollers << " rollers of " << b.roller_diameter << " x " << b.roller_length << " m on "
+  const Bearing& b = draw.bearing;
+  const CylindricalRollers& rollers = b.rollers();
+  return out << rollers.count << " rollers of " << rollers.diameter << " x " << rollers.length << " m on "
              << b.pitch_diameter << " m, clearance " << b.radial_clearance << " m, load "
              << draw.point.bore_load.transpose() << " N, carrier " << draw.point.carrier.speed << " rad/s at "
              << draw.point.carrier.orbit_radius << " m, bore " << draw.point.outer_speed << " rad/s, film "
@@ -47,19 +48,20 @@ class RandomBearings {
     return std::uniform_real_distribution<double>(least, most)(engine_);
   }
 
-  CylindricalRollerBearing bearing() {
-    CylindricalRollerBearing bearing;
-    bearing.rollers = std::uniform_int_distribution<int>(6, 30)(engine_);
-    bearing.roller_diameter = between(2e-3, 30e-3);
-    bearing.roller_length = bearing.roller_diameter * between(0.8, 3.0);
-    const double touching = bearing.roller_diameter / std::sin(3.141592653589793 / bearing.rollers);
+  Bearing bearing() {
+    Bearing bearing;
+    bearing.rollers().count = std::uniform_int_distribution<int>(6, 30)(engine_);
+    bearing.rollers().diameter = between(2e-3, 30e-3);
+    bearing.rollers().length = bearing.rollers().diameter * between(0.8, 3.0);
+    const double touching =
+        bearing.rollers().diameter / std::sin(3.141592653589793 / bearing.rollers().count);
     bearing.pitch_diameter = touching * between(1.02, 1.5);
     bearing.radial_clearance = between(-20e-6, 100e-6);
-    bearing.bore = 0.8 * (bearing.pitch_diameter - bearing.roller_diameter);
-    bearing.outside_diameter = 1.2 * (bearing.pitch_diameter + bearing.roller_diameter);
-    bearing.width = 1.2 * bearing.roller_length;
-    bearing.cage = {.inner_diameter = bearing.pitch_diameter - 0.3 * bearing.roller_diameter,
-                    .outer_diameter = bearing.pitch_diameter + 0.3 * bearing.roller_diameter,
+    bearing.inner.seat_diameter = 0.8 * (bearing.pitch_diameter - bearing.rollers().diameter);
+    bearing.outer.seat_diameter = 1.2 * (bearing.pitch_diameter + bearing.rollers().diameter);
+    bearing.width = 1.2 * bearing.rollers().length;
+    bearing.cage = {.inner_diameter = bearing.pitch_diameter - 0.3 * bearing.rollers().diameter,
+                    .outer_diameter = bearing.pitch_diameter + 0.3 * bearing.rollers().diameter,
                     .width = bearing.width,
                     .density = 7850.0};
     return bearing;

@@ -11,7 +11,7 @@
 namespace orbearing::bearing {
 
 struct MotionDraw {
-  CylindricalRollerBearing bearing;
+  Bearing bearing;
   OperatingPoint point;
   dynamics::DynamicsParameters parameters;
   double first_roller = 0.0;  // [rad]
@@ -23,8 +23,8 @@ inline std::ostream& operator<<(std::ostream& out, const MotionDraw& draw) {
   return out << Draw{draw.bearing, draw.point, {}} << " in the approach " << race.film_in_approach
              << ", limiting shear " << (race.traction == dynamics::TractionLaw::limiting_shear) << ", mixed "
              << (race.lubrication == dynamics::Lubrication::mixed) << ", waves "
-             << draw.bearing.inner_form.size() << " and " << draw.bearing.outer_form.size()
-             << ", unequal rollers " << draw.bearing.roller_diameter_deviation.size() << ", land of "
+             << draw.bearing.inner.form.size() << " and " << draw.bearing.outer.form.size()
+             << ", unequal rollers " << draw.bearing.rollers().diameter_deviation.size() << ", land of "
              << draw.parameters.cage.guide_diameter << " m, ripple "
              << draw.parameters.ripple.harmonics.size();
 }
@@ -63,7 +63,7 @@ class RandomMotion {
   }
   bool chance(double share) { return between(0.0, 1.0) < share; }
 
-  void draw_clearance(CylindricalRollerBearing& bearing) {
+  void draw_clearance(Bearing& bearing) {
     bearing.radial_clearance = chance(0.2) ? 0.0 : between(-5e-6, 100e-6);
     bearing.contact_law = chance(0.5) ? ContactLaw::palmgren : ContactLaw::iso16281;
   }
@@ -77,12 +77,12 @@ class RandomMotion {
     return waves;
   }
 
-  void draw_form(CylindricalRollerBearing& bearing) {
-    if (chance(0.3)) bearing.inner_form = form();
-    if (chance(0.3)) bearing.outer_form = form();
+  void draw_form(Bearing& bearing) {
+    if (chance(0.3)) bearing.inner.form = form();
+    if (chance(0.3)) bearing.outer.form = form();
     if (chance(0.3))
-      for (int j = 0; j < bearing.rollers; ++j)
-        bearing.roller_diameter_deviation.push_back(between(-5e-6, 5e-6));
+      for (int j = 0; j < bearing.rollers().count; ++j)
+        bearing.rollers().diameter_deviation.push_back(between(-5e-6, 5e-6));
   }
 
   // Mostly a planet's bearing, else one in a housing at rest with either race turning.
@@ -100,8 +100,8 @@ class RandomMotion {
   }
 
   void draw_load(MotionDraw& draw) {
-    const double area = draw.bearing.roller_diameter * draw.bearing.roller_length;
-    const double load = decades(1e-4, 1.0) * kLargestLoadPerArea * area * draw.bearing.rollers / 4.0;
+    const double area = draw.bearing.rollers().diameter * draw.bearing.rollers().length;
+    const double load = decades(1e-4, 1.0) * kLargestLoadPerArea * area * draw.bearing.rollers().count / 4.0;
     const double angle = between(0.0, 6.28);
     draw.point.bore_load = load * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     if (!chance(0.5)) return;
@@ -127,10 +127,10 @@ class RandomMotion {
   }
 
   void draw_cage(MotionDraw& draw) {
-    CylindricalRollerBearing& bearing = draw.bearing;
-    const double spacing = bearing.pitch_diameter * std::sin(3.141592653589793 / bearing.rollers);
+    Bearing& bearing = draw.bearing;
+    const double spacing = bearing.pitch_diameter * std::sin(3.141592653589793 / bearing.rollers().count);
     dynamics::CageParameters& cage = draw.parameters.cage;
-    cage.pocket_clearance = std::min(0.5e-3, between(0.1, 0.6) * (spacing - bearing.roller_diameter));
+    cage.pocket_clearance = std::min(0.5e-3, between(0.1, 0.6) * (spacing - bearing.rollers().diameter));
     cage.pocket_stiffness = decades(3e6, 3e8);
     bearing.cage.density = chance(0.5) ? 1310.0 : 7850.0;
     if (chance(0.15)) return;

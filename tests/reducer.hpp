@@ -22,14 +22,12 @@ inline study::PlanetaryDrivetrain reducer() {
                     .planet_bore = 47e-3};
   drivetrain.drive = {.member = gearset::Member::sun, .power = 150e3, .speed = 6000.0 * rpm};
   drivetrain.bearing = {
-      .rollers = 15,
-      .roller_diameter = 5.24e-3,
-      .roller_length = 5.7e-3,
+      .inner = {.seat_diameter = 25e-3},
+      .outer = {.seat_diameter = 47e-3},
+      .cage = {.inner_diameter = 33.44e-3, .outer_diameter = 38.54e-3, .width = 9e-3, .density = 1310.0},
+      .elements = bearing::CylindricalRollers{.count = 15, .diameter = 5.24e-3, .length = 5.7e-3},
       .pitch_diameter = 35.64e-3,
-      .bore = 25e-3,
-      .outside_diameter = 47e-3,
-      .width = 11.9e-3,
-      .cage = {.inner_diameter = 33.44e-3, .outer_diameter = 38.54e-3, .width = 9e-3, .density = 1310.0}};
+      .width = 11.9e-3};
   drivetrain.bearings_per_planet = 2;
   drivetrain.lubricant = {.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
   return drivetrain;

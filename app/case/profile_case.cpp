@@ -7,7 +7,6 @@
 #include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
 #include "bearing/geometry.hpp"
-#include "bearing/profile/design.hpp"
 
 namespace orbearing::app {
 
@@ -40,11 +39,7 @@ Roller roller_of(const ResolvedCase& in) {
   const double station = kDropPlace * 0.5 * out.length;
   const double standard = drop(Iso16281{out.length, out.diameter, 1.0}, station);
   out.drop = length_or(in, "drop", standard);
-  const auto races = from_case<bearing::CylindricalRollerBearing>(in);
-  out.design = {
-      .length = out.length,
-      .equivalent_radius = bearing::equivalent_radius(bearing::geometry_of(races), bearing::Race::inner),
-      .material = from_case<bearing::Material>(in)};
+  out.design = bearing::design_under(from_case<bearing::Bearing>(in), 0.0);
   out.design.load = in.has(kBlock + "design_load")
                         ? in.quantity(kBlock + "design_load")
                         : design_load_of_drop(out.design, out.drop > 0.0 ? out.drop : standard);

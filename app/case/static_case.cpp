@@ -5,31 +5,40 @@
 
 namespace orbearing::app {
 
-bearing::CylindricalRollerBearing lamina_bearing_of(const ResolvedCase& in) {
-  auto bearing = from_case<bearing::CylindricalRollerBearing>(in);
-  if (bearing.laminae == 0) bearing.laminae = default_laminae;
-  bearing.roller_profile = roller_profile_of(in);
-  return bearing;
+namespace {
+
+// What a case cannot say by fields alone.
+void complete(const ResolvedCase& in, bearing::CylindricalRollers& rollers) {
+  if (rollers.laminae == 0) rollers.laminae = default_laminae;
+  rollers.profile = roller_profile_of(in);
+}
+void complete(const ResolvedCase&, bearing::Balls&) {}
+
+std::optional<double> stated(const ResolvedCase& in, const char* path) {
+  return in.has(path) ? std::optional<double>(in.quantity(path)) : std::nullopt;
 }
 
-bearing::BallBearing ball_bearing_of(const ResolvedCase& in) {
-  return from_case<bearing::BallBearing>(in);
+}  // namespace
+
+bearing::Bearing bearing_of(const ResolvedCase& in) {
+  bearing::Bearing bearing;
+  if (in.model() == ball_bearing) bearing.elements = bearing::Balls{};
+  bearing = from_case(in, bearing);
+  std::visit([&](auto& elements) { complete(in, elements); }, bearing.elements);
+  bearing.motions = bearing::rating::turning(
+      in.choice("operation.turning_race") == "outer" ? bearing::Race::outer : bearing::Race::inner);
+  return bearing;
 }
 
 bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& in) {
   return from_case<bearing::equilibrium::RingLoad>(in);
 }
 
-bearing::rating::RollerSet roller_set_of(const ResolvedCase& in) {
-  bearing::rating::RollerSet set =
-      bearing::rating::roller_set(from_case<bearing::CylindricalRollerBearing>(in));
-  set.lambda = in.number("life.lambda");
-  return set;
-}
-
-bearing::rating::RaceMotions race_motions_of(const ResolvedCase& in) {
-  return bearing::rating::turning(in.choice("operation.turning_race") == "outer" ? bearing::Race::outer
-                                                                                 : bearing::Race::inner);
+bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
+  bearing::rating::StatedRatings ratings{.dynamic_capacity = stated(in, "bearing.dynamic_capacity"),
+                                         .fatigue_load_limit = stated(in, "bearing.fatigue_load_limit")};
+  if (in.has("life.lambda")) ratings.lambda = in.number("life.lambda");
+  return ratings;
 }
 
 }  // namespace orbearing::app

@@ -28,16 +28,19 @@ void check_either(const ResolvedCase& in, const char* one, const char* other,
 }
 
 void check_load(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (in.has("load.tilt") && in.has("load.moment") && in.quantity("load.moment") != 0.0)
-    object_to(in, "load.tilt", "a tilt beside load.moment",
-              "either the moment, with the tilt that follows, or the tilt is required", mistakes);
+  const auto has_moment = [&](const char* path) { return in.has(path) && in.quantity(path) != 0.0; };
+  for (const char* moment : {"load.moment", "load.moment_across"}) {
+    if (in.has("load.tilt") && has_moment(moment))
+      object_to(in, "load.tilt", fmt::format("a tilt beside {}", moment),
+                "either the moment, with the tilt that follows, or the tilt is required", mistakes);
+    if (in.model() == roller_bearing && has_moment(moment) && in.has("bearing.laminae") &&
+        in.integer("bearing.laminae") < 2)
+      object_to(in, "bearing.laminae", "a single lamina, which holds no moment",
+                fmt::format("at least 2 laminae are required with {}", moment), mistakes);
+  }
   if (in.model() != roller_bearing || !in.has("load.radial")) return;
   if (in.quantity("load.radial") <= 0.0)
     object_to(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
-  const bool moment = in.has("load.moment") && in.quantity("load.moment") != 0.0;
-  if (moment && in.has("bearing.laminae") && in.integer("bearing.laminae") < 2)
-    object_to(in, "bearing.laminae", "a single lamina, which holds no moment",
-              "at least 2 laminae are required with load.moment", mistakes);
 }
 
 void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {

@@ -109,7 +109,7 @@ void add_life(std::vector<Field>& fields) {
 void add_static_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::equilibrium::RingLoad{});
   add_operation(fields);
-  add_described(fields, bearing::BallBearing{});
+  add_described(fields, bearing::Bearing{.elements = bearing::Balls{}});
   add_capacities(fields);
   add_life(fields);
 }

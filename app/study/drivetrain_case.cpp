@@ -64,9 +64,9 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.lubricant = out.dynamics.lubricant;
   out.film_in_approach = out.dynamics.race.film_in_approach;
   out.film_approach = out.dynamics.race.film_approach;
-  out.bearing.roller_profile = roller_profile_of(in);
-  out.bearing.inner_form = form_of(in, "bearing.inner_race");
-  out.bearing.outer_form = form_of(in, "bearing.outer_race");
+  out.bearing.rollers().profile = roller_profile_of(in);
+  out.bearing.inner.form = form_of(in, "bearing.inner_race");
+  out.bearing.outer.form = form_of(in, "bearing.outer_race");
   out.pins_displaced = has_displaced_pins(in);
   return out;
 }

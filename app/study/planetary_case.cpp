@@ -49,23 +49,24 @@ void add_duty(const study::BearingDuty& duty, std::vector<Derived>& rows) {
       {"operation.bore_load_y", duty.point.bore_load.y(), "N", "the same, in the sense of rotation"});
 }
 
-void add_profile(const bearing::CylindricalRollerBearing& bearing, std::vector<Derived>& rows) {
-  if (bearing.laminae == 0) return;
-  const double half = 0.5 * bearing.roller_length;
-  rows.push_back({"bearing.profile.outermost_drop",
-                  1e6 * bearing::profile::drop(bearing.roller_profile, bearing::profile::kDropPlace * half),
-                  "um", "relief of one roller at the outermost of 40 laminae"});
+void add_profile(const bearing::Bearing& bearing, std::vector<Derived>& rows) {
+  if (bearing.rollers().laminae == 0) return;
+  const double half = 0.5 * bearing.rollers().length;
+  rows.push_back(
+      {"bearing.profile.outermost_drop",
+       1e6 * bearing::profile::drop(bearing.rollers().profile, bearing::profile::kDropPlace * half), "um",
+       "relief of one roller at the outermost of 40 laminae"});
 }
 
 void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
                  std::vector<Derived>& rows) {
-  const bearing::RollerBearingGeometry& g = geometry.bearing;
+  const bearing::BearingGeometry& g = geometry.bearing;
   add_profile(drivetrain.bearing, rows);
   rows.push_back(
       {"bearing.inner_raceway_diameter", 2e3 * g.inner_radius, "mm", "pitch - roller - half clearance"});
   rows.push_back(
       {"bearing.outer_raceway_diameter", 2e3 * g.outer_radius, "mm", "pitch + roller + half clearance"});
-  rows.push_back({"bearing.roller_mass", 1e3 * g.roller_mass, "g", "one roller"});
+  rows.push_back({"bearing.roller_mass", 1e3 * g.element_mass, "g", "one roller"});
   rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
 }
 

@@ -88,18 +88,18 @@ Json polar(const study::PlanetaryDrivetrain& drivetrain, const study::Drivetrain
 
 Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::DrivetrainGeometry& geometry,
              double rpm) {
-  const bearing::CylindricalRollerBearing& b = drivetrain.bearing;
+  const bearing::Bearing& b = drivetrain.bearing;
   const study::PointResult point = point_at(drivetrain, geometry, rpm / kRpm);
   Json drawn{{"speed_rpm", rpm},
              {"inner_raceway_diameter_mm", 2e3 * geometry.bearing.inner_radius},
              {"outer_raceway_diameter_mm", 2e3 * geometry.bearing.outer_radius},
-             {"roller_diameter_mm", 1e3 * b.roller_diameter},
+             {"roller_diameter_mm", 1e3 * b.rollers().diameter},
              {"pitch_diameter_mm", 1e3 * b.pitch_diameter},
-             {"rollers", b.rollers},
+             {"rollers", b.rollers().count},
              {"cage_inner_mm", 1e3 * b.cage.inner_diameter},
              {"cage_outer_mm", 1e3 * b.cage.outer_diameter},
-             {"bore_mm", 1e3 * b.bore},
-             {"outside_mm", 1e3 * b.outside_diameter},
+             {"bore_mm", 1e3 * b.inner.seat_diameter},
+             {"outside_mm", 1e3 * b.outer.seat_diameter},
              {"guide_land_mm", 1e3 * drivetrain.dynamics.cage.guide_diameter},
              {"clearance_um", 1e6 * b.radial_clearance}};
   const std::size_t stride = static_cast<std::size_t>(drivetrain.cage_positions);

@@ -36,7 +36,7 @@ Json lives(const bearing::BearingLife& life) {
           {"bearing_Mrev", number_or_null(kMillion * life.bearing)}};
 }
 
-Json ratings_json(const Ratings& ratings) {
+Json ratings_json(const bearing::rating::Ratings& ratings) {
   return {{"f_c", ratings.capacity_factor},
           {"C_r_N", ratings.dynamic_capacity},
           {"C_0r_N", ratings.static_capacity},
@@ -105,20 +105,21 @@ std::string static_text(const StaticStudy& study) {
 PointContent static_content(const StaticStudy& study) {
   const auto elements = static_cast<std::size_t>(study.contact_load.size());
   PointContent content{.dimensions = {{"element", elements}}, .arrays = {}, .attributes = {}};
-  content.arrays = {scalar("radial_displacement", "m", "inner ring along the radial load", study.radial),
-                    scalar("axial_displacement", "m", "inner ring along the axis", study.axial),
-                    scalar("tilt", "rad", "inner ring in the plane of the load", study.tilt),
-                    scalar("moment", "N m", "on the inner ring in the plane of the load", study.moment),
-                    scalar("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
-                    scalar("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
-                    scalar("basic_life", "1", "L10, revolutions", study.basic_life),
-                    scalar("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
-                    scalar("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
-                    {"contact_load",
-                     {"element"},
-                     "N",
-                     "load of each rolling element, the first on the load line",
-                     {study.contact_load.begin(), study.contact_load.end()}}};
+  content.arrays = {
+      scalar("radial_displacement", "m", "inner ring along the radial load", study.radial),
+      scalar("axial_displacement", "m", "inner ring along the axis", study.axial),
+      scalar("tilt", "rad", "inner ring in the plane of the load", study.tilt),
+      scalar("moment", "N m", "on the inner ring in the plane of the load", study.moment),
+      scalar("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
+      scalar("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
+      scalar("basic_life", "1", "L10, revolutions", study.basic_life),
+      scalar("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
+      scalar("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
+      {"contact_load",
+       {"element"},
+       "N",
+       "load of each rolling element, the first at bearing.first_element_angle from the load line",
+       {study.contact_load.begin(), study.contact_load.end()}}};
   for (NamedArray& array : content.arrays)
     for (double& value : array.values)
       if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();

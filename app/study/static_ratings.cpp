@@ -9,7 +9,7 @@
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/units.hpp"
-#include "bearing/life/ball_capacity.hpp"
+#include "bearing/equilibrium/balls.hpp"
 #include "bearing/life/life_modification.hpp"
 
 namespace orbearing::app {
@@ -17,10 +17,6 @@ namespace orbearing::app {
 namespace {
 
 namespace rating = bearing::rating;
-
-double given_or(const ResolvedCase& in, const char* path, double otherwise) {
-  return in.has(path) ? in.quantity(path) : otherwise;
-}
 
 rating::Lubrication lubrication_of(const ResolvedCase& in) {
   const std::string& found = in.choice("life.lubrication");
@@ -68,7 +64,7 @@ std::optional<FilmState> film_of(const ResolvedCase& in, rating::RollingElement 
 }
 
 void warn(const ResolvedCase& in, StaticStudy& study) {
-  const Ratings& ratings = study.ratings;
+  const rating::Ratings& ratings = study.ratings;
   if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
     study.warnings.push_back(fmt::format(
         "bearing: D cos(alpha)/d_m is {:.3g}; the table of f_c in ISO 281 ends at {:.2g}: its formula is "
@@ -93,38 +89,7 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
                     1e-6 * study.largest_pressure));
 }
 
-Ratings roller_ratings(const ResolvedCase& in) {
-  const rating::RollerSet set = roller_set_of(in);
-  Ratings ratings{.gamma = rating::gamma(set), .slenderness_limit = 0.30};
-  ratings.capacity_factor = rating::roller_capacity_factor(ratings.gamma, set.lambda);
-  ratings.dynamic_capacity = given_or(in, "bearing.dynamic_capacity", rating::dynamic_capacity(set));
-  ratings.static_capacity = rating::static_capacity(set);
-  ratings.fatigue_load_limit =
-      given_or(in, "bearing.fatigue_load_limit",
-               rating::fatigue_load_limit(rating::RollingElement::roller, ratings.static_capacity,
-                                          set.pitch_diameter));
-  ratings.contacts = rating::contact_capacities(set, ratings.dynamic_capacity);
-  return ratings;
-}
-
-Ratings ball_ratings(const ResolvedCase& in) {
-  const rating::BallSet set = rating::ball_set(ball_bearing_of(in));
-  Ratings ratings{.gamma = rating::gamma(set), .slenderness_limit = 0.40};
-  ratings.capacity_factor = rating::ball_capacity_factor(set);
-  ratings.dynamic_capacity = given_or(in, "bearing.dynamic_capacity", rating::dynamic_capacity(set));
-  ratings.static_capacity = rating::static_capacity(set);
-  ratings.fatigue_load_limit = given_or(
-      in, "bearing.fatigue_load_limit",
-      rating::fatigue_load_limit(rating::RollingElement::ball, ratings.static_capacity, set.pitch_diameter));
-  ratings.contacts = rating::contact_capacities(set, ratings.dynamic_capacity);
-  return ratings;
-}
-
 }  // namespace
-
-Ratings ratings_of(const ResolvedCase& resolved) {
-  return resolved.model() == ball_bearing ? ball_ratings(resolved) : roller_ratings(resolved);
-}
 
 void rate(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {
   study.basic_life =
@@ -139,7 +104,8 @@ void rate(const ResolvedCase& in, rating::RollingElement element, StaticStudy& s
 }
 
 std::vector<Derived> static_quantities(const ResolvedCase& in) {
-  const Ratings ratings = ratings_of(in);
+  const bearing::Bearing bearing = bearing_of(in);
+  const rating::Ratings ratings = rating::ratings_of(bearing, stated_ratings_of(in));
   std::vector<Derived> rows{
       {"bearing.slenderness", ratings.gamma, "1", "D cos(alpha)/d_m"},
       {"bearing.capacity_factor", ratings.capacity_factor, "1", "f_c of ISO 281, in N and mm"},
@@ -152,8 +118,8 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
   if (!in.has("bearing.fatigue_load_limit"))
     rows.push_back(
         {"bearing.fatigue_load_limit", ratings.fatigue_load_limit, "N", "C_u of ISO 281, by C_0r"});
-  if (in.model() != ball_bearing) return rows;
-  const bearing::equilibrium::BallRow row(ball_bearing_of(in));
+  if (bearing.has_rollers()) return rows;
+  const bearing::equilibrium::BallRow row(bearing);
   rows.push_back({"bearing.groove_distance", 1e3 * row.groove_distance(), "mm", "A, of the groove centres"});
   const double cosine = std::min(1.0, row.radial_distance() / row.groove_distance());
   rows.push_back({"bearing.free_contact_angle", kDegree * std::acos(cosine), "deg", "without load"});

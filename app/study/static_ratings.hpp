@@ -1,4 +1,4 @@
-// Standard ratings of the bearing of a case: capacities, factors, and lives from a distribution of loads.
+// Factors of the life of the bearing of a case, and what `orbearing check` tells of its ratings.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,6 @@
 #include "app/study/static_result.hpp"
 
 namespace orbearing::app {
-
-Ratings ratings_of(const ResolvedCase& resolved);
 
 /// Puts lives and factors into a study whose ratings, equivalent load and reference life are known, and warns
 /// where the standard's ranges are left.

@@ -6,21 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bearing/life/basic_life.hpp"
-#include "bearing/life/capacities.hpp"
+#include "bearing/life/standard_life.hpp"
 
 namespace orbearing::app {
-
-/// What the standard knows of the bearing without its load.
-struct Ratings {
-  double gamma = 0.0;               // [-]
-  double capacity_factor = 0.0;     // [-]  f_c [N, mm]
-  double dynamic_capacity = 0.0;    // [N]  C_r: given, or by the standard
-  double static_capacity = 0.0;     // [N]  C_0r
-  double fatigue_load_limit = 0.0;  // [N]  C_u
-  bearing::rating::ContactCapacities contacts;
-  double slenderness_limit = 0.0;  // [-]  largest gamma of the standard's table of f_c
-};
 
 /// Lubrication and cleanliness; none where the case does not state them.
 struct FilmState {
@@ -32,15 +20,15 @@ struct FilmState {
 /// Results; lives in revolutions, infinite where nothing is loaded.
 struct StaticStudy {
   std::string model;
-  double radial = 0.0;            // [m]    displacement along the radial load
+  double radial = 0.0;            // [m]    displacement across the axis, of both planes
   double axial = 0.0;             // [m]
-  double tilt = 0.0;              // [rad]
-  double moment = 0.0;            // [N m]  on the inner ring
+  double tilt = 0.0;              // [rad]  of both planes
+  double moment = 0.0;            // [N m]  on the inner ring, in the plane of the radial load
   Eigen::ArrayXd contact_load;    // [N]    (rolling elements)
   Eigen::ArrayXd contact_angle;   // [rad]  (balls); empty for rollers
   Eigen::ArrayXXd lamina_load;    // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]  after Hertz, without what edges add
-  Ratings ratings;
+  bearing::rating::Ratings ratings;
   std::optional<double> equivalent_load;  // [N]  P of ISO 281; none where the standard's factors are not held
   double basic_life = 0.0;                // [rev]  L10; not a number where P is missing
   bearing::BearingLife reference_life;    // [rev]  L10r of races and bearing

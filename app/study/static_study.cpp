@@ -8,15 +8,13 @@
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/static_ratings.hpp"
-#include "bearing/contact/line_contact.hpp"
-#include "bearing/life/ball_capacity.hpp"
-#include "bearing/life/reference_life.hpp"
+#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-using bearing::Race;
 namespace rating = bearing::rating;
 namespace equilibrium = bearing::equilibrium;
 
@@ -26,63 +24,10 @@ void require_balance(const ResolvedCase& in, const equilibrium::BalanceReport& r
                                       report.message, report.iterations, report.residual));
 }
 
-// Hertz's pressure of the most heavily loaded lamina on the inner race, where the curvature is largest.
-double roller_pressure(const StaticStudy& study, const rating::RollerSet& set,
-                       const bearing::Material& material) {
-  const double most = study.lamina_load.size() > 0 ? study.lamina_load.maxCoeff() : 0.0;
-  const double lamina = set.length / static_cast<double>(study.lamina_load.rows());
-  const double radius = 0.5 * set.diameter * (1.0 - rating::gamma(set));
-  return bearing::hertz_pressure(most, radius, lamina, material);
-}
-
-// What balls and rollers have in common.
-StaticStudy study_of(const ResolvedCase& in, const equilibrium::RingState& state) {
-  require_balance(in, state.report);
-  StaticStudy study{.model = in.choice("model"),
-                    .radial = state.radial,
-                    .axial = state.axial,
-                    .tilt = state.tilt,
-                    .moment = state.moment,
-                    .contact_load = state.contact_load,
-                    .lamina_load = state.lamina_load};
-  study.ratings = ratings_of(in);
-  return study;
-}
-
-StaticStudy roller_study(const ResolvedCase& in) {
-  const bearing::CylindricalRollerBearing rollers = lamina_bearing_of(in);
-  StaticStudy study =
-      study_of(in, equilibrium::balance_ring(equilibrium::RollerRow(rollers), ring_load_of(in)));
-  const rating::RaceMotions motions = race_motions_of(in);
-  study.largest_pressure = roller_pressure(study, roller_set_of(in), rollers.material);
-  study.equivalent_load = in.quantity("load.radial");
-  study.reference_life =
-      rating::lamina_reference_life(study.ratings.contacts, study.lamina_load, study.lamina_load, motions);
-  study.lundberg_palmgren = bearing::lundberg_palmgren_life(
-      rollers, in.number("life.lambda"),
-      motions.inner == bearing::RaceMotion::standing ? Race::inner : Race::outer, study.contact_load,
-      study.contact_load);
-  rate(in, rating::RollingElement::roller, study);
-  return study;
-}
-
-StaticStudy ball_study(const ResolvedCase& in) {
-  const bearing::BallBearing bearing = ball_bearing_of(in);
-  const equilibrium::BallRow row(bearing);
-  const equilibrium::RingState state = equilibrium::balance_ring(row, ring_load_of(in));
-  StaticStudy study = study_of(in, state);
-  study.contact_angle = state.contact_angle;
-  for (const Race race : {Race::inner, Race::outer})
-    study.largest_pressure =
-        std::max(study.largest_pressure,
-                 bearing::point_pressure(row.contact(race), study.contact_load.maxCoeff()).pressure);
-  if (bearing.contact_angle == 0.0)
-    study.equivalent_load = rating::deep_groove_equivalent_load(
-        rating::ball_set(bearing), in.quantity("load.radial"), in.quantity("load.axial"));
-  study.reference_life = rating::ball_reference_life(study.ratings.contacts, study.contact_load,
-                                                     study.contact_load, race_motions_of(in));
-  rate(in, rating::RollingElement::ball, study);
-  return study;
+// Of both planes. Where load and elements are mirrored in that of the radial load, nothing moves across it,
+// and what moves along it keeps its sign.
+double resultant(double along, double across, bool mirrored) {
+  return mirrored ? along : std::hypot(along, across);
 }
 
 }  // namespace
@@ -91,11 +36,33 @@ bool is_static_bearing(const ResolvedCase& resolved) {
   return resolved.model() == roller_bearing || resolved.model() == ball_bearing;
 }
 
-StaticStudy static_study(const ResolvedCase& resolved) {
-  if (resolved.model() == roller_bearing) return roller_study(resolved);
-  if (resolved.model() == ball_bearing) return ball_study(resolved);
-  throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                 "; required: roller-bearing or ball-bearing");
+StaticStudy static_study(const ResolvedCase& in) {
+  if (!is_static_bearing(in))
+    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
+                   "; required: roller-bearing or ball-bearing");
+  const bearing::Bearing bearing = bearing_of(in);
+  const equilibrium::RingLoad load = ring_load_of(in);
+  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, load);
+  require_balance(in, state.report);
+  const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
+  StaticStudy study{.model = in.choice("model"),
+                    .radial = resultant(state.radial, state.lateral, mirrored),
+                    .axial = state.axial,
+                    .tilt = resultant(state.tilt, state.lateral_tilt, mirrored),
+                    .moment = state.moment,
+                    .contact_load = state.contact_load,
+                    .contact_angle = state.contact_angle,
+                    .lamina_load = state.lamina_load,
+                    .largest_pressure = state.largest_pressure};
+  study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
+  study.equivalent_load = rating::equivalent_load(bearing, load.radial, load.axial);
+  const rating::ElementLoads loads{state.contact_load, state.lamina_load};
+  study.reference_life = rating::reference_life(bearing, study.ratings.contacts, loads, loads);
+  if (bearing.has_rollers())
+    study.lundberg_palmgren = bearing::lundberg_palmgren_life(bearing, in.number("life.lambda"),
+                                                              study.contact_load, study.contact_load);
+  rate(in, rating::rolling_element(bearing), study);
+  return study;
 }
 
 double static_property(const StaticStudy& study, const std::string& quantity) {

@@ -4,11 +4,11 @@
 
 namespace orbearing::bearing {
 
-FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
-                         Race race, const Lubricant& lubricant) {
+FilmContact film_contact(const Bearing& bearing, const BearingGeometry& geometry, Race race,
+                         const Lubricant& lubricant) {
   const Material& steel = bearing.material;
   return {.equivalent_radius = equivalent_radius(geometry, race),
-          .length = bearing.roller_length,
+          .length = bearing.rollers().length,
           .reduced_modulus = steel.plane_strain_modulus(),
           .lubricant = lubricant};
 }

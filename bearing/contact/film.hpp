@@ -16,8 +16,8 @@ struct FilmContact {
 };
 
 /// Film data of a roller of `bearing` on `race`.
-FilmContact film_contact(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
-                         Race race, const Lubricant& lubricant);
+FilmContact film_contact(const Bearing& bearing, const BearingGeometry& geometry, Race race,
+                         const Lubricant& lubricant);
 
 /// Film at one entrainment speed as a function of the contact load Q.
 ///

@@ -39,8 +39,7 @@ struct RollerContacts {
 };
 
 /// Contacts of a roller at pure rolling, with the film of `lubricant` in the approach where one is given.
-RollerContacts rolling_contacts(const CylindricalRollerBearing& bearing,
-                                const RollerBearingGeometry& geometry, double inner_speed, double outer_speed,
-                                const std::optional<Lubricant>& lubricant);
+RollerContacts rolling_contacts(const Bearing& bearing, const BearingGeometry& geometry, double inner_speed,
+                                double outer_speed, const std::optional<Lubricant>& lubricant);
 
 }  // namespace orbearing::bearing

@@ -31,17 +31,17 @@ inline FormAt form_at(const std::vector<RaceHarmonic>& form, double angle, doubl
 }
 
 /// By how much roller `j` is larger in diameter than stated [m].
-inline double diameter_deviation(const CylindricalRollerBearing& bearing, std::size_t j) {
-  const std::vector<double>& given = bearing.roller_diameter_deviation;
+inline double diameter_deviation(const Bearing& bearing, std::size_t j) {
+  const std::vector<double>& given = bearing.rollers().diameter_deviation;
   return j < given.size() ? given[j] : 0.0;
 }
 
 /// Whether the bearing repeats itself when the cage turns by one roller pitch: equal rollers, standing forms.
-inline bool every_pitch_alike(const CylindricalRollerBearing& bearing) {
+inline bool every_pitch_alike(const Bearing& bearing) {
   const auto turns = [](const RaceHarmonic& wave) { return wave.turning; };
-  return bearing.roller_diameter_deviation.empty() &&
-         std::none_of(bearing.inner_form.begin(), bearing.inner_form.end(), turns) &&
-         std::none_of(bearing.outer_form.begin(), bearing.outer_form.end(), turns);
+  return bearing.rollers().diameter_deviation.empty() &&
+         std::none_of(bearing.inner.form.begin(), bearing.inner.form.end(), turns) &&
+         std::none_of(bearing.outer.form.begin(), bearing.outer.form.end(), turns);
 }
 
 }  // namespace orbearing::bearing

@@ -1,6 +1,6 @@
 #include "bearing/equilibrium/balls.hpp"
 
-#include <boost/math/constants/constants.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "mechanics/checks.hpp"
@@ -9,31 +9,32 @@ namespace orbearing::bearing::equilibrium {
 
 namespace {
 
-PointContact groove_contact(const BallBearing& bearing, Race race, double osculation) {
-  return point_contact(ball_race_curvature(race, bearing.ball_diameter, bearing.pitch_diameter,
-                                           osculation * bearing.ball_diameter, bearing.contact_angle),
-                       bearing.material);
+PointContact groove_contact(const Bearing& bearing, Race race) {
+  const Balls& balls = bearing.balls();
+  return point_contact(
+      ball_race_curvature(race, balls.diameter, bearing.pitch_diameter,
+                          bearing.ring(race).osculation * balls.diameter, balls.contact_angle),
+      bearing.material);
 }
 
 }  // namespace
 
-BallRow::BallRow(const BallBearing& bearing) : lever_(0.5 * bearing.pitch_diameter) {
-  const double openness = bearing.inner_osculation + bearing.outer_osculation - 1.0;
-  for (const double osculation : {bearing.inner_osculation, bearing.outer_osculation})
+BallRow::BallRow(const Bearing& bearing) : lever_(0.5 * bearing.pitch_diameter) {
+  const Balls& balls = bearing.balls();
+  const double openness = bearing.inner.osculation + bearing.outer.osculation - 1.0;
+  for (const double osculation : {bearing.inner.osculation, bearing.outer.osculation})
     if (!(osculation > 0.5))
       mechanics::refuse("osculation", osculation, "groove radius over ball diameter above 0.5");
-  groove_distance_ = openness * bearing.ball_diameter;
-  radial_distance_ = groove_distance_ * std::cos(bearing.contact_angle) - 0.5 * bearing.radial_clearance;
-  axial_distance_ = groove_distance_ * std::sin(bearing.contact_angle);
+  groove_distance_ = openness * balls.diameter;
+  radial_distance_ = groove_distance_ * std::cos(balls.contact_angle) - 0.5 * bearing.radial_clearance;
+  axial_distance_ = groove_distance_ * std::sin(balls.contact_angle);
   if (!(radial_distance_ > 0.0))
     mechanics::refuse("radial clearance [m]", bearing.radial_clearance,
                       "less than twice the distance of groove centres");
-  inner_ = groove_contact(bearing, Race::inner, bearing.inner_osculation);
-  outer_ = groove_contact(bearing, Race::outer, bearing.outer_osculation);
+  inner_ = groove_contact(bearing, Race::inner);
+  outer_ = groove_contact(bearing, Race::outer);
   constant_ = in_series(inner_, outer_);
-  const double pitch = boost::math::double_constants::two_pi / bearing.balls;
-  const Eigen::ArrayXd angle =
-      bearing.first_element + pitch * Eigen::ArrayXd::LinSpaced(bearing.balls, 0.0, bearing.balls - 1.0);
+  const Eigen::ArrayXd angle = element_angles(bearing);
   cosine_ = angle.cos();
   sine_ = angle.sin();
 }
@@ -87,6 +88,9 @@ void BallRow::put_loads(const RingPlace& place, RingState& state) const {
     if (at.approach > 0.0) state.contact_load[j] = constant_ * std::pow(at.approach, 1.5);
     state.contact_angle[j] = std::atan2(at.axial, at.radial);
   }
+  const double most = state.contact_load.maxCoeff();
+  state.largest_pressure =
+      std::max(point_pressure(inner_, most).pressure, point_pressure(outer_, most).pressure);
 }
 
 double BallRow::stored_energy(const RingPlace& place) const {

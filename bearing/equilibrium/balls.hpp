@@ -12,8 +12,9 @@ namespace orbearing::bearing::equilibrium {
 /// What does not change with the load.
 class BallRow {
  public:
-  /// Throws std::invalid_argument where grooves are no wider than balls or the clearance leaves no contact.
-  explicit BallRow(const BallBearing& bearing);
+  /// Throws std::invalid_argument where the elements are no balls, grooves are no wider than balls or the
+  /// clearance leaves no contact.
+  explicit BallRow(const Bearing& bearing);
 
   double lever() const { return lever_; }
   double reach(double load) const;

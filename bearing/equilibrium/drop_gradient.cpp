@@ -80,7 +80,8 @@ DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& p
                            const QuasiStaticOptions& options, const LaminaState& state,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load) {
-  const RaceEquilibrium problem = quasi_static_problem(bearing.bearing(), point, options, state.angle[0]);
+  const RaceEquilibrium problem =
+      quasi_static_problem(bearing.bearing(), bearing.geometry(), point, options, state.angle[0]);
   std::vector<AdjointRoller> rollers;
   for (Eigen::Index j = 0; j < state.angle.size(); ++j)
     rollers.push_back(adjoint_roller(bearing, problem.contacts, state.rollers[static_cast<std::size_t>(j)],
@@ -128,8 +129,9 @@ double by_roller_parameter(const LaminaBearing& bearing, const DropGradient& gra
   const auto places = bearing.contact(Race::inner).places();
   double sum = 0.0;
   for (Eigen::Index k = 0; k < places.size(); ++k)
-    sum += (gradient.inner[k] + gradient.outer[k]) *
-           profile::drop_per_parameter(bearing.bearing().roller_profile, bearing.half_length() * places[k]);
+    sum +=
+        (gradient.inner[k] + gradient.outer[k]) *
+        profile::drop_per_parameter(bearing.bearing().rollers().profile, bearing.half_length() * places[k]);
   return sum;
 }
 
@@ -137,9 +139,9 @@ double by_roller_drop(const LaminaBearing& bearing, const DropGradient& gradient
   const auto places = bearing.contact(Race::inner).places();
   double sum = 0.0;
   for (Eigen::Index k = 0; k < places.size(); ++k)
-    sum +=
-        (gradient.inner[k] + gradient.outer[k]) *
-        profile::drop_per_drop(bearing.bearing().roller_profile, bearing.half_length() * places[k], station);
+    sum += (gradient.inner[k] + gradient.outer[k]) *
+           profile::drop_per_drop(bearing.bearing().rollers().profile, bearing.half_length() * places[k],
+                                  station);
   return sum;
 }
 

@@ -22,9 +22,9 @@ EquilibriumEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set,
   return baseline_equilibrium(constants);
 }
 
-double mass_through_cage(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry) {
+double mass_through_cage(const Bearing& bearing, const BearingGeometry& geometry) {
   if (bearing.cage.guidance != Race::outer) return 0.0;
-  return geometry.cage_mass + 0.5 * bearing.rollers * geometry.roller_mass;
+  return geometry.cage_mass + 0.5 * bearing.rollers().count * geometry.element_mass;
 }
 
 void resize(EquilibriumResults& results, std::size_t points, int rollers) {
@@ -40,16 +40,16 @@ void resize(EquilibriumResults& results, std::size_t points, int rollers) {
 
 }  // namespace
 
-EquilibriumBatch::EquilibriumBatch(const CylindricalRollerBearing& bearing, const InertiaSwitches& inertia,
+EquilibriumBatch::EquilibriumBatch(const Bearing& bearing, const InertiaSwitches& inertia,
                                    mechanics::InstructionSet set)
     : bearing_(bearing),
       geometry_(geometry_of(bearing)),
       inertia_(inertia),
-      unit_length_(roller_race_contact(bearing.contact_law, bearing.roller_length).approach(1.0)),
-      round_(bearing.inner_form.empty() && bearing.outer_form.empty() &&
-             bearing.roller_diameter_deviation.empty()),
+      unit_length_(roller_race_contact(bearing.contact_law, bearing.rollers().length).approach(1.0)),
+      round_(bearing.inner.form.empty() && bearing.outer.form.empty() &&
+             bearing.rollers().diameter_deviation.empty()),
       cage_mass_(mass_through_cage(bearing, geometry_)) {
-  const auto rollers = static_cast<std::size_t>(bearing.rollers);
+  const auto rollers = static_cast<std::size_t>(bearing.rollers().count);
   for (std::size_t j = 0; j < rollers; ++j) {
     const double angle = two_pi * static_cast<double>(j) / static_cast<double>(rollers);
     pocket_cosine_.push_back(std::cos(angle));
@@ -57,7 +57,7 @@ EquilibriumBatch::EquilibriumBatch(const CylindricalRollerBearing& bearing, cons
   }
   inner_.resize(rollers * kBlock);
   outer_.resize(rollers * kBlock);
-  engine_.reset(make_engine(set, {bearing.rollers, 0.5 * bearing.radial_clearance / unit_length_,
+  engine_.reset(make_engine(set, {bearing.rollers().count, 0.5 * bearing.radial_clearance / unit_length_,
                                   pocket_cosine_.data(), pocket_sine_.data()}));
 }
 
@@ -66,7 +66,7 @@ void EquilibriumBatch::fill(const EquilibriumPoint& at, int lane) {
   const OperatingPoint& point = at.point;
   const CarrierFrame frame = carrier_frame(point.carrier, inertia_);
   const double cage_speed = kinematic_cage_speed(geometry_, point.inner_speed, point.outer_speed);
-  const double mass = geometry_.roller_mass;
+  const double mass = geometry_.element_mass;
   const Eigen::Vector2d through_cage =
       cage_mass_ * inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   input_.force_x[lane] = point.bore_load.x() + through_cage.x();
@@ -95,7 +95,7 @@ void EquilibriumBatch::solve_singly(const EquilibriumPoint& point, std::size_t i
 }
 
 void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results) {
-  resize(results, points.size(), bearing_.rollers);
+  resize(results, points.size(), bearing_.rollers().count);
   if (!round_) {
     for (std::size_t index = 0; index < points.size(); ++index) solve_singly(points[index], index, results);
     return;
@@ -107,7 +107,7 @@ void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, Equilibri
     engine_->solve(input_, output_, inner_.data(), outer_.data());
     const auto row = static_cast<Eigen::Index>(first);
     const auto rows = static_cast<Eigen::Index>(count);
-    for (Eigen::Index j = 0; j < bearing_.rollers; ++j) {
+    for (Eigen::Index j = 0; j < bearing_.rollers().count; ++j) {
       std::copy_n(inner_.data() + j * kBlock, rows, results.inner_load.col(j).data() + row);
       std::copy_n(outer_.data() + j * kBlock, rows, results.outer_load.col(j).data() + row);
     }

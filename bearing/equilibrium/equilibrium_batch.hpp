@@ -40,7 +40,7 @@ struct EquilibriumResults {
 /// The solver for one bearing. Not for use by two threads at once.
 class EquilibriumBatch {
  public:
-  explicit EquilibriumBatch(const CylindricalRollerBearing& bearing, const InertiaSwitches& inertia = {},
+  explicit EquilibriumBatch(const Bearing& bearing, const InertiaSwitches& inertia = {},
                             mechanics::InstructionSet set = mechanics::best_instruction_set());
 
   /// Solves all points; each result depends on its own point alone. What the vectorised iteration does not
@@ -52,8 +52,8 @@ class EquilibriumBatch {
   void fill(const EquilibriumPoint& point, int lane);
   void solve_singly(const EquilibriumPoint& point, std::size_t index, EquilibriumResults& results) const;
 
-  CylindricalRollerBearing bearing_;
-  RollerBearingGeometry geometry_;
+  Bearing bearing_;
+  BearingGeometry geometry_;
   InertiaSwitches inertia_;
   double unit_length_;  // [m]   approach of one contact under 1 N
   bool round_;          // round races and equal rollers: what the engine knows

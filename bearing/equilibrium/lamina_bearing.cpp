@@ -11,18 +11,17 @@ namespace orbearing::bearing::laminae {
 
 namespace {
 
-const CylindricalRollerBearing& sound(const CylindricalRollerBearing& bearing) {
+const Bearing& sound(const Bearing& bearing) {
   for (const profile::Profile* profile :
-       {&bearing.roller_profile, &bearing.inner_race_profile, &bearing.outer_race_profile})
+       {&bearing.rollers().profile, &bearing.inner.profile, &bearing.outer.profile})
     profile::require_sound(*profile);
   return bearing;
 }
 
-LaminaContact contact_of(const CylindricalRollerBearing& bearing, const profile::Profile& race,
-                         mechanics::InstructionSet set) {
-  const double length = bearing.roller_length;
-  return {lamina_law(roller_race_contact(bearing.contact_law, length)), length,
-          lamina_drops(bearing.roller_profile, race, length, bearing.laminae), set};
+LaminaContact contact_of(const Bearing& bearing, Race race, mechanics::InstructionSet set) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  return {lamina_law(roller_race_contact(bearing.contact_law, rollers.length)), rollers.length,
+          lamina_drops(rollers.profile, bearing.ring(race).profile, rollers.length, rollers.laminae), set};
 }
 
 // Forces on the outer ring with all rollers settled.
@@ -119,8 +118,8 @@ void put_position(const LaminaBearing& bearing, const LaminaState& state, Eigen:
 
 LaminaResult empty_result(const LaminaBearing& bearing, const OperatingPoint& point,
                           const QuasiStaticOptions& options) {
-  const CylindricalRollerBearing& b = bearing.bearing();
-  const int places = options.cage_positions * b.rollers;
+  const Bearing& b = bearing.bearing();
+  const int places = options.cage_positions * b.rollers().count;
   LaminaResult result;
   result.angle =
       options.first_roller +
@@ -128,22 +127,24 @@ LaminaResult empty_result(const LaminaBearing& bearing, const OperatingPoint& po
   for (Eigen::ArrayXd* array : {&result.inner_load, &result.outer_load, &result.roller_tilt})
     array->resize(places);
   for (Eigen::ArrayXXd* array : {&result.inner_lamina_load, &result.outer_lamina_load})
-    array->resize(b.laminae, places);
-  result.total_bore_load = total_bore_load(b, geometry_of(b), point, options.inertia);
+    array->resize(b.rollers().laminae, places);
+  result.total_bore_load = total_bore_load(b, bearing.geometry(), point, options.inertia);
   result.report.converged = true;
   return result;
 }
 
 }  // namespace
 
-LaminaBearing::LaminaBearing(const CylindricalRollerBearing& bearing, mechanics::InstructionSet set)
+LaminaBearing::LaminaBearing(const Bearing& bearing, mechanics::InstructionSet set)
     : bearing_(sound(bearing)),
-      inner_(contact_of(bearing_, bearing_.inner_race_profile, set)),
-      outer_(contact_of(bearing_, bearing_.outer_race_profile, set)) {}
+      geometry_(geometry_of(bearing_)),
+      inner_(contact_of(bearing_, Race::inner, set)),
+      outer_(contact_of(bearing_, Race::outer, set)) {}
 
 LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& point,
                          const QuasiStaticOptions& options, double first_roller, const LaminaState* near) {
-  const RaceEquilibrium problem = quasi_static_problem(bearing.bearing(), point, options, first_roller);
+  const RaceEquilibrium problem =
+      quasi_static_problem(bearing.bearing(), bearing.geometry(), point, options, first_roller);
   LaminaState state;
   if (near != nullptr) state.rollers = near->rollers;
   state.rollers.resize(static_cast<std::size_t>(problem.angle.size()));

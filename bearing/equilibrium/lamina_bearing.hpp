@@ -15,15 +15,17 @@ namespace orbearing::bearing::laminae {
 class LaminaBearing {
  public:
   /// Throws std::invalid_argument where the bearing has no laminae or a profile is unsound.
-  explicit LaminaBearing(const CylindricalRollerBearing& bearing,
+  explicit LaminaBearing(const Bearing& bearing,
                          mechanics::InstructionSet set = mechanics::best_instruction_set());
 
-  const CylindricalRollerBearing& bearing() const { return bearing_; }
+  const Bearing& bearing() const { return bearing_; }
+  const BearingGeometry& geometry() const { return geometry_; }
   const LaminaContact& contact(Race race) const { return race == Race::inner ? inner_ : outer_; }
-  double half_length() const { return 0.5 * bearing_.roller_length; }  // [m]
+  double half_length() const { return 0.5 * bearing_.rollers().length; }  // [m]
 
  private:
-  CylindricalRollerBearing bearing_;
+  Bearing bearing_;
+  BearingGeometry geometry_;
   LaminaContact inner_;
   LaminaContact outer_;
 };

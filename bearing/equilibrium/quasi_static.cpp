@@ -18,9 +18,10 @@ using boost::math::double_constants::two_pi;
 
 // Rigid rollers at pure rolling on circles of the pitch radius: what the quasi-static model takes from
 // kinematics.
-double roller_inertial_load(const RollerBearingGeometry& geometry, const CarrierFrame& frame,
-                            double cage_speed, double angle) {
-  return geometry.roller_mass * radial_inertial_acceleration(frame, geometry.pitch_radius, angle, cage_speed);
+double roller_inertial_load(const BearingGeometry& geometry, const CarrierFrame& frame, double cage_speed,
+                            double angle) {
+  return geometry.element_mass *
+         radial_inertial_acceleration(frame, geometry.pitch_radius, angle, cage_speed);
 }
 
 Eigen::ArrayXd roller_angles(int rollers, double first_roller) {
@@ -47,35 +48,34 @@ void require_finite(const OperatingPoint& point) {
 }
 
 // What waves of the races and unequal rollers add to the approach of the races; empty where there are none.
-Eigen::ArrayXd extra_approach(const CylindricalRollerBearing& bearing, const Eigen::ArrayXd& angle) {
-  if (bearing.inner_form.empty() && bearing.outer_form.empty() && bearing.roller_diameter_deviation.empty())
+Eigen::ArrayXd extra_approach(const Bearing& bearing, const Eigen::ArrayXd& angle) {
+  if (bearing.inner.form.empty() && bearing.outer.form.empty() &&
+      bearing.rollers().diameter_deviation.empty())
     return {};
   Eigen::ArrayXd extra(angle.size());
   for (Eigen::Index j = 0; j < angle.size(); ++j)
-    extra[j] = form_at(bearing.inner_form, angle[j], 0.0).height -
-               form_at(bearing.outer_form, angle[j], 0.0).height +
+    extra[j] = form_at(bearing.inner.form, angle[j], 0.0).height -
+               form_at(bearing.outer.form, angle[j], 0.0).height +
                diameter_deviation(bearing, static_cast<std::size_t>(j));
   return extra;
 }
 
 }  // namespace
 
-Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
-                                  const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
-                                  const InertiaSwitches& inertia) {
+Eigen::Vector2d load_through_cage(const Bearing& bearing, const BearingGeometry& geometry,
+                                  const CarrierMotion& carrier, const InertiaSwitches& inertia) {
   const CarrierFrame frame = carrier_frame(carrier, inertia);
-  const double mass = geometry.cage_mass + 0.5 * bearing.rollers * geometry.roller_mass;
+  const double mass = geometry.cage_mass + 0.5 * bearing.rollers().count * geometry.element_mass;
   return mass * inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
 }
 
-Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
-                                const RollerBearingGeometry& geometry, const OperatingPoint& point,
-                                const InertiaSwitches& inertia) {
+Eigen::Vector2d total_bore_load(const Bearing& bearing, const BearingGeometry& geometry,
+                                const OperatingPoint& point, const InertiaSwitches& inertia) {
   if (bearing.cage.guidance != Race::outer) return point.bore_load;
   return point.bore_load + load_through_cage(bearing, geometry, point.carrier, inertia);
 }
 
-void require_equal_pitches(const CylindricalRollerBearing& bearing) {
+void require_equal_pitches(const Bearing& bearing) {
   if (every_pitch_alike(bearing)) return;
   throw std::invalid_argument(
       "bearing: found unequal rollers or waves that turn with a race; required by the means over one pitch: "
@@ -89,15 +89,15 @@ void keep_worst(const SolverReport& one, SolverReport& all) {
   all.converged = all.converged && one.converged;
 }
 
-RaceEquilibrium quasi_static_problem(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
-                                     const QuasiStaticOptions& options, double first_roller) {
+RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeometry& geometry,
+                                     const OperatingPoint& point, const QuasiStaticOptions& options,
+                                     double first_roller) {
   require_finite(point);
-  const RollerBearingGeometry geometry = geometry_of(bearing);
   const CarrierFrame frame = carrier_frame(point.carrier, options.inertia);
   const double cage_speed = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
 
   const bool subtracted = options.film && options.film_approach == FilmApproach::as_printed;
-  const double film_clearance = subtracted ? printed_film(bearing, *options.film, point.inner_speed,
+  const double film_clearance = subtracted ? printed_film(bearing, geometry, *options.film, point.inner_speed,
                                                           point.outer_speed, point.bore_load.norm())
                                                  .clearance()
                                            : 0.0;
@@ -105,33 +105,35 @@ RaceEquilibrium quasi_static_problem(const CylindricalRollerBearing& bearing, co
                                            subtracted ? std::nullopt : options.film)};
   problem.clearance = bearing.radial_clearance + film_clearance;
   problem.load = total_bore_load(bearing, geometry, point, options.inertia);
-  problem.angle = roller_angles(bearing.rollers, first_roller);
+  problem.angle = roller_angles(bearing.rollers().count, first_roller);
   problem.extra_approach = extra_approach(bearing, problem.angle);
   problem.inertial_load = problem.angle.unaryExpr(
       [&](double angle) { return roller_inertial_load(geometry, frame, cage_speed, angle); });
   return problem;
 }
 
-QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+QuasiStaticState quasi_static_state(const Bearing& bearing, const OperatingPoint& point,
                                     const QuasiStaticOptions& options, double first_roller) {
-  return solve(quasi_static_problem(bearing, point, options, first_roller));
+  return solve(quasi_static_problem(bearing, geometry_of(bearing), point, options, first_roller));
 }
 
-QuasiStaticResult quasi_static_bearing(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+QuasiStaticResult quasi_static_bearing(const Bearing& bearing, const OperatingPoint& point,
                                        const QuasiStaticOptions& options) {
   require_equal_pitches(bearing);
-  const int positions = options.cage_positions;
-  const int places = positions * bearing.rollers;
+  const BearingGeometry geometry = geometry_of(bearing);
+  const int positions = options.cage_positions, rollers = bearing.rollers().count;
+  const int places = positions * rollers;
   QuasiStaticResult result;
   result.angle =
       options.first_roller + Eigen::ArrayXd::LinSpaced(places, 0.0, two_pi * (places - 1) / places);
   result.inner_load.resize(places);
   result.outer_load.resize(places);
-  result.total_bore_load = total_bore_load(bearing, geometry_of(bearing), point, options.inertia);
+  result.total_bore_load = total_bore_load(bearing, geometry, point, options.inertia);
   result.report.converged = true;
   for (int position = 0; position < positions; ++position) {
-    const QuasiStaticState state = quasi_static_state(bearing, point, options, result.angle[position]);
-    for (int roller = 0; roller < bearing.rollers; ++roller) {
+    const QuasiStaticState state =
+        solve(quasi_static_problem(bearing, geometry, point, options, result.angle[position]));
+    for (int roller = 0; roller < rollers; ++roller) {
       result.inner_load[position + roller * positions] = state.inner_load[roller];
       result.outer_load[position + roller * positions] = state.outer_load[roller];
     }

@@ -1,4 +1,4 @@
-// Quasi-static cylindrical roller bearing in the frame of the carrier: the races settle where the roller
+// Quasi-static bearing of cylindrical rollers in the frame of the carrier: the races settle where the roller
 // loads, with all inertial loads of rollers and cage, balance the load on the bore.
 #pragma once
 
@@ -36,34 +36,33 @@ struct QuasiStaticResult {
 
 /// Load [N] that cage and rollers add to the ring that guides the cage: the cage's inertial load and the
 /// tangential halves of the rollers', which reach it through the pockets.
-Eigen::Vector2d load_through_cage(const CylindricalRollerBearing& bearing,
-                                  const RollerBearingGeometry& geometry, const CarrierMotion& carrier,
-                                  const InertiaSwitches& inertia);
+Eigen::Vector2d load_through_cage(const Bearing& bearing, const BearingGeometry& geometry,
+                                  const CarrierMotion& carrier, const InertiaSwitches& inertia);
 
 /// Load [N] on the outer ring with what reaches it through the cage, where it guides the cage.
-Eigen::Vector2d total_bore_load(const CylindricalRollerBearing& bearing,
-                                const RollerBearingGeometry& geometry, const OperatingPoint& point,
-                                const InertiaSwitches& inertia);
+Eigen::Vector2d total_bore_load(const Bearing& bearing, const BearingGeometry& geometry,
+                                const OperatingPoint& point, const InertiaSwitches& inertia);
 
 /// What must balance with the first roller at `first_roller` [rad]. Throws std::invalid_argument where a
 /// load, a tilt or a speed is not finite.
-RaceEquilibrium quasi_static_problem(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
-                                     const QuasiStaticOptions& options, double first_roller);
+RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeometry& geometry,
+                                     const OperatingPoint& point, const QuasiStaticOptions& options,
+                                     double first_roller);
 
 /// Throws std::invalid_argument where rollers are unequal or waves turn with a race.
-void require_equal_pitches(const CylindricalRollerBearing& bearing);
+void require_equal_pitches(const Bearing& bearing);
 
 /// `all` becomes the worse of both.
 void keep_worst(const SolverReport& one, SolverReport& all);
 
 /// Equilibrium with the first roller at `first_roller` [rad]. Races that are not round stand as at t = 0; the
 /// small tangential part of their contact forces, of the order amplitude * order / radius, is left out.
-QuasiStaticState quasi_static_state(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+QuasiStaticState quasi_static_state(const Bearing& bearing, const OperatingPoint& point,
                                     const QuasiStaticOptions& options, double first_roller);
 
 /// Equilibria over one roller pitch. Throws std::invalid_argument where a load or speed is not finite, and
 /// where rollers are unequal or waves turn with a race: then no pitch is like the next.
-QuasiStaticResult quasi_static_bearing(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+QuasiStaticResult quasi_static_bearing(const Bearing& bearing, const OperatingPoint& point,
                                        const QuasiStaticOptions& options);
 
 }  // namespace orbearing::bearing

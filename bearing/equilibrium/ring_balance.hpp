@@ -11,9 +11,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <boost/math/constants/constants.hpp>
 #include <optional>
 #include <string>
 
+#include "bearing/parameters.hpp"
 #include "mechanics/convex_search.hpp"
 #include "mechanics/described.hpp"
 
@@ -52,7 +54,12 @@ void describe(Visitor& visit, RingLoad& m) {
              .dimension = dimension::torque,
              .range = {-1e9, 1e9},
              .reason = "the shaft does not hold the ring against tilting"}),
-      apart(m.moment_across),
+      field(m.moment_across, "load.moment_across", Felt::lone,
+            "moment on the inner ring in the axial plane across the radial load",
+            {.models = single_bearing,
+             .dimension = dimension::torque,
+             .range = {-1e9, 1e9},
+             .reason = "the load lies in one axial plane"}),
       field(m.tilt, "load.tilt", Felt::lone,
             "tilt of the inner ring in the plane of the radial load, in place of its moment",
             {.models = single_bearing, .dimension = dimension::angle, .range = {-10.0, 10.0}}));
@@ -67,18 +74,26 @@ struct BalanceReport : mechanics::SearchReport {
 /// both races. Where a nominal contact angle of zero leaves no side preferred, that position is axially
 /// centred.
 struct RingState {
-  double radial = 0.0;           // [m]    along the radial load
-  double lateral = 0.0;          // [m]    across it
-  double axial = 0.0;            // [m]
-  double tilt = 0.0;             // [rad]  in the plane of the radial load
-  double lateral_tilt = 0.0;     // [rad]
-  double moment = 0.0;           // [N m]  on the ring in that plane: given, or holding the given tilt
-  double lateral_moment = 0.0;   // [N m]
-  Eigen::ArrayXd contact_load;   // [N]    (elements)
-  Eigen::ArrayXd contact_angle;  // [rad]  (elements)
-  Eigen::ArrayXXd lamina_load;   // [N]    (laminae, elements); empty for balls
+  double radial = 0.0;            // [m]    along the radial load
+  double lateral = 0.0;           // [m]    across it
+  double axial = 0.0;             // [m]
+  double tilt = 0.0;              // [rad]  in the plane of the radial load
+  double lateral_tilt = 0.0;      // [rad]
+  double moment = 0.0;            // [N m]  on the ring in that plane: given, or holding the given tilt
+  double lateral_moment = 0.0;    // [N m]
+  Eigen::ArrayXd contact_load;    // [N]    (elements)
+  Eigen::ArrayXd contact_angle;   // [rad]  (balls); empty for rollers
+  Eigen::ArrayXXd lamina_load;    // [N]    (laminae, rollers); empty for balls
+  double largest_pressure = 0.0;  // [Pa]   of both races, after Hertz; of rollers that of a lamina
   BalanceReport report;
 };
+
+/// Angles of the elements from the radial load [rad].
+inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
+  const int count = bearing.element_count();
+  const double pitch = boost::math::double_constants::two_pi / count;
+  return bearing.first_element + pitch * Eigen::ArrayXd::LinSpaced(count, 0.0, count - 1.0);
+}
 
 /// What a row adds to the ring's balance: force [N] of the elements on the ring, its stiffness, and as scale
 /// the sum of the contact loads, however they cancel.
@@ -87,7 +102,7 @@ struct RingState {
 ///     double lever() const;                                     // [m]  of the tilts
 ///     double reach(double load) const;                          // [m]  scale of the place under `load` [N]
 ///     void add_forces(const RingPlace&, RingImbalance&) const;
-///     void put_loads(const RingPlace&, RingState&) const;       // contact_load, contact_angle, lamina_load
+///     void put_loads(const RingPlace&, RingState&) const;       // all of the elements, and the pressure
 ///     double stored_energy(const RingPlace&) const;             // [J]
 template <class Row>
 RingImbalance row_forces(const Row& row, const RingPlace& place) {

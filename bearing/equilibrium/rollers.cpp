@@ -1,6 +1,5 @@
 #include "bearing/equilibrium/rollers.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <vector>
 
@@ -11,39 +10,41 @@ namespace orbearing::bearing::equilibrium {
 
 namespace {
 
-// Relief of both contacts of a roller at the middles of its laminae [m].
-std::vector<double> drops_of(const CylindricalRollerBearing& in) {
-  for (const profile::Profile& profile : {in.roller_profile, in.inner_race_profile, in.outer_race_profile})
-    profile::require_sound(profile);
-  const double length = in.roller_length;
-  std::vector<double> drops =
-      laminae::lamina_drops(in.roller_profile, in.inner_race_profile, length, in.laminae);
-  const std::vector<double> outer =
-      laminae::lamina_drops(in.roller_profile, in.outer_race_profile, length, in.laminae);
-  for (std::size_t k = 0; k < drops.size(); ++k) drops[k] += outer[k];
-  return drops;
+const CylindricalRollers& sound_rollers(const Bearing& bearing) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  mechanics::require(rollers.laminae >= 1, "laminae", rollers.laminae, "at least 1");
+  for (const profile::Profile* profile : {&rollers.profile, &bearing.inner.profile, &bearing.outer.profile})
+    profile::require_sound(*profile);
+  return rollers;
 }
 
 // c_L of both contacts in series.
-laminae::LaminaLaw series_law(const CylindricalRollerBearing& bearing) {
-  const LineContact one = roller_race_contact(bearing.contact_law, bearing.roller_length);
+laminae::LaminaLaw series_law(const Bearing& bearing, double length) {
+  const LineContact one = roller_race_contact(bearing.contact_law, length);
   return {one.constant() * std::pow(2.0, -laminae::LaminaLaw::exponent)};
 }
 
-const CylindricalRollerBearing& with_laminae(const CylindricalRollerBearing& in) {
-  mechanics::require(in.laminae >= 1, "laminae", in.laminae, "at least 1");
-  return in;
+// With the relief of both contacts at the middles of the laminae.
+laminae::LaminaContact contact_in_series(const Bearing& bearing) {
+  const CylindricalRollers& rollers = sound_rollers(bearing);
+  const auto drops_on = [&](const Ring& ring) {
+    return laminae::lamina_drops(rollers.profile, ring.profile, rollers.length, rollers.laminae);
+  };
+  std::vector<double> drops = drops_on(bearing.inner);
+  const std::vector<double> outer = drops_on(bearing.outer);
+  for (std::size_t k = 0; k < drops.size(); ++k) drops[k] += outer[k];
+  return {series_law(bearing, rollers.length), rollers.length, drops};
 }
 
 }  // namespace
 
-RollerRow::RollerRow(const CylindricalRollerBearing& in, double first_element)
-    : contact_(series_law(with_laminae(in)), in.roller_length, drops_of(in)),
-      clearance_(in.radial_clearance),
-      constant_(series_law(in).constant) {
-  const double pitch = boost::math::double_constants::two_pi / in.rollers;
-  const Eigen::ArrayXd angle =
-      first_element + pitch * Eigen::ArrayXd::LinSpaced(in.rollers, 0.0, in.rollers - 1.0);
+RollerRow::RollerRow(const Bearing& bearing)
+    : material_(bearing.material),
+      sharpest_radius_(0.5 * bearing.element_diameter() * (1.0 - slenderness(bearing))),
+      contact_(contact_in_series(bearing)),
+      clearance_(bearing.radial_clearance),
+      constant_(series_law(bearing, bearing.rollers().length).constant) {
+  const Eigen::ArrayXd angle = element_angles(bearing);
   cosine_ = angle.cos();
   sine_ = angle.sin();
 }
@@ -88,7 +89,8 @@ void RollerRow::put_loads(const RingPlace& place, RingState& state) const {
     state.lamina_load.col(j) = contact_.loads(at.middle, at.tip).load;
   }
   state.contact_load = state.lamina_load.colwise().sum().transpose();
-  state.contact_angle = Eigen::ArrayXd::Zero(cosine_.size());
+  const double lamina = 2.0 * contact_.half_length() / static_cast<double>(contact_.laminae());
+  state.largest_pressure = hertz_pressure(state.lamina_load.maxCoeff(), sharpest_radius_, lamina, material_);
 }
 
 double RollerRow::stored_energy(const RingPlace& place) const {

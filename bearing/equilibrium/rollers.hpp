@@ -15,9 +15,9 @@ namespace orbearing::bearing::equilibrium {
 /// axial place is free: rollers without flanges bear no axial load.
 class RollerRow {
  public:
-  /// `first_element` is the place of the first roller [rad] from the radial load. Throws
-  /// std::invalid_argument where there are no laminae or a profile has no meaning.
-  explicit RollerRow(const CylindricalRollerBearing& bearing, double first_element = 0.0);
+  /// Throws std::invalid_argument where the elements are no rollers, there are no laminae or a profile has no
+  /// meaning.
+  explicit RollerRow(const Bearing& bearing);
 
   double lever() const { return contact_.half_length(); }
   double reach(double load) const;
@@ -29,6 +29,8 @@ class RollerRow {
   struct Approach;
   Approach approach_of(Eigen::Index roller, const RingPlace& place) const;
 
+  Material material_;
+  double sharpest_radius_;          // [m]  equivalent, on the inner race: D (1 - gamma)/2
   laminae::LaminaContact contact_;  // c_L in all, drops of both contacts
   double clearance_;                // [m]  diametral
   double constant_;                 // c_L of a whole roller

@@ -58,13 +58,14 @@ AxialFactor axial_factor(double relative_load) {
 
 }  // namespace
 
-BallSet ball_set(const BallBearing& bearing) {
-  return {.balls = bearing.balls,
-          .diameter = bearing.ball_diameter,
+BallSet ball_set(const Bearing& bearing) {
+  const Balls& balls = bearing.balls();
+  return {.balls = balls.count,
+          .diameter = balls.diameter,
           .pitch_diameter = bearing.pitch_diameter,
-          .contact_angle = bearing.contact_angle,
-          .inner_osculation = bearing.inner_osculation,
-          .outer_osculation = bearing.outer_osculation};
+          .contact_angle = balls.contact_angle,
+          .inner_osculation = bearing.inner.osculation,
+          .outer_osculation = bearing.outer.osculation};
 }
 
 double gamma(const BallSet& set) {

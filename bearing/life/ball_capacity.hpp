@@ -18,8 +18,8 @@ struct BallSet {
   double lambda = 0.95;            // [-]    for one row; 0.90 for two
 };
 
-/// The rating's view of the bearing.
-BallSet ball_set(const BallBearing& bearing);
+/// The rating's view of a bearing of balls, of one row.
+BallSet ball_set(const Bearing& bearing);
 
 /// D cos(alpha)/d_m [-], with the nominal angle.
 double gamma(const BallSet& set);

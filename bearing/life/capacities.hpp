@@ -1,4 +1,4 @@
-// What a rating may be told per contact, and how races move relative to the load.
+// What a rating may be told per contact.
 #pragma once
 
 #include "bearing/life/lundberg_palmgren.hpp"
@@ -9,12 +9,6 @@ namespace orbearing::bearing::rating {
 struct ContactCapacities {
   double inner = 0.0;  // [N]
   double outer = 0.0;  // [N]
-};
-
-/// How each race moves relative to the load: by load, not by name.
-struct RaceMotions {
-  RaceMotion inner = RaceMotion::turning;
-  RaceMotion outer = RaceMotion::standing;
 };
 
 /// One race turns relative to the load, the other stands.

@@ -16,7 +16,7 @@ Eigen::Index place_of(double angle, Eigen::Index places) {
   return std::min(place, places - 1);
 }
 
-RaceSpeeds race_speeds(const RollerBearingGeometry& geometry, double inner, double outer) {
+RaceSpeeds race_speeds(const BearingGeometry& geometry, double inner, double outer) {
   return {inner, outer, kinematic_cage_speed(geometry, inner, outer)};
 }
 
@@ -100,20 +100,17 @@ void DamageSums::add(double time, Eigen::Index rollers, const RollerLoads& loads
   outer.rolling += all * std::abs(races.cage - races.outer);
 }
 
-BearingLife life_under(const CylindricalRollerBearing& bearing, double lambda, Race standing,
-                       const RaceDamage& inner, const RaceDamage& outer) {
+BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamage& inner,
+                       const RaceDamage& outer) {
   if (inner.laminae.rows() == 0)
-    return lundberg_palmgren_life(bearing, lambda, standing, inner.whole.pow(0.25), outer.whole.pow(0.25));
-  const auto motion = [&](Race race) {
-    return race == standing ? RaceMotion::standing : RaceMotion::turning;
-  };
-  const life::LaminaRating rating = life::lamina_rating(bearing, {motion(Race::inner), motion(Race::outer)},
-                                                        life::LifeMeasure::lundberg_palmgren, lambda);
+    return lundberg_palmgren_life(bearing, lambda, inner.whole.pow(0.25), outer.whole.pow(0.25));
+  const life::LaminaRating rating =
+      life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, lambda);
   return life_of_fourth_powers(rating, inner.laminae, outer.laminae);
 }
 
-BearingLife DamageSums::life(const CylindricalRollerBearing& bearing, double lambda, Race standing) const {
-  return life_under(bearing, lambda, standing, {inner.damage(), inner.lamina_damage()},
+BearingLife DamageSums::life(const Bearing& bearing, double lambda) const {
+  return life_under(bearing, lambda, {inner.damage(), inner.lamina_damage()},
                     {outer.damage(), outer.lamina_damage()});
 }
 

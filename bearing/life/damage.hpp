@@ -26,7 +26,7 @@ struct RaceSpeeds {
   double outer = 0.0;
   double cage = 0.0;
 };
-RaceSpeeds race_speeds(const RollerBearingGeometry& geometry, double inner, double outer);
+RaceSpeeds race_speeds(const BearingGeometry& geometry, double inner, double outer);
 
 /// All rollers at one instant: arrays are over rollers.
 struct RollerLoads {
@@ -80,8 +80,8 @@ struct RaceDamage {
 /// root: the standing race takes each place's own life, [(1/2pi) integral D^(4.5/4)]^(1/4.5); the turning
 /// race shares all passages, [(1/2pi) integral D]^(1/4). By bearing/life, lamina by lamina, where laminae are
 /// counted. Arguments as in lundberg_palmgren_life().
-BearingLife life_under(const CylindricalRollerBearing& bearing, double lambda, Race standing,
-                       const RaceDamage& inner, const RaceDamage& outer);
+BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamage& inner,
+                       const RaceDamage& outer);
 
 /// Sums of both races since the start.
 class DamageSums {
@@ -96,7 +96,7 @@ class DamageSums {
   /// `rollers` rollers whose loads last for `time` [s].
   void add(double time, Eigen::Index rollers, const RollerLoads& loads);
   /// Life [rev] were it to go on like this; infinite where nothing was loaded or nothing turned.
-  BearingLife life(const CylindricalRollerBearing& bearing, double lambda, Race standing) const;
+  BearingLife life(const Bearing& bearing, double lambda) const;
 
   /// Every number in turn, for `visit(double* first, long size)`.
   template <class Visit>

@@ -13,8 +13,7 @@ using Loads = LaminaLoads;
 constexpr double kWeibullSlope = 9.0 / 8.0;
 constexpr double kMillionRevolutions = 1e6;
 
-rating::ContactCapacities capacities_of(const CylindricalRollerBearing& bearing, LifeMeasure measure,
-                                        double lambda) {
+rating::ContactCapacities capacities_of(const Bearing& bearing, LifeMeasure measure, double lambda) {
   if (measure == LifeMeasure::lundberg_palmgren)
     return {contact_capacity(bearing, Race::inner, lambda), contact_capacity(bearing, Race::outer, lambda)};
   const rating::RollerSet set = rating::roller_set(bearing);
@@ -74,16 +73,10 @@ std::string name_of(LifeMeasure measure) {
   return measure == LifeMeasure::iso16281 ? "iso16281" : "lundberg-palmgren";
 }
 
-rating::RaceMotions race_motions(const OperatingPoint& point) {
-  const auto motion = [](double speed) { return speed != 0.0 ? RaceMotion::turning : RaceMotion::standing; };
-  return {motion(point.inner_speed), motion(point.outer_speed)};
-}
-
-LaminaRating lamina_rating(const CylindricalRollerBearing& bearing, const rating::RaceMotions& motions,
-                           LifeMeasure measure, double lambda) {
+LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double lambda) {
   const rating::ContactCapacities capacities = capacities_of(bearing, measure, lambda);
-  const Eigen::ArrayXd riser = riser_of(std::max(bearing.laminae, 1), measure);
-  return {weights(riser, capacities.inner), weights(riser, capacities.outer), motions};
+  const Eigen::ArrayXd riser = riser_of(std::max(bearing.rollers().laminae, 1), measure);
+  return {weights(riser, capacities.inner), weights(riser, capacities.outer), bearing.motions};
 }
 
 BearingLife lamina_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {

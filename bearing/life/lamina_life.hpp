@@ -14,7 +14,6 @@
 #include <string>
 
 #include "bearing/life/reference_life.hpp"
-#include "bearing/operating_point.hpp"
 
 namespace orbearing::bearing::life {
 
@@ -31,15 +30,11 @@ std::string name_of(LifeMeasure measure);
 struct LaminaRating {
   Eigen::ArrayXd inner_weight;  // [1/N^4.5]  (laminae)  (f_k/q_c)^4.5
   Eigen::ArrayXd outer_weight;  // [1/N^4.5]  (laminae)
-  rating::RaceMotions motions;
+  RaceMotions motions;
 };
 
-/// A race turns relative to the load where it turns in the frame of `point`.
-rating::RaceMotions race_motions(const OperatingPoint& point);
-
 /// `lambda` [-] enters the capacities of Lundberg and Palmgren only. A bearing without laminae has one.
-LaminaRating lamina_rating(const CylindricalRollerBearing& bearing, const rating::RaceMotions& motions,
-                           LifeMeasure measure, double lambda);
+LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double lambda);
 
 using LaminaLoads = Eigen::Ref<const Eigen::ArrayXXd>;  // [N]  (laminae, places)
 

@@ -11,14 +11,15 @@ namespace {
 constexpr double kWeibullSlope = 9.0 / 8.0;
 }  // namespace
 
-double contact_capacity(const CylindricalRollerBearing& bearing, Race race, double lambda) {
-  const double gamma = bearing.roller_diameter / bearing.pitch_diameter;
+double contact_capacity(const Bearing& bearing, Race race, double lambda) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  const double gamma = slenderness(bearing);
   const double side = race == Race::inner ? -gamma : gamma;
-  const double diameter_mm = 1e3 * bearing.roller_diameter;
-  const double length_mm = 1e3 * bearing.roller_length;
+  const double diameter_mm = 1e3 * rollers.diameter;
+  const double length_mm = 1e3 * rollers.length;
   return 552.0 * lambda * std::pow(1.0 + side, 29.0 / 27.0) / std::pow(1.0 - side, 0.25) *
          std::pow(gamma, 2.0 / 9.0) * std::pow(diameter_mm, 29.0 / 27.0) * std::pow(length_mm, 7.0 / 9.0) *
-         std::pow(bearing.rollers, -0.25);
+         std::pow(rollers.count, -0.25);
 }
 
 double equivalent_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion) {
@@ -41,12 +42,11 @@ double system_life(double one_bearing, int n) {
   return one_bearing * std::pow(n, -1.0 / kWeibullSlope);
 }
 
-BearingLife lundberg_palmgren_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
+BearingLife lundberg_palmgren_life(const Bearing& bearing, double lambda,
                                    const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                    const Eigen::Ref<const Eigen::ArrayXd>& outer_loads) {
   const auto life_of = [&](Race race, const Eigen::Ref<const Eigen::ArrayXd>& loads) {
-    const RaceMotion motion = race == standing ? RaceMotion::standing : RaceMotion::turning;
-    return race_life(contact_capacity(bearing, race, lambda), equivalent_load(loads, motion));
+    return race_life(contact_capacity(bearing, race, lambda), equivalent_load(loads, bearing.motion(race)));
   };
   const double inner = life_of(Race::inner, inner_loads);
   const double outer = life_of(Race::outer, outer_loads);

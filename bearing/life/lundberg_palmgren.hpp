@@ -14,12 +14,9 @@ struct BearingLife {
   double bearing = 0.0;  // [rev]
 };
 
-/// How a race moves relative to the load.
-enum class RaceMotion { turning, standing };
-
 /// Basic dynamic capacity of one roller-race contact [N], Eq. (36) of [Gai2025]. `lambda` is the product
 /// lambda nu of ISO/TR 1281-1 (0.83 for cylindrical rollers) [-].
-double contact_capacity(const CylindricalRollerBearing& bearing, Race race, double lambda);
+double contact_capacity(const Bearing& bearing, Race race, double lambda);
 
 /// Equivalent roller load [N] of a race: fourth-power mean where it turns relative to the load, power 4.5
 /// where it stands, Eqs. (37) and (39) of [Gai2025]. `loads` [N] are taken at places evenly spaced on the
@@ -36,9 +33,8 @@ double combined_life(double inner, double outer);
 /// Life of `n` equal bearings, of which none may fail: Weibull's product law with slope 9/8. Any unit.
 double system_life(double one_bearing, int n);
 
-/// Both races and the bearing, for roller loads [N] at places evenly spaced on each race. `standing` is the
-/// race at rest relative to the load.
-BearingLife lundberg_palmgren_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
+/// Both races and the bearing, for roller loads [N] at places evenly spaced on each race.
+BearingLife lundberg_palmgren_life(const Bearing& bearing, double lambda,
                                    const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                    const Eigen::Ref<const Eigen::ArrayXd>& outer_loads);
 

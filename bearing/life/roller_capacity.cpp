@@ -18,10 +18,11 @@ double race_ratio(double gamma) {
 
 }  // namespace
 
-RollerSet roller_set(const CylindricalRollerBearing& bearing) {
-  return {.rollers = bearing.rollers,
-          .diameter = bearing.roller_diameter,
-          .length = bearing.roller_length,
+RollerSet roller_set(const Bearing& bearing) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  return {.rollers = rollers.count,
+          .diameter = rollers.diameter,
+          .length = rollers.length,
           .pitch_diameter = bearing.pitch_diameter};
 }
 

@@ -18,7 +18,7 @@ struct RollerSet {
 };
 
 /// The rating's view of a cylindrical roller bearing of one row.
-RollerSet roller_set(const CylindricalRollerBearing& bearing);
+RollerSet roller_set(const Bearing& bearing);
 
 /// D cos(alpha)/d_m [-].
 double gamma(const RollerSet& set);

@@ -49,14 +49,14 @@ struct PinProblem {
   }
 };
 
-PinProblem pin_problem(const CylindricalRollerBearing& bearing, const BearingModel& model,
+PinProblem pin_problem(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller) {
   OperatingPoint point;
   point.carrier = {motion.carrier_speed, motion.carrier_acceleration, model.frame.orbit_radius};
   point.outer_speed = motion.speed;
   const Vector2 none = Vector2::Zero();
-  return {quasi_static_problem(bearing, point, start_options(parameters), first_roller), motion.position,
-          model.pin_mass * inertial_acceleration(frame_of(model, motion), none, none),
+  return {quasi_static_problem(bearing, model.geometry, point, start_options(parameters), first_roller),
+          motion.position, model.pin_mass * inertial_acceleration(frame_of(model, motion), none, none),
           model.support.stiffness};
 }
 
@@ -75,7 +75,7 @@ void fill_loads(const PinProblem& problem, PinBalance& balance) {
 
 }  // namespace
 
-PinBalance balance_pin(const CylindricalRollerBearing& bearing, const BearingModel& model,
+PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller) {
   const PinProblem problem = pin_problem(bearing, model, parameters, motion, first_roller);
   PinBalance balance;
@@ -86,7 +86,7 @@ PinBalance balance_pin(const CylindricalRollerBearing& bearing, const BearingMod
   return balance;
 }
 
-Eigen::VectorXd driven_start(const CylindricalRollerBearing& bearing, const BearingModel& model,
+Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
                              const DynamicsParameters& parameters, const BoreMotion& motion,
                              double first_roller) {
   const PinBalance balance = balance_pin(bearing, model, parameters, motion, first_roller);

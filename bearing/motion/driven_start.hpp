@@ -15,14 +15,14 @@ struct PinBalance {
 
 /// The pin ring and all rollers in balance under `motion`: Newton's method on the two freedoms of the pin,
 /// whose forces are the slope of a convex energy. The report of `rollers` says whether it converged.
-PinBalance balance_pin(const CylindricalRollerBearing& bearing, const BearingModel& model,
+PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller);
 
 /// The state from which a driven bearing of `model` begins under `motion`: pin ring and rollers as
 /// balance_pin() has them, the first roller at `first_roller` [rad], rollers and cage at pure rolling, the
 /// cage centred in its land. `motion` may be zero throughout. Throws std::runtime_error where no balance is
 /// found, with what remains.
-Eigen::VectorXd driven_start(const CylindricalRollerBearing& bearing, const BearingModel& model,
+Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
                              const DynamicsParameters& parameters, const BoreMotion& motion,
                              double first_roller);
 

@@ -26,7 +26,7 @@ double race_radius(const RaceModel& race, double angle) {
 Vector2 roller_centre(const BearingModel& model, const bearing::RollerContacts& contacts,
                       const QuasiStaticState& balance, Eigen::Index j, const Vector2& pin,
                       const Vector2& bore) {
-  const double roller = model.geometry.roller_radius + model.larger_by[static_cast<std::size_t>(j)];
+  const double roller = model.geometry.element_radius + model.larger_by[static_cast<std::size_t>(j)];
   const double angle = balance.angle[j];
   const Vector2 outward = direction(angle);
   if (balance.inner_load[j] > 0.0)
@@ -73,7 +73,7 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
                start.cage_speed, start.spin, j, state);
 }
 
-InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
+InitialState initial_state(const Bearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller) {
   OperatingPoint point = model.point;
   if (model.driving.growth != 0.0) point.carrier.acceleration = 0.0;  // the load on the bore lacks its share

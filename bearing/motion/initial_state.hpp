@@ -18,7 +18,7 @@ struct InitialState {
 /// cage turn at pure rolling, or the cage at the reference speed that was asked for; the cage is centred in
 /// its land; the pin is displaced as its support demands. Where the quasi-static solver fails, `report` says
 /// so and the rings are centred.
-InitialState initial_state(const CylindricalRollerBearing& bearing, const BearingModel& model,
+InitialState initial_state(const Bearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller);
 
 /// Film and inertia of a quasi-static start.

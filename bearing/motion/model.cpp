@@ -30,25 +30,25 @@ void check_oil(const DynamicsParameters& parameters) {
           parameters.cage.pocket_roughness, "more than 0 for a film in the pocket");
 }
 
-void check_form(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry) {
-  for (const auto* form : {&bearing.inner_form, &bearing.outer_form})
+void check_form(const Bearing& bearing, const BearingGeometry& geometry) {
+  for (const auto* form : {&bearing.inner.form, &bearing.outer.form})
     for (const RaceHarmonic& wave : *form) {
       require(wave.order >= 1, "order of a wave of a race", wave.order, "1 or more");
-      require(std::abs(wave.amplitude) < geometry.roller_radius, "amplitude of a wave of a race [m]",
+      require(std::abs(wave.amplitude) < geometry.element_radius, "amplitude of a wave of a race [m]",
               wave.amplitude, "less than the radius of a roller");
     }
-  require(bearing.roller_diameter_deviation.size() <= static_cast<std::size_t>(bearing.rollers),
-          "number of roller diameter deviations",
-          static_cast<double>(bearing.roller_diameter_deviation.size()), "at most one for each roller");
-  for (const double deviation : bearing.roller_diameter_deviation)
-    require(std::abs(deviation) < geometry.roller_radius, "deviation of a roller's diameter [m]", deviation,
+  const CylindricalRollers& rollers = bearing.rollers();
+  require(rollers.diameter_deviation.size() <= static_cast<std::size_t>(rollers.count),
+          "number of roller diameter deviations", static_cast<double>(rollers.diameter_deviation.size()),
+          "at most one for each roller");
+  for (const double deviation : rollers.diameter_deviation)
+    require(std::abs(deviation) < geometry.element_radius, "deviation of a roller's diameter [m]", deviation,
             "less than the radius of a roller");
 }
 
-void check(const CylindricalRollerBearing& bearing, const RollerBearingGeometry& geometry,
-           const DynamicsParameters& parameters) {
-  require(bearing.rollers >= 2, "rollers", bearing.rollers, "at least 2");
-  require(geometry.roller_mass > 0.0, "mass of a roller [kg]", geometry.roller_mass, "more than 0");
+void check(const Bearing& bearing, const BearingGeometry& geometry, const DynamicsParameters& parameters) {
+  require(bearing.rollers().count >= 2, "rollers", bearing.rollers().count, "at least 2");
+  require(geometry.element_mass > 0.0, "mass of a roller [kg]", geometry.element_mass, "more than 0");
   require(geometry.cage_mass > 0.0, "mass of the cage [kg]", geometry.cage_mass,
           "more than 0; give the cage's diameters, width and density");
   require(geometry.inner_ring_mass > 0.0, "mass of the pin ring [kg]", geometry.inner_ring_mass,
@@ -71,7 +71,7 @@ void check(const CylindricalRollerBearing& bearing, const RollerBearingGeometry&
           "a finite number");
 }
 
-PocketModel pocket_model(const RollerBearingGeometry& geometry, double length,
+PocketModel pocket_model(const BearingGeometry& geometry, double length,
                          const DynamicsParameters& parameters) {
   const CageParameters& cage = parameters.cage;
   return {.half_clearance = 0.5 * cage.pocket_clearance,
@@ -79,21 +79,21 @@ PocketModel pocket_model(const RollerBearingGeometry& geometry, double length,
           .damping = cage.pocket_damping,
           .friction = cage.pocket_friction,
           .sliding_scale = parameters.race.sliding_scale,
-          .roller_radius = geometry.roller_radius,
+          .roller_radius = geometry.element_radius,
           .with_film = cage.pocket_film == PocketFilm::hydrodynamic,
           .viscosity = parameters.lubricant.viscosity,
           .length = length,
           .roughness = cage.pocket_roughness};
 }
 
-GuidanceModel guidance_model(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters) {
+GuidanceModel guidance_model(const Bearing& bearing, const DynamicsParameters& parameters) {
   const CageParameters& given = parameters.cage;
   GuidanceModel model;
   model.present = given.guide_diameter > 0.0;
   if (!model.present) return model;
   const bool outside = bearing.cage.guidance == Race::outer;
   const double cage_diameter = outside ? bearing.cage.outer_diameter : bearing.cage.inner_diameter;
-  const double side_width = 0.5 * (bearing.cage.width - bearing.roller_length);
+  const double side_width = 0.5 * (bearing.cage.width - bearing.rollers().length);
   model.side = outside ? 1.0 : -1.0;
   model.clearance = 0.5 * model.side * (given.guide_diameter - cage_diameter);
   model.cage_radius = 0.5 * cage_diameter;
@@ -119,14 +119,14 @@ std::vector<Vector2> pocket_directions(int rollers) {
   return directions;
 }
 
-void set_drag(const CylindricalRollerBearing& bearing, const OilDragParameters& given, BearingModel& model) {
+void set_drag(const Bearing& bearing, const OilDragParameters& given, BearingModel& model) {
   if (!given.on) return;
   const double density = given.oil_share * given.oil_density;
   const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);
-  model.orbit_drag =
-      translation_drag(density, given.drag_coefficient, bearing.roller_diameter, bearing.roller_length);
+  const CylindricalRollers& rollers = bearing.rollers();
+  model.orbit_drag = translation_drag(density, given.drag_coefficient, rollers.diameter, rollers.length);
   model.spin_drag =
-      churning_drag(density, given.churning_coefficient, model.geometry.roller_radius, bearing.roller_length);
+      churning_drag(density, given.churning_coefficient, model.geometry.element_radius, rollers.length);
   model.cage_drag = churning_drag(density, given.churning_coefficient, cage_radius, bearing.cage.width);
 }
 
@@ -135,33 +135,33 @@ PinSupport pin_support(const SupportParameters& given, double moving_mass) {
 }
 
 // Radius of each roller less the stated one.
-std::vector<double> larger_rollers(const CylindricalRollerBearing& bearing) {
+std::vector<double> larger_rollers(const Bearing& bearing) {
   std::vector<double> larger;
-  for (std::size_t j = 0; j < static_cast<std::size_t>(bearing.rollers); ++j)
+  for (std::size_t j = 0; j < static_cast<std::size_t>(bearing.rollers().count); ++j)
     larger.push_back(0.5 * diameter_deviation(bearing, j));
   return larger;
 }
 
-bool is_plain(const CylindricalRollerBearing& bearing, const BearingModel& model) {
-  return bearing.inner_form.empty() && bearing.outer_form.empty() && !model.inner.friction.mixed &&
-         bearing.roller_diameter_deviation.empty() && !model.pocket.with_film && !model.laminae;
+bool is_plain(const Bearing& bearing, const BearingModel& model) {
+  return bearing.inner.form.empty() && bearing.outer.form.empty() && !model.inner.friction.mixed &&
+         bearing.rollers().diameter_deviation.empty() && !model.pocket.with_film && !model.laminae;
 }
 
-laminae::LaminaContact lamina_contact(const CylindricalRollerBearing& bearing, const RaceModel& race,
+laminae::LaminaContact lamina_contact(const CylindricalRollers& rollers, const RaceModel& race,
                                       const profile::Profile& race_profile) {
-  const double length = bearing.roller_length;
-  return {laminae::lamina_law(race.load.elastic()), length,
-          laminae::lamina_drops(bearing.roller_profile, race_profile, length, bearing.laminae)};
+  return {laminae::lamina_law(race.load.elastic()), rollers.length,
+          laminae::lamina_drops(rollers.profile, race_profile, rollers.length, rollers.laminae)};
 }
 
-std::optional<LaminaRaces> lamina_races(const CylindricalRollerBearing& bearing, const BearingModel& model) {
-  if (bearing.laminae == 0) return std::nullopt;
-  return LaminaRaces(lamina_contact(bearing, model.inner, bearing.inner_race_profile),
-                     lamina_contact(bearing, model.outer, bearing.outer_race_profile), model.point.bore_tilt);
+std::optional<LaminaRaces> lamina_races(const Bearing& bearing, const BearingModel& model) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  if (rollers.laminae == 0) return std::nullopt;
+  return LaminaRaces(lamina_contact(rollers, model.inner, bearing.inner.profile),
+                     lamina_contact(rollers, model.outer, bearing.outer.profile), model.point.bore_tilt);
 }
 
 // Eq. (8) of [Gai2025] has the minus sign of a turning inner race with the speed of the outer.
-double reference_cage_speed(const RollerBearingGeometry& geometry, const OperatingPoint& point,
+double reference_cage_speed(const BearingGeometry& geometry, const OperatingPoint& point,
                             ReferenceSpeed which) {
   if (which == ReferenceSpeed::as_printed) return kinematic_cage_speed(geometry, point.outer_speed, 0.0);
   return kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
@@ -219,28 +219,29 @@ Vector2 growing_load(const BearingModel& model, double time) {
 
 }  // namespace
 
-BearingModel bearing_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
                            const DynamicsParameters& parameters) {
-  const RollerBearingGeometry geometry = geometry_of(bearing);
+  const CylindricalRollers& rollers = bearing.rollers();
+  const BearingGeometry geometry = geometry_of(bearing);
   check(bearing, geometry, parameters);
   const double bore_mass = parameters.bore_mass > 0.0 ? parameters.bore_mass : geometry.outer_ring_mass;
   BearingModel model{
-      .layout = {bearing.rollers},
+      .layout = {rollers.count},
       .geometry = geometry,
       .point = point,
       .frame = carrier_frame(point.carrier, parameters.inertia),
       .inertia = parameters.inertia,
-      .roller = {geometry.roller_mass, geometry.roller_inertia},
+      .roller = {geometry.element_mass, geometry.element_inertia},
       .cage = {geometry.cage_mass, geometry.cage_inertia},
       .bore_mass = bore_mass,
       .pin_mass = geometry.inner_ring_mass,
-      .inner = race_model(bearing, point, Race::inner, parameters),
-      .outer = race_model(bearing, point, Race::outer, parameters),
+      .inner = race_model(bearing, geometry, point, Race::inner, parameters),
+      .outer = race_model(bearing, geometry, point, Race::outer, parameters),
       .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
       .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
-      .pocket = pocket_model(geometry, bearing.roller_length, parameters),
+      .pocket = pocket_model(geometry, rollers.length, parameters),
       .larger_by = larger_rollers(bearing),
-      .pocket_direction = pocket_directions(bearing.rollers),
+      .pocket_direction = pocket_directions(rollers.count),
       .guidance = guidance_model(bearing, parameters),
       .guiding_race = bearing.cage.guidance,
       .support = pin_support(parameters.support, bore_mass + geometry.inner_ring_mass),

@@ -41,7 +41,7 @@ struct BoreLoads {
 /// All constants of a run. Speeds and frame are those at t = 0; see driving.hpp.
 struct BearingModel {
   StateLayout layout;
-  RollerBearingGeometry geometry;
+  BearingGeometry geometry;
   OperatingPoint point;
   CarrierFrame frame;
   InertiaSwitches inertia;  // what the frame was made with
@@ -76,7 +76,7 @@ struct BearingModel {
 /// (`parameters.driving`): then the acceleration follows from it and must not be given, and the planet's
 /// Euler load is added. Throws std::invalid_argument, with what was found and what is required, where a mass,
 /// a clearance or a stiffness leaves the equations without meaning.
-BearingModel bearing_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
                            const DynamicsParameters& parameters);
 
 /// The laminae of `model`; null where its contacts are not cut. Valid as long as the model stays in its

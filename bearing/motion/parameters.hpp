@@ -341,7 +341,7 @@ struct Driving {
   double growth = 0.0;  // [1/s]  0: steady speeds
 };
 
-/// All that the roller dynamics adds to CylindricalRollerBearing.
+/// All that the roller dynamics adds to Bearing.
 struct DynamicsParameters {
   RaceContactParameters race;
   CageParameters cage;

@@ -9,6 +9,7 @@ namespace orbearing::bearing::dynamics {
 
 /// Laws of `race`. `point` gives the film that is subtracted where the source's printed approach is asked
 /// for.
-RaceModel race_model(const CylindricalRollerBearing& bearing, const OperatingPoint& point, Race race,
-                     const DynamicsParameters& parameters);
+RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, const OperatingPoint& point,
+                     Race race, const DynamicsParameters& parameters);
+
 }  // namespace orbearing::bearing::dynamics

@@ -112,10 +112,9 @@ WindowStatistics StatisticsCollector::means() const {
   return result;
 }
 
-BearingLife dynamic_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
-                         const WindowStatistics& statistics) {
+BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics) {
   const auto damage = [](const RaceStatistics& race) { return RaceDamage{race.damage, race.lamina_damage}; };
-  return life_under(bearing, lambda, standing, damage(statistics.inner), damage(statistics.outer));
+  return life_under(bearing, lambda, damage(statistics.inner), damage(statistics.outer));
 }
 
 }  // namespace orbearing::bearing::dynamics

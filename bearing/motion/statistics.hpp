@@ -80,7 +80,6 @@ class StatisticsCollector {
 };
 
 /// Life by Lundberg and Palmgren from dynamic loads; arguments as in lundberg_palmgren_life().
-BearingLife dynamic_life(const CylindricalRollerBearing& bearing, double lambda, Race standing,
-                         const WindowStatistics& statistics);
+BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics);
 
 }  // namespace orbearing::bearing::dynamics

@@ -8,8 +8,8 @@
 namespace orbearing::bearing::half_space {
 
 /// Roller with corrected free ends on a race that goes on beyond them.
-inline HalfSpaceContact contact_of(const CylindricalRollerBearing& bearing, Race race) {
-  return {.length = bearing.roller_length,
+inline HalfSpaceContact contact_of(const Bearing& bearing, Race race) {
+  return {.length = bearing.rollers().length,
           .equivalent_radius = equivalent_radius(geometry_of(bearing), race),
           .roller = bearing.material,
           .race = bearing.material};

@@ -100,18 +100,18 @@ std::vector<Ablation> forms_in_motion() {
   const std::string group = "form";
   return {{"oval bore, 5 um", group,
            [](Drivetrain& d) {
-             d.bearing.outer_form.push_back({2, 5e-6, 0.0, false});
+             d.bearing.outer.form.push_back({2, 5e-6, 0.0, false});
            }},
           {"oval pin, 5 um", group,
            [](Drivetrain& d) {
-             d.bearing.inner_form.push_back({2, 5e-6, 0.0, false});
+             d.bearing.inner.form.push_back({2, 5e-6, 0.0, false});
            }},
           {"11 waves on the bore, 0.5 um", group,
            [](Drivetrain& d) {
-             d.bearing.outer_form.push_back({11, 0.5e-6, 0.0, true});
+             d.bearing.outer.form.push_back({11, 0.5e-6, 0.0, true});
            }},
           {"one roller 2 um larger", group, [](Drivetrain& d) {
-             std::vector<double>& deviation = d.bearing.roller_diameter_deviation;
+             std::vector<double>& deviation = d.bearing.rollers().diameter_deviation;
              if (deviation.empty()) deviation.resize(1);
              deviation.front() += 2e-6;
            }}};

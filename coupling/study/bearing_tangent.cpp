@@ -38,17 +38,18 @@ Matrix2d roller_damping(const bearing::RaceEquilibrium& problem, const bearing::
   return sum;
 }
 
-RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::OperatingPoint& point) {
-  const bearing::CylindricalRollerBearing like = of_like_rollers(drivetrain.bearing);
+RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::BearingGeometry& geometry,
+                             const bearing::OperatingPoint& point) {
+  const bearing::Bearing like = of_like_rollers(drivetrain.bearing);
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
   const bearing::dynamics::RaceContactParameters& race = drivetrain.dynamics.race;
   const bool damped = race.damping_law == bearing::dynamics::DampingLaw::approach_speed;
   const double share = 1.0 / options.cage_positions;
-  const double pitch = two_pi / like.rollers;
+  const double pitch = two_pi / like.rollers().count;
   RollerTangent mean;
   for (int i = 0; i < options.cage_positions; ++i) {
     const bearing::RaceEquilibrium problem =
-        bearing::quasi_static_problem(like, point, options, share * i * pitch);
+        bearing::quasi_static_problem(like, geometry, point, options, share * i * pitch);
     const bearing::QuasiStaticState balance = bearing::solve(problem);
     if (!balance.report.converged) throw std::runtime_error(balance.report.message);
     const Matrix2d compliance = problem.imbalance(balance.displacement).stiffness.inverse();
@@ -62,9 +63,9 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
 
 }  // namespace
 
-bearing::CylindricalRollerBearing of_like_rollers(bearing::CylindricalRollerBearing like) {
-  like.roller_diameter_deviation.clear();
-  for (std::vector<bearing::RaceHarmonic>* form : {&like.inner_form, &like.outer_form})
+bearing::Bearing of_like_rollers(bearing::Bearing like) {
+  like.rollers().diameter_deviation.clear();
+  for (std::vector<bearing::RaceHarmonic>* form : {&like.inner.form, &like.outer.form})
     std::erase_if(*form, [](const bearing::RaceHarmonic& wave) { return wave.turning; });
   return like;
 }
@@ -72,7 +73,7 @@ bearing::CylindricalRollerBearing of_like_rollers(bearing::CylindricalRollerBear
 gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& drivetrain,
                                                  const DrivetrainGeometry& geometry) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
-  const RollerTangent rollers = roller_tangent(drivetrain, duty.point);
+  const RollerTangent rollers = roller_tangent(drivetrain, geometry.bearing, duty.point);
   const bearing::dynamics::BearingModel model =
       bearing_model(drivetrain.bearing, duty.point, bearing_dynamics(drivetrain, geometry));
   const double pin = model.support.stiffness;

@@ -10,7 +10,7 @@ namespace orbearing::study {
 /// `like` as it is in the mean over time, in which rollers and turning races pass every place: with like
 /// rollers and forms that stand still. At one place of the cage unlike ones would bend its law by where they
 /// happen to be.
-bearing::CylindricalRollerBearing of_like_rollers(bearing::CylindricalRollerBearing like);
+bearing::Bearing of_like_rollers(bearing::Bearing like);
 
 /// All bearings of one planet with their pin supports, linear about their quasi-static balance at the
 /// drivetrain's power and speed: at the mean displacement they carry the mean load. Rollers and pin support

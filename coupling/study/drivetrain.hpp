@@ -76,7 +76,7 @@ struct PlanetaryDrivetrain {
   /// Among several sets: how this one's members turn and are loaded for what `drive` puts into the whole, of
   /// which only power and speed count then. None: the set is alone and driven at drive.member.
   std::optional<gearset::MemberRatios> in_arrangement;
-  bearing::CylindricalRollerBearing bearing;
+  bearing::Bearing bearing;
   int bearings_per_planet = 1;
   bearing::InertiaSwitches inertia;
   bearing::Lubricant lubricant;
@@ -125,7 +125,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
 struct DrivetrainGeometry {
   gearset::WorkingGeometry gears;
   gearset::PlanetBody planet_gear;
-  bearing::RollerBearingGeometry bearing;
+  bearing::BearingGeometry bearing;
   double planet_mass = 0.0;  // [kg]  gear body and the outer rings of its bearings
 };
 

@@ -29,7 +29,7 @@ class PlanetSupport {
         bearing_(of_like_rollers(drivetrain.bearing)),
         point_(duty.point),
         options_(quasi_static_options(drivetrain)) {
-    if (bearing_.laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
+    if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
   }
 
   /// Of the planet from the place of its pin [m].
@@ -52,7 +52,7 @@ class PlanetSupport {
   }
 
   const PlanetaryDrivetrain& drivetrain_;
-  bearing::CylindricalRollerBearing bearing_;
+  bearing::Bearing bearing_;
   bearing::OperatingPoint point_;
   bearing::QuasiStaticOptions options_;
   std::optional<bearing::laminae::LaminaBearing> cut_;

@@ -33,14 +33,17 @@ double least_film(const bearing::Film& film, double load) {
   return film.cap() > 0.0 ? film.least(load) : std::numeric_limits<double>::quiet_NaN();
 }
 
-// The load stands still in the carrier frame, and with it the pin; the bore turns under it.
-constexpr Race kStanding = Race::inner;
+// Of revolutions of the race that turns relative to the load.
+double hours_of(const bearing::BearingLife& life, const PlanetaryDrivetrain& drivetrain,
+                const BearingDuty& duty) {
+  return bearing::hours(life.bearing, turning_speed(drivetrain.bearing, duty.point));
+}
 
 void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
               const bearing::BearingLife& life, PointResult& result) {
   result.inner.life = life.inner;
   result.outer.life = life.outer;
-  result.life_hours = bearing::hours(life.bearing, duty.point.outer_speed);
+  result.life_hours = hours_of(life, drivetrain, duty);
   result.system_life_hours =
       bearing::system_life(result.life_hours, drivetrain.set.planets * drivetrain.bearings_per_planet);
 }
@@ -116,7 +119,7 @@ QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
 
 QuasiStaticBearing quasi_static_bearing(const PlanetaryDrivetrain& drivetrain,
                                         const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  if (drivetrain.bearing.laminae > 0) return bearing_on_laminae(drivetrain, geometry, duty);
+  if (drivetrain.bearing.rollers().laminae > 0) return bearing_on_laminae(drivetrain, geometry, duty);
   return bearing_under(
       drivetrain, geometry, duty,
       bearing::quasi_static_bearing(drivetrain.bearing, duty.point, quasi_static_options(drivetrain)));
@@ -124,7 +127,7 @@ QuasiStaticBearing quasi_static_bearing(const PlanetaryDrivetrain& drivetrain,
 
 // The one life of all fidelities.
 bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means) {
-  return bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, kStanding, means);
+  return bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, means);
 }
 
 // Bearings of which none may fail: the product law over unlike lives.
@@ -141,12 +144,12 @@ Eigen::Vector2d mean_bore_force(const RaceStatistics& outer, const Eigen::ArrayX
 }
 
 // Planet by planet, from the means of one bearing of each.
-void put_planets(const PlanetaryDrivetrain& drivetrain, double outer_speed, const Eigen::ArrayXd& angle,
+void put_planets(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const Eigen::ArrayXd& angle,
                  const std::vector<WindowStatistics>& means, PointResult& result) {
   double tangential = 0.0;
   for (const WindowStatistics& one : means) {
-    const Eigen::Vector2d force = mean_bore_force(one.outer, angle, drivetrain.bearing.rollers);
-    const double life = bearing::hours(life_under_means(drivetrain, one).bearing, outer_speed);
+    const Eigen::Vector2d force = mean_bore_force(one.outer, angle, drivetrain.bearing.rollers().count);
+    const double life = hours_of(life_under_means(drivetrain, one), drivetrain, duty);
     result.planets.push_back({.load_share = force.y(), .load = force.norm(), .life_hours = life});
     tangential += force.y() / static_cast<double>(means.size());
   }
@@ -184,7 +187,7 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   put_life(drivetrain, duties.front(), life_under_means(drivetrain, all), result);
   result.laminae = bearings.front().laminae;
   if (duties.size() == 1) return result;
-  put_planets(drivetrain, duties.front().point.outer_speed, angle, means, result);
+  put_planets(drivetrain, duties.front(), angle, means, result);
   result.laminae = bearings[shortest_lived(result.planets)].laminae;
   result.system_life_hours = system_life_of(result.planets, drivetrain.bearings_per_planet);
   return result;
@@ -222,19 +225,20 @@ OneWayRun motion_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeome
 
 OneWayRun motion_from(const Eigen::VectorXd& start, const PlanetaryDrivetrain& drivetrain,
                       const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const Eigen::Index required = bearing::dynamics::StateLayout{drivetrain.bearing.rollers}.size();
+  const Eigen::Index required = bearing::dynamics::StateLayout{drivetrain.bearing.rollers().count}.size();
   if (start.size() != required)
     throw std::invalid_argument("state to start from: found " + std::to_string(start.size()) +
                                 " variables; required: " + std::to_string(required) + ", those of " +
-                                std::to_string(drivetrain.bearing.rollers) + " rollers");
+                                std::to_string(drivetrain.bearing.rollers().count) + " rollers");
   return run_one_way(drivetrain, geometry, duty, gears_on_tangent(drivetrain, geometry), start);
 }
 
 // The life in hours of a run-up is that at its mean speed.
 BearingDuty mean_duty(const PlanetaryDrivetrain& drivetrain, BearingDuty duty) {
   const RunUp& run_up = drivetrain.run_up;
-  if (run_up.acceleration != 0.0)
-    duty.point.outer_speed *= 1.0 + 0.5 * run_up.acceleration * run_up.duration / drivetrain.drive.speed;
+  if (run_up.acceleration == 0.0) return duty;
+  const double mean = 1.0 + 0.5 * run_up.acceleration * run_up.duration / drivetrain.drive.speed;
+  for (double* speed : {&duty.point.inner_speed, &duty.point.outer_speed}) *speed *= mean;
   return duty;
 }
 
@@ -280,7 +284,7 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
     means.push_back(runs.back().statistics);
   }
   PointResult result = dynamic_point(drivetrain, duties.front(), together(runs, means));
-  put_planets(drivetrain, mean_duty(drivetrain, duties.front()).point.outer_speed,
+  put_planets(drivetrain, mean_duty(drivetrain, duties.front()),
               place_angles(means.front().outer.mean_load.size()), means, result);
   result.system_life_hours = system_life_of(result.planets, drivetrain.bearings_per_planet);
   return result;
@@ -320,11 +324,9 @@ PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   TwoWayRecord record;
   const system::SteadyStateResult run = run_two_way(drivetrain, geometry, duty.point, fidelity, record);
   PointResult result = dynamic_point(drivetrain, duty, run);
-  const double outer_speed = duty.point.outer_speed;
   for (const WindowStatistics& one : run.bearings)
-    record.bearing_life_hours.push_back(
-        bearing::hours(life_under_means(drivetrain, one).bearing, outer_speed));
-  put_planets(drivetrain, outer_speed, place_angles(run.statistics.outer.mean_load.size()),
+    record.bearing_life_hours.push_back(hours_of(life_under_means(drivetrain, one), drivetrain, duty));
+  put_planets(drivetrain, duty, place_angles(run.statistics.outer.mean_load.size()),
               by_planet(run.bearings, drivetrain.bearings_per_planet), result);
   result.system_life_hours = life_together(record.bearing_life_hours);
   result.two_way = record;
@@ -359,9 +361,9 @@ double largest_even_load(const RaceResult& race, int laminae) {
 double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                         const PointResult& result) {
   const auto pressure = [&](Race race, const RaceResult& loads) {
-    return bearing::hertz_pressure(largest_even_load(loads, drivetrain.bearing.laminae),
+    return bearing::hertz_pressure(largest_even_load(loads, drivetrain.bearing.rollers().laminae),
                                    bearing::equivalent_radius(geometry.bearing, race),
-                                   drivetrain.bearing.roller_length, drivetrain.bearing.material);
+                                   drivetrain.bearing.rollers().length, drivetrain.bearing.material);
   };
   return std::max(pressure(Race::inner, result.inner), pressure(Race::outer, result.outer));
 }

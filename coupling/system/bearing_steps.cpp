@@ -66,7 +66,7 @@ double longest_step(const bearing::dynamics::BearingModel& model) {
 std::string out_of_place(const bearing::dynamics::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x) {
   const auto now = bearing::dynamics::state_views(model.layout, x.data());
-  const double limit = model.geometry.roller_radius;
+  const double limit = model.geometry.element_radius;
   const double cage = (now.cage_position - now.pin_position).norm();
   std::ostringstream text;
   if (cage > limit)

@@ -64,7 +64,7 @@ double change(const std::vector<double>& before, const std::vector<double>& now)
 DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int bearing) {
   DrivenBearingSetup own = setup.bearing;
   if (!setup.bore_tilts.empty()) own.bore_tilt = setup.bore_tilts[static_cast<std::size_t>(planet)];
-  const double pitch = two_pi / own.bearing.rollers;
+  const double pitch = two_pi / own.bearing.rollers().count;
   own.first_roller += pitch * bearing / setup.bearings_per_planet;
   return own;
 }

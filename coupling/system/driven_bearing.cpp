@@ -66,7 +66,7 @@ void check_numbers(const DrivenBearingSetup& setup) {
   require(setup.places >= 1, "places on the races", static_cast<double>(setup.places), "at least 1");
   const double tilt = setup.bore_tilt.norm();
   require(std::isfinite(tilt), "tilt of the bore [rad]", tilt, "a finite number");
-  require(tilt == 0.0 || setup.bearing.laminae > 0, "tilt of the bore [rad]", tilt,
+  require(tilt == 0.0 || setup.bearing.rollers().laminae > 0, "tilt of the bore [rad]", tilt,
           "0 without laminae, which alone feel it");
   require(setup.most_steps >= 1, "largest number of steps", static_cast<double>(setup.most_steps),
           "at least 1");
@@ -182,7 +182,7 @@ BearingModel driven_model(const DrivenBearingSetup& setup) {
   return bearing_model(setup.bearing, point, setup.dynamics);
 }
 
-DrivenBearingOutput driven_output(const bearing::RollerBearingGeometry& geometry, double bore_speed,
+DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, double bore_speed,
                                   const Snapshot& now, const BoreReaction& reaction, double turned,
                                   double life) {
   constexpr double kLeastSpeed = 1e-9;  // [rad/s]  below it nothing turns
@@ -211,7 +211,7 @@ struct DrivenBearing::Inside {
   std::vector<double> at_instant, rate;  // padded
 
   explicit Inside(const DrivenBearingSetup& given)
-      : setup(given), model(driven_model(given)), loads(given.bearing.rollers) {
+      : setup(given), model(driven_model(given)), loads(given.bearing.rollers().count) {
     allowed = system::allowed_errors(model, setup.allowed_length_error);
     state.sums = no_damage();
     state.flat = Eigen::VectorXd::Zero(model.layout.size());
@@ -242,7 +242,7 @@ struct DrivenBearing::Inside {
 
   // What a saved state must agree in: version, rollers, places, which equations.
   std::vector<double> head() const {
-    return {kVersion, static_cast<double>(setup.bearing.rollers), static_cast<double>(setup.places),
+    return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.places),
             fast ? 1.0 : 0.0};
   }
 
@@ -320,7 +320,7 @@ struct DrivenBearing::Inside {
 };
 
 DrivenBearing::DrivenBearing(const DrivenBearingSetup& setup)
-    : Participant(bearing_inputs(setup), bearing_outputs(setup.bearing.rollers)),
+    : Participant(bearing_inputs(setup), bearing_outputs(setup.bearing.rollers().count)),
       inside_(std::make_unique<Inside>(setup)) {}
 DrivenBearing::~DrivenBearing() = default;
 DrivenBearing::DrivenBearing(DrivenBearing&&) noexcept = default;
@@ -358,7 +358,7 @@ DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
   const BoreMotion here = in.here(motion);
   return driven_output(in.model.geometry, motion.speed, driven_snapshot(in.model, here, in.flat()),
                        in.reaction(here), in.state.turned,
-                       in.state.sums.life(in.setup.bearing, in.setup.lambda, kStanding).bearing);
+                       in.state.sums.life(in.setup.bearing, in.setup.lambda).bearing);
 }
 
 void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) const {

@@ -16,12 +16,9 @@
 
 namespace orbearing::cosim {
 
-/// The race at rest relative to the load: the pin's.
-inline constexpr bearing::Race kStanding = bearing::Race::inner;
-
 /// All that is fixed before a run.
 struct DrivenBearingSetup {
-  bearing::CylindricalRollerBearing bearing;
+  bearing::Bearing bearing;
   bearing::dynamics::DynamicsParameters dynamics;  // no run-up, no ripple: the inputs bring them
   double orbit_radius = 0.0;                       // [m]    from the carrier's axis to the pin's
   double first_roller = 0.0;                       // [rad]  place of the first roller at the start
@@ -93,7 +90,7 @@ struct DrivenBearingOutput {
 
 /// Of `now`, under a bore that turns at `bore_speed` [rad/s] and has turned by `turned` [rad] there and back;
 /// `life` [rev] under the loads so far.
-DrivenBearingOutput driven_output(const bearing::RollerBearingGeometry& geometry, double bore_speed,
+DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, double bore_speed,
                                   const bearing::dynamics::Snapshot& now,
                                   const bearing::dynamics::BoreReaction& reaction, double turned,
                                   double life);

@@ -383,7 +383,7 @@ void Monolithic::observe_steps(const system::StepObservers& observers) {
 
 bearing::BearingLife Monolithic::life(int b) const {
   const DrivenBearingSetup& setup = inside_->setup_.bearing;
-  return inside_->system_.sums[static_cast<std::size_t>(b)].life(setup.bearing, setup.lambda, kStanding);
+  return inside_->system_.sums[static_cast<std::size_t>(b)].life(setup.bearing, setup.lambda);
 }
 
 CoupledStart Monolithic::state() const {

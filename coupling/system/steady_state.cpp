@@ -288,8 +288,7 @@ long samples_of(const BearingModel& model, const SteadyStateOptions& options, do
 
 }  // namespace
 
-SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& bearing,
-                                      const bearing::OperatingPoint& point,
+SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
                                       const bearing::dynamics::DynamicsParameters& parameters,
                                       const SteadyStateOptions& options,
                                       const std::optional<Eigen::VectorXd>& start) {
@@ -305,8 +304,7 @@ SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& b
   return result;
 }
 
-SteadyStateResult run_up(const bearing::CylindricalRollerBearing& bearing,
-                         const bearing::OperatingPoint& point,
+SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
                          const bearing::dynamics::DynamicsParameters& parameters,
                          const SteadyStateOptions& options, double duration) {
   require_speed(parameters.driving, duration);

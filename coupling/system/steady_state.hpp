@@ -127,8 +127,7 @@ SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolli
 /// One bearing by itself at `point`, from the state `start` (the final state of a neighbouring operating
 /// point), without one from its quasi-static state. Throws std::invalid_argument for input that
 /// bearing_model() refuses, and for a run-up.
-SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& bearing,
-                                      const bearing::OperatingPoint& point,
+SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
                                       const bearing::dynamics::DynamicsParameters& parameters,
                                       const SteadyStateOptions& options,
                                       const std::optional<Eigen::VectorXd>& start = std::nullopt);
@@ -137,8 +136,7 @@ SteadyStateResult run_to_steady_state(const bearing::CylindricalRollerBearing& b
 /// constant power. Means, series (options.series_samples over the whole run-up) and slip are those of the
 /// run-up; its time counts from its beginning, the cage's slip refers to the mean speed. Throws
 /// std::invalid_argument where the duration is not positive or the speeds would come to rest.
-SteadyStateResult run_up(const bearing::CylindricalRollerBearing& bearing,
-                         const bearing::OperatingPoint& point,
+SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
                          const bearing::dynamics::DynamicsParameters& parameters,
                          const SteadyStateOptions& options, double duration);
 

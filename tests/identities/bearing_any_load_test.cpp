@@ -24,15 +24,15 @@ constexpr int kDrawsEach = 40;     // for each unit of RANDOM_BEARINGS
 constexpr double kBalance = 1e-8;  // of the largest force: the solver stops at 1e-9, and the sum rounds again
 
 struct Corner {
-  CylindricalRollerBearing bearing;
+  Bearing bearing;
   OperatingPoint point;
   QuasiStaticOptions options;
   double first_roller = 0.0;  // [rad]
 };
 
 std::ostream& operator<<(std::ostream& out, const Corner& c) {
-  return out << c.bearing.rollers << " rollers " << c.bearing.roller_diameter << " x "
-             << c.bearing.roller_length << " m on " << c.bearing.pitch_diameter << " m, clearance "
+  return out << c.bearing.rollers().count << " rollers " << c.bearing.rollers().diameter << " x "
+             << c.bearing.rollers().length << " m on " << c.bearing.pitch_diameter << " m, clearance "
              << c.bearing.radial_clearance << " m, law " << static_cast<int>(c.bearing.contact_law)
              << ", first roller " << c.first_roller << " rad, load " << c.point.bore_load.transpose()
              << " N, carrier " << c.point.carrier.speed << " rad/s at " << c.point.carrier.orbit_radius
@@ -45,7 +45,7 @@ class Corners {
     Corner corner;
     corner.bearing = bearing();
     corner.point = point();
-    const double pitch = 2.0 * pi / corner.bearing.rollers;
+    const double pitch = 2.0 * pi / corner.bearing.rollers().count;
     // The load lies on a roller, between two of them, or anywhere.
     const double direction = std::atan2(corner.point.bore_load.y(), corner.point.bore_load.x());
     corner.first_roller = direction + pitch * one_of({0.0, 0.5, between(0.0, 1.0)});
@@ -63,12 +63,13 @@ class Corners {
     return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(engine_)];
   }
 
-  CylindricalRollerBearing bearing() {
-    CylindricalRollerBearing bearing;
-    bearing.rollers = std::uniform_int_distribution<int>(3, 60)(engine_);
-    bearing.roller_diameter = decades(-3.0, -1.0);
-    bearing.roller_length = bearing.roller_diameter * between(0.5, 4.0);
-    bearing.pitch_diameter = bearing.roller_diameter / std::sin(pi / bearing.rollers) * between(1.01, 2.0);
+  Bearing bearing() {
+    Bearing bearing;
+    bearing.rollers().count = std::uniform_int_distribution<int>(3, 60)(engine_);
+    bearing.rollers().diameter = decades(-3.0, -1.0);
+    bearing.rollers().length = bearing.rollers().diameter * between(0.5, 4.0);
+    bearing.pitch_diameter =
+        bearing.rollers().diameter / std::sin(pi / bearing.rollers().count) * between(1.01, 2.0);
     bearing.radial_clearance =
         one_of({0.0, decades(-12.0, -3.0), -decades(-12.0, -4.0), between(0.0, 100e-6)});
     bearing.contact_law = yes() ? ContactLaw::palmgren : ContactLaw::iso16281;

@@ -21,11 +21,11 @@ double scale_of(const QuasiStaticResult& result) {
 
 // A form of one wave is a race moved aside: the loads are the same, the rest shows in the displacement.
 TEST(RaceForm, OneWaveIsAShiftedRace) {
-  const CylindricalRollerBearing round = test::reducer_bearing();
+  const Bearing round = test::reducer_bearing();
   const QuasiStaticResult expected = quasi_static_bearing(round, kPoint, {});
   for (const bool outer : {false, true}) {
-    CylindricalRollerBearing shifted = round;
-    (outer ? shifted.outer_form : shifted.inner_form) = {{1, 6e-6, -0.4, false}};
+    Bearing shifted = round;
+    (outer ? shifted.outer.form : shifted.inner.form) = {{1, 6e-6, -0.4, false}};
     const QuasiStaticResult found = quasi_static_bearing(shifted, kPoint, {});
     const double scale = scale_of(expected);
     EXPECT_LT((found.outer_load - expected.outer_load).abs().maxCoeff(), kBalance * scale);
@@ -35,9 +35,9 @@ TEST(RaceForm, OneWaveIsAShiftedRace) {
 }
 
 TEST(RaceForm, RollersAllLargerTakeClearance) {
-  const CylindricalRollerBearing nominal = test::reducer_bearing();
-  CylindricalRollerBearing larger = nominal, tighter = nominal;
-  larger.roller_diameter_deviation.assign(15, 3e-6);
+  const Bearing nominal = test::reducer_bearing();
+  Bearing larger = nominal, tighter = nominal;
+  larger.rollers().diameter_deviation.assign(15, 3e-6);
   tighter.radial_clearance -= 2.0 * 3e-6;
   const QuasiStaticState found = quasi_static_state(larger, kPoint, {}, 0.1);
   const QuasiStaticState expected = quasi_static_state(tighter, kPoint, {}, 0.1);
@@ -47,24 +47,24 @@ TEST(RaceForm, RollersAllLargerTakeClearance) {
 
 // An oval bore, longer along its load, takes load from the middle of the load zone to its ends.
 TEST(RaceForm, OvalBoreSpreadsTheLoad) {
-  CylindricalRollerBearing oval = test::reducer_bearing();
+  Bearing oval = test::reducer_bearing();
   oval.radial_clearance = 20e-6;  // so that its waist does not pinch the rollers at the sides
   const QuasiStaticResult round = quasi_static_bearing(oval, kPoint, {});
   const double direction = std::atan2(kPoint.bore_load.y(), kPoint.bore_load.x());
-  oval.outer_form = {{2, 5e-6, -2.0 * direction, false}};
+  oval.outer.form = {{2, 5e-6, -2.0 * direction, false}};
   EXPECT_LT(scale_of(quasi_static_bearing(oval, kPoint, {})), 0.95 * scale_of(round));
-  oval.outer_form[0].amplitude = -5e-6;
+  oval.outer.form[0].amplitude = -5e-6;
   EXPECT_GT(scale_of(quasi_static_bearing(oval, kPoint, {})), 1.05 * scale_of(round));
 }
 
 TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
-  CylindricalRollerBearing bearing = test::reducer_bearing();
-  bearing.roller_diameter_deviation = {1e-6};
+  Bearing bearing = test::reducer_bearing();
+  bearing.rollers().diameter_deviation = {1e-6};
   EXPECT_THROW(quasi_static_bearing(bearing, kPoint, {}), std::invalid_argument);
-  bearing.roller_diameter_deviation.clear();
-  bearing.inner_form = {{2, 1e-6, 0.0, true}};
+  bearing.rollers().diameter_deviation.clear();
+  bearing.inner.form = {{2, 1e-6, 0.0, true}};
   EXPECT_THROW(quasi_static_bearing(bearing, kPoint, {}), std::invalid_argument);
-  bearing.inner_form[0].turning = false;
+  bearing.inner.form[0].turning = false;
   EXPECT_NO_THROW(quasi_static_bearing(bearing, kPoint, {}));
 }
 
@@ -72,10 +72,12 @@ TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
 // the shift over the radius.
 TEST(RaceForm, OneTurningWaveIsACirclingRace) {
   constexpr double kShift = 1e-6;  // [m]
-  CylindricalRollerBearing bearing = test::reducer_bearing();
-  const dynamics::RaceModel round = race_model(bearing, kPoint, Race::outer, test::reducer_parameters());
-  bearing.outer_form = {{1, kShift, 0.0, true}};
-  const dynamics::RaceModel waved = race_model(bearing, kPoint, Race::outer, test::reducer_parameters());
+  Bearing bearing = test::reducer_bearing();
+  const dynamics::RaceModel round =
+      race_model(bearing, geometry_of(bearing), kPoint, Race::outer, test::reducer_parameters());
+  bearing.outer.form = {{1, kShift, 0.0, true}};
+  const dynamics::RaceModel waved =
+      race_model(bearing, geometry_of(bearing), kPoint, Race::outer, test::reducer_parameters());
   const double speed = -900.0, angle = 0.7, place = 0.2;
   const mechanics::Vector2 to_mark(std::cos(angle), std::sin(angle));
   const mechanics::BodyMotion race{{0.0, 0.0}, {0.0, 0.0}, speed, angle};
@@ -95,11 +97,11 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
 
 TEST(PrintedFilm, IsAClearance) {
   const Lubricant oil{0.01, 1.5e-8};
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
-  const PrintedFilm film =
-      printed_film(bearing, oil, kPoint.inner_speed, kPoint.outer_speed, kPoint.bore_load.norm());
+  const Bearing bearing = test::reducer_bearing();
+  const PrintedFilm film = printed_film(bearing, geometry_of(bearing), oil, kPoint.inner_speed,
+                                        kPoint.outer_speed, kPoint.bore_load.norm());
   EXPECT_GT(film.inner, 1e-7);
-  CylindricalRollerBearing wider = bearing;
+  Bearing wider = bearing;
   wider.radial_clearance += 2.0 * (film.inner + film.outer);
   QuasiStaticOptions options;
   const QuasiStaticResult expected = quasi_static_bearing(wider, kPoint, options);

@@ -17,18 +17,17 @@ constexpr double kSolved =
     1e-8;  // relative: the solver's 1e-9 of the load, to the power 4, with both runs' errors
 constexpr double kLambda = 0.83;
 
-double life_hours(const CylindricalRollerBearing& bearing, const OperatingPoint& point,
+double life_hours(const Bearing& bearing, const OperatingPoint& point,
                   const QuasiStaticOptions& options = {}) {
   const QuasiStaticResult result = quasi_static_bearing(bearing, point, options);
   EXPECT_TRUE(result.report.converged) << result.report.message;
-  const BearingLife life =
-      lundberg_palmgren_life(bearing, kLambda, Race::inner, result.inner_load, result.outer_load);
+  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, result.inner_load, result.outer_load);
   return hours(life.bearing, point.outer_speed);
 }
 
 // Rollers and cage without mass: what is left of inertia is the planet's own load on the bore.
-CylindricalRollerBearing massless() {
-  CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+Bearing massless() {
+  Bearing bearing = example_bearings::planet_bearing();
   bearing.material.density = 0.0;
   bearing.cage.density = 0.0;
   return bearing;
@@ -115,7 +114,7 @@ TEST(ConstantPower, LeastLoadLiesAtTheClosedForm) {
 // Along the peak all loads, the inertial ones of rollers and cage too, grow with power^(2/3) at one
 // distribution.
 TEST(ConstantPower, PeakMovesWithTheCubeRootOfPower) {
-  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+  const Bearing bearing = example_bearings::planet_bearing();
   const auto peak = [&](double power) {
     return place_of_least([&](double n) { return -std::log(life_hours(bearing, loads_at(power).at(n))); });
   };

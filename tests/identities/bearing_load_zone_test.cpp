@@ -21,7 +21,7 @@ constexpr double kSolved = 1e-8;
 
 struct Case {
   std::string name;
-  CylindricalRollerBearing bearing;
+  Bearing bearing;
   OperatingPoint point;
   QuasiStaticOptions options;
 };
@@ -31,8 +31,7 @@ std::vector<Case> cases() {
   planet.bore_load = {500.0, 1060.0};
   OperatingPoint speeding_up = planet;
   speeding_up.carrier.acceleration = 2e4;
-  CylindricalRollerBearing loose = example_bearings::planet_bearing(),
-                           tight = example_bearings::planet_bearing();
+  Bearing loose = example_bearings::planet_bearing(), tight = example_bearings::planet_bearing();
   loose.radial_clearance = 37e-6;
   tight.radial_clearance = -10e-6;
   QuasiStaticOptions oiled;
@@ -76,9 +75,9 @@ TEST(LoadZone, OuterLoadsSumToTheLoadOnTheBore) {
 TEST(LoadZone, PinCarriesTheLoadAndAllOrbitingMasses) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
-    const RollerBearingGeometry geometry = geometry_of(c.bearing);
+    const BearingGeometry geometry = geometry_of(c.bearing);
     const CarrierMotion& carrier = c.point.carrier;
-    const double mass = geometry.cage_mass + c.bearing.rollers * geometry.roller_mass;
+    const double mass = geometry.cage_mass + c.bearing.rollers().count * geometry.element_mass;
     const Eigen::Vector2d orbiting(mass * carrier.speed * carrier.speed * carrier.orbit_radius,
                                    -mass * carrier.acceleration * carrier.orbit_radius);
     const QuasiStaticState state = state_of(c, 0.1);
@@ -93,13 +92,13 @@ TEST(LoadZone, CyclicPermutationOfTheRollersChangesNothing) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     const QuasiStaticState state = state_of(c, 0.07);
-    const QuasiStaticState shifted = state_of(c, 0.07 + two_pi / c.bearing.rollers);
+    const QuasiStaticState shifted = state_of(c, 0.07 + two_pi / c.bearing.rollers().count);
     const double tolerance = kSolved * state.outer_load.maxCoeff();
-    for (Eigen::Index j = 0; j + 1 < c.bearing.rollers; ++j) {
+    for (Eigen::Index j = 0; j + 1 < c.bearing.rollers().count; ++j) {
       EXPECT_NEAR(shifted.outer_load[j], state.outer_load[j + 1], tolerance);
       EXPECT_NEAR(shifted.inner_load[j], state.inner_load[j + 1], tolerance);
     }
-    EXPECT_NEAR(shifted.outer_load[c.bearing.rollers - 1], state.outer_load[0], tolerance);
+    EXPECT_NEAR(shifted.outer_load[c.bearing.rollers().count - 1], state.outer_load[0], tolerance);
   }
 }
 
@@ -110,7 +109,7 @@ TEST(LoadZone, IsSymmetricAboutALoadAlongTheCarrierArm) {
     SCOPED_TRACE(c.name);
     c.point.bore_load = {1500.0, 0.0};
     const QuasiStaticState state = state_of(c, 0.0);
-    const Eigen::Index rollers = c.bearing.rollers;
+    const Eigen::Index rollers = c.bearing.rollers().count;
     for (Eigen::Index j = 1; j < rollers; ++j) {
       EXPECT_NEAR(state.outer_load[j], state.outer_load[rollers - j], kSolved * state.outer_load.maxCoeff());
     }
@@ -120,7 +119,7 @@ TEST(LoadZone, IsSymmetricAboutALoadAlongTheCarrierArm) {
 // Without clearance, film and inertia nothing but the line contacts sets a scale: Q = K delta^(10/9) is
 // homogeneous.
 TEST(LoadZone, DoubledLoadDoublesEveryRollerAtZeroClearance) {
-  const CylindricalRollerBearing bearing = example_bearings::bearing_209();
+  const Bearing bearing = example_bearings::bearing_209();
   const QuasiStaticState once =
       quasi_static_state(bearing, example_bearings::static_load(3000.0, 0.3), {}, 0.1);
   const QuasiStaticState twice =
@@ -133,7 +132,7 @@ TEST(LoadZone, DoubledLoadDoublesEveryRollerAtZeroClearance) {
 
 // With clearance the same holds when clearance grows with the elastic approach: load x 2, clearance x 2^0.9.
 TEST(LoadZone, ScalesWithTheClearanceGrownInStep) {
-  CylindricalRollerBearing small = example_bearings::bearing_209(), large = small;
+  Bearing small = example_bearings::bearing_209(), large = small;
   small.radial_clearance = 30e-6;
   large.radial_clearance = std::pow(2.0, 0.9) * 30e-6;
   const QuasiStaticState once =
@@ -146,7 +145,7 @@ TEST(LoadZone, ScalesWithTheClearanceGrownInStep) {
 
 // Clearance takes rollers out of the load zone, so the largest load only grows with it.
 TEST(LoadZone, LargestLoadGrowsWithClearance) {
-  CylindricalRollerBearing bearing = example_bearings::bearing_209();
+  Bearing bearing = example_bearings::bearing_209();
   double largest = 0.0;
   for (double clearance = 0.0; clearance < 200e-6; clearance += 20e-6) {
     bearing.radial_clearance = clearance;

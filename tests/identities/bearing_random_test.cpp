@@ -32,7 +32,7 @@ Eigen::Vector2d roller_force(const QuasiStaticState& state) {
 }
 
 void expect_ring_balance(const Draw& draw, const QuasiStaticState& state) {
-  const RollerBearingGeometry geometry = geometry_of(draw.bearing);
+  const BearingGeometry geometry = geometry_of(draw.bearing);
   const Eigen::Vector2d cage =
       load_through_cage(draw.bearing, geometry, draw.point.carrier, draw.options.inertia);
   const Eigen::Vector2d sum = draw.point.bore_load + cage + roller_force(state);
@@ -40,12 +40,12 @@ void expect_ring_balance(const Draw& draw, const QuasiStaticState& state) {
 }
 
 void expect_roller_balance(const Draw& draw, const QuasiStaticState& state) {
-  const RollerBearingGeometry geometry = geometry_of(draw.bearing);
+  const BearingGeometry geometry = geometry_of(draw.bearing);
   const CarrierFrame frame = carrier_frame(draw.point.carrier, draw.options.inertia);
   const double cage_speed = kinematic_cage_speed(geometry, draw.point.inner_speed, draw.point.outer_speed);
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
-    const double inertial = geometry.roller_mass * radial_inertial_acceleration(frame, geometry.pitch_radius,
-                                                                                state.angle[j], cage_speed);
+    const double inertial = geometry.element_mass * radial_inertial_acceleration(frame, geometry.pitch_radius,
+                                                                                 state.angle[j], cage_speed);
     EXPECT_NEAR(state.outer_load[j] - state.inner_load[j], inertial, kBalance * largest_force(draw, state))
         << draw;
   }

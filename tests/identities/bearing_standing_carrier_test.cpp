@@ -23,8 +23,8 @@ constexpr double kSolved =
 constexpr double kOuterSpeed = 900.0;  // [rad/s]
 constexpr double kClearance = 15e-6;   // [m]
 
-CylindricalRollerBearing loose_bearing() {
-  CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+Bearing loose_bearing() {
+  Bearing bearing = example_bearings::planet_bearing();
   bearing.radial_clearance = kClearance;
   return bearing;
 }

@@ -83,7 +83,7 @@ TEST(DrivenBearingPath, HasOrderTwo) {
     std::vector<double> x =
         fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
-    system::LoadsAtStep loads(setup.bearing.rollers);
+    system::LoadsAtStep loads(setup.bearing.rollers().count);
     bearing::dynamics::DamageSums sums(72);
     DrivenSystem system(fast, inputs, 0.0, loads, sums);
     double step = h;

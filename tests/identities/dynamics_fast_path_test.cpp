@@ -171,7 +171,7 @@ TEST(EnergyOfSteps, FindsWhatWasAddedByHandAndNothingElse) {
 // A bearing whose race contacts all stay closed under preload and whose cage floats free, on a film and
 // shaken by teeth: the right-hand side is smooth.
 struct SmoothCase {
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
 
   SmoothCase() {

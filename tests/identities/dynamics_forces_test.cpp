@@ -42,12 +42,12 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
       case Refinement::none:
         break;
       case Refinement::forms:
-        bearing.inner_form = {{2, 4e-6, 0.3, false}, {11, 5e-7, 0.1, true}};
-        bearing.outer_form = {{3, 3e-6, -0.7, false}, {2, 2e-6, 1.0, true}};
+        bearing.inner.form = {{2, 4e-6, 0.3, false}, {11, 5e-7, 0.1, true}};
+        bearing.outer.form = {{3, 3e-6, -0.7, false}, {2, 2e-6, 1.0, true}};
         point.inner_speed = -300.0;
         break;
       case Refinement::unequal_rollers:
-        bearing.roller_diameter_deviation = {4e-6, -3e-6, 0.0, 8e-6};
+        bearing.rollers().diameter_deviation = {4e-6, -3e-6, 0.0, 8e-6};
         break;
       case Refinement::mixed_lubrication:
         parameters.race.lubrication = Lubrication::mixed;
@@ -57,7 +57,7 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         break;
       case Refinement::run_up:
         parameters.driving.growth = 150.0;
-        bearing.outer_form = {{5, 1e-6, 0.4, true}};
+        bearing.outer.form = {{5, 1e-6, 0.4, true}};
         break;
       case Refinement::printed:
         parameters.race.film_approach = FilmApproach::as_printed;
@@ -67,7 +67,7 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
     }
   }
 
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   OperatingPoint point = test::reducer_point(6000.0);
   test::Random random;
@@ -187,7 +187,7 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
 
 // Rollers have no names: turning the cage by one pocket and renaming the rollers changes nothing.
 TEST_P(DynamicsIdentity, RollersCanBeRenamed) {
-  if (!bearing.roller_diameter_deviation.empty()) GTEST_SKIP() << "these rollers have names";
+  if (!bearing.rollers().diameter_deviation.empty()) GTEST_SKIP() << "these rollers have names";
   const BearingModel model = bearing_model(bearing, point, parameters);
   const PlanetBearingEquations equations(model);
   const Eigen::Index z = model.layout.rollers;

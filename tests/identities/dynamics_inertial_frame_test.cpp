@@ -28,18 +28,18 @@ void PrintTo(const Seen& seen, std::ostream* out) {
 }
 
 // Stated once more, as a user would read them off the case; masses are those of the geometry test.
-reference::BearingNumbers numbers_of(const CylindricalRollerBearing& bearing, const DynamicsParameters& given,
-                                     const RollerBearingGeometry& geometry) {
+reference::BearingNumbers numbers_of(const Bearing& bearing, const DynamicsParameters& given,
+                                     const BearingGeometry& geometry) {
   const double support_damping =
       2.0 * given.support.damping_ratio *
       std::sqrt(given.support.stiffness * (given.bore_mass + geometry.inner_ring_mass));
   const double pitch = 0.5 * bearing.pitch_diameter, half_play = 0.25 * bearing.radial_clearance;
-  return {.roller_radius = 0.5 * bearing.roller_diameter,
-          .roller_length = bearing.roller_length,
-          .pin_radius = pitch - 0.5 * bearing.roller_diameter - half_play,
-          .bore_radius = pitch + 0.5 * bearing.roller_diameter + half_play,
-          .roller_mass = geometry.roller_mass,
-          .roller_inertia = geometry.roller_inertia,
+  return {.roller_radius = 0.5 * bearing.rollers().diameter,
+          .roller_length = bearing.rollers().length,
+          .pin_radius = pitch - 0.5 * bearing.rollers().diameter - half_play,
+          .bore_radius = pitch + 0.5 * bearing.rollers().diameter + half_play,
+          .roller_mass = geometry.element_mass,
+          .roller_inertia = geometry.element_inertia,
           .cage_mass = geometry.cage_mass,
           .cage_inertia = geometry.cage_inertia,
           .bore_mass = given.bore_mass,
@@ -58,7 +58,7 @@ reference::BearingNumbers numbers_of(const CylindricalRollerBearing& bearing, co
           .pocket_friction = given.cage.pocket_friction,
           .land_clearance = 0.5 * (given.cage.guide_diameter - bearing.cage.outer_diameter),
           .cage_guide_radius = 0.5 * bearing.cage.outer_diameter,
-          .land_width = 0.5 * (bearing.cage.width - bearing.roller_length),
+          .land_width = 0.5 * (bearing.cage.width - bearing.rollers().length),
           .lands = given.cage.lands,
           .held_eccentricity = given.cage.largest_eccentricity,
           .land_stiffness = given.cage.touch_down_stiffness,
@@ -166,7 +166,7 @@ class InertialFrame : public testing::TestWithParam<Seen> {
     parameters.race.film_in_approach = GetParam().film;
     point.carrier.acceleration = GetParam().carrier_acceleration;
   }
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   OperatingPoint point = turning_pin(test::reducer_point(GetParam().sun_rpm));
   test::Random random;

@@ -40,7 +40,7 @@ struct Audit {
 
 struct AuditedVariant {
   const char* name;
-  void (*change)(CylindricalRollerBearing&, DynamicsParameters&);
+  void (*change)(Bearing&, DynamicsParameters&);
 };
 
 class EnergyAudit : public testing::TestWithParam<AuditedVariant> {};
@@ -50,7 +50,7 @@ TEST_P(EnergyAudit, ClosesOverAMillisecond) {
   const char* text = std::getenv("ENERGY_AUDIT_SECONDS");
   const double seconds = text == nullptr ? 1e-3 : std::atof(text);
   constexpr double kClosure = 1e-6;  // of the energy turned over: a fourth-order method at steps of 0.2 us
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   GetParam().change(bearing, parameters);
   const PlanetBearingEquations equations(bearing_model(bearing, test::reducer_point(6000.0), parameters));
@@ -70,7 +70,6 @@ TEST_P(EnergyAudit, ClosesOverAMillisecond) {
                 turned_over);
 }
 
-using Bearing = CylindricalRollerBearing;
 using Parameters = DynamicsParameters;
 
 INSTANTIATE_TEST_SUITE_P(
@@ -80,9 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
         AuditedVariant{"film", [](Bearing&, Parameters& p) { p.race.film_in_approach = true; }},
         AuditedVariant{"forms",
                        [](Bearing& b, Parameters&) {
-                         b.inner_form = {{2, 5e-6, 0.2, false}};
-                         b.outer_form = {{2, 5e-6, 0.5, false}, {9, 4e-7, 0.0, true}};
-                         b.roller_diameter_deviation = {3e-6, -2e-6};
+                         b.inner.form = {{2, 5e-6, 0.2, false}};
+                         b.outer.form = {{2, 5e-6, 0.5, false}, {9, 4e-7, 0.0, true}};
+                         b.rollers().diameter_deviation = {3e-6, -2e-6};
                        }},
         AuditedVariant{"mixed", [](Bearing&, Parameters& p) { p.race.lubrication = Lubrication::mixed; }},
         AuditedVariant{"pocket_film",
@@ -92,19 +91,18 @@ INSTANTIATE_TEST_SUITE_P(
         AuditedVariant{"run_up_of_waves",
                        [](Bearing& b, Parameters& p) {
                          p.driving.growth = -200.0;
-                         b.outer_form = {{7, 5e-7, 0.3, true}};
+                         b.outer.form = {{7, 5e-7, 0.3, true}};
                        }}),
     [](const testing::TestParamInfo<AuditedVariant>& variant) { return variant.param.name; });
 
-BearingModel model_at_6000_rpm(const CylindricalRollerBearing& bearing,
-                               const DynamicsParameters& parameters) {
+BearingModel model_at_6000_rpm(const Bearing& bearing, const DynamicsParameters& parameters) {
   return bearing_model(bearing, test::reducer_point(6000.0), parameters);
 }
 
 // A bearing and how its path over 0.3 ms depends on the step.
 class Path {
  public:
-  Path(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters, Eigen::VectorXd start)
+  Path(const Bearing& bearing, const DynamicsParameters& parameters, Eigen::VectorXd start)
       : equations_(model_at_6000_rpm(bearing, parameters)),
         start_(std::move(start)),
         weight_(system::allowed_errors(equations_.model().layout, 1.0, 17.8e-3, 6e5).cwiseInverse()),
@@ -134,7 +132,7 @@ class Path {
 // the order shows.
 TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
   constexpr double kMargin = 0.5;  // the term of next order, at steps near a fifth of the fastest decay time
-  CylindricalRollerBearing preloaded = test::reducer_bearing();
+  Bearing preloaded = test::reducer_bearing();
   preloaded.radial_clearance = -30e-6;
   DynamicsParameters free_cage = test::reducer_parameters();
   free_cage.cage.pocket_clearance = 2e-3;
@@ -151,7 +149,7 @@ TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
 // The load of a pocket begins with a kink, that of a race as the power 10/9: touch within a step leaves an
 // error in speed of the order of step^2, whatever the method, which scatters with where in the step it falls.
 TEST(DynamicPath, ConvergesThroughImpacts) {
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const Bearing bearing = test::reducer_bearing();
   const DynamicsParameters parameters = test::reducer_parameters();
   constexpr double kLeastOrder = 1.5;  // 2 less the scatter of four starts over a factor of four in the step
   for (Method method : {Method::rk4, Method::fixed_dopri5}) {
@@ -170,7 +168,7 @@ TEST(DynamicPath, ConvergesThroughImpacts) {
 // Share of the time that unloaded rollers on the sun side (cos theta < -0.3, out of the load zone) spend on
 // the pin, of the time they spend on either race.
 double share_on_pin(bool coriolis) {
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.inertia.coriolis = coriolis;
   const system::SteadyStateOptions options{.most_windows = 2, .observed_windows = 1, .integration = {}};
@@ -191,7 +189,7 @@ TEST(CoriolisSwitch, SeatsUnloadedRollersOfTheSunSideOnThePin) {
 // The steady state against the quasi-static bearing: the same loads within 2 %.
 TEST(SteadyState, AgreesWithTheQuasiStaticBearing) {
   constexpr double kAgreement = 0.02;
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const Bearing bearing = test::reducer_bearing();
   for (double rpm : {6000.0, 12000.0}) {
     const OperatingPoint point = test::reducer_point(rpm);
     const QuasiStaticResult expected = quasi_static_bearing(bearing, point, {});
@@ -210,7 +208,7 @@ TEST(SteadyState, AgreesWithTheQuasiStaticBearing) {
 
 // Cage slip of the bearing in a housing at rest, 20 um clearance, one ring turning at 1000 rad/s.
 double slip_in_housing(double OperatingPoint::*turning, double load) {
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   bearing.radial_clearance = 20e-6;
   OperatingPoint point;
   point.*turning = 1000.0;

@@ -74,15 +74,16 @@ constexpr const char* kHead =
 
 void write_line(std::ostream& out, int n, const MotionDraw& draw, const system::SteadyStateResult& run) {
   const auto& race = draw.parameters.race;
-  const double area = draw.bearing.roller_diameter * draw.bearing.roller_length * draw.bearing.rollers;
-  out << n << ',' << draw.bearing.rollers << ',' << draw.bearing.roller_diameter << ','
+  const double area =
+      draw.bearing.rollers().diameter * draw.bearing.rollers().length * draw.bearing.rollers().count;
+  out << n << ',' << draw.bearing.rollers().count << ',' << draw.bearing.rollers().diameter << ','
       << draw.bearing.radial_clearance << ',' << draw.pitch_speed << ',' << draw.point.bore_load.norm() / area
       << ',' << race.film_in_approach << ',' << (race.traction == dynamics::TractionLaw::limiting_shear)
       << ',' << (race.lubrication == dynamics::Lubrication::mixed) << ','
       << (draw.parameters.cage.guidance_film == dynamics::GuidanceFilm::as_printed) << ','
       << (draw.parameters.cage.guide_diameter > 0.0) << ',' << (draw.bearing.cage.guidance == Race::inner)
-      << ',' << draw.bearing.inner_form.size() + draw.bearing.outer_form.size() << ','
-      << draw.bearing.roller_diameter_deviation.size() << ',' << draw.parameters.lubricant.viscosity << ','
+      << ',' << draw.bearing.inner.form.size() + draw.bearing.outer.form.size() << ','
+      << draw.bearing.rollers().diameter_deviation.size() << ',' << draw.parameters.lubricant.viscosity << ','
       << race.roughness << ',' << draw.parameters.ripple.harmonics.size() << ',' << draw.point.carrier.speed
       << ',' << steps_of_longest_length(draw, run) << ',' << run.report.steps << ',' << run.report.rejected
       << ',' << run.report.smallest_step << ',' << run.report.wall_seconds << ',' << run.cage_slip() << ','

@@ -13,17 +13,15 @@ constexpr double kRoundOff = 1e-10;        // of the largest load: the search en
 constexpr double kDifferenceError = 1e-5;  // relative; a step small enough to keep all laminae on their side
 constexpr double kCrown = 6e-6;            // [m]
 
-CylindricalRollerBearing planet_bearing(int laminae, double crown) {
-  CylindricalRollerBearing bearing{.rollers = 15,
-                                   .roller_diameter = 5.24e-3,
-                                   .roller_length = 5.7e-3,
-                                   .pitch_diameter = 35.64e-3,
-                                   .bore = 25e-3,
-                                   .outside_diameter = 47e-3,
-                                   .width = 11.9e-3};
+Bearing planet_bearing(int laminae, double crown) {
+  Bearing bearing{
+      .inner = {.seat_diameter = 25e-3},
+      .outer = {.seat_diameter = 47e-3},
+      .elements = CylindricalRollers{.count = 15, .diameter = 5.24e-3, .length = 5.7e-3, .laminae = laminae},
+      .pitch_diameter = 35.64e-3,
+      .width = 11.9e-3};
   bearing.cage = {.inner_diameter = 33.44e-3, .outer_diameter = 38.54e-3, .width = 9e-3, .density = 1310.0};
-  bearing.laminae = laminae;
-  bearing.roller_profile = profile::CircularCrown{bearing.roller_length, crown};
+  bearing.rollers().profile = profile::CircularCrown{bearing.rollers().length, crown};
   return bearing;
 }
 
@@ -37,7 +35,7 @@ OperatingPoint planet_point(const Eigen::Vector2d& tilt) {
   return point;
 }
 
-LaminaState solved(const CylindricalRollerBearing& bearing, const OperatingPoint& point, double first = 0.1) {
+LaminaState solved(const Bearing& bearing, const OperatingPoint& point, double first = 0.1) {
   LaminaState state = lamina_state(LaminaBearing(bearing), point, {}, first);
   EXPECT_TRUE(state.report.converged) << state.report.message;
   return state;
@@ -47,8 +45,8 @@ TEST(LaminaBearing, StraightWithoutTiltIsTheUncutBearingAtAllCageAngles) {
   const OperatingPoint point = planet_point(Eigen::Vector2d::Zero());
   const QuasiStaticResult uncut = quasi_static_bearing(planet_bearing(0, 0.0), point, {});
   for (const int n : {1, 40, 200}) {
-    CylindricalRollerBearing bearing = planet_bearing(n, 0.0);
-    bearing.roller_profile = profile::Straight{};
+    Bearing bearing = planet_bearing(n, 0.0);
+    bearing.rollers().profile = profile::Straight{};
     const LaminaResult cut = quasi_static_laminae(LaminaBearing(bearing), point, {});
     const double scale = uncut.outer_load.maxCoeff();
     EXPECT_LE((cut.inner_load - uncut.inner_load).abs().maxCoeff(), kRoundOff * scale);
@@ -61,7 +59,7 @@ TEST(LaminaBearing, StraightWithoutTiltIsTheUncutBearingAtAllCageAngles) {
 
 TEST(LaminaBearing, TiltTheOtherWayIsTheMirrorImage) {
   const Eigen::Vector2d tilt(0.4e-3, -1.1e-3);
-  const CylindricalRollerBearing bearing = planet_bearing(40, kCrown);
+  const Bearing bearing = planet_bearing(40, kCrown);
   const LaminaResult one = quasi_static_laminae(LaminaBearing(bearing), planet_point(tilt), {});
   const LaminaResult other = quasi_static_laminae(LaminaBearing(bearing), planet_point(-tilt), {});
   const double scale = one.outer_load.maxCoeff();
@@ -85,7 +83,7 @@ TEST(LaminaBearing, MomentIsAgainstTheTilt) {
 // -M, M the moment of the rollers on the bore. So du/dt = dM/dF: holds only if forces and moments have an
 // energy.
 TEST(LaminaBearing, DisplacementByTiltIsMomentByLoad) {
-  const CylindricalRollerBearing bearing = planet_bearing(40, kCrown);
+  const Bearing bearing = planet_bearing(40, kCrown);
   const Eigen::Vector2d tilt(0.3e-3, 0.5e-3);
   const double tilt_step = 1e-8, load_step = 1e-2;
   Eigen::Matrix2d by_tilt, by_load;

@@ -13,23 +13,21 @@ constexpr double kAgreement = 1e-6;  // relative, of the adjoint and of central 
 constexpr double kPower = 4.5;       // a measure like those of fatigue life
 
 struct Study {
-  CylindricalRollerBearing bearing;
+  Bearing bearing;
   OperatingPoint point;
   QuasiStaticOptions options;
 };
 
 Study study(bool film) {
   Study s;
-  s.bearing = {.rollers = 15,
-               .roller_diameter = 5.24e-3,
-               .roller_length = 5.7e-3,
-               .pitch_diameter = 35.64e-3,
-               .bore = 25e-3,
-               .outside_diameter = 47e-3,
-               .width = 11.9e-3};
-  s.bearing.laminae = 40;
-  s.bearing.roller_profile = profile::Iso16281{5.7e-3, 5.24e-3, 1.0};
-  s.bearing.outer_race_profile = profile::CircularCrown{5.7e-3, 2e-6};
+  s.bearing = {
+      .inner = {.seat_diameter = 25e-3},
+      .outer = {.seat_diameter = 47e-3},
+      .elements = CylindricalRollers{.count = 15, .diameter = 5.24e-3, .length = 5.7e-3, .laminae = 40},
+      .pitch_diameter = 35.64e-3,
+      .width = 11.9e-3};
+  s.bearing.rollers().profile = profile::Iso16281{5.7e-3, 5.24e-3, 1.0};
+  s.bearing.outer.profile = profile::CircularCrown{5.7e-3, 2e-6};
   s.point.carrier = {.speed = 200.0, .orbit_radius = 87.9e-3};
   s.point.outer_speed = -720.0;
   s.point.bore_load = {900.0, 1600.0};
@@ -68,8 +66,8 @@ double difference(Study s, double step, Change&& change) {
 }
 
 void change_parameter(Study& s, double by) {
-  const double value = profile::leading_parameter(s.bearing.roller_profile);
-  s.bearing.roller_profile = profile::with_parameter(s.bearing.roller_profile, value + by);
+  const double value = profile::leading_parameter(s.bearing.rollers().profile);
+  s.bearing.rollers().profile = profile::with_parameter(s.bearing.rollers().profile, value + by);
 }
 
 TEST(DropGradient, ByTheRollersParameterIsItsDifference) {
@@ -95,7 +93,7 @@ TEST(DropGradient, OfEveryKindOfProfile) {
       profile::Table{{-0.5 * l, 0.0, 0.5 * l}, {6e-6, 0.0, 3e-6}, 1.0}};
   for (const profile::Profile& profile : profiles) {
     Study s = study(false);
-    s.bearing.roller_profile = profile;
+    s.bearing.rollers().profile = profile;
     const double expected = difference(s, 2e-5 * profile::leading_parameter(profile), change_parameter);
     EXPECT_NEAR(by_roller_parameter(LaminaBearing(s.bearing), adjoint(s)), expected,
                 kAgreement * std::abs(expected))
@@ -105,10 +103,10 @@ TEST(DropGradient, OfEveryKindOfProfile) {
 
 TEST(DropGradient, ByTheDropAtAStationIsItsDifference) {
   const Study s = study(false);
-  const double station = 0.975 * 0.5 * s.bearing.roller_length;
-  const double depth = profile::drop(s.bearing.roller_profile, station);
+  const double station = 0.975 * 0.5 * s.bearing.rollers().length;
+  const double depth = profile::drop(s.bearing.rollers().profile, station);
   const double expected = difference(s, 1e-10, [&](Study& changed, double by) {
-    changed.bearing.roller_profile = profile::with_drop(s.bearing.roller_profile, station, depth + by);
+    changed.bearing.rollers().profile = profile::with_drop(s.bearing.rollers().profile, station, depth + by);
   });
   EXPECT_NEAR(by_roller_drop(LaminaBearing(s.bearing), adjoint(s), station), expected,
               kAgreement * std::abs(expected));
@@ -138,11 +136,11 @@ TEST(DropGradient, BySingleDropsAreTheirDifferences) {
       const std::vector<double> places = lamina_places(40);
       profile::Table table;
       for (int k = 0; k < 40; ++k) {
-        const double x = 0.5 * s.bearing.roller_length * places[static_cast<std::size_t>(k)];
+        const double x = 0.5 * s.bearing.rollers().length * places[static_cast<std::size_t>(k)];
         table.x.push_back(x);
-        table.drop.push_back(profile::drop(s.bearing.outer_race_profile, x) + (k == lamina ? by : 0.0));
+        table.drop.push_back(profile::drop(s.bearing.outer.profile, x) + (k == lamina ? by : 0.0));
       }
-      changed.bearing.outer_race_profile = table;
+      changed.bearing.outer.profile = table;
     });
     EXPECT_NEAR(gradient.outer[lamina], expected, kAgreement * std::abs(expected)) << "lamina " << lamina;
   }

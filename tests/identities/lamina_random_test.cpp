@@ -26,8 +26,8 @@ double largest_load(const Draw& draw, const LaminaState& state) {
 }
 
 void expect_balance(const Draw& draw, const LaminaBearing& bearing, const LaminaState& state) {
-  const RaceEquilibrium problem =
-      quasi_static_problem(draw.bearing, draw.point, draw.options, draw.options.first_roller);
+  const RaceEquilibrium problem = quasi_static_problem(draw.bearing, geometry_of(draw.bearing), draw.point,
+                                                       draw.options, draw.options.first_roller);
   const double scale = largest_load(draw, state) + problem.load.norm();
   Eigen::Vector2d force = problem.load, moment = Eigen::Vector2d::Zero();
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
@@ -54,8 +54,8 @@ TEST(RandomLaminae, BalanceUnderAnyProfileTiltLoadAndMotion) {
   for (int i = 0; i < number_of_draws(); ++i) {
     const Draw draw = bearings.next();
     SCOPED_TRACE("draw " + std::to_string(i) + " of seed " + std::to_string(kSeed) + ", " +
-                 std::to_string(draw.bearing.laminae) + " laminae, " +
-                 profile::kind(draw.bearing.roller_profile) + " rollers");
+                 std::to_string(draw.bearing.rollers().laminae) + " laminae, " +
+                 profile::kind(draw.bearing.rollers().profile) + " rollers");
     const LaminaBearing bearing(draw.bearing);
     const LaminaState state = lamina_state(bearing, draw.point, draw.options, draw.options.first_roller);
     ASSERT_TRUE(state.report.converged) << draw << ": " << state.report.message;
@@ -69,7 +69,7 @@ TEST(RandomLaminae, StraightWithoutTiltAreTheUncutBearing) {
   for (int i = 0; i < number_of_draws() / 5; ++i) {
     Draw draw = bearings.next();
     SCOPED_TRACE("draw " + std::to_string(i));
-    draw.bearing.roller_profile = draw.bearing.inner_race_profile = draw.bearing.outer_race_profile =
+    draw.bearing.rollers().profile = draw.bearing.inner.profile = draw.bearing.outer.profile =
         profile::Straight{};
     draw.point.bore_tilt.setZero();
     const LaminaState state =

@@ -43,8 +43,9 @@ TEST(StudyDynamicPoint, CarriesTheQuasiStaticLoads) {
 // The same on laminae, with crowned rollers and a bore that is tilted on its pin.
 TEST(StudyDynamicPoint, CarriesTheQuasiStaticLoadsOnLaminae) {
   PlanetaryDrivetrain drivetrain = short_run();
-  drivetrain.bearing.laminae = 8;
-  drivetrain.bearing.roller_profile = bearing::profile::CircularCrown{drivetrain.bearing.roller_length, 8e-6};
+  drivetrain.bearing.rollers().laminae = 8;
+  drivetrain.bearing.rollers().profile =
+      bearing::profile::CircularCrown{drivetrain.bearing.rollers().length, 8e-6};
   const PointResult level = dynamic_point(drivetrain);
   drivetrain.misalignment.planet_tilt = 1e-3;
   const PointResult still = evaluate(drivetrain, derive(drivetrain));

@@ -19,14 +19,14 @@ PlanetaryDrivetrain level_gears() {
   drivetrain.gear_set = [gears] { return gears; };
   drivetrain.mesh_variation = false;
   drivetrain.drive.speed = 9000.0 * example::rpm;
-  drivetrain.bearing.laminae = 10;
+  drivetrain.bearing.rollers().laminae = 10;
   drivetrain.steady_state.observed_windows = 2;
   return drivetrain;
 }
 
 PlanetaryDrivetrain crowned(double drop, double tilt) {
   PlanetaryDrivetrain drivetrain = level_gears();
-  drivetrain.bearing.roller_profile =
+  drivetrain.bearing.rollers().profile =
       crowning::profile_of(crowning::family_of("iso16281", drivetrain.bearing, 1.0), {drop, 1.0});
   drivetrain.misalignment.planet_tilt = tilt;
   return drivetrain;

@@ -18,8 +18,8 @@ PointResult point(const PlanetaryDrivetrain& drivetrain) {
 
 PlanetaryDrivetrain crowned(double scale) {
   PlanetaryDrivetrain drivetrain = example::reducer();
-  drivetrain.bearing.laminae = 40;
-  drivetrain.bearing.roller_profile = bearing::profile::Iso16281{5.7e-3, 5.24e-3, scale};
+  drivetrain.bearing.rollers().laminae = 40;
+  drivetrain.bearing.rollers().profile = bearing::profile::Iso16281{5.7e-3, 5.24e-3, scale};
   return drivetrain;
 }
 
@@ -79,7 +79,7 @@ TEST(LaminaPoint, LivesAsTheCrownStudySays) {
         const bearing::profile::Profile profile =
             crowning::profile_of(crowning::family_of("iso16281", drivetrain.bearing, 1.0), {drop, 1.0});
         const double expected = crowning::life_hours(problem, profile, tilt);
-        drivetrain.bearing.roller_profile = profile;
+        drivetrain.bearing.rollers().profile = profile;
         drivetrain.misalignment = {.planet_tilt = tilt};
         EXPECT_NEAR(point(drivetrain).life_hours, expected, kRoundOff * expected)
             << rpm << " rpm, " << drop << " m, " << tilt << " rad";

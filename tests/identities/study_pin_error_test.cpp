@@ -131,10 +131,10 @@ TEST(PinErrors, LoadPlanetsAlikeInEveryFidelity) {
 TEST(LoadSharing, KnowsLikeRollersAndStandingForms) {
   PlanetaryDrivetrain drivetrain = displaced(4, 10e-6, false);
   const std::vector<double> like = shares_of(drivetrain);
-  drivetrain.bearing.roller_diameter_deviation = {1e-6};
-  drivetrain.bearing.outer_form = {{.order = 2, .amplitude = 1e-6, .turning = true}};
+  drivetrain.bearing.rollers().diameter_deviation = {1e-6};
+  drivetrain.bearing.outer.form = {{.order = 2, .amplitude = 1e-6, .turning = true}};
   EXPECT_EQ(shares_of(drivetrain), like);
-  drivetrain.bearing.outer_form = {{.order = 2, .amplitude = 1e-6, .turning = false}};
+  drivetrain.bearing.outer.form = {{.order = 2, .amplitude = 1e-6, .turning = false}};
   EXPECT_NE(shares_of(drivetrain), like);
 }
 

@@ -81,6 +81,26 @@ class Rollers(unittest.TestCase):
         self.assertAlmostEqual(free["L10r_Mrev"] / held["L10r_Mrev"], 1.0, places=6)
         self.assertLess(held["L10r_Mrev"], run(PLANET)["L10r_Mrev"])
 
+    def test_first_element_and_moment_across(self):
+        # A row that is turned by one pitch looks the same, one element on.
+        plain = run(PLANET, "load.moment=1 N.m")
+        elements = len(plain["contact_loads_N"])
+        turned = run(PLANET, "load.moment=1 N.m", f"bearing.first_element_angle={360 / elements!r} deg")
+        for j, load in enumerate(plain["contact_loads_N"]):
+            self.assertAlmostEqual(turned["contact_loads_N"][j - 1], load, delta=1e-6)
+        self.assertAlmostEqual(turned["L10r_Mrev"] / plain["L10r_Mrev"], 1.0, places=9)
+        half = run(PLANET, f"bearing.first_element_angle={180 / elements!r} deg")["contact_loads_N"]
+        self.assertAlmostEqual(half[0], half[-1], delta=1e-6)
+        # A moment across the load changes sides with its sign.
+        left = run(PLANET, "load.moment_across=1 N.m")
+        right = run(PLANET, "load.moment_across=-1 N.m")
+        self.assertGreater(left["tilt_mrad"], 0.0)
+        self.assertAlmostEqual(left["tilt_mrad"], right["tilt_mrad"], places=9)
+        for j in range(1, elements):
+            for ours, mirrored in zip(left["lamina_loads_N"][j], right["lamina_loads_N"][elements - j]):
+                self.assertAlmostEqual(ours, mirrored, delta=1e-6)
+        self.assertNotAlmostEqual(left["lamina_loads_N"][1][0], right["lamina_loads_N"][1][0], delta=1.0)
+
     def test_race_that_turns(self):
         outer = run(PLANET)
         inner = run(PLANET, "operation.turning_race=inner")
@@ -107,6 +127,16 @@ class Balls(unittest.TestCase):
         loose = run(BALL, "bearing.radial_clearance=10 um")
         self.assertAlmostEqual(loose["displacement"]["radial_um"] / 21.223, 1.0, delta=0.002)
         self.assertAlmostEqual(loose["L10r_Mrev"] / 10795.7948, 1.0, delta=0.002)
+
+    def test_first_element_and_moment_across(self):
+        # Without a radial load both planes are alike: turning moment and balls together turns the answer.
+        axial = ["load.radial=0 N", "load.axial=1000 N"]
+        along = run(BALL, *axial, "load.moment=3 N.m")
+        across = run(BALL, *axial, "load.moment_across=3 N.m", "bearing.first_element_angle=90 deg")
+        self.assertAlmostEqual(along["tilt_mrad"], across["tilt_mrad"], places=6)
+        for ours, turned in zip(along["contact_loads_N"], across["contact_loads_N"]):
+            self.assertAlmostEqual(ours, turned, delta=1e-3)
+        self.assertNotAlmostEqual(along["contact_loads_N"][0], run(BALL, *axial)["contact_loads_N"][0], delta=1.0)
 
     def test_combined_load_balances(self):
         found = run(BALL, "load.axial=1000 N")
@@ -155,6 +185,8 @@ class Commands(unittest.TestCase):
             (HARRIS, ["load.radial=0 N"], "load.radial: no load"),
             (HARRIS, ["load.tilt=1 mrad", "load.moment=1 N.m"], "load.tilt"),
             (HARRIS, ["bearing.laminae=1", "load.moment=1 N.m"], "at least 2 laminae"),
+            (HARRIS, ["bearing.laminae=1", "load.moment_across=1 N.m"], "load.moment_across"),
+            (HARRIS, ["load.tilt=1 mrad", "load.moment_across=1 N.m"], "load.moment_across"),
             (HARRIS, ["load.axial=5 N"], "a field that roller-bearing does not use"),
             (BALL, ["bearing.balls=20"], "do not fit around the pitch circle"),
             (BALL, ["bearing.radial_clearance=1500 um"], "touch at no contact angle"),

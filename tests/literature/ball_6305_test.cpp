@@ -21,9 +21,8 @@ struct Row {
   double life;                                     // [Mrev]
 };
 
-BallBearing bearing_6305(double clearance_um) {
-  return {.balls = 7,
-          .ball_diameter = 11.5e-3,
+Bearing bearing_6305(double clearance_um) {
+  return {.elements = Balls{.count = 7, .diameter = 11.5e-3},
           .pitch_diameter = 43.5e-3,
           .radial_clearance = 1e-6 * clearance_um,
           .material = {.youngs_modulus = 210e9, .poisson_ratio = 0.3}};
@@ -34,7 +33,7 @@ TEST(Ball6305, DisplacementsAndLives) {
                          Row{"axial", 0.0, 1000.0, 0.0, 0.0, 133.5381, 2222.7318},
                          Row{"radial, 10 um", 1000.0, 0.0, 10.0, 21.223, 0.0, 10795.7948}}) {
     SCOPED_TRACE(row.name);
-    const BallBearing bearing = bearing_6305(row.clearance);
+    const Bearing bearing = bearing_6305(row.clearance);
     const RingState state = balance_ring(BallRow(bearing), {.radial = row.radial, .axial = row.axial});
     ASSERT_TRUE(state.report.converged) << state.report.message;
     EXPECT_NEAR(1e6 * state.radial, row.radial_displacement, kDisplacement * 21.0);

@@ -45,12 +45,11 @@ struct SpeedPoint {
 };
 
 SpeedPoint speed_point(double sun_speed_rpm) {
-  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+  const Bearing bearing = example_bearings::planet_bearing();
   const OperatingPoint point = planet_bearing_at(example_bearings::rpm(sun_speed_rpm));
   const QuasiStaticResult result = quasi_static_bearing(bearing, point, {});
   EXPECT_TRUE(result.report.converged) << result.report.message;
-  const BearingLife life =
-      lundberg_palmgren_life(bearing, 0.83, Race::inner, result.inner_load, result.outer_load);
+  const BearingLife life = lundberg_palmgren_life(bearing, 0.83, result.inner_load, result.outer_load);
   return {hours(life.bearing, point.outer_speed), result.outer_load.maxCoeff()};
 }
 

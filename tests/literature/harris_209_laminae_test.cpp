@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kPrinted = 0.05;  // [N]  half a unit of the last digit given
 
-CylindricalRollerBearing bearing_209(double clearance) {
-  CylindricalRollerBearing bearing = example_bearings::bearing_209();
-  bearing.laminae = 40;
+Bearing bearing_209(double clearance) {
+  Bearing bearing = example_bearings::bearing_209();
+  bearing.rollers().laminae = 40;
   bearing.radial_clearance = clearance;
   bearing.contact_law = ContactLaw::iso16281;
   return bearing;
 }
 
-void expect_loads(const CylindricalRollerBearing& bearing, const std::vector<double>& printed) {
+void expect_loads(const Bearing& bearing, const std::vector<double>& printed) {
   const RingState state = balance_ring(RollerRow(bearing), {.radial = 4450.0});
   ASSERT_TRUE(state.report.converged) << state.report.message;
   for (std::size_t j = 0; j < printed.size(); ++j)
@@ -32,8 +32,8 @@ void expect_loads(const CylindricalRollerBearing& bearing, const std::vector<dou
 TEST(Harris209Laminae, RollerLoads) {
   for (const int laminae : {1, 40, 41}) {
     SCOPED_TRACE(laminae);
-    CylindricalRollerBearing tight = bearing_209(0.0), loose = bearing_209(40.6e-6);
-    tight.laminae = loose.laminae = laminae;
+    Bearing tight = bearing_209(0.0), loose = bearing_209(40.6e-6);
+    tight.rollers().laminae = loose.rollers().laminae = laminae;
     expect_loads(tight, {1298.8, 1156.7, 768.4, 244.6, 0.0, 0.0, 0.0, 0.0});
     expect_loads(loose, {1956.3, 1383.9, 0.0, 0.0, 0.0});
     loose.contact_law = ContactLaw::palmgren;
@@ -42,11 +42,8 @@ TEST(Harris209Laminae, RollerLoads) {
 }
 
 double planet_life(int laminae) {
-  CylindricalRollerBearing planet;
-  planet.laminae = laminae;
-  planet.rollers = 15;
-  planet.roller_diameter = 5.24e-3;
-  planet.roller_length = 5.7e-3;
+  Bearing planet;
+  planet.rollers() = {.count = 15, .diameter = 5.24e-3, .length = 5.7e-3, .laminae = laminae};
   planet.pitch_diameter = 36e-3;
   planet.contact_law = ContactLaw::iso16281;
   const RingState state = balance_ring(RollerRow(planet), {.radial = 3000.0});

@@ -33,7 +33,7 @@ const std::vector<Row>& rows() {
 TEST(Harris209, RollerLoads) {
   for (const Row& row : rows()) {
     SCOPED_TRACE(row.name);
-    CylindricalRollerBearing bearing = example_bearings::bearing_209();
+    Bearing bearing = example_bearings::bearing_209();
     bearing.radial_clearance = row.clearance;
     bearing.contact_law = row.law;
     // The outer ring is pressed on the first roller: the load points away from it.

@@ -21,8 +21,8 @@ double integral_of_many_rollers() {
 }
 
 double largest_share(int rollers) {
-  CylindricalRollerBearing bearing = example_bearings::bearing_209();
-  bearing.rollers = rollers;
+  Bearing bearing = example_bearings::bearing_209();
+  bearing.rollers().count = rollers;
   const QuasiStaticState state = quasi_static_state(bearing, example_bearings::static_load(-4450.0), {}, 0.0);
   EXPECT_TRUE(state.report.converged) << state.report.message;
   return state.outer_load.maxCoeff() * rollers / 4450.0;

@@ -49,8 +49,8 @@ Stage stage_of(const CrownRequest& request, const ordered_json& result) {
           RollerPressure(problem),
           1e-6 * optimum.at("drop_um").get<double>(),
           {{"straight", bearing::profile::Straight{}},
-           {"ISO/TS 16281",
-            bearing::profile::Iso16281{problem.bearing.roller_length, problem.bearing.roller_diameter, 1.0}},
+           {"ISO/TS 16281", bearing::profile::Iso16281{problem.bearing.rollers().length,
+                                                       problem.bearing.rollers().diameter, 1.0}},
            {best + ", optimum", best_profile(problem, optimum)}}};
 }
 
@@ -122,7 +122,7 @@ ordered_json pressure_curves(const Stage& stage) {
 // Pressure along every roller of the load zone on the inner race, at one cage angle out of four.
 ordered_json zone_of(const Stage& stage, const Named& profile, double tilt) {
   const auto loads = loads_at(stage.problem, profile.made, tilt, heaviest(stage.problem));
-  const double half = 0.5 * stage.problem.bearing.roller_length;
+  const double half = 0.5 * stage.problem.bearing.rollers().length;
   ordered_json rows = ordered_json::array();
   std::vector<double> x;
   const std::size_t step = std::max<std::size_t>(1, loads.states.size() / 4);
@@ -226,12 +226,12 @@ ordered_json crown_figures(const ResolvedCase& resolved, const CrownRequest& req
   const Stage stage = stage_of(request, result);
   ordered_json profiles = ordered_json::array();
   for (const Named& profile : stage.chief)
-    profiles.push_back(drawn_profile(profile, stage.problem.bearing.roller_length));
+    profiles.push_back(drawn_profile(profile, stage.problem.bearing.rollers().length));
   for (const Named& profile : all_kinds(stage))
     if (profile.name != "straight")
-      profiles.push_back(drawn_profile(profile, stage.problem.bearing.roller_length));
-  return {{"roller_length_mm", 1e3 * stage.problem.bearing.roller_length},
-          {"roller_diameter_mm", 1e3 * stage.problem.bearing.roller_diameter},
+      profiles.push_back(drawn_profile(profile, stage.problem.bearing.rollers().length));
+  return {{"roller_length_mm", 1e3 * stage.problem.bearing.rollers().length},
+          {"roller_diameter_mm", 1e3 * stage.problem.bearing.rollers().diameter},
           {"profiles", profiles},
           {"pressure_speed_rpm", kRpm * stage.problem.duties[heaviest(stage.problem)].speed},
           {"pressure", pressure_curves(stage)},

@@ -27,7 +27,7 @@ constexpr double kShareRoundOff = 1e-6;  // of a sum of shares that were rounded
 using Mistakes = std::vector<std::string>;
 
 // About 1/5 of the standard's drop, a round number of its decade; sixteen of them reach well beyond the best.
-std::vector<double> usual_drops(const bearing::CylindricalRollerBearing& bearing) {
+std::vector<double> usual_drops(const bearing::Bearing& bearing) {
   const double fifth = crowning::reference_drop(bearing) / 5.0;
   const double decade = std::pow(10.0, std::floor(std::log10(fifth)));
   const double step = decade * (fifth >= 5.0 * decade ? 5.0 : fifth >= 2.0 * decade ? 2.0 : 1.0);
@@ -54,7 +54,7 @@ std::vector<double> tilts_of(const CrownOptions& options, Mistakes& mistakes) {
   return tilts;
 }
 
-std::vector<double> drops_of(const CrownOptions& options, const bearing::CylindricalRollerBearing& bearing,
+std::vector<double> drops_of(const CrownOptions& options, const bearing::Bearing& bearing,
                              Mistakes& mistakes) {
   if (options.drops.empty()) return usual_drops(bearing);
   const std::size_t before = mistakes.size();
@@ -117,13 +117,13 @@ std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, c
   return spectrum;
 }
 
-std::vector<std::string> profiles_of(const CrownOptions& options,
-                                     const bearing::CylindricalRollerBearing& bearing, Mistakes& mistakes) {
+std::vector<std::string> profiles_of(const CrownOptions& options, const bearing::Bearing& bearing,
+                                     Mistakes& mistakes) {
   const std::vector<std::string> known = crowning::family_names();
   const auto is_known = [&](const std::string& name) {
     return std::find(known.begin(), known.end(), name) != known.end();
   };
-  const std::string stated = bearing::profile::kind(bearing.roller_profile);
+  const std::string stated = bearing::profile::kind(bearing.rollers().profile);
   if (options.profiles.empty()) return {is_known(stated) ? stated : "iso16281"};
   std::vector<std::string> names;
   for (const std::string& name : parts_of(options.profiles, ',')) {
@@ -221,10 +221,10 @@ std::string options_text(const CrownOptions& options) {
 CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options) {
   require_bearing(resolved);
   study::NamedSet set = set_of(resolved, options);
-  const bearing::CylindricalRollerBearing& bearing = set.drivetrain.bearing;
+  const bearing::Bearing& bearing = set.drivetrain.bearing;
   Mistakes mistakes;
   CrownRequest request{.measure = measure_of(options, mistakes),
-                       .laminae = bearing.laminae > 0 ? bearing.laminae : 40,
+                       .laminae = bearing.rollers().laminae > 0 ? bearing.rollers().laminae : 40,
                        .spectrum = spectrum_of(resolved, options, mistakes),
                        .profiles = profiles_of(options, bearing, mistakes),
                        .tilts = tilts_of(options, mistakes),

@@ -158,11 +158,11 @@ CrownProblem problem_of(const CrownRequest& request) {
 // A profile that the case states lends its proportions; another is laid out for the load that 4.08 F/Z of the
 // most loaded duty gives.
 ProfileFamily family_in(const CrownProblem& problem, const std::string& name) {
-  if (bearing::profile::kind(problem.bearing.roller_profile) == name)
-    return family_like(problem.bearing.roller_profile, problem.bearing);
+  if (bearing::profile::kind(problem.bearing.rollers().profile) == name)
+    return family_like(problem.bearing.rollers().profile, problem.bearing);
   double load = 0.0;
   for (const Duty& duty : problem.duties) load = std::max(load, duty.point.bore_load.norm());
-  return family_of(name, problem.bearing, 4.08 * load / problem.bearing.rollers);
+  return family_of(name, problem.bearing, 4.08 * load / problem.bearing.rollers().count);
 }
 
 CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& progressed) {

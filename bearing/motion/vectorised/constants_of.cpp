@@ -36,7 +36,7 @@ LandConstants land_constants(const dynamics::BearingModel& model) {
 Constants constants_of(const dynamics::BearingModel& model) {
   Constants c;
   c.rollers = static_cast<int>(model.layout.rollers);
-  c.roller_radius = model.geometry.roller_radius;
+  c.roller_radius = model.geometry.element_radius;
   c.roller_mass = model.roller.mass;
   c.roller_inertia = model.roller.inertia;
   c.orbit_drag = model.orbit_drag.coefficient;

@@ -65,7 +65,7 @@ VectorBearing::VectorBearing(const dynamics::BearingModel& model, mechanics::Ins
   const auto lanes = static_cast<std::size_t>(layout_.lanes());
   pocket_cosine_.assign(lanes, 1.0);
   pocket_sine_.assign(lanes, 0.0);
-  roller_radius_.assign(lanes, model.geometry.roller_radius);
+  roller_radius_.assign(lanes, model.geometry.element_radius);
   for (std::size_t j = 0; j < model.pocket_direction.size(); ++j) {
     pocket_cosine_[j] = model.pocket_direction[j].x();
     pocket_sine_[j] = model.pocket_direction[j].y();

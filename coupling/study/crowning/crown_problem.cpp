@@ -65,15 +65,13 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
                            const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae) {
   require_whole(spectrum);
   CrownProblem problem{.bearing = drivetrain.bearing, .options = quasi_static_options(drivetrain)};
-  problem.bearing.laminae = laminae;
+  problem.bearing.rollers().laminae = laminae;
   for (const SpectrumPoint& at : spectrum) {
     PlanetaryDrivetrain there = drivetrain;
     there.drive.speed = at.speed;
     there.misalignment.planet_tilt = 0.0;  // it is what a study varies
     problem.duties.push_back({at.speed, at.share, bearing_duty(there, geometry).point});
-    problem.ratings.push_back(lamina_rating(problem.bearing,
-                                            bearing::life::race_motions(problem.duties.back().point), measure,
-                                            drivetrain.lambda));
+    problem.ratings.push_back(lamina_rating(problem.bearing, measure, drivetrain.lambda));
   }
   return problem;
 }
@@ -85,8 +83,8 @@ CrownProblem one_duty(const CrownProblem& problem, std::size_t duty) {
 }
 
 LaminaBearing lamina_bearing(const CrownProblem& problem, const Profile& profile) {
-  bearing::CylindricalRollerBearing bearing = problem.bearing;
-  bearing.roller_profile = profile;
+  bearing::Bearing bearing = problem.bearing;
+  bearing.rollers().profile = profile;
   return LaminaBearing(bearing);
 }
 
@@ -100,14 +98,10 @@ LaminaResult loads_at(const CrownProblem& problem, const Profile& profile, doubl
   return balanced(lamina_bearing(problem, profile), problem, tilt, duty);
 }
 
-double turning_speed(const bearing::OperatingPoint& point) {
-  return point.outer_speed != 0.0 ? point.outer_speed : point.inner_speed;
-}
-
 double duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::size_t duty) {
   const double revolutions =
       lamina_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load).bearing;
-  return bearing::hours(revolutions, turning_speed(problem.duties[duty].point));
+  return bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[duty].point));
 }
 
 double life_hours(const CrownProblem& problem, const Profile& profile, double tilt) {

@@ -23,7 +23,7 @@ struct Duty {
 
 /// What a study asks about; immutable, from any thread.
 struct CrownProblem {
-  bearing::CylindricalRollerBearing bearing;  // cut into laminae; its roller profile is what is studied
+  bearing::Bearing bearing;  // cut into laminae; its roller profile is what is studied
   bearing::QuasiStaticOptions options;
   std::vector<Duty> duties;
   std::vector<LaminaRating> ratings;  // (duties)
@@ -52,9 +52,6 @@ bearing::laminae::LaminaResult loads_at(const CrownProblem& problem, const beari
 bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
                                                const bearing::profile::Profile& profile);
 bearing::OperatingPoint tilted(const Duty& duty, double tilt);
-
-/// Speed [rad/s] of the race that turns relative to the load.
-double turning_speed(const bearing::OperatingPoint& point);
 
 /// Life [h] of one bearing at one duty alone, whose loads are known.
 double duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads, std::size_t duty);

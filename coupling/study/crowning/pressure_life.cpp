@@ -21,11 +21,12 @@ constexpr double kIdle = 1e-3;  // of the greatest load: less takes nothing from
 Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const RollerPressure& pressure,
                              const Profile& profile, const LaminaResult& loads, int angles) {
   const bool inner = race == Race::inner;
-  const double half = 0.5 * problem.bearing.roller_length;
+  const double half = 0.5 * problem.bearing.rollers().length;
   const double idle = kIdle * (inner ? loads.inner_load : loads.outer_load).maxCoeff();
   const auto states = static_cast<int>(loads.states.size());
   const int taken = std::min(angles, states);
-  Eigen::ArrayXXd found = Eigen::ArrayXXd::Zero(problem.bearing.laminae, taken * problem.bearing.rollers);
+  Eigen::ArrayXXd found =
+      Eigen::ArrayXXd::Zero(problem.bearing.rollers().laminae, taken * problem.bearing.rollers().count);
   Eigen::Index place = 0;
   for (int i = 0; i < taken; ++i)
     for (const RollerState& roller : loads.states[static_cast<std::size_t>(i * states / taken)].rollers) {
@@ -33,14 +34,14 @@ Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const Rolle
       const double tilt = (inner ? roller.inner_tip : roller.outer_tip) / half;
       if (load > idle)
         found.col(place) = bearing::half_space::lamina_pressures(pressure.on(race, profile, load, tilt),
-                                                                 problem.bearing.laminae);
+                                                                 problem.bearing.rollers().laminae);
       ++place;
     }
   return found;
 }
 
 double revolutions(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
-                   const LaminaResult& loads, const rating::RaceMotions& motions, int angles) {
+                   const LaminaResult& loads, const bearing::RaceMotions& motions, int angles) {
   const rating::RollerSet set = rating::roller_set(problem.bearing);
   const auto equivalent = [&](Race race, bearing::RaceMotion motion) {
     const Eigen::ArrayXXd found = pressures_on(race, problem, pressure, profile, loads, angles);
@@ -62,7 +63,7 @@ double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pr
     const Duty& duty = problem.duties[i];
     const LaminaResult loads = loads_at(problem, profile, tilt, i);
     const double turns = revolutions(problem, pressure, profile, loads, problem.ratings[i].motions, angles);
-    used += duty.share / bearing::hours(turns, turning_speed(duty.point));
+    used += duty.share / bearing::hours(turns, turning_speed(problem.bearing, duty.point));
   }
   return 1.0 / used;
 }

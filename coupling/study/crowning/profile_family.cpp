@@ -14,27 +14,19 @@ namespace {
 namespace profile = bearing::profile;
 using profile::Profile;
 
-profile::DesignLoad design_of(const bearing::CylindricalRollerBearing& bearing, double load) {
-  return {
-      .load = load,
-      .length = bearing.roller_length,
-      .equivalent_radius = bearing::equivalent_radius(bearing::geometry_of(bearing), bearing::Race::inner),
-      .material = bearing.material};
-}
-
 [[noreturn]] void throw_no_drop(const std::string& kind) {
   throw std::invalid_argument("profile: found " + kind + "; required: a kind that can be given any drop");
 }
 
-Profile shape_of(const std::string& kind, const bearing::CylindricalRollerBearing& bearing, double load) {
-  const double l = bearing.roller_length;
-  const profile::DesignLoad design = design_of(bearing, load);
+Profile shape_of(const std::string& kind, const bearing::Bearing& bearing, double load) {
+  const double l = bearing.rollers().length;
+  const profile::DesignLoad design = bearing::design_under(bearing, load);
   if (kind == "chamfer") return profile::Chamfer{l, 0.1 * l, 1e-6};
   if (kind == "circular") return profile::CircularCrown{l, 1e-6};
   if (kind == "straight-circular") return profile::StraightCircular{l, 0.6 * l, 1e-6};
   if (kind == "lundberg") return profile::lundberg_for(design);
   if (kind == "johns-gohar") return profile::johns_gohar_for(design);
-  if (kind == "iso16281") return profile::Iso16281{l, bearing.roller_diameter, 1.0};
+  if (kind == "iso16281") return profile::Iso16281{l, bearing.rollers().diameter, 1.0};
   if (kind == "fujiwara-kawase") {
     const double end = profile::drop(profile::johns_gohar_for(design), 0.5 * l);
     return profile::fujiwara_kawase_for(design, 1.0, 0.6, end);
@@ -102,16 +94,15 @@ std::vector<std::string> family_names() {
           "johns-gohar", "iso16281", "fujiwara-kawase"};
 }
 
-ProfileFamily family_of(const std::string& kind, const bearing::CylindricalRollerBearing& bearing,
-                        double load) {
-  return {shape_of(kind, bearing, load), bearing.roller_length};
+ProfileFamily family_of(const std::string& kind, const bearing::Bearing& bearing, double load) {
+  return {shape_of(kind, bearing, load), bearing.rollers().length};
 }
 
-ProfileFamily family_like(const Profile& made, const bearing::CylindricalRollerBearing& bearing) {
+ProfileFamily family_like(const Profile& made, const bearing::Bearing& bearing) {
   const std::string kind = profile::kind(made);
   const std::vector<std::string> names = family_names();
   if (std::find(names.begin(), names.end(), kind) == names.end()) throw_no_drop(kind);
-  return {made, bearing.roller_length};
+  return {made, bearing.rollers().length};
 }
 
 bool has_share(const ProfileFamily& family) {
@@ -143,9 +134,9 @@ DropSlope drop_slope(const ProfileFamily& family, const Crown& crown, double x) 
                        by_drop * by_share_alone(family, made, crown.share, station_of(family))};
 }
 
-double reference_drop(const bearing::CylindricalRollerBearing& bearing) {
-  return profile::drop(profile::Iso16281{bearing.roller_length, bearing.roller_diameter, 1.0},
-                       profile::kDropPlace * 0.5 * bearing.roller_length);
+double reference_drop(const bearing::Bearing& bearing) {
+  return profile::drop(profile::Iso16281{bearing.rollers().length, bearing.rollers().diameter, 1.0},
+                       profile::kDropPlace * 0.5 * bearing.rollers().length);
 }
 
 }  // namespace orbearing::study::crowning

@@ -28,12 +28,10 @@ std::vector<std::string> family_names();
 /// The family `kind` for rollers of `bearing`. `load` [N] of one roller sets the width of the contact, which
 /// rounds the ends of johns-gohar, lundberg and fujiwara-kawase. Throws std::invalid_argument for other
 /// kinds.
-ProfileFamily family_of(const std::string& kind, const bearing::CylindricalRollerBearing& bearing,
-                        double load);
+ProfileFamily family_of(const std::string& kind, const bearing::Bearing& bearing, double load);
 
 /// The family that `made` belongs to, with its own proportions. Throws as above.
-ProfileFamily family_like(const bearing::profile::Profile& made,
-                          const bearing::CylindricalRollerBearing& bearing);
+ProfileFamily family_like(const bearing::profile::Profile& made, const bearing::Bearing& bearing);
 
 /// Whether the kind has a straight middle whose length is free: chamfer, straight-circular, fujiwara-kawase.
 bool has_share(const ProfileFamily& family);
@@ -58,6 +56,6 @@ struct DropSlope {
 DropSlope drop_slope(const ProfileFamily& family, const Crown& crown, double x);
 
 /// Drop [m] at profile::kDropPlace of the reference profile of [ISO16281] on rollers of `bearing`.
-double reference_drop(const bearing::CylindricalRollerBearing& bearing);
+double reference_drop(const bearing::Bearing& bearing);
 
 }  // namespace orbearing::study::crowning

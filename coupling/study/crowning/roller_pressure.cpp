@@ -29,7 +29,7 @@ RollerPressure::RollerPressure(const CrownProblem& problem)
 bearing::half_space::RollerContactPressure RollerPressure::on(Race race, const Profile& profile, double load,
                                                               double tilt) const {
   const bearing::half_space::StripContact& strips = race == Race::inner ? inner_ : outer_;
-  const Profile& other = race == Race::inner ? bearing_.inner_race_profile : bearing_.outer_race_profile;
+  const Profile& other = race == Race::inner ? bearing_.inner.profile : bearing_.outer.profile;
   return strips.under_load(strips.relief(bearing::half_space::relief_of(profile, other)), load, tilt);
 }
 

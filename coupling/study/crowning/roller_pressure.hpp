@@ -16,7 +16,7 @@ class RollerPressure {
                                                 double load, double tilt) const;
 
  private:
-  bearing::CylindricalRollerBearing bearing_;
+  bearing::Bearing bearing_;
   bearing::half_space::StripContact inner_;
   bearing::half_space::StripContact outer_;
 };

@@ -228,6 +228,8 @@ inline const std::map<std::string, Change>& stated_changes() {
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
       {"load.tilt", {"1 mrad"}},
       {"load.moment", {"2 N.m"}},
+      {"load.moment_across", {"2 N.m"}},
+      {"bearing.first_element_angle", {"7 deg"}},
       {"load.axial", {"200 N"}},
       {"bearing.contact_angle", {"15 deg"}},
       {"bearing.dynamic_capacity", {"12345 N"}},

@@ -26,10 +26,10 @@ bool gearset_works() {
 
 /// Pure rolling under a turning outer race: half its speed, times one plus roller / pitch diameter.
 bool bearing_works() {
-  orbearing::bearing::CylindricalRollerBearing bearing;
-  bearing.rollers = 10;
-  bearing.roller_diameter = 5e-3;
-  bearing.roller_length = 5e-3;
+  orbearing::bearing::Bearing bearing;
+  bearing.rollers().count = 10;
+  bearing.rollers().diameter = 5e-3;
+  bearing.rollers().length = 5e-3;
   bearing.pitch_diameter = 40e-3;
   const auto geometry = orbearing::bearing::geometry_of(bearing);
   return equal(orbearing::bearing::kinematic_cage_speed(geometry, 0.0, 80.0), 40.0 * (1.0 + 5.0 / 40.0));

@@ -28,8 +28,8 @@ Profile profile_with(std::vector<std::string> settings) {
 
 TEST(ProfileCase, NothingStatedIsAStraightUncutRoller) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped());
-  EXPECT_EQ(drivetrain.bearing.laminae, 0);
-  EXPECT_EQ(kind(drivetrain.bearing.roller_profile), "straight");
+  EXPECT_EQ(drivetrain.bearing.rollers().laminae, 0);
+  EXPECT_EQ(kind(drivetrain.bearing.rollers().profile), "straight");
   EXPECT_EQ(drivetrain.misalignment.planet_tilt, 0.0);
 }
 

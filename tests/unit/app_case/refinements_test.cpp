@@ -18,17 +18,17 @@ TEST(Refinements, WavesAndDeviationsReachTheBearingInSI) {
       {kWaves + ".order=[2, 11]", kWaves + ".amplitude=[4 um, 0.5 um]", kWaves + ".phase=[90 deg, 0 deg]",
        "bearing.inner_race.standing_form.order=[3]", "bearing.inner_race.standing_form.amplitude=[-1 um]",
        "bearing.roller_diameter_deviation=[2 um, -1 um]"}));
-  const auto& outer = drivetrain.bearing.outer_form;
+  const auto& outer = drivetrain.bearing.outer.form;
   ASSERT_EQ(outer.size(), 2U);
   EXPECT_EQ(outer[1].order, 11);
   EXPECT_DOUBLE_EQ(outer[0].amplitude, 4e-6);
   EXPECT_DOUBLE_EQ(outer[0].phase, M_PI / 2.0);
   EXPECT_TRUE(outer[0].turning);
-  ASSERT_EQ(drivetrain.bearing.inner_form.size(), 1U);
-  EXPECT_FALSE(drivetrain.bearing.inner_form[0].turning);
-  EXPECT_EQ(drivetrain.bearing.inner_form[0].phase, 0.0);
-  ASSERT_EQ(drivetrain.bearing.roller_diameter_deviation.size(), 2U);
-  EXPECT_DOUBLE_EQ(drivetrain.bearing.roller_diameter_deviation[1], -1e-6);
+  ASSERT_EQ(drivetrain.bearing.inner.form.size(), 1U);
+  EXPECT_FALSE(drivetrain.bearing.inner.form[0].turning);
+  EXPECT_EQ(drivetrain.bearing.inner.form[0].phase, 0.0);
+  ASSERT_EQ(drivetrain.bearing.rollers().diameter_deviation.size(), 2U);
+  EXPECT_DOUBLE_EQ(drivetrain.bearing.rollers().diameter_deviation[1], -1e-6);
 }
 
 TEST(Refinements, ChoicesReachTheModel) {
@@ -53,7 +53,7 @@ TEST(Refinements, DefaultsAreThoseOfTheLibraries) {
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.roughness, library.race.roughness);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.boundary_friction, library.race.boundary_friction);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.cage.pocket_roughness, library.cage.pocket_roughness);
-  EXPECT_TRUE(drivetrain.bearing.outer_form.empty());
+  EXPECT_TRUE(drivetrain.bearing.outer.form.empty());
   EXPECT_EQ(drivetrain.run_up.acceleration, 0.0);
 }
 

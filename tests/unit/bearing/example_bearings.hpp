@@ -9,25 +9,25 @@
 namespace orbearing::bearing::example_bearings {
 
 /// Planet bearing of the reduction set, Table 2 of [Gai2025], with its cage in glass-filled polyamide.
-inline CylindricalRollerBearing planet_bearing() {
-  CylindricalRollerBearing bearing;
-  bearing.rollers = 15;
-  bearing.roller_diameter = 5.24e-3;
-  bearing.roller_length = 5.7e-3;
+inline Bearing planet_bearing() {
+  Bearing bearing;
+  bearing.rollers().count = 15;
+  bearing.rollers().diameter = 5.24e-3;
+  bearing.rollers().length = 5.7e-3;
   bearing.pitch_diameter = 35.64e-3;
-  bearing.bore = 25e-3;
-  bearing.outside_diameter = 47e-3;
+  bearing.inner.seat_diameter = 25e-3;
+  bearing.outer.seat_diameter = 47e-3;
   bearing.width = 11.9e-3;
   bearing.cage = {.inner_diameter = 33.44e-3, .outer_diameter = 38.54e-3, .width = 9e-3, .density = 1310.0};
   return bearing;
 }
 
 /// Cylindrical roller bearing 209 of the worked examples in [Harris2006].
-inline CylindricalRollerBearing bearing_209() {
-  CylindricalRollerBearing bearing;
-  bearing.rollers = 14;
-  bearing.roller_diameter = 10e-3;
-  bearing.roller_length = 9.6e-3;
+inline Bearing bearing_209() {
+  Bearing bearing;
+  bearing.rollers().count = 14;
+  bearing.rollers().diameter = 10e-3;
+  bearing.rollers().length = 9.6e-3;
   bearing.pitch_diameter = 65e-3;
   return bearing;
 }

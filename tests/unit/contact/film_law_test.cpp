@@ -21,7 +21,7 @@ constexpr double kSearchError = 1e-14;  // relative: where the search ends, and 
 constexpr double kDifferenceError = 1e-7;  // relative: central differences with a step of 1e-5
 
 FilmContact oiled_contact() {
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const Bearing bearing = test::reducer_bearing();
   return film_contact(bearing, geometry_of(bearing), Race::outer, {0.01, 1.5e-8});
 }
 

@@ -85,10 +85,10 @@ TEST(Film, NoSpeedNoViscosityOrNoFilmLeavesTheContactDry) {
 }
 
 TEST(FilmContact, TakesRadiusLengthAndReducedModulusFromTheBearing) {
-  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+  const Bearing bearing = example_bearings::planet_bearing();
   const FilmContact outer = film_contact(bearing, geometry_of(bearing), Race::outer, {.viscosity = 0.01});
   EXPECT_NEAR(outer.equivalent_radius, 2.62e-3 * 20.44e-3 / 17.82e-3, kRoundOff);
-  EXPECT_EQ(outer.length, bearing.roller_length);
+  EXPECT_EQ(outer.length, bearing.rollers().length);
   EXPECT_NEAR(outer.reduced_modulus, 206e9 / 0.91, 206e9 * kRoundOff);
   EXPECT_EQ(outer.lubricant.viscosity, 0.01);
 }

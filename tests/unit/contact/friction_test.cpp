@@ -18,7 +18,7 @@ constexpr double kCurvature =
 constexpr double kDifferenceError = 1e-8;  // central differences with a step of 1e-5 of the scale
 
 FilmContact oiled_contact() {
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const Bearing bearing = test::reducer_bearing();
   return film_contact(bearing, geometry_of(bearing), Race::inner, {0.01, 1.5e-8});
 }
 

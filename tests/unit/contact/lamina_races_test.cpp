@@ -20,12 +20,12 @@ laminae::LaminaContact contact(double crown, int n) {
 }
 
 TEST(LaminaRaces, StraightRollersHaveTheLoadsOfTheLineContact) {
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   const OperatingPoint point = test::reducer_point(6000.0);
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.film_in_approach = true;
   const BearingModel line = bearing_model(bearing, point, parameters);
-  bearing.laminae = 17;
+  bearing.rollers().laminae = 17;
   const BearingModel cut = bearing_model(bearing, point, parameters);
   test::Random random;
   for (int i = 0; i < 10; ++i) {

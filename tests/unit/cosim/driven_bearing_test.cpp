@@ -73,7 +73,7 @@ class DrivenBearingState : public testing::TestWithParam<bool> {
  protected:
   DrivenBearingState() {
     if (GetParam()) setup.dynamics.cage.pocket_film = bearing::dynamics::PocketFilm::hydrodynamic;
-    setup.bearing.outer_form = {{.order = 5, .amplitude = 0.5e-6, .phase = 1.0, .turning = true}};
+    setup.bearing.outer.form = {{.order = 5, .amplitude = 0.5e-6, .phase = 1.0, .turning = true}};
   }
   DrivenBearingSetup setup = test::driven_reducer();
   BoreMotion about = test::pressed_motion();

@@ -20,14 +20,13 @@ inline PlanetaryDrivetrain reducer() {
                     .planet_bore = 47e-3,
                     .density = 7850.0};
   drivetrain.drive = {.power = 150e3, .speed = 6000.0 * kRpm};
-  drivetrain.bearing = {.rollers = 15,
-                        .roller_diameter = 5.24e-3,
-                        .roller_length = 5.7e-3,
-                        .pitch_diameter = 35.64e-3,
-                        .bore = 25e-3,
-                        .outside_diameter = 47e-3,
-                        .width = 11.9e-3,
-                        .cage = {33.44e-3, 38.54e-3, 9e-3, 1310.0}};
+  drivetrain.bearing = {
+      .inner = {.seat_diameter = 25e-3},
+      .outer = {.seat_diameter = 47e-3},
+      .cage = {33.44e-3, 38.54e-3, 9e-3, 1310.0},
+      .elements = bearing::CylindricalRollers{.count = 15, .diameter = 5.24e-3, .length = 5.7e-3},
+      .pitch_diameter = 35.64e-3,
+      .width = 11.9e-3};
   drivetrain.bearings_per_planet = 2;
   drivetrain.cage_positions = 4;
   return drivetrain;

@@ -40,7 +40,8 @@ TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
           {bearing::rating::equivalent_lamina_loads(loads.inner_lamina_load, inner),
            bearing::rating::equivalent_lamina_loads(loads.outer_lamina_load, outer)})
           .bearing;
-  const double expected = bearing::hours(revolutions, turning_speed(problem.duties[0].point));
+  const double expected =
+      bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[0].point));
   const double ours = pressure_life_hours(problem, pressure, deep, 0.0);
   EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
 }

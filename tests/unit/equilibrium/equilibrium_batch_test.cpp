@@ -26,7 +26,7 @@ int number_of_bearings() {
 }
 
 struct Study {
-  CylindricalRollerBearing bearing;
+  Bearing bearing;
   std::vector<EquilibriumPoint> points;
 };
 
@@ -126,7 +126,7 @@ TEST(EquilibriumBatch, NothingToDoIsDone) {
 
 TEST(EquilibriumBatch, WithoutAnyLoadNothingIsCarried) {
   RandomBearings bearings;
-  CylindricalRollerBearing bearing = bearings.next().bearing;
+  Bearing bearing = bearings.next().bearing;
   bearing.radial_clearance = 0.0;
   const std::vector<EquilibriumPoint> points(3);
   EquilibriumBatch batch(bearing);
@@ -139,7 +139,7 @@ TEST(EquilibriumBatch, WithoutAnyLoadNothingIsCarried) {
 TEST(EquilibriumBatch, LeavesWhatIsNotRoundToTheReadableSolver) {
   RandomBearings bearings;
   Study study = next_study(bearings);
-  study.bearing.outer_form.push_back({.order = 2, .amplitude = 20e-6});
+  study.bearing.outer.form.push_back({.order = 2, .amplitude = 20e-6});
   EquilibriumBatch batch(study.bearing);
   EquilibriumResults results;
   batch.solve(study.points, results);

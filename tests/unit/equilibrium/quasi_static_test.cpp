@@ -27,7 +27,7 @@ QuasiStaticOptions options() {
 }
 
 TEST(QuasiStaticState, OneRollerUnderTheLoadCarriesItAll) {
-  CylindricalRollerBearing bearing = bearing_209();
+  Bearing bearing = bearing_209();
   bearing.radial_clearance = 1e-3;
   // The ring moves along the load, so that the roller opposite to it is squeezed.
   const QuasiStaticState state = quasi_static_state(bearing, static_load(-100.0), options(), 0.0);
@@ -35,22 +35,22 @@ TEST(QuasiStaticState, OneRollerUnderTheLoadCarriesItAll) {
   EXPECT_NEAR(state.outer_load[0], 100.0, 100.0 * kSolved);
   EXPECT_EQ(state.outer_load.tail(13).maxCoeff(), 0.0);
   const double approach =
-      2.0 * roller_race_contact(bearing.contact_law, bearing.roller_length).approach(100.0);
+      2.0 * roller_race_contact(bearing.contact_law, bearing.rollers().length).approach(100.0);
   EXPECT_NEAR(state.displacement.x(), -(0.5e-3 + approach), 1e-3 * kSolved);
 }
 
 TEST(QuasiStaticState, InterferenceAloneLoadsAllRollersAlike) {
-  CylindricalRollerBearing bearing = bearing_209();
+  Bearing bearing = bearing_209();
   bearing.radial_clearance = -20e-6;
   const QuasiStaticState state = quasi_static_state(bearing, static_load(0.0), options(), 0.1);
   ASSERT_TRUE(state.report.converged) << state.report.message;
   // 10 um on the radius, shared by two contacts.
-  const double load = roller_race_contact(bearing.contact_law, bearing.roller_length).load(5e-6);
+  const double load = roller_race_contact(bearing.contact_law, bearing.rollers().length).load(5e-6);
   for (Eigen::Index j = 0; j < 14; ++j) EXPECT_NEAR(state.outer_load[j], load, load * kSolved);
 }
 
 TEST(QuasiStaticState, InterferenceKeepsAllRollersLoadedUnderASmallLoad) {
-  CylindricalRollerBearing bearing = bearing_209();
+  Bearing bearing = bearing_209();
   bearing.radial_clearance = -20e-6;
   const QuasiStaticState state = quasi_static_state(bearing, static_load(1000.0), options(), 0.0);
   ASSERT_TRUE(state.report.converged) << state.report.message;
@@ -59,7 +59,7 @@ TEST(QuasiStaticState, InterferenceKeepsAllRollersLoadedUnderASmallLoad) {
 }
 
 TEST(QuasiStaticState, NothingActsOnAnUnloadedBearingAtRest) {
-  CylindricalRollerBearing bearing = bearing_209();
+  Bearing bearing = bearing_209();
   for (const double clearance : {0.0, 40e-6}) {
     bearing.radial_clearance = clearance;
     const QuasiStaticState state = quasi_static_state(bearing, static_load(0.0), options(), 0.0);
@@ -73,7 +73,7 @@ TEST(QuasiStaticState, NothingActsOnAnUnloadedBearingAtRest) {
 // changes its sign at cos theta = -0.23. Without the Coriolis term r (theta'^2 + Omega^2) exceeds Omega^2 r_c
 // everywhere.
 TEST(QuasiStaticState, RollersOnTheSunSideRestOnThePinOnlyByCoriolis) {
-  CylindricalRollerBearing bearing = planet_bearing();
+  Bearing bearing = planet_bearing();
   bearing.radial_clearance = 1e-3;  // nearly all rollers are unloaded
   OperatingPoint point = planet_motion(rpm(6000.0));
   point.bore_load = {0.0, 1000.0};
@@ -94,7 +94,7 @@ TEST(QuasiStaticState, RollersOnTheSunSideRestOnThePinOnlyByCoriolis) {
 }
 
 TEST(QuasiStaticBearing, GathersCageAnglesByPlace) {
-  const CylindricalRollerBearing bearing = planet_bearing();
+  const Bearing bearing = planet_bearing();
   QuasiStaticOptions choice = options();
   choice.cage_positions = 3;
   choice.first_roller = 0.05;
@@ -110,11 +110,11 @@ TEST(QuasiStaticBearing, GathersCageAnglesByPlace) {
 }
 
 TEST(QuasiStaticBearing, CageAndHalfTheRollersHangOnTheRingThatGuidesThem) {
-  CylindricalRollerBearing bearing = planet_bearing();
+  Bearing bearing = planet_bearing();
   OperatingPoint point = planet_motion(rpm(6000.0));
   point.bore_load = {100.0, 1000.0};
-  const RollerBearingGeometry geometry = geometry_of(bearing);
-  const double thrown = (geometry.cage_mass + 7.5 * geometry.roller_mass) * point.carrier.speed *
+  const BearingGeometry geometry = geometry_of(bearing);
+  const double thrown = (geometry.cage_mass + 7.5 * geometry.element_mass) * point.carrier.speed *
                         point.carrier.speed * point.carrier.orbit_radius;
   const QuasiStaticResult outside = quasi_static_bearing(bearing, point, options());
   EXPECT_NEAR(outside.total_bore_load.x(), 100.0 + thrown, 1e-10);
@@ -124,7 +124,7 @@ TEST(QuasiStaticBearing, CageAndHalfTheRollersHangOnTheRingThatGuidesThem) {
 }
 
 TEST(QuasiStaticState, SaysWhyWhereItFindsNoBalance) {
-  CylindricalRollerBearing bearing = bearing_209();
+  Bearing bearing = bearing_209();
   bearing.radial_clearance = std::numeric_limits<double>::quiet_NaN();
   const QuasiStaticState state = quasi_static_state(bearing, static_load(1000.0), options(), 0.0);
   EXPECT_FALSE(state.report.converged);
@@ -132,7 +132,7 @@ TEST(QuasiStaticState, SaysWhyWhereItFindsNoBalance) {
 }
 
 TEST(QuasiStaticBearing, RefusesWhatIsNotFinite) {
-  const CylindricalRollerBearing bearing = planet_bearing();
+  const Bearing bearing = planet_bearing();
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     OperatingPoint point = static_load(1000.0);

@@ -17,7 +17,7 @@ constexpr double kDifferenceError = 1e-6;  // central difference with a step of 
 constexpr double kPitch = boost::math::double_constants::two_pi / 15.0;  // [rad]
 
 RaceEquilibrium planet_equilibrium(const std::optional<Lubricant>& lubricant) {
-  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+  const Bearing bearing = example_bearings::planet_bearing();
   RaceEquilibrium problem{rolling_contacts(bearing, geometry_of(bearing), 0.0, -720.0, lubricant)};
   problem.clearance = 10e-6;
   problem.load = {500.0, 1000.0};
@@ -31,13 +31,13 @@ constexpr Lubricant kOil{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
 // Entrainment u = |(omega - omega_c) R -+ (phi' - omega_c) D/2| / 2, relative to the contact that moves with
 // the cage.
 TEST(RollingContacts, FilmIsThatOfTheEntrainmentRelativeToTheMovingContact) {
-  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
-  const RollerBearingGeometry geometry = geometry_of(bearing);
+  const Bearing bearing = example_bearings::planet_bearing();
+  const BearingGeometry geometry = geometry_of(bearing);
   const double inner_speed = 100.0, outer_speed = -720.0, load = 300.0;
   const RollerContacts contacts = rolling_contacts(bearing, geometry, inner_speed, outer_speed, kOil);
   const double cage = kinematic_cage_speed(geometry, inner_speed, outer_speed);
   const double roller =
-      (kinematic_roller_spin(geometry, inner_speed, outer_speed) - cage) * geometry.roller_radius;
+      (kinematic_roller_spin(geometry, inner_speed, outer_speed) - cage) * geometry.element_radius;
   const double inner = 0.5 * std::abs((inner_speed - cage) * geometry.inner_radius - roller);
   const double outer = 0.5 * std::abs((outer_speed - cage) * geometry.outer_radius + roller);
   const double inner_film = Film(film_contact(bearing, geometry, Race::inner, kOil), inner).central(load);
@@ -48,7 +48,7 @@ TEST(RollingContacts, FilmIsThatOfTheEntrainmentRelativeToTheMovingContact) {
 }
 
 TEST(RollingContacts, AreDryWithoutLubricant) {
-  const CylindricalRollerBearing bearing = example_bearings::planet_bearing();
+  const Bearing bearing = example_bearings::planet_bearing();
   const RollerContacts contacts = rolling_contacts(bearing, geometry_of(bearing), 0.0, -720.0, std::nullopt);
   EXPECT_EQ(contacts.inner.film().central(300.0), 0.0);
   EXPECT_EQ(contacts.outer.onset(), 0.0);

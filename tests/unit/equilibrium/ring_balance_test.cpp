@@ -15,23 +15,21 @@ namespace {
 
 constexpr double kMicrometre = 1e-6;
 
-CylindricalRollerBearing rollers() {
-  CylindricalRollerBearing in;
-  in.laminae = 12;
-  in.roller_profile = profile::CircularCrown{5.7e-3, 4e-6};
-  in.rollers = 11;
-  in.roller_diameter = 5.24e-3;
-  in.roller_length = 5.7e-3;
+Bearing rollers() {
+  Bearing in;
+  in.rollers() = {.count = 11,
+                  .diameter = 5.24e-3,
+                  .length = 5.7e-3,
+                  .laminae = 12,
+                  .profile = profile::CircularCrown{5.7e-3, 4e-6}};
   in.pitch_diameter = 36e-3;
   in.radial_clearance = 8e-6;
   return in;
 }
 
-BallBearing balls(double contact_angle, double clearance) {
-  return {.balls = 8,
-          .ball_diameter = 11.5e-3,
+Bearing balls(double contact_angle, double clearance) {
+  return {.elements = Balls{.count = 8, .diameter = 11.5e-3, .contact_angle = contact_angle},
           .pitch_diameter = 43.5e-3,
-          .contact_angle = contact_angle,
           .radial_clearance = clearance};
 }
 
@@ -53,11 +51,13 @@ void expect_slopes(const Row& row, const RingPlace& place) {
 
 TEST(StaticRollers, ForcesAreSlopesOfTheEnergy) {
   const RingPlace place = (RingPlace() << 15.0, -4.0, 2.0, 3.0, 2.0).finished() * kMicrometre;
-  expect_slopes(RollerRow(rollers(), 0.2), place);
+  Bearing bearing = rollers();
+  bearing.first_element = 0.2;
+  expect_slopes(RollerRow(bearing), place);
 }
 
 TEST(StaticBalls, ForcesAreSlopesOfTheEnergy) {
-  BallBearing bearing = balls(0.3, 0.0);
+  Bearing bearing = balls(0.3, 0.0);
   bearing.first_element = 0.2;
   const RingPlace place = (RingPlace() << 12.0, -5.0, 30.0, 14.0, -9.0).finished() * kMicrometre;
   expect_slopes(BallRow(bearing), place);
@@ -66,12 +66,12 @@ TEST(StaticBalls, ForcesAreSlopesOfTheEnergy) {
 // One lamina, no clearance: c_L (u cos phi)^(10/9) on the loaded half, summed by hand for four rollers of
 // which one alone is loaded (two stand at a right angle).
 TEST(StaticRollers, FourRollersByHand) {
-  CylindricalRollerBearing in = rollers();
-  in.rollers = 4;
+  Bearing in = rollers();
+  in.rollers().count = 4;
   in.radial_clearance = 20e-6;
   in.contact_law = ContactLaw::iso16281;
-  in.roller_profile = profile::Straight{};
-  in.laminae = 1;
+  in.rollers().profile = profile::Straight{};
+  in.rollers().laminae = 1;
   const RingState state = balance_ring(RollerRow(in), {.radial = 1000.0});
   const double approach = 1e-3 * std::pow(1000.0 / (35948.0 * std::pow(5.7, 8.0 / 9.0)), 0.9);
   EXPECT_NEAR(state.radial, 10e-6 + approach, 1e-12);
@@ -107,11 +107,11 @@ TEST(StaticBalls, GivenTiltNeedsTheMomentThatGivesIt) {
 // Straight rollers without tilt share a load like the uncut ones of the planet bearing, for either law.
 TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
   for (const ContactLaw law : {ContactLaw::palmgren, ContactLaw::iso16281}) {
-    CylindricalRollerBearing in = rollers();
-    in.roller_profile = profile::Straight{};
+    Bearing in = rollers();
+    in.rollers().profile = profile::Straight{};
     in.contact_law = law;
     const RingState cut = balance_ring(RollerRow(in), {.radial = 1500.0});
-    in.laminae = 0;
+    in.rollers().laminae = 0;
     const QuasiStaticState uncut =
         quasi_static_state(in, bearing::example_bearings::static_load(-1500.0), {}, 0.0);
     EXPECT_LT((cut.contact_load - uncut.outer_load).abs().maxCoeff(), 1e-8);
@@ -120,9 +120,9 @@ TEST(StaticRollers, AreTheQuasiStaticBearingWhereNothingTilts) {
 
 // A relief on a race counts once, that of the rollers twice: once at either race.
 TEST(StaticRollers, ProfilesOfRollersAndRacesAddUp) {
-  CylindricalRollerBearing on_rollers = rollers(), on_races = rollers();
-  on_races.roller_profile = profile::Straight{};
-  on_races.inner_race_profile = on_races.outer_race_profile = on_rollers.roller_profile;
+  Bearing on_rollers = rollers(), on_races = rollers();
+  on_races.rollers().profile = profile::Straight{};
+  on_races.inner.profile = on_races.outer.profile = on_rollers.rollers().profile;
   const RingState one = balance_ring(RollerRow(on_rollers), {.radial = 2000.0, .tilt = 5e-4});
   const RingState other = balance_ring(RollerRow(on_races), {.radial = 2000.0, .tilt = 5e-4});
   EXPECT_LT((one.lamina_load - other.lamina_load).abs().maxCoeff(), 1e-9);
@@ -132,7 +132,7 @@ TEST(StaticRollers, ProfilesOfRollersAndRacesAddUp) {
 // 1))^1.5.
 TEST(StaticBalls, AxialLoadAlone) {
   for (const double nominal : {0.0, 0.26, 0.7}) {
-    const BallBearing bearing = balls(nominal, nominal > 0.0 ? 0.0 : 15e-6);
+    const Bearing bearing = balls(nominal, nominal > 0.0 ? 0.0 : 15e-6);
     const BallRow row(bearing);
     const RingState state = balance_ring(row, {.axial = 1500.0});
     ASSERT_TRUE(state.report.converged);
@@ -149,8 +149,8 @@ TEST(StaticBalls, LoadsOfAnySizeAndDirectionBalance) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < 400; ++i) {
     SCOPED_TRACE(i);
-    BallBearing bearing = balls(i % 3 == 0 ? 0.8 * unit(random) : 0.0, 60e-6 * unit(random) - 15e-6);
-    bearing.balls = 3 + i % 20;
+    Bearing bearing = balls(i % 3 == 0 ? 0.8 * unit(random) : 0.0, 60e-6 * unit(random) - 15e-6);
+    bearing.balls().count = 3 + i % 20;
     RingLoad load{.radial = unit(random) < 0.2 ? 0.0 : std::pow(10.0, 5.0 * unit(random) - 1.0),
                   .axial = unit(random) < 0.2 ? 0.0 : std::pow(10.0, 5.0 * unit(random) - 1.0)};
     if (unit(random) < 0.3) load.moment = 0.02 * (load.radial + load.axial) * (unit(random) - 0.5);
@@ -165,14 +165,15 @@ TEST(StaticRollers, LoadsOfAnySizeAndTiltBalance) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int i = 0; i < 300; ++i) {
     SCOPED_TRACE(i);
-    CylindricalRollerBearing in = rollers();
-    in.laminae = 1 + i % 60;
-    in.rollers = 3 + i % 25;
+    Bearing in = rollers();
+    in.rollers().laminae = 1 + i % 60;
+    in.rollers().count = 3 + i % 25;
     in.radial_clearance = 100e-6 * unit(random) - 20e-6;
-    if (i % 4 == 0) in.roller_profile = profile::Iso16281{5.7e-3, 5.24e-3};
+    if (i % 4 == 0) in.rollers().profile = profile::Iso16281{5.7e-3, 5.24e-3};
     RingLoad load{.radial = std::pow(10.0, 6.0 * unit(random) - 1.0)};
     // a single lamina has no arm to hold a moment
-    if (in.laminae > 1 && unit(random) < 0.3) load.moment = 0.01 * load.radial * (unit(random) - 0.5);
+    if (in.rollers().laminae > 1 && unit(random) < 0.3)
+      load.moment = 0.01 * load.radial * (unit(random) - 0.5);
     if (unit(random) < 0.3) load.tilt = 10e-3 * (unit(random) - 0.5);
     const RingState state = balance_ring(RollerRow(in), load);
     EXPECT_TRUE(state.report.converged) << state.report.residual << " after " << state.report.iterations;
@@ -180,8 +181,8 @@ TEST(StaticRollers, LoadsOfAnySizeAndTiltBalance) {
 }
 
 TEST(StaticRollers, MomentOnASingleLaminaFindsNoBalanceAndSaysSo) {
-  CylindricalRollerBearing in = rollers();
-  in.laminae = 1;
+  Bearing in = rollers();
+  in.rollers().laminae = 1;
   const RingState state = balance_ring(RollerRow(in), {.radial = 1000.0, .moment = 1.0});
   EXPECT_FALSE(state.report.converged);
   EXPECT_FALSE(state.report.message.empty());
@@ -190,8 +191,8 @@ TEST(StaticRollers, MomentOnASingleLaminaFindsNoBalanceAndSaysSo) {
 // Turning the row by a pitch changes nothing; turning the moment with the plane it acts in turns the tilts.
 TEST(StaticBalls, AFullPitchOfTheFirstElementChangesNothing) {
   const RingLoad load{.radial = 2000.0, .axial = 700.0, .moment = 3.0, .moment_across = -5.0};
-  BallBearing turned = balls(0.26, 0.0);
-  turned.first_element = 2.0 * boost::math::double_constants::two_pi / turned.balls;
+  Bearing turned = balls(0.26, 0.0);
+  turned.first_element = 2.0 * boost::math::double_constants::two_pi / turned.balls().count;
   const RingState one = balance_ring(BallRow(balls(0.26, 0.0)), load);
   const RingState other = balance_ring(BallRow(turned), load);
   ASSERT_TRUE(one.report.converged && other.report.converged);
@@ -210,6 +211,19 @@ TEST(StaticBalls, AMomentAcrossTiltsAcross) {
   EXPECT_NEAR(across.tilt, 0.0, 1e-12);
 }
 
+// The plane of the radial load is a mirror: a moment across it that changes its sign changes sides.
+TEST(StaticRollers, AMomentAcrossTheRadialLoadIsMirrored) {
+  const RingLoad load{.radial = 2000.0, .moment_across = 0.5};
+  const RingState one = balance_ring(RollerRow(rollers()), load);
+  const RingState other = balance_ring(RollerRow(rollers()), {.radial = 2000.0, .moment_across = -0.5});
+  ASSERT_TRUE(one.report.converged && other.report.converged);
+  EXPECT_GT(one.lateral_tilt, 0.0);
+  EXPECT_NEAR(one.lateral_tilt, -other.lateral_tilt, 1e-12);
+  EXPECT_NEAR(one.radial, other.radial, 1e-12);
+  for (Eigen::Index j = 1; j < 11; ++j)
+    EXPECT_LT((one.lamina_load.col(j) - other.lamina_load.col(11 - j)).abs().maxCoeff(), 1e-6);
+}
+
 TEST(StaticBalls, NoLoadInInterferenceBalances) {
   const RingState state = balance_ring(BallRow(balls(0.0, -15e-6)), {});
   EXPECT_TRUE(state.report.converged);
@@ -217,11 +231,11 @@ TEST(StaticBalls, NoLoadInInterferenceBalances) {
 }
 
 TEST(StaticBearings, WhatCannotBeIsRefused) {
-  CylindricalRollerBearing none = rollers();
-  none.laminae = 0;
+  Bearing none = rollers();
+  none.rollers().laminae = 0;
   EXPECT_THROW(balance_ring(RollerRow(none), {.radial = 1.0}), std::invalid_argument);
-  BallBearing tight = balls(0.0, 0.0);
-  tight.inner_osculation = 0.5;
+  Bearing tight = balls(0.0, 0.0);
+  tight.inner.osculation = 0.5;
   EXPECT_THROW(balance_ring(BallRow(tight), {.radial = 1.0}), std::invalid_argument);
   EXPECT_THROW(balance_ring(BallRow(balls(0.0, 2e-3)), {.radial = 1.0}), std::invalid_argument);
 }

@@ -59,15 +59,15 @@ TEST(FmuFields, NamesAreUnique) {
 TEST(FmuFields, TextKeepsEveryBit) {
   cosim::DrivenBearingSetup model = test::bearing_model();
   model.bearing.radial_clearance = 0.1e-6 / 3.0;
-  model.bearing.inner_form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
-  model.bearing.roller_diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
+  model.bearing.inner.form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
+  model.bearing.rollers().diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
   const std::string text = text_of(numbers_of(model));
   const cosim::DrivenBearingSetup again = setup_from<cosim::DrivenBearingSetup>(table_from(text));
   EXPECT_EQ(text_of(numbers_of(again)), text);
   EXPECT_EQ(again.bearing.radial_clearance, model.bearing.radial_clearance);
-  EXPECT_EQ(again.bearing.roller_diameter_deviation, model.bearing.roller_diameter_deviation);
-  EXPECT_EQ(again.bearing.inner_form[0].turning, true);
-  EXPECT_EQ(again.bearing.inner_form[1].amplitude, -1e-6);
+  EXPECT_EQ(again.bearing.rollers().diameter_deviation, model.bearing.rollers().diameter_deviation);
+  EXPECT_EQ(again.bearing.inner.form[0].turning, true);
+  EXPECT_EQ(again.bearing.inner.form[1].amplitude, -1e-6);
 }
 
 TEST(FmuFields, MeshCurvesAreTheSameCurves) {

@@ -13,7 +13,7 @@ inline constexpr long kFewSteps =
 
 inline NumberTable short_bearing() {
   cosim::DrivenBearingSetup model = test::bearing_model();
-  model.bearing.rollers = 5;
+  model.bearing.rollers().count = 5;
   model.most_steps = kFewSteps;
   return numbers_of(model);
 }

@@ -52,7 +52,7 @@ class CvodeBearing : public testing::Test {
                                        equations.model().geometry.pitch_radius, 1e5)) {}
 
   Eigen::ArrayXXd loads_by_dopri5() {
-    Eigen::ArrayXXd loads(bearing.rollers, kSamples);
+    Eigen::ArrayXXd loads(bearing.rollers().count, kSamples);
     Eigen::VectorXd x = start;
     Eigen::Index column = 0;
     const auto report = integration::integrate(
@@ -67,7 +67,7 @@ class CvodeBearing : public testing::Test {
     const Eigen::Index size = start.size();
     using In = Eigen::Map<const Eigen::VectorXd>;
     using Out = Eigen::Map<Eigen::VectorXd>;
-    Eigen::ArrayXXd loads(bearing.rollers, kSamples);
+    Eigen::ArrayXXd loads(bearing.rollers().count, kSamples);
     Eigen::VectorXd x = start;
     Eigen::Index column = 0;
     run_cvode(
@@ -79,7 +79,7 @@ class CvodeBearing : public testing::Test {
     return loads;
   }
 
-  bearing::CylindricalRollerBearing bearing = test::reducer_bearing();
+  bearing::Bearing bearing = test::reducer_bearing();
   bearing::OperatingPoint point = test::reducer_point(6000.0);
   bearing::dynamics::DynamicsParameters parameters = film_on();
   bearing::dynamics::PlanetBearingEquations equations;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bearing/life/capacities.hpp"
 #include "tests/unit/bearing/example_bearings.hpp"
 
 namespace orbearing::bearing::lundberg_palmgren_test {
@@ -15,11 +16,11 @@ constexpr double kHandDigits = 1e-5;  // the hand values carry six digits
 constexpr double kLambda = 0.83;
 
 // D = l = 1 mm and 16 rollers leave 552 lambda / 2 (1 -+ 0.1)^(29/27) / (1 +- 0.1)^(1/4) 0.1^(2/9).
-CylindricalRollerBearing simple_bearing() {
-  CylindricalRollerBearing bearing;
-  bearing.rollers = 16;
-  bearing.roller_diameter = 1e-3;
-  bearing.roller_length = 1e-3;
+Bearing simple_bearing() {
+  Bearing bearing;
+  bearing.rollers().count = 16;
+  bearing.rollers().diameter = 1e-3;
+  bearing.rollers().length = 1e-3;
   bearing.pitch_diameter = 10e-3;
   return bearing;
 }
@@ -30,19 +31,19 @@ TEST(ContactCapacity, ByHand) {
 }
 
 TEST(ContactCapacity, GrowsWithSizeLengthAndFewerRollers) {
-  const CylindricalRollerBearing small = simple_bearing();
-  const auto ratio = [&](const CylindricalRollerBearing& other) {
+  const Bearing small = simple_bearing();
+  const auto ratio = [&](const Bearing& other) {
     return contact_capacity(other, Race::inner, 1.0) / contact_capacity(small, Race::inner, 1.0);
   };
-  CylindricalRollerBearing other = small;
-  other.roller_diameter *= 2.0;
+  Bearing other = small;
+  other.rollers().diameter *= 2.0;
   other.pitch_diameter *= 2.0;
   EXPECT_NEAR(ratio(other), std::pow(2.0, 29.0 / 27.0), kRoundOff);
   other = small;
-  other.roller_length *= 2.0;
+  other.rollers().length *= 2.0;
   EXPECT_NEAR(ratio(other), std::pow(2.0, 7.0 / 9.0), kRoundOff);
   other = small;
-  other.rollers = 1;
+  other.rollers().count = 1;
   EXPECT_NEAR(ratio(other), 2.0, kRoundOff);
 }
 
@@ -88,10 +89,10 @@ TEST(SystemLife, OfEightEqualBearings) {
 }
 
 TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
-  const CylindricalRollerBearing bearing = simple_bearing();
+  const Bearing bearing = simple_bearing();
   const Eigen::ArrayXd inner = Eigen::ArrayXd::LinSpaced(16, 0.0, 30.0);
   const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(16, 5.0, 35.0);
-  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, Race::inner, inner, outer);
+  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, inner, outer);
   const double inner_life = race_life(contact_capacity(bearing, Race::inner, kLambda),
                                       equivalent_load(inner, RaceMotion::standing));
   const double outer_life =
@@ -99,7 +100,23 @@ TEST(BearingLife, TakesEachRacesOwnLoadsCapacityAndMotion) {
   EXPECT_EQ(life.inner, inner_life);
   EXPECT_EQ(life.outer, outer_life);
   EXPECT_EQ(life.bearing, combined_life(inner_life, outer_life));
-  EXPECT_NE(lundberg_palmgren_life(bearing, kLambda, Race::outer, inner, outer).inner, inner_life);
+}
+
+// A load that stands on a housing while the shaft turns: the exponents of both means change places, 4 and
+// 4.5, and the capacities stay.
+TEST(BearingLife, SwapsNothingButTheExponentsWhereTheOtherRaceTurns) {
+  Bearing bearing = simple_bearing();
+  bearing.motions = rating::turning(Race::inner);
+  const Eigen::ArrayXd inner = Eigen::ArrayXd::LinSpaced(16, 0.0, 30.0);
+  const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(16, 5.0, 35.0);
+  const BearingLife life = lundberg_palmgren_life(bearing, kLambda, inner, outer);
+  const double inner_mean = std::pow(inner.pow(4.0).mean(), 1.0 / 4.0);
+  const double outer_mean = std::pow(outer.pow(4.5).mean(), 1.0 / 4.5);
+  const double inner_life = 1e6 * std::pow(contact_capacity(bearing, Race::inner, kLambda) / inner_mean, 4.0);
+  const double outer_life = 1e6 * std::pow(contact_capacity(bearing, Race::outer, kLambda) / outer_mean, 4.0);
+  EXPECT_NEAR(life.inner, inner_life, inner_life * kRoundOff);
+  EXPECT_NEAR(life.outer, outer_life, outer_life * kRoundOff);
+  EXPECT_NE(life.bearing, lundberg_palmgren_life(simple_bearing(), kLambda, inner, outer).bearing);
 }
 
 TEST(Hours, OfAMillionRevolutionsAtAThousandPerMinute) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bearing/contact/line_contact.hpp"
+#include "bearing/life/standard_life.hpp"
 
 namespace orbearing::bearing::rating::reference_life_test {
 namespace {
@@ -74,6 +75,41 @@ TEST(ReferenceLife, GoesByMotionAndNotByName) {
   const BearingLife other = lamina_reference_life(alike, b, a, turning(Race::outer));
   EXPECT_NEAR(one.bearing / other.bearing, 1.0, kRoundOff);
   EXPECT_NE(one.bearing, lamina_reference_life(alike, a, b, turning(Race::outer)).bearing);
+}
+
+// The bearing says which race turns: 3 and 10/3 of balls, 4 and 4.5 of rollers change races, nothing else.
+TEST(ReferenceLife, FollowsTheBearingsTurningRace) {
+  Bearing of_balls{.elements = Balls{.count = 7, .diameter = 11.5e-3}, .pitch_diameter = 43.5e-3};
+  Bearing of_rollers{
+      .elements = CylindricalRollers{.count = 15, .diameter = 5.24e-3, .length = 5.7e-3, .laminae = 1},
+      .pitch_diameter = 36e-3};
+  const Eigen::ArrayXd inner = Eigen::ArrayXd::LinSpaced(7, 0.0, 900.0);
+  const Eigen::ArrayXd outer = Eigen::ArrayXd::LinSpaced(7, 200.0, 1100.0);
+  const auto mean = [](const Eigen::ArrayXd& loads, double exponent) {
+    return std::pow(loads.pow(exponent).mean(), 1.0 / exponent);
+  };
+  const auto life_of = [](double capacity, double load, double exponent) {
+    return 1e6 * std::pow(capacity / load, exponent);
+  };
+  for (const Race race : {Race::inner, Race::outer}) {
+    const bool inner_turns = race == Race::inner;
+    of_balls.motions = of_rollers.motions = turning(race);
+    const ContactCapacities balls = ratings_of(of_balls).contacts, rollers = ratings_of(of_rollers).contacts;
+    const ElementLoads on_inner{inner, inner.transpose()}, on_outer{outer, outer.transpose()};
+    const BearingLife ball_life = reference_life(of_balls, balls, on_inner, on_outer);
+    const double turning_ball = 3.0, standing_ball = 10.0 / 3.0;
+    const double expected_inner =
+        life_of(balls.inner, mean(inner, inner_turns ? turning_ball : standing_ball), 3.0);
+    const double expected_outer =
+        life_of(balls.outer, mean(outer, inner_turns ? standing_ball : turning_ball), 3.0);
+    EXPECT_NEAR(ball_life.inner / expected_inner, 1.0, kRoundOff);
+    EXPECT_NEAR(ball_life.outer / expected_outer, 1.0, kRoundOff);
+    const BearingLife roller_life = reference_life(of_rollers, rollers, on_inner, on_outer);
+    EXPECT_NEAR(roller_life.inner / life_of(rollers.inner, mean(inner, inner_turns ? 4.0 : 4.5), 4.0), 1.0,
+                kRoundOff);
+    EXPECT_NEAR(roller_life.outer / life_of(rollers.outer, mean(outer, inner_turns ? 4.5 : 4.0), 4.0), 1.0,
+                kRoundOff);
+  }
 }
 
 TEST(ReferenceLife, GradientIsTheSlope) {

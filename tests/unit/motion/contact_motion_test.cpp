@@ -39,7 +39,7 @@ TEST(ContactMotion, SlidingAndRollingOfCentredRings) {
 }
 
 TEST(ContactMotion, PureRollingDoesNotSlide) {
-  const RollerBearingGeometry geometry = geometry_of(test::reducer_bearing());
+  const BearingGeometry geometry = geometry_of(test::reducer_bearing());
   CentredRings rings;
   rings.orbit = kinematic_cage_speed(geometry, rings.inner_speed, rings.outer_speed);
   rings.spin = kinematic_roller_spin(geometry, rings.inner_speed, rings.outer_speed);

@@ -31,10 +31,10 @@ class DrivenBore : public testing::TestWithParam<Variant> {
     if (!GetParam().rough) return;
     parameters.race.lubrication = Lubrication::mixed;
     parameters.cage.pocket_film = PocketFilm::hydrodynamic;
-    bearing.inner_form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
-    bearing.outer_form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
+    bearing.inner.form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
+    bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
                           {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
-    bearing.roller_diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
+    bearing.rollers().diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
   }
 
   BoreMotion motion_of(const BearingModel& model, const Eigen::VectorXd& x, double time) const {
@@ -52,7 +52,7 @@ class DrivenBore : public testing::TestWithParam<Variant> {
     return test::shaken_state(model, bearing, parameters, i % 3 == 0 ? 2e-6 : 2e-5, 0.05, random);
   }
 
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   OperatingPoint point = test::reducer_point(6000.0);
   test::Random random;

@@ -10,7 +10,7 @@
 namespace orbearing::bearing::dynamics::model_test {
 namespace {
 
-std::string complaint(const CylindricalRollerBearing& bearing, const DynamicsParameters& parameters) {
+std::string complaint(const Bearing& bearing, const DynamicsParameters& parameters) {
   try {
     bearing_model(bearing, test::reducer_point(6000.0), parameters);
   } catch (const std::invalid_argument& error) {
@@ -21,11 +21,11 @@ std::string complaint(const CylindricalRollerBearing& bearing, const DynamicsPar
 
 TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
   using testing::HasSubstr;
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const Bearing bearing = test::reducer_bearing();
   const DynamicsParameters parameters = test::reducer_parameters();
   EXPECT_EQ(complaint(bearing, parameters), "accepted");
 
-  CylindricalRollerBearing no_cage = bearing;
+  Bearing no_cage = bearing;
   no_cage.cage = {};
   EXPECT_THAT(complaint(no_cage, parameters), HasSubstr("mass of the cage"));
   DynamicsParameters tight_land = parameters;
@@ -61,7 +61,7 @@ TEST(BearingModel, RippleAddsItsHarmonics) {
 // The run begins in balance: the quasi-static loads are those the equations see, film or not.
 TEST(InitialState, CarriesTheQuasiStaticLoads) {
   for (bool film : {false, true}) {
-    const CylindricalRollerBearing bearing = test::reducer_bearing();
+    const Bearing bearing = test::reducer_bearing();
     DynamicsParameters parameters = test::reducer_parameters();
     parameters.race.film_in_approach = film;
     const OperatingPoint point = test::reducer_point(6000.0);
@@ -73,7 +73,7 @@ TEST(InitialState, CarriesTheQuasiStaticLoads) {
     // Second order in displacement / pitch radius (3e-4) on the direction of the line of centres, and the
     // film at a speed that differs as little.
     const double geometric = 2e-3 * balance.inner_load.maxCoeff();
-    for (int j = 0; j < bearing.rollers; ++j)
+    for (int j = 0; j < bearing.rollers().count; ++j)
       EXPECT_NEAR(start.inner.load[j], balance.inner_load[j], geometric)
           << "film " << film << " roller " << j;
   }
@@ -81,10 +81,10 @@ TEST(InitialState, CarriesTheQuasiStaticLoads) {
 
 // Likewise with races that are not round, unequal rollers and the film as printed.
 TEST(InitialState, CarriesTheQuasiStaticLoadsOfAnUnevenBearing) {
-  CylindricalRollerBearing bearing = test::reducer_bearing();
-  bearing.inner_form = {{2, 3e-6, 0.4, false}};
-  bearing.outer_form = {{3, -2e-6, 0.0, false}, {8, 5e-7, 0.9, true}};
-  bearing.roller_diameter_deviation = {2e-6, 0.0, -3e-6};
+  Bearing bearing = test::reducer_bearing();
+  bearing.inner.form = {{2, 3e-6, 0.4, false}};
+  bearing.outer.form = {{3, -2e-6, 0.0, false}, {8, 5e-7, 0.9, true}};
+  bearing.rollers().diameter_deviation = {2e-6, 0.0, -3e-6};
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.film_in_approach = true;
   parameters.race.film_approach = FilmApproach::as_printed;
@@ -98,12 +98,12 @@ TEST(InitialState, CarriesTheQuasiStaticLoadsOfAnUnevenBearing) {
   const QuasiStaticState balance = quasi_static_state(bearing, point, options, 0.2);
   const double geometric =
       1e-2 * balance.inner_load.maxCoeff();  // as above, times the waves' order of some 8
-  for (int j = 0; j < bearing.rollers; ++j)
+  for (int j = 0; j < bearing.rollers().count; ++j)
     EXPECT_NEAR(start.inner.load[j], balance.inner_load[j], geometric) << "roller " << j;
 }
 
 TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
-  const CylindricalRollerBearing bearing = test::reducer_bearing();
+  const Bearing bearing = test::reducer_bearing();
   const OperatingPoint point = test::reducer_point(6000.0);
   DynamicsParameters parameters = test::reducer_parameters();
   const BearingModel usual = bearing_model(bearing, point, parameters);

@@ -13,8 +13,8 @@ constexpr double kDifferenceError =
 
 class RaceLoad : public testing::TestWithParam<double> {
  protected:
-  CylindricalRollerBearing bearing = test::reducer_bearing();
-  LineContact elastic = roller_race_contact(bearing.contact_law, bearing.roller_length);
+  Bearing bearing = test::reducer_bearing();
+  LineContact elastic = roller_race_contact(bearing.contact_law, bearing.rollers().length);
   FilmContact contact = film_contact(bearing, geometry_of(bearing), Race::inner, {0.01, 1.5e-8});
   RaceLoadLaw law{elastic, contact};
   double speed = GetParam();

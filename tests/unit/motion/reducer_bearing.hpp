@@ -10,14 +10,14 @@
 
 namespace orbearing::test {
 
-inline bearing::CylindricalRollerBearing reducer_bearing() {
-  bearing::CylindricalRollerBearing bearing;
-  bearing.rollers = 15;
-  bearing.roller_diameter = 5.24e-3;
-  bearing.roller_length = 5.7e-3;
+inline bearing::Bearing reducer_bearing() {
+  bearing::Bearing bearing;
+  bearing.rollers().count = 15;
+  bearing.rollers().diameter = 5.24e-3;
+  bearing.rollers().length = 5.7e-3;
   bearing.pitch_diameter = 35.64e-3;
-  bearing.bore = 25e-3;
-  bearing.outside_diameter = 47e-3;
+  bearing.inner.seat_diameter = 25e-3;
+  bearing.outer.seat_diameter = 47e-3;
   bearing.width = 11.9e-3;
   bearing.cage = {33.44e-3, 38.54e-3, 9e-3, 1310.0, bearing::Race::outer};
   return bearing;
@@ -62,7 +62,7 @@ class Random {
 /// The start of a run, with every length shaken by `length` [m] and every speed by the share `speed` of the
 /// kinematic ones, so that contacts open and close, slide and bounce.
 inline Eigen::VectorXd shaken_state(const bearing::dynamics::BearingModel& model,
-                                    const bearing::CylindricalRollerBearing& bearing,
+                                    const bearing::Bearing& bearing,
                                     const bearing::dynamics::DynamicsParameters& parameters, double length,
                                     double speed, Random& random) {
   Eigen::VectorXd x = bearing::dynamics::initial_state(bearing, model, parameters, 0.3).x;

@@ -11,7 +11,7 @@ using bearing::dynamics::BearingModel;
 
 class OutOfPlace : public testing::Test {
  protected:
-  const bearing::CylindricalRollerBearing bearing = test::reducer_bearing();
+  const bearing::Bearing bearing = test::reducer_bearing();
   const BearingModel model = bearing_model(bearing, test::reducer_point(6000.0), test::reducer_parameters());
   Eigen::VectorXd x = initial_state(bearing, model, test::reducer_parameters(), 0.3).x;
   bearing::dynamics::MutableStateViews now = bearing::dynamics::mutable_state_views(model.layout, x.data());

@@ -33,9 +33,9 @@ class OpenBore : public testing::TestWithParam<Variant> {
     }
     if (!GetParam().rough) return;
     parameters.race.lubrication = dynamics::Lubrication::mixed;
-    bearing.outer_form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
+    bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
                           {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
-    bearing.roller_diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
+    bearing.rollers().diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
   }
 
   Eigen::VectorXd shaken(const BearingModel& model, int i) {
@@ -53,7 +53,7 @@ class OpenBore : public testing::TestWithParam<Variant> {
     return motion;
   }
 
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   dynamics::DynamicsParameters parameters = test::reducer_parameters();
   OperatingPoint point = test::reducer_point(6000.0);
   test::Random random;

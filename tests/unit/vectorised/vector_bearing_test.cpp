@@ -35,7 +35,7 @@ struct Variant {
 class VectorBearingTest : public testing::TestWithParam<Variant> {
  protected:
   VectorBearingTest() {
-    bearing.rollers = GetParam().rollers;
+    bearing.rollers().count = GetParam().rollers;
     parameters.race.film_in_approach = GetParam().film;
     parameters.race.traction = GetParam().traction;
     if (GetParam().inner_guidance) {
@@ -44,14 +44,14 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
     }
     if (GetParam().rough) {
       parameters.race.lubrication = dynamics::Lubrication::mixed;
-      bearing.inner_form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
-      bearing.outer_form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
+      bearing.inner.form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
+      bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
                             {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
-      bearing.roller_diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
+      bearing.rollers().diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
     }
-    bearing.laminae = GetParam().laminae;
-    bearing.roller_profile = profile::CircularCrown{bearing.roller_length, 5e-6};
-    bearing.inner_race_profile = profile::CircularCrown{bearing.roller_length, 1e-6};
+    bearing.rollers().laminae = GetParam().laminae;
+    bearing.rollers().profile = profile::CircularCrown{bearing.rollers().length, 5e-6};
+    bearing.inner.profile = profile::CircularCrown{bearing.rollers().length, 1e-6};
     point.bore_tilt = GetParam().tilt * Eigen::Vector2d(0.8, 0.6);
     parameters.ripple = {.angular_frequency = 3e4,
                          .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}},
@@ -63,7 +63,7 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
     return test::shaken_state(model, bearing, parameters, length, 0.05, random);
   }
 
-  CylindricalRollerBearing bearing = test::reducer_bearing();
+  Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   OperatingPoint point = test::reducer_point(6000.0);
   test::Random random;

@@ -1,0 +1,51 @@
+// Ratings and reference life of a bearing by the standards, of rollers or balls: one way from the bearing and
+// the loads of its elements to its life.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "bearing/life/basic_life.hpp"
+#include "bearing/life/capacities.hpp"
+
+namespace orbearing::bearing::rating {
+
+/// Which exponents and slopes hold for the bearing's contacts.
+RollingElement rolling_element(const Bearing& bearing);
+
+/// What takes the place of values that the standards give.
+struct StatedRatings {
+  std::optional<double> lambda;              // [-]  reduction factor of roller bearings; none: 0.83
+  std::optional<double> dynamic_capacity;    // [N]  C_r
+  std::optional<double> fatigue_load_limit;  // [N]  C_u
+};
+
+/// What the standards know of a bearing without its load.
+struct Ratings {
+  double gamma = 0.0;               // [-]
+  double capacity_factor = 0.0;     // [-]  f_c [N, mm]
+  double dynamic_capacity = 0.0;    // [N]  C_r: stated, or by the standard
+  double static_capacity = 0.0;     // [N]  C_0r
+  double fatigue_load_limit = 0.0;  // [N]  C_u
+  ContactCapacities contacts;       // of one element
+  double slenderness_limit = 0.0;   // [-]  largest gamma of the standard's table of f_c
+};
+
+Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated = {});
+
+/// Equivalent load P of [ISO281] [N] under `radial` and `axial` [N]; none for balls of a nominal contact
+/// angle other than zero, whose factors X and Y are not held.
+std::optional<double> equivalent_load(const Bearing& bearing, double radial, double axial);
+
+/// Loads of the elements on one race [N].
+struct ElementLoads {
+  Eigen::ArrayXd contact;   // (elements)
+  Eigen::ArrayXXd laminae;  // (laminae, rollers); of balls none
+};
+
+/// L10r [rev] of races and bearing by [ISO16281], for contacts of `capacities` [N]: by the motion of each
+/// race relative to the load.
+BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capacities,
+                           const ElementLoads& inner, const ElementLoads& outer);
+
+}  // namespace orbearing::bearing::rating
