@@ -61,7 +61,7 @@ void add(const std::string& name, Body body) {
 // A settled bearing and the arrays its kernels write to.
 struct Bench {
   Contest contest;
-  bearing::dynamics::PlanetBearingEquations plain;
+  bearing::motion::PlanetBearingEquations plain;
   Eigen::VectorXd flat;
   Eigen::VectorXd flat_rate;
   std::vector<double> x, rate, k;
@@ -87,7 +87,7 @@ struct Bench {
 };
 
 void add_kernels(const std::shared_ptr<Bench>& b) {
-  bearing::fast::VectorBearing& fast = b->contest.fast();
+  bearing::vectorised::VectorBearing& fast = b->contest.fast();
   add("plain_rhs", [b] { b->plain.derivative(0.0, b->flat, b->flat_rate); });
   add("rhs", [b, &fast] { fast.derivative(0.0, b->x.data(), b->rate.data()); });
   add("jacobian", [b, &fast] { fast.linearise(0.0, b->x.data(), b->rate.data()); });
@@ -103,8 +103,9 @@ void add_step(const Duty& duty, int factor) {
 }
 
 // Speeds at constant power, each at another cage angle, in no order that a solver could profit from.
-std::vector<bearing::fast::EquilibriumPoint> static_points(const study::PlanetaryDrivetrain& drivetrain) {
-  std::vector<bearing::fast::EquilibriumPoint> points;
+std::vector<bearing::vectorised::EquilibriumPoint> static_points(
+    const study::PlanetaryDrivetrain& drivetrain) {
+  std::vector<bearing::vectorised::EquilibriumPoint> points;
   for (int i = 0; i < kStaticPoints; ++i) {
     const double rpm = 1000.0 + 11000.0 * std::fmod(0.618033988749895 * i, 1.0);
     points.push_back({duty_at(drivetrain, rpm, 0.0).point, 0.37 * i});
@@ -121,8 +122,8 @@ void add_static(const study::PlanetaryDrivetrain& drivetrain) {
                                                            {},
                                                            points[static_cast<std::size_t>(i)].first_roller));
   });
-  const auto batch = std::make_shared<bearing::fast::EquilibriumBatch>(bearing);
-  const auto results = std::make_shared<bearing::fast::EquilibriumResults>();
+  const auto batch = std::make_shared<bearing::vectorised::EquilibriumBatch>(bearing);
+  const auto results = std::make_shared<bearing::vectorised::EquilibriumResults>();
   add("fast_static", [points, batch, results] { batch->solve(points, *results); });
 }
 

@@ -10,11 +10,11 @@ namespace orbearing::bench {
 struct Duty {
   bearing::Bearing bearing;
   bearing::OperatingPoint point;
-  bearing::dynamics::DynamicsParameters parameters;
+  bearing::motion::DynamicsParameters parameters;
   double allowed_length_error = 0.0;  // [m]  of one step, as the case has it
 
-  bearing::dynamics::BearingModel model() const {
-    return bearing::dynamics::bearing_model(bearing, point, parameters);
+  bearing::motion::BearingModel model() const {
+    return bearing::motion::bearing_model(bearing, point, parameters);
   }
   /// One revolution of the cage relative to the carrier at pure rolling [s].
   double cage_revolution() const;

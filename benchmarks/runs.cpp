@@ -14,14 +14,14 @@ namespace orbearing::bench {
 
 namespace {
 
-using bearing::fast::VectorBearing;
+using bearing::vectorised::VectorBearing;
 
 constexpr int kMostOrder = 5;              // of BDF, as CVODE comes
 constexpr double kFirstStep = 1e-6;        // [s]
 constexpr double kFirstRollerAngle = 0.0;  // [rad]
 
 // From the flat state to the padded one, whose other entries stay as they are.
-void scatter(const bearing::fast::PaddedLayout& layout, const double* flat, double* padded) {
+void scatter(const bearing::vectorised::PaddedLayout& layout, const double* flat, double* padded) {
   const int z = layout.rollers;
   for (int group = 0; group < 5; ++group) std::copy_n(flat + group * z, z, padded + group * layout.lanes());
   std::copy_n(flat + 5 * z, 14, padded + layout.cage());
@@ -39,7 +39,7 @@ Eigen::VectorXd Contest::allowed(double length) const {
 }
 
 Eigen::VectorXd Contest::quasi_static_start() const {
-  return bearing::dynamics::initial_state(duty_.bearing, model_, duty_.parameters, kFirstRollerAngle).x;
+  return bearing::motion::initial_state(duty_.bearing, model_, duty_.parameters, kFirstRollerAngle).x;
 }
 
 Eigen::VectorXd Contest::settled(double duration) {
@@ -98,7 +98,7 @@ void Contest::derivative(double time, const double* x, double* dx) {
 }
 
 Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {
-  const bearing::dynamics::PlanetBearingEquations plain(model_);
+  const bearing::motion::PlanetBearingEquations plain(model_);
   const integration::RightHandSide rate = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                                               Eigen::Ref<Eigen::VectorXd> dx) {
     if (method == Method::plain_dopri5)

@@ -59,7 +59,7 @@ class Contest {
   /// std::runtime_error where the integrator gives up.
   Run run(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance);
 
-  bearing::fast::VectorBearing& fast() { return fast_; }
+  bearing::vectorised::VectorBearing& fast() { return fast_; }
   const Duty& duty() const { return duty_; }
   /// Allowed error of each variable in one step.
   Eigen::VectorXd allowed(double length) const;
@@ -73,8 +73,8 @@ class Contest {
   void derivative(double time, const double* x, double* dx);
 
   Duty duty_;
-  bearing::dynamics::BearingModel model_;
-  bearing::fast::VectorBearing fast_;
+  bearing::motion::BearingModel model_;
+  bearing::vectorised::VectorBearing fast_;
   std::vector<double> padded_state_;
   std::vector<double> padded_rate_;
 };

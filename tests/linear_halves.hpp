@@ -1,6 +1,6 @@
 // The least co-simulation that has everything: a mass on a spring gives its motion, a second mass behind a
-// spring and a damper answers with a force. Both halves move exactly under any course, so that all that is
-// left of an error is the coupling's; the whole has a closed form.
+// spring and a damper answers with a force. Both halves move exactly under any polynomial, so that all that
+// is left of an error is the coupling's; the whole has a closed form.
 //
 //   |--k,c--( mass )--x--kc,cc--( behind )--ks--|        x: the joint; with `behind` = 0 the spring ends in
 //   the wall
@@ -26,9 +26,10 @@ struct LinearPair {
 };
 
 /// State under a linear law with a polynomial of degree 3 as input, over `length` [s].
-/// @param inputs a course for each column of `by_input`
+/// @param inputs a polynomial for each column of `by_input`
 inline Eigen::VectorXd moved(const Eigen::MatrixXd& law, const Eigen::MatrixXd& by_input,
-                             const std::vector<Course>& inputs, const Eigen::VectorXd& x, double length) {
+                             const std::vector<InputPolynomial>& inputs, const Eigen::VectorXd& x,
+                             double length) {
   constexpr Eigen::Index powers = 4;
   const Eigen::Index n = x.size();
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n + powers, n + powers);
@@ -76,7 +77,7 @@ class MassHalf : public LinearHalf {
                    Eigen::Vector2d(displacement, velocity)),
         pair_(pair) {}
 
-  void advance(const Window& window, const std::vector<Course>& force) override {
+  void advance(const Window& window, const std::vector<InputPolynomial>& force) override {
     Eigen::Matrix2d law;
     law << 0.0, 1.0, -pair_.stiffness / pair_.mass, -pair_.damping / pair_.mass;
     x_ = moved(law, Eigen::Vector2d(0.0, 1.0 / pair_.mass), force, x_, window.length());
@@ -98,7 +99,7 @@ class ForceHalf : public LinearHalf {
                    Eigen::Vector2d::Zero()),
         pair_(pair) {}
 
-  void advance(const Window& window, const std::vector<Course>& motion) override {
+  void advance(const Window& window, const std::vector<InputPolynomial>& motion) override {
     if (pair_.behind == 0.0) return;
     Eigen::Matrix2d law, by_input;
     law << 0.0, 1.0, -(pair_.joint_stiffness + pair_.behind_stiffness) / pair_.behind,

@@ -13,7 +13,7 @@ namespace orbearing::bearing {
 struct MotionDraw {
   Bearing bearing;
   OperatingPoint point;
-  dynamics::DynamicsParameters parameters;
+  motion::DynamicsParameters parameters;
   double first_roller = 0.0;  // [rad]
   double pitch_speed = 0.0;   // [m/s]  of the turning race at the pitch circle
 };
@@ -21,12 +21,12 @@ struct MotionDraw {
 inline std::ostream& operator<<(std::ostream& out, const MotionDraw& draw) {
   const auto& race = draw.parameters.race;
   return out << Draw{draw.bearing, draw.point, {}} << " in the approach " << race.film_in_approach
-             << ", limiting shear " << (race.traction == dynamics::TractionLaw::limiting_shear) << ", mixed "
-             << (race.lubrication == dynamics::Lubrication::mixed) << ", waves "
+             << ", limiting shear " << (race.traction == motion::TractionLaw::limiting_shear) << ", mixed "
+             << (race.lubrication == motion::Lubrication::mixed) << ", waves "
              << draw.bearing.inner.form.size() << " and " << draw.bearing.outer.form.size()
              << ", unequal rollers " << draw.bearing.rollers().diameter_deviation.size() << ", land of "
-             << draw.parameters.cage.guide_diameter << " m, ripple "
-             << draw.parameters.ripple.harmonics.size();
+             << draw.parameters.cage.guide_diameter << " m, excitation "
+             << draw.parameters.excitation.harmonics.size();
 }
 
 class RandomMotion {
@@ -105,19 +105,19 @@ class RandomMotion {
     const double angle = between(0.0, 6.28);
     draw.point.bore_load = load * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     if (!chance(0.5)) return;
-    draw.parameters.ripple.angular_frequency =
+    draw.parameters.excitation.angular_frequency =
         between(15.0, 100.0) * std::abs(draw.point.outer_speed + draw.point.inner_speed);
     for (int order = 1; order <= 5; ++order)
-      draw.parameters.ripple.harmonics.push_back(
+      draw.parameters.excitation.harmonics.push_back(
           {order, {between(-0.1, 0.1) * load / order, 0.0}, {0.0, between(-0.1, 0.1) * load / order}});
   }
 
-  void draw_oil(dynamics::DynamicsParameters& parameters) {
+  void draw_oil(motion::DynamicsParameters& parameters) {
     parameters.lubricant = {decades(0.002, 0.3), between(1e-8, 2.5e-8)};
     parameters.race.film_in_approach = chance(0.5);
     if (chance(0.05)) parameters.race.film_approach = FilmApproach::as_printed;
-    if (chance(0.5)) parameters.race.traction = dynamics::TractionLaw::limiting_shear;
-    if (chance(0.4)) parameters.race.lubrication = dynamics::Lubrication::mixed;
+    if (chance(0.5)) parameters.race.traction = motion::TractionLaw::limiting_shear;
+    if (chance(0.4)) parameters.race.lubrication = motion::Lubrication::mixed;
     parameters.race.roughness = decades(0.05e-6, 2e-6);
     parameters.race.damping = decades(0.01, 0.5);
     parameters.race.friction = between(0.01, 0.12);
@@ -129,7 +129,7 @@ class RandomMotion {
   void draw_cage(MotionDraw& draw) {
     Bearing& bearing = draw.bearing;
     const double spacing = bearing.pitch_diameter * std::sin(3.141592653589793 / bearing.rollers().count);
-    dynamics::CageParameters& cage = draw.parameters.cage;
+    motion::CageParameters& cage = draw.parameters.cage;
     cage.pocket_clearance = std::min(0.5e-3, between(0.1, 0.6) * (spacing - bearing.rollers().diameter));
     cage.pocket_stiffness = decades(3e6, 3e8);
     bearing.cage.density = chance(0.5) ? 1310.0 : 7850.0;
@@ -138,7 +138,7 @@ class RandomMotion {
     bearing.cage.guidance = chance(0.5) ? Race::outer : Race::inner;
     cage.guide_diameter = bearing.cage.guidance == Race::outer ? bearing.cage.outer_diameter + clearance
                                                                : bearing.cage.inner_diameter - clearance;
-    if (chance(0.05)) cage.guidance_film = dynamics::GuidanceFilm::as_printed;
+    if (chance(0.05)) cage.guidance_film = motion::GuidanceFilm::as_printed;
   }
 
   void draw_surroundings(MotionDraw& draw) {

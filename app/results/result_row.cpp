@@ -30,7 +30,7 @@ std::string printable(const std::string& status) {
   return clean;
 }
 
-using PowerLoss = bearing::dynamics::PowerLoss;
+using PowerLoss = bearing::motion::PowerLoss;
 
 Column loss_column(const std::string& cause, const std::string& meaning, double (*part)(const PowerLoss&)) {
   return {"power_loss" + cause + "_W",

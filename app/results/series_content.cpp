@@ -71,7 +71,7 @@ void add_final_state(const Eigen::VectorXd& state, PointContent& content) {
   constexpr Eigen::Index of_rings = 14;
   std::string names;
   for (const std::string& name :
-       bearing::dynamics::variable_names({.rollers = (state.size() - of_rings) / of_roller}))
+       bearing::motion::variable_names({.rollers = (state.size() - of_rings) / of_roller}))
     names += (names.empty() ? "" : ", ") + name;
   content.dimensions.push_back({"state", static_cast<std::size_t>(state.size())});
   content.arrays.push_back(

@@ -24,7 +24,7 @@ bool runs_up(const ResolvedCase& in) {
 }
 
 // Gears and bearings that act on each other: one set with teeth.
-void require_two_way(const ResolvedCase& in, const std::string& fidelity) {
+void require_coupled(const ResolvedCase& in, const std::string& fidelity) {
   if (in.shape().several)
     throw BadInput(in.file() +
                    ": sets: found several sets; required: one set, as gearset at the top of a case, for "
@@ -36,7 +36,7 @@ void require_two_way(const ResolvedCase& in, const std::string& fidelity) {
 
 void require_computable(const ResolvedCase& in, const std::string& fidelity, bool sweep) {
   if (in.model() != planetary_drivetrain || !in.has(kAcceleration)) return;  // gears alone have none
-  if (two_way(fidelity_of(fidelity))) require_two_way(in, fidelity);
+  if (two_way(fidelity_of(fidelity))) require_coupled(in, fidelity);
   const bool swept = std::any_of(in.axes().begin(), in.axes().end(),
                                  [](const SweepAxis& axis) { return axis.path == kAcceleration; });
   if (sweep && (swept || runs_up(in)))

@@ -21,35 +21,35 @@ void require_drivable_set(const ResolvedCase& in) {
   require(!in.shape().several, in, "sets", "several sets", "one set, as gearset at the top of a case");
 }
 
-cosim::DrivenBearingSetup bearing_setup(const ResolvedCase& in) {
+system::DrivenBearingSetup bearing_setup(const ResolvedCase& in) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
   const study::DrivetrainGeometry geometry = study::derive(drivetrain);
   const study::BearingDuty duty = study::bearing_duty(drivetrain, geometry);
-  cosim::DrivenBearingSetup setup = study::driven_bearing_setup(drivetrain, geometry);
+  system::DrivenBearingSetup setup = study::driven_bearing_setup(drivetrain, geometry);
   setup.planet_speed = duty.point.outer_speed;
   setup.carrier_speed = duty.point.carrier.speed;
   return setup;
 }
 
 // Gears without roller bearings have no drivetrain that could be computed as a whole.
-cosim::DrivenGearsSetup gears_setup(const ResolvedCase& in) {
+system::DrivenGearsSetup gears_setup(const ResolvedCase& in) {
   const gearset::dynamics::SetModel set = moving_gears_of(in);
   if (in.shape().bearing) {
-    cosim::DrivenGearsSetup setup = study::driven_gears_setup(drivetrain_of(in));
+    system::DrivenGearsSetup setup = study::driven_gears_setup(drivetrain_of(in));
     setup.operation.run_up = set.operation.run_up;
     return setup;
   }
-  cosim::DrivenGearsSetup setup{.set = set.parameters, .operation = set.operation};
+  system::DrivenGearsSetup setup{.set = set.parameters, .operation = set.operation};
   setup.set.planet.coupled_bearing = true;
   return setup;
 }
 
 // The forces that linear bearings give in the static state, so that an unconnected set begins at rest.
-std::vector<double> start_forces(const cosim::DrivenGearsSetup& setup) {
-  cosim::DrivenGears gears(setup);
+std::vector<double> start_forces(const system::DrivenGearsSetup& setup) {
+  system::DrivenGears gears(setup);
   gears.initialize(0.0);
   std::vector<double> forces;
-  for (const cosim::PlanetMotion& planet : gears.output().planets) {
+  for (const system::PlanetMotion& planet : gears.output().planets) {
     const Eigen::Vector2d force = -setup.set.planet.bearing_stiffness * planet.displacement;
     forces.insert(forces.end(), {force.x(), force.y(), 0.0});
   }
@@ -61,9 +61,9 @@ std::vector<double> start_forces(const cosim::DrivenGearsSetup& setup) {
 fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
   require_drivable_set(in);
   require(in.shape().bearing, in, "bearing", "no bearing", "a planet bearing, or --model gearset");
-  const cosim::DrivenBearingSetup setup = bearing_setup(in);
+  const system::DrivenBearingSetup setup = bearing_setup(in);
   try {
-    cosim::driven_model(setup);
+    system::driven_model(setup);
   } catch (const std::invalid_argument& unfit) {
     throw BadInput(in.file() + ": " + unfit.what());
   }
@@ -73,7 +73,7 @@ fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
 fmu::NumberTable gear_numbers(const ResolvedCase& in) {
   require_drivable_set(in);
   require(in.shape().teeth, in, "gearset", "no teeth", "tooth numbers, from which loads and speeds follow");
-  cosim::DrivenGearsSetup setup = gears_setup(in);
+  system::DrivenGearsSetup setup = gears_setup(in);
   setup.start_force = start_forces(setup);
   return fmu::numbers_of(setup);
 }

@@ -8,7 +8,7 @@
 #include "app/case/resolved_case.hpp"
 #include "app/study/drivetrain_case.hpp"
 #include "coupling/study/drivetrain.hpp"
-#include "coupling/study/several_sets.hpp"
+#include "coupling/study/multi_stage.hpp"
 
 namespace orbearing::app {
 

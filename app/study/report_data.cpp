@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/study/coupled_report.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
 #include "app/study/ledger.hpp"
@@ -13,7 +14,6 @@
 #include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
-#include "app/study/two_way_report.hpp"
 #include "app/units.hpp"
 #include "coupling/study/ablation.hpp"
 
@@ -278,7 +278,7 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
         {"quasi_static",
          {{"polar", polar(drivetrain, geometry, shown_speeds(grid, best_speed_rpm(found.peak)))}}}};
   if (two_way(fidelity))
-    data["two_way"] = two_way_report(drivetrain, grid.speed_rpm, outcome.header.fidelity);
+    data["two_way"] = coupled_report(drivetrain, grid.speed_rpm, outcome.header.fidelity);
   return data;
 }
 

@@ -2,7 +2,7 @@
 // numbers, packs and both with their slopes. `Number` is a double for one race, a pair of numbers for both.
 //
 // A law has its constants, of(), which derives them from what the user states, and its force. Parameters
-// stand for dynamics::RaceContactParameters and Contact for FilmContact, which are not named here: files
+// stand for motion::RaceContactParameters and Contact for FilmContact, which are not named here: files
 // compiled for special instruction sets include this one, and their headers must not.
 #pragma once
 

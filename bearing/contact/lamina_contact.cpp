@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t kMostLaminae = 1000;
 constexpr std::size_t kMostPadded = 1008;
-static_assert(kMostPadded % fast::kLaminaPadding == 0);
+static_assert(kMostPadded % vectorised::kLaminaPadding == 0);
 
-const fast::LaminaKernel& kernel_of([[maybe_unused]] mechanics::InstructionSet set) {
+const vectorised::LaminaKernel& kernel_of([[maybe_unused]] mechanics::InstructionSet set) {
 #if defined(__x86_64__) && !defined(_WIN32)
-  if (set == mechanics::InstructionSet::avx512) return fast::avx512_laminae();
-  if (set == mechanics::InstructionSet::avx2) return fast::avx2_laminae();
+  if (set == mechanics::InstructionSet::avx512) return vectorised::avx512_laminae();
+  if (set == mechanics::InstructionSet::avx2) return vectorised::avx2_laminae();
 #endif
-  return fast::baseline_laminae();
+  return vectorised::baseline_laminae();
 }
 
 void require_sound(std::span<const double> drops) {
@@ -33,7 +33,7 @@ void require_sound(std::span<const double> drops) {
 }
 
 int padded(std::size_t laminae) {
-  constexpr int pad = fast::kLaminaPadding;
+  constexpr int pad = vectorised::kLaminaPadding;
   return (static_cast<int>(laminae) + pad - 1) / pad * pad;
 }
 
@@ -68,12 +68,12 @@ LaminaContact::LaminaContact(const LaminaLaw& law, double length, std::span<cons
   least_drop_ = *std::min_element(drops.begin(), drops.end());
   greatest_drop_ = *std::max_element(drops.begin(), drops.end());
   place_.resize(static_cast<std::size_t>(padded_), 0.0);
-  drop_.resize(static_cast<std::size_t>(padded_), fast::kNoLamina);
+  drop_.resize(static_cast<std::size_t>(padded_), vectorised::kNoLamina);
 }
 
 LaminaForce LaminaContact::evaluate(double approach, double tip) const {
   if (approach + std::abs(tip) <= least_drop_) return {};
-  const fast::LaminaSums sums = kernel_->sums(place_.data(), drop_.data(), padded_, approach, tip);
+  const vectorised::LaminaSums sums = kernel_->sums(place_.data(), drop_.data(), padded_, approach, tip);
   const double slope = LaminaLaw::exponent * scale_;
   return {scale_ * sums.load, scale_ * sums.tip_load, slope * sums.by_approach, slope * sums.mixed,
           slope * sums.by_tip};

@@ -89,7 +89,7 @@ class LaminaContact {
   int padded_;
   std::vector<double> place_;  // [-]  (padded)
   std::vector<double> drop_;   // [m]  (padded)
-  const fast::LaminaKernel* kernel_;
+  const vectorised::LaminaKernel* kernel_;
 };
 
 }  // namespace orbearing::bearing::laminae

@@ -2,7 +2,7 @@
 // since files compiled for special instruction sets include it.
 #pragma once
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 /// Laminae are padded to a multiple of this, whatever the instruction set; padding has a drop of kNoLamina.
 inline constexpr int kLaminaPadding = 16;
@@ -32,4 +32,4 @@ const LaminaKernel& avx2_laminae();
 const LaminaKernel& avx512_laminae();
 #endif
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -4,7 +4,7 @@
 #include "bearing/contact/lamina_kernel.hpp"
 #include "mechanics/packs/powers.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -48,4 +48,4 @@ inline void lamina_loads(const double* place, const double* drop, int count, dou
 
 inline constexpr LaminaKernel kLaminaKernel{lamina_sums, lamina_loads};
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -74,4 +74,4 @@ double LaminaRaces::energy(double inner_approach, double outer_approach, const V
   return inner_.energy(inner_approach, -tip) + outer_.energy(outer_approach, tip - outer_tip);
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

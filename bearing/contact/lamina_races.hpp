@@ -9,7 +9,7 @@
 #include "bearing/contact/lamina_contact.hpp"
 #include "bearing/plane.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Where both contacts of a roller stand, from which the loads of their laminae follow.
 struct LaminaStand {
@@ -57,4 +57,4 @@ class LaminaRaces {
   bool even_;
 };
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

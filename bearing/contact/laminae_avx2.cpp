@@ -4,12 +4,12 @@
 #include "bearing/contact/lamina_kernel.hpp"
 #include "bearing/contact/lamina_packs.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 const LaminaKernel& avx2_laminae() {
   return packs_avx2::kLaminaKernel;
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised
 
 #endif

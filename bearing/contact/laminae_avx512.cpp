@@ -4,12 +4,12 @@
 #include "bearing/contact/lamina_kernel.hpp"
 #include "bearing/contact/lamina_packs.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 const LaminaKernel& avx512_laminae() {
   return packs_avx512::kLaminaKernel;
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised
 
 #endif

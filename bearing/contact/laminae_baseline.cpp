@@ -3,10 +3,10 @@
 #include "bearing/contact/lamina_kernel.hpp"
 #include "bearing/contact/lamina_packs.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 const LaminaKernel& baseline_laminae() {
   return packs_baseline::kLaminaKernel;
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -5,12 +5,12 @@
 #include "bearing/equilibrium/equilibrium_engine.hpp"
 #include "bearing/equilibrium/equilibrium_packs.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 EquilibriumEngine* avx512_equilibrium(const EquilibriumConstants& constants) {
   return new packs_avx512::PackEquilibrium(constants);
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised
 
 #endif

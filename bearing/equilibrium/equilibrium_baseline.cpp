@@ -4,10 +4,10 @@
 #include "bearing/equilibrium/equilibrium_engine.hpp"
 #include "bearing/equilibrium/equilibrium_packs.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants) {
   return new packs_baseline::PackEquilibrium(constants);
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -7,7 +7,7 @@
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/line_contact.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 namespace {
 
@@ -124,4 +124,4 @@ void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, Equilibri
   }
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -12,7 +12,7 @@
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 /// One operating point at one cage angle.
 struct EquilibriumPoint {
@@ -67,4 +67,4 @@ class EquilibriumBatch {
   std::unique_ptr<EquilibriumEngine> engine_;
 };
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -2,7 +2,7 @@
 // time. No header of a library here, since files compiled for special instruction sets include it.
 #pragma once
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 /// Operating points in one block, whatever the instruction set.
 inline constexpr int kBlock = 16;
@@ -51,4 +51,4 @@ EquilibriumEngine* avx2_equilibrium(const EquilibriumConstants& constants);
 EquilibriumEngine* avx512_equilibrium(const EquilibriumConstants& constants);
 #endif
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

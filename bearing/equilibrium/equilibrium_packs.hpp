@@ -11,7 +11,7 @@
 #include "bearing/equilibrium/equilibrium_start.hpp"
 #include "mechanics/packs/elementary.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -211,4 +211,4 @@ inline void PackEquilibrium::solve(const EquilibriumInput& input, int first, Equ
   }
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -6,7 +6,7 @@
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/powers.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -111,4 +111,4 @@ inline PlaneVector starting_displacement(const AlignedArray<RollerUnknown>& roll
   return {only(size > 0.0, closed.x + approach * d.x), only(size > 0.0, closed.y + approach * d.y)};
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

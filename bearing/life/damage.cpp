@@ -6,7 +6,7 @@
 
 #include "bearing/life/lamina_life.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 using boost::math::double_constants::two_pi;
 
@@ -114,4 +114,4 @@ BearingLife DamageSums::life(const Bearing& bearing, double lambda) const {
                     {outer.damage(), outer.lamina_damage()});
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -9,7 +9,7 @@
 #include "bearing/geometry.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Laminae whose loads must be counted one by one [-]: none where contacts are not cut (null), or carry
 /// evenly all along whatever the load.
@@ -114,4 +114,4 @@ class DamageSums {
   Eigen::ArrayXd lamina_forces_;  // [N]  of one contact: workspace
 };
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -3,7 +3,7 @@
 
 #include "bearing/plane.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Motion of the planet's bore and of the carrier at one instant. The bore's inertia belongs to whoever
 /// prescribes the motion, pin ring and pin support belong to the bearing.
@@ -24,4 +24,4 @@ struct BoreReaction {
   double moment = 0.0;              // [N m]  on the bore, about its axis, positive counterclockwise
 };
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -4,7 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 using boost::math::double_constants::two_pi;
 
@@ -51,4 +51,4 @@ double guidance_energy(const GuidanceModel& model, const Vector2& cage, const Ve
   return 0.5 * model.stiffness * depth * depth;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

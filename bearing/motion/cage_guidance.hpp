@@ -5,7 +5,7 @@
 #include "bearing/motion/parameters.hpp"
 #include "bearing/plane.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Land and oil, fixed for a run.
 struct GuidanceModel {
@@ -44,4 +44,4 @@ GuidanceForces guidance_forces(const GuidanceModel& model, const BodyMotion& cag
 /// Energy stored by touch-down [J].
 double guidance_energy(const GuidanceModel& model, const Vector2& cage, const Vector2& land);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -2,7 +2,7 @@
 
 #include "bearing/motion/pocket_film.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -45,4 +45,4 @@ PocketForces pocket_forces(const PocketModel& model, const BodyMotion& roller, c
   return forces;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -8,7 +8,7 @@
 #include "bearing/contact/pocket_law.hpp"
 #include "bearing/plane.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// One pocket, fixed for a run.
 struct PocketModel {
@@ -75,4 +75,4 @@ inline double pocket_energy(const PocketModel& model, const Vector2& roller, con
   return 0.5 * model.stiffness * depth * depth;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -10,7 +10,7 @@
 
 #include "bearing/plane.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Which side of the roller a race touches, as seen along n.
 struct RaceSide {
@@ -54,4 +54,4 @@ inline ContactMotion contact_motion(const BodyMotion& roller, double roller_radi
   return motion;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -4,7 +4,7 @@
 
 #include "bearing/motion/rates.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -62,7 +62,7 @@ BearingModel model_at(const BearingModel& model, const BoreMotion& motion) {
   now.point.bore_load = Vector2::Zero();
   now.point.carrier = {motion.carrier_speed, motion.carrier_acceleration, model.frame.orbit_radius};
   now.frame = frame_of(model, motion);
-  now.ripple = {};
+  now.excitation = {};
   now.driving = {};
   now.kinematic_cage_speed = kinematic_cage_speed(model.geometry, 0.0, motion.speed);
   for (RaceHarmonic& wave : now.outer.form)
@@ -85,4 +85,4 @@ Snapshot driven_snapshot(const BearingModel& model, const BoreMotion& motion,
   return now;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -7,15 +7,15 @@
 #include "bearing/motion/model.hpp"
 #include "bearing/motion/snapshot.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// The carrier's frame in `motion`, with the inertial terms that `model` has switched on.
 CarrierFrame frame_of(const BearingModel& model, const BoreMotion& motion);
 
 /// Rate `dx` of the state `x`, both in the order of StateLayout, under `motion` [SI]. The bore stands where
 /// `motion` says, whatever its four entries of `x` hold; their rates are the given velocity and acceleration.
-/// Loads, speeds and frame that `model` was made with are not used, nor are its ripple and its run-up. The
-/// pin ring does not turn. @return what the bearing does to the bore
+/// Loads, speeds and frame that `model` was made with are not used, nor are its excitation and its run-up.
+/// The pin ring does not turn. @return what the bearing does to the bore
 BoreReaction driven_derivative(const BearingModel& model, const BoreMotion& motion,
                                const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> dx);
 
@@ -34,4 +34,4 @@ BearingModel model_at(const BearingModel& model, const BoreMotion& motion);
 Eigen::VectorXd state_at(const BearingModel& model, const BoreMotion& motion,
                          const Eigen::Ref<const Eigen::VectorXd>& x);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -7,7 +7,7 @@
 #include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/motion/driven_bore.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -106,4 +106,4 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
   return state_at(model, motion, x);
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -4,7 +4,7 @@
 #include "bearing/motion/bore_motion.hpp"
 #include "bearing/motion/initial_state.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Balance of the pin ring on its support between rollers, each in balance by itself, at a given place of the
 /// bore.
@@ -26,4 +26,4 @@ Eigen::VectorXd driven_start(const Bearing& bearing, const BearingModel& model,
                              const DynamicsParameters& parameters, const BoreMotion& motion,
                              double first_roller);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

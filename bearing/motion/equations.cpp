@@ -4,7 +4,7 @@
 
 #include "bearing/motion/rates.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 using namespace rates;
 
@@ -40,4 +40,4 @@ void PlanetBearingEquations::derivative(double time, const Eigen::Ref<const Eige
   set_pin(model_, frame, rings.pin, on_rings.pin.force, rate);
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -6,7 +6,7 @@
 
 #include "bearing/motion/model.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Right-hand side. Pure and free of allocation; one object may serve several threads.
 class PlanetBearingEquations {
@@ -23,4 +23,4 @@ class PlanetBearingEquations {
   BearingModel model_;
 };
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 FormSlope add_form(const std::vector<RaceHarmonic>& form, double side, const BodyMotion& race,
                    ContactMotion& motion) {
@@ -12,4 +12,4 @@ FormSlope add_form(const std::vector<RaceHarmonic>& form, double side, const Bod
   return {here.slope, here.turning_slope};
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -10,7 +10,7 @@
 #include "bearing/contact/race_form.hpp"
 #include "bearing/motion/contact_motion.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Slopes of the form at a contact [m/rad]; zero on a round race.
 struct FormSlope {
@@ -24,4 +24,4 @@ struct FormSlope {
 FormSlope add_form(const std::vector<RaceHarmonic>& form, double side, const BodyMotion& race,
                    ContactMotion& motion);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

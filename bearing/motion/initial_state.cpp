@@ -4,7 +4,7 @@
 
 #include "bearing/equilibrium/race_equilibrium.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -26,7 +26,7 @@ double race_radius(const RaceModel& race, double angle) {
 Vector2 roller_centre(const BearingModel& model, const bearing::RollerContacts& contacts,
                       const QuasiStaticState& balance, Eigen::Index j, const Vector2& pin,
                       const Vector2& bore) {
-  const double roller = model.geometry.element_radius + model.larger_by[static_cast<std::size_t>(j)];
+  const double roller = model.geometry.element_radius + model.radius_deviation[static_cast<std::size_t>(j)];
   const double angle = balance.angle[j];
   const Vector2 outward = direction(angle);
   if (balance.inner_load[j] > 0.0)
@@ -76,7 +76,7 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
 InitialState initial_state(const Bearing& bearing, const BearingModel& model,
                            const DynamicsParameters& parameters, double first_roller) {
   OperatingPoint point = model.point;
-  if (model.driving.growth != 0.0) point.carrier.acceleration = 0.0;  // the load on the bore lacks its share
+  if (model.driving.ramp != 0.0) point.carrier.acceleration = 0.0;  // the load on the bore lacks its share
   const QuasiStaticOptions options = start_options(parameters);
   const QuasiStaticState balance = quasi_static_state(bearing, point, options, first_roller);
   const double cage_speed = model.kinematic_cage_speed;
@@ -92,4 +92,4 @@ InitialState initial_state(const Bearing& bearing, const BearingModel& model,
   return start;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

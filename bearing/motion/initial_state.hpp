@@ -5,7 +5,7 @@
 
 #include "bearing/motion/model.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// A state to start from, and how the quasi-static solver got there.
 struct InitialState {
@@ -40,4 +40,4 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
                   const QuasiStaticState& balance, const StartMotion& start, double first_roller,
                   Eigen::Ref<Eigen::VectorXd> x);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -7,7 +7,7 @@
 #include "bearing/motion/driving.hpp"
 #include "bearing/motion/model.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Rings and cage at one instant.
 struct RingBodies {
@@ -86,7 +86,7 @@ inline double elastic_approach(const RaceModel& model, const ContactMotion& moti
 
 inline RollerContacts roller_contacts(const BearingModel& model, const RingBodies& rings,
                                       const RollerBody& roller, Eigen::Index j) {
-  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
   RollerContacts contacts{race_motion(model.inner, roller.motion, larger, rings.pin),
                           race_motion(model.outer, roller.motion, larger, rings.bore)};
   if (model.laminae) {
@@ -107,7 +107,7 @@ inline RollerContacts roller_contacts(const BearingModel& model, const RingBodie
 
 inline RollerForces roller_forces(const BearingModel& model, const RingBodies& rings,
                                   const RollerBody& roller, Eigen::Index j) {
-  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
   const RollerContacts contacts = roller_contacts(model, rings, roller, j);
   return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_load),
           .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_load),
@@ -150,4 +150,4 @@ struct RingWrenches {
   }
 };
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -1,6 +1,6 @@
 #include "bearing/motion/layout.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<std::string> variable_names(const StateLayout& layout) {
   return names;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// What a variable of the state is; integrators weigh errors by kind.
 enum class VariableKind { length, angle, velocity, angular_speed };
@@ -78,4 +78,4 @@ std::vector<VariableKind> variable_kinds(const StateLayout& layout);
 /// from 1.
 std::vector<std::string> variable_names(const StateLayout& layout);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

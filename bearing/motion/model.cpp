@@ -6,7 +6,7 @@
 #include "bearing/motion/race_model.hpp"
 #include "mechanics/checks.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -67,7 +67,7 @@ void check(const Bearing& bearing, const BearingGeometry& geometry, const Dynami
           parameters.race.entrainment_scale, "more than 0");
   check_oil(parameters);
   check_form(bearing, geometry);
-  require(std::isfinite(parameters.driving.growth), "growth of the speeds [1/s]", parameters.driving.growth,
+  require(std::isfinite(parameters.driving.ramp), "growth of the speeds [1/s]", parameters.driving.ramp,
           "a finite number");
 }
 
@@ -176,7 +176,7 @@ void set_driving(const InertiaSwitches& inertia, BearingModel& model) {
   const Vector2 none = Vector2::Zero();
   model.bore_loads.centrifugal = model.bore_mass * inertial_acceleration(model.frame, none, none);
   model.bore_loads.meshes = model.point.bore_load - model.bore_loads.centrifugal;
-  carrier.acceleration = model.driving.growth * carrier.speed;
+  carrier.acceleration = model.driving.ramp * carrier.speed;
   model.frame = carrier_frame(carrier, inertia);
   model.bore_loads.euler =
       model.bore_mass * inertial_acceleration(model.frame, none, none) - model.bore_loads.centrifugal;
@@ -199,21 +199,21 @@ class Multiples {
   int order_ = 0;
 };
 
-Vector2 ripple_load(const MeshRipple& ripple, double angle) {
+Vector2 excitation_load(const MeshExcitation& excitation, double angle) {
   Vector2 load = Vector2::Zero();
   Multiples multiples(angle);
-  for (const LoadHarmonic& harmonic : ripple.harmonics) {
+  for (const LoadHarmonic& harmonic : excitation.harmonics) {
     const Vector2& turned = multiples.of(harmonic.order);
     load += turned.x() * harmonic.cosine + turned.y() * harmonic.sine;
   }
   return load;
 }
 
-// Load on the bore in a run-up; the ripple falls with the meshes' load and quickens with their speed.
+// Load on the bore in a run-up; the excitation falls with the meshes' load and quickens with their speed.
 Vector2 growing_load(const BearingModel& model, double time) {
   const double ratio = speed_ratio(model.driving, time);
-  const double turned = model.ripple.angular_frequency * equivalent_time(model.driving, time);
-  const Vector2 meshes = model.bore_loads.meshes + ripple_load(model.ripple, turned);
+  const double turned = model.excitation.angular_frequency * equivalent_time(model.driving, time);
+  const Vector2 meshes = model.bore_loads.meshes + excitation_load(model.excitation, turned);
   return meshes / ratio + model.bore_loads.centrifugal * ratio * ratio + model.bore_loads.euler;
 }
 
@@ -240,7 +240,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
       .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
       .pocket = pocket_model(geometry, rollers.length, parameters),
-      .larger_by = larger_rollers(bearing),
+      .radius_deviation = larger_rollers(bearing),
       .pocket_direction = pocket_directions(rollers.count),
       .guidance = guidance_model(bearing, parameters),
       .guiding_race = bearing.cage.guidance,
@@ -248,32 +248,32 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .orbit_drag = {},
       .spin_drag = {},
       .cage_drag = {},
-      .ripple = parameters.ripple,
+      .excitation = parameters.excitation,
       .driving = parameters.driving,
       .bore_loads = {},
       .kinematic_cage_speed = reference_cage_speed(geometry, point, parameters.cage.reference_speed)};
   set_drag(bearing, parameters.drag, model);
   model.laminae = lamina_races(bearing, model);
   model.plain = is_plain(bearing, model);
-  if (model.driving.growth != 0.0) set_driving(parameters.inertia, model);
+  if (model.driving.ramp != 0.0) set_driving(parameters.inertia, model);
   return model;
 }
 
 Vector2 bore_load(const BearingModel& model, double time) {
-  if (model.driving.growth != 0.0) return growing_load(model, time);
-  if (model.ripple.harmonics.empty()) return model.point.bore_load;
-  return model.point.bore_load + ripple_load(model.ripple, model.ripple.angular_frequency * time);
+  if (model.driving.ramp != 0.0) return growing_load(model, time);
+  if (model.excitation.harmonics.empty()) return model.point.bore_load;
+  return model.point.bore_load + excitation_load(model.excitation, model.excitation.angular_frequency * time);
 }
 
 Vector2 bore_load_slope(const BearingModel& model, double time) {
   Vector2 slope = Vector2::Zero();
-  if (model.ripple.harmonics.empty()) return slope;
-  Multiples multiples(model.ripple.angular_frequency * time);
-  for (const LoadHarmonic& harmonic : model.ripple.harmonics) {
+  if (model.excitation.harmonics.empty()) return slope;
+  Multiples multiples(model.excitation.angular_frequency * time);
+  for (const LoadHarmonic& harmonic : model.excitation.harmonics) {
     const Vector2& turned = multiples.of(harmonic.order);
     slope += harmonic.order * (turned.x() * harmonic.sine - turned.y() * harmonic.cosine);
   }
-  return model.ripple.angular_frequency * slope;
+  return model.excitation.angular_frequency * slope;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -23,7 +23,7 @@
 #include "bearing/motion/pin_support.hpp"
 #include "bearing/motion/race_forces.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Mass and inertia of one body.
 struct BodyInertia {
@@ -55,7 +55,7 @@ struct BearingModel {
   FilmContact inner_film;
   FilmContact outer_film;
   PocketModel pocket;
-  std::vector<double> larger_by;          // [m]  (rollers)  radius of each roller less the stated one
+  std::vector<double> radius_deviation;   // [m]  (rollers)  radius of each roller less the stated one
   std::vector<Vector2> pocket_direction;  // [-]  of each pocket at cage angle zero
   GuidanceModel guidance;
   Race guiding_race = Race::outer;
@@ -63,7 +63,7 @@ struct BearingModel {
   QuadraticDrag orbit_drag;  // of a roller's orbital motion
   QuadraticDrag spin_drag;   // churning by a roller
   QuadraticDrag cage_drag;   // churning by the cage
-  MeshRipple ripple;
+  MeshExcitation excitation;
   Driving driving;
   BoreLoads bore_loads;  // of a run-up
   bool plain = true;     // round races, equal straight rollers, full lubrication, pockets without film
@@ -85,9 +85,9 @@ inline const LaminaRaces* cut_races(const BearingModel& model) {
   return model.laminae ? &*model.laminae : nullptr;
 }
 
-/// External load on the bore [N] at `time` [s], ripple included; in a run-up
-///   meshes / s + centrifugal s^2 + euler,   s = 1 + growth t,
-/// the ripple falling and quickening with the meshes.
+/// External load on the bore [N] at `time` [s], excitation included; in a run-up
+///   meshes / s + centrifugal s^2 + euler,   s = 1 + ramp t,
+/// the excitation falling and quickening with the meshes.
 Vector2 bore_load(const BearingModel& model, double time);
 /// Its slope by time [N/s].
 Vector2 bore_load_slope(const BearingModel& model, double time);
@@ -101,4 +101,4 @@ inline CarrierFrame frame_at(const BearingModel& model, double time) {
   return frame;
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

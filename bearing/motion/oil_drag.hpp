@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Resistance that grows with the square of a speed: force (or moment) -coefficient speed |speed|.
 struct QuadraticDrag {
@@ -28,4 +28,4 @@ inline QuadraticDrag churning_drag(double density, double churning_coefficient, 
   return {0.5 * churning_coefficient * density * std::pow(radius, 4.0) * length};
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

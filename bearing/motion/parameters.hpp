@@ -7,7 +7,7 @@
 
 #include "bearing/parameters.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// How friction in a race contact follows the sliding speed.
 enum class TractionLaw {
@@ -330,15 +330,15 @@ struct LoadHarmonic {
 };
 
 /// What the meshes add to the mean load on the bore as their teeth pass, as a Fourier series.
-struct MeshRipple {
+struct MeshExcitation {
   double angular_frequency = 0.0;       // [rad/s]  of tooth engagement
   std::vector<LoadHarmonic> harmonics;  // in rising order
 };
 
-/// Run-up or run-down: all speeds are (1 + growth t) times those at t = 0. The meshes pass constant power, so
+/// Run-up or run-down: all speeds are (1 + ramp t) times those at t = 0. The meshes pass constant power, so
 /// their load falls as the speed rises; inertial loads rise with its square.
 struct Driving {
-  double growth = 0.0;  // [1/s]  0: steady speeds
+  double ramp = 0.0;  // [1/s]  0: steady speeds
 };
 
 /// All that the roller dynamics adds to Bearing.
@@ -347,7 +347,7 @@ struct DynamicsParameters {
   CageParameters cage;
   OilDragParameters drag;
   SupportParameters support;
-  MeshRipple ripple;
+  MeshExcitation excitation;
   Driving driving;
   InertiaSwitches inertia;
   Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
@@ -362,7 +362,7 @@ void describe(Visitor& visit, DynamicsParameters& m) {
               m.bore_mass, "planet.mass_per_bearing",
               "planet mass per bearing, by which support.damping_ratio counts; its inertia is not in the FMU",
               {.dimension = dimension::mass, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
-          part(m.inertia), part(m.cage), apart(m.ripple), apart(m.driving));
+          part(m.inertia), part(m.cage), apart(m.excitation), apart(m.driving));
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

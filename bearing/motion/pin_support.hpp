@@ -3,7 +3,7 @@
 
 #include "bearing/plane.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Support of the pin ring, alike in all directions.
 struct PinSupport {
@@ -20,4 +20,4 @@ struct PinSupport {
   double power(const Vector2& velocity) const { return damping * velocity.squaredNorm(); }
 };
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// What the film of a line contact gives.
 struct LineFilm {
@@ -42,4 +42,4 @@ inline double line_film_power(const LineFilm& film, double entrainment, double c
   return film.load * closing + film.shear * (sliding * sliding + 4.0 * entrainment * entrainment);
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

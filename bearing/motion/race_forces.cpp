@@ -1,6 +1,6 @@
 #include "bearing/motion/race_forces.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, double larger,
                           const BodyMotion& race) {
@@ -25,4 +25,4 @@ double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyM
   return model.load.energy(motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -8,7 +8,7 @@
 #include "bearing/motion/form_motion.hpp"
 #include "bearing/motion/race_load.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// One race with its laws, fixed for a run.
 struct RaceModel {
@@ -104,4 +104,4 @@ RaceForces race_forces(const RaceModel& model, const FormedContact& motion, cons
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
                    double larger = 0.0);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 RaceLoadLaw::RaceLoadLaw(LineContact elastic, const FilmContact& contact)
     : elastic_(elastic),
@@ -36,4 +36,4 @@ double RaceLoadLaw::energy_slope(double approach, double entrainment) const {
   return film_integral(film_, elastic_.load(elastic), log_speed).by<0>();
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

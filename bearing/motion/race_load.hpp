@@ -3,7 +3,7 @@
 
 #include "bearing/contact/race_contact.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Inverse of RaceContact::approach with a film that follows the entrainment speed. Without film the law is
 /// the elastic contact alone.
@@ -34,4 +34,4 @@ class RaceLoadLaw {
   double log_stiffness_ = 0.0;  // ln K
 };
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

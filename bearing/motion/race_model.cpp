@@ -2,7 +2,7 @@
 
 #include "bearing/contact/printed_film.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -44,4 +44,4 @@ RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, co
           .form = bearing.ring(race).form};
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

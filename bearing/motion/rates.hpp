@@ -4,7 +4,7 @@
 
 #include "bearing/motion/instant.hpp"
 
-namespace orbearing::bearing::dynamics::rates {
+namespace orbearing::bearing::motion::rates {
 
 inline void set_kinematics(const ConstStateViews& state, MutableStateViews& rate) {
   rate.radius = state.radial_speed;
@@ -62,4 +62,4 @@ inline void set_pin(const BearingModel& model, const CarrierFrame& frame, const 
                       inertial_acceleration(frame, pin.position, pin.velocity);
 }
 
-}  // namespace orbearing::bearing::dynamics::rates
+}  // namespace orbearing::bearing::motion::rates

@@ -5,7 +5,7 @@
 
 #include "bearing/motion/instant.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 namespace {
 
@@ -76,7 +76,7 @@ double elastic_energy(const RaceModel& model, double elastic_approach) {
 // Both contacts of a roller. What the film holds is that of the straight contact.
 double contact_energy(const BearingModel& model, const RingBodies& rings, const RollerBody& roller,
                       Eigen::Index j) {
-  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
   const double straight = race_energy(model.inner, roller.motion, rings.pin, larger) +
                           race_energy(model.outer, roller.motion, rings.bore, larger);
   if (!model.laminae) return straight;
@@ -89,7 +89,7 @@ double contact_energy(const BearingModel& model, const RingBodies& rings, const 
 
 void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, const RingBodies& rings,
                        const RollerBody& roller, Eigen::Index j, StoredEnergy& energy) {
-  const double larger = model.larger_by[static_cast<std::size_t>(j)];
+  const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
   const BodyMotion& motion = roller.motion;
   energy.kinetic += kinetic(model.roller, motion);
   energy.centrifugal += centrifugal(frame, model.roller.mass, frame.orbit_radius, motion.position);
@@ -147,7 +147,7 @@ double changing_film_power(const BearingModel& model, double time, const Eigen::
                               ring_bodies(model, views[2], time + kDifferenceTime)};
   double power = 0.0;
   const auto add = [&](const RaceModel& race, const BodyMotion RingBodies::*ring, Eigen::Index j) {
-    const double larger = model.larger_by[static_cast<std::size_t>(j)];
+    const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
     const BodyMotion now = roller_body(views[1], j).motion;
     const double speed = entrainment(race, now, larger, rings[1].*ring);
     const double change = entrainment(race, roller_body(views[2], j).motion, larger, rings[2].*ring) -
@@ -234,7 +234,7 @@ PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<
   const RingBodies rings = ring_bodies(model, state, time);
   double standing_form = 0.0;
   const RingWrenches on_rings = ring_wrenches(model, state, rings, standing_form);
-  const double growth = model.driving.growth / speed_ratio(model.driving, time);
+  const double growth = model.driving.ramp / speed_ratio(model.driving, time);
   return {.bore_load = bore_load(model, time).dot(rings.bore.velocity),
           .rotations = -on_rings.bore.moment * rings.bore.speed - on_rings.pin.moment * rings.pin.speed,
           .euler = euler_power(model, state, rings),
@@ -243,4 +243,4 @@ PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<
           .changing_frame = 2.0 * growth * stored_energy(model, x, time).centrifugal};
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -6,7 +6,7 @@
 #include "bearing/life/damage.hpp"
 #include "bearing/motion/model.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// One race at one instant. Arrays are over rollers.
 struct RaceSnapshot {
@@ -96,4 +96,4 @@ StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eig
 PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                        const Eigen::Ref<const Eigen::VectorXd>& dx);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

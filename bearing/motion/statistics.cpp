@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other) {
   sum.race_damping += other.race_damping;
@@ -117,4 +117,4 @@ BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStat
   return life_under(bearing, lambda, damage(statistics.inner), damage(statistics.outer));
 }
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

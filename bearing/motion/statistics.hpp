@@ -6,7 +6,7 @@
 #include "bearing/life/damage.hpp"
 #include "bearing/motion/snapshot.hpp"
 
-namespace orbearing::bearing::dynamics {
+namespace orbearing::bearing::motion {
 
 /// Cause by cause.
 PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other);
@@ -82,4 +82,4 @@ class StatisticsCollector {
 /// Life by Lundberg and Palmgren from dynamic loads; arguments as in lundberg_palmgren_life().
 BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics);
 
-}  // namespace orbearing::bearing::dynamics
+}  // namespace orbearing::bearing::motion

@@ -33,13 +33,13 @@ std::size_t asked_for(const Side& side) {
   return number;
 }
 
-void add_to(Course& sum, const Course& more) {
+void add_to(InputPolynomial& sum, const InputPolynomial& more) {
   for (std::size_t k = 0; k < sum.coefficient.size(); ++k) sum.coefficient[k] += more.coefficient[k];
 }
 
-std::vector<double> values_at(const std::vector<Course>& courses, double since) {
+std::vector<double> values_at(const std::vector<InputPolynomial>& polynomials, double since) {
   std::vector<double> values;
-  for (const Course& course : courses) values.push_back(course.at(since));
+  for (const InputPolynomial& polynomial : polynomials) values.push_back(polynomial.at(since));
   return values;
 }
 
@@ -72,19 +72,20 @@ bool Exchange::force_is_expected(std::size_t joint) const {
 }
 
 // Inputs of `side` over a window from `begin` [s] on: the nominal ones, and at each port the half that
-// `course_of(joint, who gives it)` says.
-template <class CourseOf>
-std::vector<Course> Exchange::inputs_from(std::size_t side, double begin, const CourseOf& course_of) const {
+// `polynomial_of(joint, who gives it)` says.
+template <class PolynomialOf>
+std::vector<InputPolynomial> Exchange::inputs_from(std::size_t side, double begin,
+                                                   const PolynomialOf& polynomial_of) const {
   const Side& own = sides_[side];
-  std::vector<Course> inputs(own.participant->inputs().size());
-  for (const Nominal& nominal : own.inputs) inputs[nominal.place] = nominal.course(begin);
+  std::vector<InputPolynomial> inputs(own.participant->inputs().size());
+  for (const Nominal& nominal : own.inputs) inputs[nominal.place] = nominal.polynomial(begin);
   for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
     const Connection& connection = connections_[joint];
     if (connection.motion.side == side)
-      add_to(inputs[port(joint).force], course_of(joint, Gives::force).force);
+      add_to(inputs[port(joint).force], polynomial_of(joint, Gives::force).force);
     for (const PortPlace& place : connection.forces) {
       if (place.side != side) continue;
-      const JointCourse motion = course_of(joint, Gives::motion);
+      const JointPolynomial motion = polynomial_of(joint, Gives::motion);
       const Port& taken = own.ports[place.port];
       if (taken.displacement != kNone) add_to(inputs[taken.displacement], motion.displacement);
       add_to(inputs[taken.velocity], motion.velocity);
@@ -94,10 +95,10 @@ std::vector<Course> Exchange::inputs_from(std::size_t side, double begin, const 
 }
 
 std::vector<double> Exchange::inputs_under(const InterfaceValues& values, std::size_t side) const {
-  const auto constant = [&](std::size_t joint, Gives) -> JointCourse {
+  const auto constant = [&](std::size_t joint, Gives) -> JointPolynomial {
     const JointValue& value = values.joints[joint];
-    return {Course::constant(value.displacement), Course::constant(value.velocity),
-            Course::constant(value.force)};
+    return {InputPolynomial::constant(value.displacement), InputPolynomial::constant(value.velocity),
+            InputPolynomial::constant(value.force)};
   };
   return values_at(inputs_from(side, values.time, constant), 0.0);
 }
@@ -105,7 +106,8 @@ std::vector<double> Exchange::inputs_under(const InterfaceValues& values, std::s
 void Exchange::read(std::size_t side, double time, const std::vector<double>& inputs) {
   const Side& own = sides_[side];
   outputs_[side] = own.participant->values(inputs, asked_for(own));
-  for (const Nominal& nominal : own.outputs) outputs_[side][nominal.place] -= nominal.course(time).at(0.0);
+  for (const Nominal& nominal : own.outputs)
+    outputs_[side][nominal.place] -= nominal.polynomial(time).at(0.0);
 }
 
 void Exchange::read_motion(std::size_t side, InterfaceValues& values) const {
@@ -130,13 +132,13 @@ void Exchange::read_forces(InterfaceValues& values) const {
 
 void Exchange::advance(std::size_t side, const InterfaceHistory& history, const InterfaceValues& known,
                        int force_order, const Window& window) {
-  const auto course_of = [&](std::size_t joint, Gives giver) -> JointCourse {
+  const auto polynomial_of = [&](std::size_t joint, Gives giver) -> JointPolynomial {
     if (giver == Gives::force)
-      return {.force = force_course(history, joint, known.joints[joint].force, force_order, window)};
-    const Course displacement = motion_course(history, joint, known.joints[joint], window);
+      return {.force = force_polynomial(history, joint, known.joints[joint].force, force_order, window)};
+    const InputPolynomial displacement = motion_polynomial(history, joint, known.joints[joint], window);
     return {.displacement = displacement, .velocity = slope_of(displacement)};
   };
-  const std::vector<Course> inputs = inputs_from(side, window.begin, course_of);
+  const std::vector<InputPolynomial> inputs = inputs_from(side, window.begin, polynomial_of);
   sides_[side].participant->advance(window, inputs);
   read(side, window.end, values_at(inputs, window.length()));
 }

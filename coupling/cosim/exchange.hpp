@@ -2,7 +2,7 @@
 #pragma once
 
 #include "coupling/cosim/connection.hpp"
-#include "coupling/cosim/interface_course.hpp"
+#include "coupling/cosim/interface_polynomial.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::cosim {
@@ -33,7 +33,7 @@ class Exchange {
   /// forces change by less than `allowed_change` of the largest of their kind. Returns the values there.
   InterfaceValues initialize(double time, int rounds, double allowed_change);
 
-  /// Over `window`, under courses that end with `expected` where nothing newer is known.
+  /// Over `window`, under polynomials that end with `expected` where nothing newer is known.
   /// @param force_order degree of the force's polynomial less 1
   PassResult pass(const InterfaceHistory& history, const InterfaceValues& expected, int force_order,
                   const Window& window);
@@ -53,8 +53,9 @@ class Exchange {
   std::size_t joints() const { return connections_.size(); }
 
  private:
-  template <class CourseOf>
-  std::vector<Course> inputs_from(std::size_t side, double begin, const CourseOf& course_of) const;
+  template <class PolynomialOf>
+  std::vector<InputPolynomial> inputs_from(std::size_t side, double begin,
+                                           const PolynomialOf& polynomial_of) const;
   std::vector<double> inputs_under(const InterfaceValues& values, std::size_t side) const;
   void read(std::size_t side, double time, const std::vector<double>& inputs);
   void read_motion(std::size_t side, InterfaceValues& values) const;

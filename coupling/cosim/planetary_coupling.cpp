@@ -35,13 +35,13 @@ std::vector<Port> planet_ports(const Participant& of, Gives gives, const PlanetN
 
 // `speed` [rad/s] times what the run-up leaves of it, along a straight line from its value and rate.
 Nominal nominal(std::size_t place, const gearset::dynamics::Operation& operation, double speed) {
-  return {place, [operation, speed](double time) -> Course {
+  return {place, [operation, speed](double time) -> InputPolynomial {
             const gearset::dynamics::SpeedState now = speed_at(operation, time);
             return {{speed * now.factor, speed * now.rate, 0.0, 0.0}};
           }};
 }
 
-Side side_of(DrivenGears& gears, const gearset::dynamics::Operation& operation) {
+Side side_of(system::DrivenGears& gears, const gearset::dynamics::Operation& operation) {
   Side side{&gears, {}};
   for (int planet = 1; planet <= gears.planets(); ++planet) {
     const std::string number = std::to_string(planet), own = "planet[" + number + "].";
@@ -53,11 +53,11 @@ Side side_of(DrivenGears& gears, const gearset::dynamics::Operation& operation) 
   return side;
 }
 
-Side side_of(DrivenBearing& bearing, int planet, const gearset::dynamics::Operation& operation) {
+Side side_of(system::DrivenBearing& bearing, int planet, const gearset::dynamics::Operation& operation) {
   const auto input = [&](const char* name) { return place_of(bearing.inputs(), name); };
   const double carrier = operation.speeds.carrier;
   const auto acceleration = [operation, carrier](double time) {
-    return Course::constant(carrier * speed_at(operation, time).rate);
+    return InputPolynomial::constant(carrier * speed_at(operation, time).rate);
   };
   return {&bearing,
           planet_ports(bearing, Gives::force, {"planet_" + std::to_string(planet + 1) + ".", "planet.", ""}),
@@ -73,22 +73,22 @@ CoupledOptions with_window(CoupledOptions options, double window) {
 
 }  // namespace
 
-PlanetaryCoupling planetary_coupling(const CoupledSetup& setup) {
+PlanetaryCoupling planetary_coupling(const system::CoupledSetup& setup) {
   PlanetaryCoupling out;
   const gearset::dynamics::Operation& operation = setup.gears.operation;
-  out.gears = std::make_unique<DrivenGears>(setup.gears);
+  out.gears = std::make_unique<system::DrivenGears>(setup.gears);
   out.sides.push_back(side_of(*out.gears, operation));
   const int count = setup.gears.set.planets * setup.bearings_per_planet;
   out.bearings.reserve(static_cast<std::size_t>(count));  // they stay where they are from here on
   for (int b = 0; b < count; ++b) {
     const int planet = b / setup.bearings_per_planet;
-    out.bearings.emplace_back(bearing_of_planet(setup, planet, b % setup.bearings_per_planet));
+    out.bearings.emplace_back(system::bearing_of_planet(setup, planet, b % setup.bearings_per_planet));
     out.sides.push_back(side_of(out.bearings.back(), planet, operation));
   }
   return out;
 }
 
-CoSimulatedMotion::CoSimulatedMotion(const CoupledSetup& setup, const CoupledOptions& options,
+CoSimulatedMotion::CoSimulatedMotion(const system::CoupledSetup& setup, const CoupledOptions& options,
                                      double interval)
     : parts_(planetary_coupling(setup)),
       window_(interval / std::ceil(interval / options.window)),
@@ -118,9 +118,9 @@ void CoSimulatedMotion::advance(const integration::OutputTimes& times,
   }
 }
 
-void CoSimulatedMotion::take_snapshot(int b, bearing::dynamics::Snapshot& into) const {
+void CoSimulatedMotion::take_snapshot(int b, bearing::motion::Snapshot& into) const {
   const std::size_t bearing = static_cast<std::size_t>(b);
-  parts_.bearings[bearing].take_snapshot(DrivenBearing::motion_of(run_.inputs(1 + bearing)), into);
+  parts_.bearings[bearing].take_snapshot(system::DrivenBearing::motion_of(run_.inputs(1 + bearing)), into);
 }
 
 integration::IntegrationReport CoSimulatedMotion::report() const {

@@ -14,6 +14,13 @@
 
 namespace orbearing::cosim {
 
+// What the exchange speaks of belongs to the system in time.
+using system::InputPolynomial;
+using system::kNone;
+using system::Participant;
+using system::SavedState;
+using system::Window;
+
 /// Fixes the units of a pair: m, m/s and N, or rad, rad/s and N m.
 enum class PortKind { translation, rotation };
 
@@ -34,7 +41,7 @@ struct Port {
 /// What an input or output runs through where nothing moves at the ports. A port's velocity adds to it.
 struct Nominal {
   std::size_t place = kNone;
-  std::function<Course(double time)> course;  // from `time` [s] on
+  std::function<InputPolynomial(double time)> polynomial;  // from `time` [s] on
 };
 
 /// One side of a co-simulation.

@@ -31,7 +31,7 @@ const char* category_of(Status status) {
 
 std::vector<double> starts(const ModelFacts& facts) {
   std::vector<double> values;
-  for (const cosim::Input& input : facts.inputs) values.push_back(input.start);
+  for (const system::Input& input : facts.inputs) values.push_back(input.start);
   return values;
 }
 
@@ -124,7 +124,7 @@ void Instance::reset() {
   outputs_.reset();
 }
 
-cosim::Participant& Instance::participant() {
+system::Participant& Instance::participant() {
   if (!participant_) participant_ = make_participant(numbers_, state_.parameters);
   return *participant_;
 }

@@ -80,12 +80,13 @@ class Instance {
   void require_settable(const Variable& variable, double value) const;
   void require_known(const InstanceState* state) const;
   void require_step(double point, double size) const;
-  cosim::Participant& participant();
+  system::Participant& participant();
   void compute_start();
   const std::vector<double>& outputs();
   double value_of(const Variable& variable);
-  std::vector<cosim::Course> courses() const;
-  std::vector<double> input_values(const std::vector<cosim::Course>& courses, double since) const;
+  std::vector<system::InputPolynomial> polynomials() const;
+  std::vector<double> input_values(const std::vector<system::InputPolynomial>& polynomials,
+                                   double since) const;
   std::vector<double> slopes(const Variable& known);
   void clear_derivatives();
   InstanceState present() const;
@@ -99,7 +100,7 @@ class Instance {
   bool logging_ = false;
   std::vector<std::string> categories_;
   InstanceState state_;  // but for the participant's numbers
-  std::unique_ptr<cosim::Participant> participant_;
+  std::unique_ptr<system::Participant> participant_;
   std::optional<std::vector<double>> outputs_;  // at the present time, where they are known
   std::list<InstanceState> kept_;
 };

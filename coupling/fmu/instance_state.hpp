@@ -23,7 +23,7 @@ struct InstanceState {
   std::vector<double> first;   // [unit/s]    derivatives of the inputs for the next step
   std::vector<double> second;  // [unit/s^2]
   std::vector<bool> has_first;
-  cosim::SavedState participant;
+  system::SavedState participant;
 };
 
 /// How many numbers of each kind a model has.

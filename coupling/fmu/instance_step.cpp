@@ -46,22 +46,23 @@ void Instance::set_derivatives(References references, const int* orders, const d
   }
 }
 
-std::vector<cosim::Course> Instance::courses() const {
-  std::vector<cosim::Course> courses;
+std::vector<system::InputPolynomial> Instance::polynomials() const {
+  std::vector<system::InputPolynomial> polynomials;
   for (std::size_t i = 0; i < state_.inputs.size(); ++i)
-    courses.push_back({{state_.inputs[i], state_.first[i], 0.5 * state_.second[i], 0.0}});
-  for (std::size_t i = 0; i < courses.size(); ++i) {
+    polynomials.push_back({{state_.inputs[i], state_.first[i], 0.5 * state_.second[i], 0.0}});
+  for (std::size_t i = 0; i < polynomials.size(); ++i) {
     const std::size_t rate = facts_.inputs[i].rate;
-    if (rate != cosim::kNone && !state_.has_first[i])
-      courses[i] = cosim::integral(state_.inputs[i], courses[rate]);
+    if (rate != system::kNone && !state_.has_first[i])
+      polynomials[i] = system::integral(state_.inputs[i], polynomials[rate]);
   }
-  return courses;
+  return polynomials;
 }
 
-std::vector<double> Instance::input_values(const std::vector<cosim::Course>& courses, double since) const {
+std::vector<double> Instance::input_values(const std::vector<system::InputPolynomial>& polynomials,
+                                           double since) const {
   std::vector<double> values;
-  for (std::size_t i = 0; i < courses.size(); ++i) {
-    values.push_back(courses[i].at(since));
+  for (std::size_t i = 0; i < polynomials.size(); ++i) {
+    values.push_back(polynomials[i].at(since));
     if (!std::isfinite(values.back()))
       throw Refused(Status::discard,
                     facts_.inputs[i].name + ": found no finite value at the end of the step");
@@ -85,8 +86,8 @@ void Instance::require_step(double point, double size) const {
 
 void Instance::step(double point, double size) {
   require_step(point, size);
-  const cosim::Window window{state_.time, point + size};
-  const std::vector<cosim::Course> inputs = courses();
+  const system::Window window{state_.time, point + size};
+  const std::vector<system::InputPolynomial> inputs = polynomials();
   std::vector<double> ends = input_values(inputs, window.length());
   try {
     participant().advance(window, inputs);

@@ -6,10 +6,10 @@ namespace orbearing::fmu {
 
 namespace {
 
-using cosim::DrivenBearing;
-using cosim::DrivenBearingSetup;
-using cosim::DrivenGears;
-using cosim::DrivenGearsSetup;
+using system::DrivenBearing;
+using system::DrivenBearingSetup;
+using system::DrivenGears;
+using system::DrivenGearsSetup;
 
 // The result of `call` for the setup that `numbers` are of, and what stands behind it.
 template <class Call>
@@ -44,15 +44,15 @@ ModelFacts facts_of(const NumberTable& numbers) {
   });
 }
 
-std::unique_ptr<cosim::Participant> make_participant(const NumberTable& numbers,
-                                                     const std::vector<double>& parameters) {
+std::unique_ptr<system::Participant> make_participant(const NumberTable& numbers,
+                                                      const std::vector<double>& parameters) {
   NumberTable own = numbers;
   const std::vector<ShownField> fields =
       of_model(numbers, []<class>(const auto& setup) { return shown_fields(setup).parameters; });
   for (std::size_t i = 0; i < fields.size(); ++i)
     for (NumberRow& row : own.rows)
       if (row.name == fields[i].facts.name) row.values = {parameters.at(i)};
-  return of_model(own, []<class Driven>(const auto& setup) -> std::unique_ptr<cosim::Participant> {
+  return of_model(own, []<class Driven>(const auto& setup) -> std::unique_ptr<system::Participant> {
     return std::make_unique<Driven>(setup);
   });
 }

@@ -18,19 +18,19 @@ struct ModelFacts {
   std::string model;    // "bearing" or "gearset"
   std::string meaning;  // one sentence
   ShownFields shown;
-  std::vector<cosim::Input> inputs;
-  std::vector<cosim::Output> outputs;
+  std::vector<system::Input> inputs;
+  std::vector<system::Output> outputs;
 };
 
-NumberTable numbers_of(const cosim::DrivenBearingSetup& setup);
-NumberTable numbers_of(const cosim::DrivenGearsSetup& setup);
+NumberTable numbers_of(const system::DrivenBearingSetup& setup);
+NumberTable numbers_of(const system::DrivenGearsSetup& setup);
 
 /// Throws std::invalid_argument where `numbers` are those of no model.
 ModelFacts facts_of(const NumberTable& numbers);
 
 /// With values of the parameters in the order of the facts. Throws std::invalid_argument where they make no
 /// sense.
-std::unique_ptr<cosim::Participant> make_participant(const NumberTable& numbers,
-                                                     const std::vector<double>& parameters);
+std::unique_ptr<system::Participant> make_participant(const NumberTable& numbers,
+                                                      const std::vector<double>& parameters);
 
 }  // namespace orbearing::fmu

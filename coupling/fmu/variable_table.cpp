@@ -28,11 +28,11 @@ std::vector<Variable> variables_of(const ModelFacts& facts) {
   add_fields(table, Role::parameter, facts.shown.parameters);
   add_fields(table, Role::constant, facts.shown.constants);
   for (std::size_t i = 0; i < facts.inputs.size(); ++i) {
-    const cosim::Input& input = facts.inputs[i];
+    const system::Input& input = facts.inputs[i];
     add(table, Role::input, i, input.name, input.unit, input.meaning, input.start);
   }
   for (std::size_t i = 0; i < facts.outputs.size(); ++i) {
-    const cosim::Output& output = facts.outputs[i];
+    const system::Output& output = facts.outputs[i];
     add(table, Role::output, i, output.name, output.unit, output.meaning, 0.0);
   }
   return table;

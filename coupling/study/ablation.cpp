@@ -30,12 +30,12 @@ namespace {
 using Drivetrain = PlanetaryDrivetrain;
 using bearing::FilmApproach;
 using bearing::Race;
-using bearing::dynamics::DampingLaw;
-using bearing::dynamics::GuidanceFilm;
-using bearing::dynamics::Lubrication;
-using bearing::dynamics::PocketFilm;
-using bearing::dynamics::ReferenceSpeed;
-using bearing::dynamics::TractionLaw;
+using bearing::motion::DampingLaw;
+using bearing::motion::GuidanceFilm;
+using bearing::motion::Lubrication;
+using bearing::motion::PocketFilm;
+using bearing::motion::ReferenceSpeed;
+using bearing::motion::TractionLaw;
 
 // An effect that the drivetrain has is switched off, one that it lacks is switched on.
 Ablation toggled(const std::string& effect, const std::string& group, const Drivetrain& base,

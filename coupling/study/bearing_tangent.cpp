@@ -42,8 +42,8 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
                              const bearing::OperatingPoint& point) {
   const bearing::Bearing like = of_like_rollers(drivetrain.bearing);
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
-  const bearing::dynamics::RaceContactParameters& race = drivetrain.dynamics.race;
-  const bool damped = race.damping_law == bearing::dynamics::DampingLaw::approach_speed;
+  const bearing::motion::RaceContactParameters& race = drivetrain.dynamics.race;
+  const bool damped = race.damping_law == bearing::motion::DampingLaw::approach_speed;
   const double share = 1.0 / options.cage_positions;
   const double pitch = two_pi / like.rollers().count;
   RollerTangent mean;
@@ -74,7 +74,7 @@ gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& driv
                                                  const DrivetrainGeometry& geometry) {
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const RollerTangent rollers = roller_tangent(drivetrain, geometry.bearing, duty.point);
-  const bearing::dynamics::BearingModel model =
+  const bearing::motion::BearingModel model =
       bearing_model(drivetrain.bearing, duty.point, bearing_dynamics(drivetrain, geometry));
   const double pin = model.support.stiffness;
   const Vector2d mean = rollers.displacement + duty.point.bore_load / pin;

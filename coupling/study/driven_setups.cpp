@@ -7,8 +7,8 @@
 
 namespace orbearing::study {
 
-cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
-                                               const DrivetrainGeometry& geometry) {
+system::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
+                                                const DrivetrainGeometry& geometry) {
   return {.bearing = drivetrain.bearing,
           .dynamics = bearing_dynamics(drivetrain, geometry),
           .orbit_radius = geometry.gears.centre_distance,
@@ -19,7 +19,7 @@ cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivet
           .places = drivetrain.steady_state.places};
 }
 
-cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain) {
+system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain) {
   if (drivetrain.in_arrangement)
     throw std::invalid_argument("drivetrain: found one of several sets; required: a set alone");
   if (!drivetrain.gear_set)
@@ -27,16 +27,17 @@ cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain
         "gears that move: found none; required: one planetary set with teeth or with stated mesh stiffness");
   const gearset::dynamics::Operation operation =
       gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
-  cosim::DrivenGearsSetup setup{.set = drivetrain.gear_set(), .operation = operation};
+  system::DrivenGearsSetup setup{.set = drivetrain.gear_set(), .operation = operation};
   if (!drivetrain.mesh_variation)
     setup.set = gearset::dynamics::averaged(gearset::dynamics::set_model(setup.set, operation)).parameters;
   setup.set.planet.coupled_bearing = true;
   return setup;
 }
 
-cosim::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
-  cosim::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
-                            drivetrain.bearings_per_planet};
+system::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain,
+                                   const DrivetrainGeometry& geometry) {
+  system::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
+                             drivetrain.bearings_per_planet};
   if (drivetrain.pins_displaced && drivetrain.misalignment.planet_tilt != 0.0)
     for (const BearingDuty& duty : planet_duties(drivetrain, geometry))
       setup.bore_tilts.push_back(duty.point.bore_tilt);

@@ -8,15 +8,15 @@ namespace orbearing::study {
 
 /// One bearing of one planet. The planet's mass belongs to the gears; the bearing knows its share only for
 /// the damping of the pin's support.
-cosim::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
-                                               const DrivetrainGeometry& geometry);
+system::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
+                                                const DrivetrainGeometry& geometry);
 
 /// The set with all bearings left to others, at the drivetrain's power and speed; at mean mesh stiffness
 /// where the drivetrain has no mesh variation. @throws std::invalid_argument where the drivetrain has no
 /// gears that can move, or is one of several sets
-cosim::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain);
+system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain);
 
 /// Both, with all bearings of all planets.
-cosim::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+system::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 }  // namespace orbearing::study

@@ -22,9 +22,9 @@ bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& driv
   return options;
 }
 
-bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
-                                                       const DrivetrainGeometry& geometry) {
-  bearing::dynamics::DynamicsParameters parameters = drivetrain.dynamics;
+bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                     const DrivetrainGeometry& geometry) {
+  bearing::motion::DynamicsParameters parameters = drivetrain.dynamics;
   parameters.inertia = drivetrain.inertia;
   parameters.lubricant = drivetrain.lubricant;
   parameters.race.film_in_approach = drivetrain.film_in_approach;

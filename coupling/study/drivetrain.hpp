@@ -84,7 +84,7 @@ struct PlanetaryDrivetrain {
   bearing::FilmApproach film_approach = bearing::FilmApproach::added;
   double lambda = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
   Misalignment misalignment;
-  bearing::dynamics::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
+  bearing::motion::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
   system::SteadyStateOptions steady_state;
   cosim::CoupledOptions exchange{.window = 5e-6};  // of gears and bearings that are co-simulated
   RunUp run_up;
@@ -106,7 +106,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
       apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
       apart(m.film_approach),  // dynamics' own
-      cosim::lambda_row(m.lambda), part(m.misalignment), part(m.dynamics), part(m.steady_state),
+      system::lambda_row(m.lambda), part(m.misalignment), part(m.dynamics), part(m.steady_state),
       part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.pins_displaced),
       field(m.mesh_variation, "gearset.mesh_variation", Felt::gear_motion,
             "the stiffness of a mesh varies as teeth pass, and shakes gears and planet bearings; false: it "
@@ -142,9 +142,9 @@ struct BearingDuty {
 /// Film, inertia and cage angles of the quasi-static bearing.
 bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain);
 
-/// What the bearing's motion in time needs whatever drives it: no ripple of the meshes, no run-up.
-bearing::dynamics::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
-                                                       const DrivetrainGeometry& geometry);
+/// What the bearing's motion in time needs whatever drives it: no excitation of the meshes, no run-up.
+bearing::motion::DynamicsParameters bearing_dynamics(const PlanetaryDrivetrain& drivetrain,
+                                                     const DrivetrainGeometry& geometry);
 
 /// Inclination of the bore's axis against the pin's [rad], (x, y): the planet's tilt along `load` [N], the
 /// wind-up along y.

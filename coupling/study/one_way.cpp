@@ -22,8 +22,8 @@ AffineBearing times(double factor, const AffineBearing& law) {
 
 // With its own outer ring for a bore: the planet's body stays with the gears. The support keeps its damper,
 // which is stated as a ratio of what moves.
-bearing::dynamics::DynamicsParameters on_its_ring(const DrivetrainGeometry& geometry,
-                                                  bearing::dynamics::DynamicsParameters parameters) {
+bearing::motion::DynamicsParameters on_its_ring(const DrivetrainGeometry& geometry,
+                                                bearing::motion::DynamicsParameters parameters) {
   const double pin = geometry.bearing.inner_ring_mass, ring = geometry.bearing.outer_ring_mass;
   if (!(ring > 0.0)) return parameters;
   parameters.support.damping_ratio *= std::sqrt((parameters.bore_mass + pin) / (ring + pin));
@@ -44,18 +44,18 @@ class OneWay {
 
   /// Driven by gears that moved on `law`; false where they give nothing but their mean loads.
   bool drive(const AffineBearing& law, const GearRunResult& gears) {
-    const bearing::dynamics::MeshRipple ripple =
-        ripple_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
-    if (ripple.harmonics.empty()) return false;
+    const bearing::motion::MeshExcitation excitation =
+        excitation_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
+    if (excitation.harmonics.empty()) return false;
     gear_state_ = gears.final_state;
-    parameters_.ripple = ripple;
+    parameters_.excitation = excitation;
     return true;
   }
   bool drive(const AffineBearing& law) {
     return drive(law, gears_on(drivetrain_, geometry_, law, gear_state_));
   }
 
-  SteadyStateResult run_bearing(const bearing::dynamics::DynamicsParameters& parameters,
+  SteadyStateResult run_bearing(const bearing::motion::DynamicsParameters& parameters,
                                 const system::SteadyStateOptions& options) const {
     return run_to_steady_state(drivetrain_.bearing, duty_.point, parameters, options, bearing_state_);
   }
@@ -64,7 +64,7 @@ class OneWay {
   /// beforehand, in each run alike: drawn to the law before, what no motion shows would wander.
   SteadyStateResult run(const AffineBearing& law, const AffineBearing& tangent, bool first,
                         FittedBearing& fitted) {
-    AffineFit fit(parameters_.ripple.angular_frequency, ripple_orders(drivetrain_, geometry_, law));
+    AffineFit fit(parameters_.excitation.angular_frequency, excitation_orders(drivetrain_, geometry_, law));
     system::SteadyStateOptions options = drivetrain_.steady_state;
     if (first) options.observed_windows = std::max(1, options.observed_windows / kFirstShare);
     options.on_bore = [&](const system::BoreSample& sample) { fit.add(sample); };
@@ -81,7 +81,7 @@ class OneWay {
   const PlanetaryDrivetrain& drivetrain_;
   const DrivetrainGeometry& geometry_;
   const BearingDuty& duty_;
-  bearing::dynamics::DynamicsParameters parameters_;
+  bearing::motion::DynamicsParameters parameters_;
   std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
 };
 

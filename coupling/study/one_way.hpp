@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/mesh_excitation.hpp"
 #include "coupling/system/steady_state.hpp"
 
 namespace orbearing::study {
@@ -33,9 +33,9 @@ struct OneWayRun {
 };
 
 /// Gears on the tangent of their bearings (`gears`), the bearing under the load that they give it
-/// (ripple_of()), the affine law fitted to its motion, and both again on that law until it stays. A law whose
-/// dampers would give energy is not taken: the gears stay on the one before. Each run goes on where the one
-/// before ended.
+/// (excitation_of()), the affine law fitted to its motion, and both again on that law until it stays. A law
+/// whose dampers would give energy is not taken: the gears stay on the one before. Each run goes on where the
+/// one before ended.
 ///
 /// Of the planet's mass the bearing gets its own outer ring, and the gears' load is what moves that ring as
 /// the planet moved: nearly the force of the bearing. With the whole mass, which is as good for a bearing

@@ -15,7 +15,7 @@
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/driven_setups.hpp"
 #include "coupling/study/load_sharing.hpp"
-#include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/mesh_excitation.hpp"
 #include "coupling/system/monolithic.hpp"
 
 namespace orbearing::study {
@@ -52,8 +52,8 @@ std::vector<double> as_vector(const Eigen::ArrayXXd& array) {
   return {array.data(), array.data() + array.size()};
 }
 
-using bearing::dynamics::RaceStatistics;
-using bearing::dynamics::WindowStatistics;
+using bearing::motion::RaceStatistics;
+using bearing::motion::WindowStatistics;
 
 RaceResult race_result(const RaceStatistics& race) {
   return {.load_max = race.load_max,
@@ -127,7 +127,7 @@ QuasiStaticBearing quasi_static_bearing(const PlanetaryDrivetrain& drivetrain,
 
 // The one life of all fidelities.
 bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means) {
-  return bearing::dynamics::dynamic_life(drivetrain.bearing, drivetrain.lambda, means);
+  return bearing::motion::dynamic_life(drivetrain.bearing, drivetrain.lambda, means);
 }
 
 // Bearings of which none may fail: the product law over unlike lives.
@@ -225,7 +225,7 @@ OneWayRun motion_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeome
 
 OneWayRun motion_from(const Eigen::VectorXd& start, const PlanetaryDrivetrain& drivetrain,
                       const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const Eigen::Index required = bearing::dynamics::StateLayout{drivetrain.bearing.rollers().count}.size();
+  const Eigen::Index required = bearing::motion::StateLayout{drivetrain.bearing.rollers().count}.size();
   if (start.size() != required)
     throw std::invalid_argument("state to start from: found " + std::to_string(start.size()) +
                                 " variables; required: " + std::to_string(required) + ", those of " +
@@ -298,16 +298,16 @@ std::vector<WindowStatistics> by_planet(const std::vector<WindowStatistics>& bea
   return planets;
 }
 
-system::SteadyStateResult run_two_way(const PlanetaryDrivetrain& drivetrain,
+system::SteadyStateResult run_coupled(const PlanetaryDrivetrain& drivetrain,
                                       const DrivetrainGeometry& geometry,
                                       const bearing::OperatingPoint& point, Fidelity fidelity,
-                                      TwoWayRecord& record) {
+                                      CoupledRecord& record) {
   const double inner = point.inner_speed, outer = point.outer_speed;
   const system::RollingSpeeds rolling{bearing::kinematic_cage_speed(geometry.bearing, inner, outer),
                                       bearing::kinematic_roller_spin(geometry.bearing, inner, outer)};
-  const cosim::CoupledSetup setup = coupled_setup(drivetrain, geometry);
+  const system::CoupledSetup setup = coupled_setup(drivetrain, geometry);
   if (fidelity == Fidelity::monolithic) {
-    cosim::Monolithic motion(setup);
+    system::Monolithic motion(setup);
     motion.initialize(0.0);
     return run_to_steady_state(motion, rolling, drivetrain.steady_state);
   }
@@ -319,10 +319,10 @@ system::SteadyStateResult run_two_way(const PlanetaryDrivetrain& drivetrain,
   return run;
 }
 
-PointResult two_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const BearingDuty& duty, Fidelity fidelity) {
-  TwoWayRecord record;
-  const system::SteadyStateResult run = run_two_way(drivetrain, geometry, duty.point, fidelity, record);
+  CoupledRecord record;
+  const system::SteadyStateResult run = run_coupled(drivetrain, geometry, duty.point, fidelity, record);
   PointResult result = dynamic_point(drivetrain, duty, run);
   for (const WindowStatistics& one : run.bearings)
     record.bearing_life_hours.push_back(hours_of(life_under_means(drivetrain, one), drivetrain, duty));
@@ -388,13 +388,13 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
 
 }  // namespace
 
-bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
-                                                          const DrivetrainGeometry& geometry,
-                                                          const BearingDuty& duty,
-                                                          const GearsOnTangent& gears) {
-  bearing::dynamics::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
-  parameters.ripple = ripple_of(gears.run, drivetrain, duty, gears.tangent, parameters.bore_mass);
-  parameters.driving.growth = drivetrain.run_up.acceleration / drivetrain.drive.speed;
+bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
+                                                        const DrivetrainGeometry& geometry,
+                                                        const BearingDuty& duty,
+                                                        const GearsOnTangent& gears) {
+  bearing::motion::DynamicsParameters parameters = bearing_dynamics(drivetrain, geometry);
+  parameters.excitation = excitation_of(gears.run, drivetrain, duty, gears.tangent, parameters.bore_mass);
+  parameters.driving.ramp = drivetrain.run_up.acceleration / drivetrain.drive.speed;
   return parameters;
 }
 
@@ -405,7 +405,7 @@ PointResult evaluate(const PlanetaryDrivetrain& stated, const DrivetrainGeometry
   const auto point = [&] {
     if (fidelity == Fidelity::quasi_static) return quasi_static_point(drivetrain, geometry, duties);
     if (fidelity == Fidelity::dynamic) return one_way_point(drivetrain, geometry, duties);
-    return two_way_point(drivetrain, geometry, duties.front(), fidelity);
+    return coupled_point(drivetrain, geometry, duties.front(), fidelity);
   };
   return completed(drivetrain, geometry, duties, point());
 }

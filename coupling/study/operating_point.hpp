@@ -42,7 +42,7 @@ struct DynamicRecord {
   bool steady = false;                  // false: the means still drifted when they were taken
   double roller_slip = 0.0;             // [-]  1 - mean roller spin / spin at pure rolling
   double friction_moment = 0.0;         // [N m]  of the bearing on the bore
-  bearing::dynamics::PowerLoss loss;    // [W]  by cause
+  bearing::motion::PowerLoss loss;      // [W]  by cause
   system::BearingSeries series;         // of the last cage revolution
   integration::IntegrationReport run;   // what it took
   Eigen::VectorXd final_state;          // where it ended; a neighbouring point may go on from here
@@ -50,7 +50,7 @@ struct DynamicRecord {
 };
 
 /// What only gears and bearings that act on each other tell.
-struct TwoWayRecord {
+struct CoupledRecord {
   std::vector<double> bearing_life_hours;  // [h]  (planets x bearings per planet), planet by planet
   double energy_residual = 0.0;            // [-]  of all exchanges over the energy that passed the ports
   double window = 0.0;                     // [s]  mean time between exchanges; 0: one system
@@ -93,17 +93,16 @@ struct PointResult {
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts
   std::vector<PlanetResult> planets;     // none where all planets carry alike
-  std::optional<TwoWayRecord> two_way;   // none where the bearings do not act back on the gears
+  std::optional<CoupledRecord> two_way;  // none where the bearings do not act back on the gears
   std::string limiting_set;              // of several sets, the one these numbers belong to
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed
 };
 
 /// bearing_dynamics() with what `gears` give at this duty.
-bearing::dynamics::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
-                                                          const DrivetrainGeometry& geometry,
-                                                          const BearingDuty& duty,
-                                                          const GearsOnTangent& gears);
+bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrain& drivetrain,
+                                                        const DrivetrainGeometry& geometry,
+                                                        const BearingDuty& duty, const GearsOnTangent& gears);
 
 /// Computes one point. Throws std::runtime_error with the solver's reason where it finds no balance or the
 /// motion could not be followed.

@@ -26,10 +26,10 @@ using Path = Eigen::MatrixXd;
 
 Path reference_path(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                     const ConvergenceOptions& options) {
-  cosim::CoupledSetup setup = coupled_setup(drivetrain, geometry);
+  system::CoupledSetup setup = coupled_setup(drivetrain, geometry);
   setup.gears.allowed_share = options.allowed_share;
   setup.bearing.allowed_length_error = options.reference_length_error;
-  cosim::Monolithic system(setup);
+  system::Monolithic system(setup);
   system.initialize(0.0);
   Path path = Path::Zero(2 * system.planets(), options.longest_windows);
   for (long i = 0; i < options.longest_windows; ++i) {
@@ -51,7 +51,7 @@ struct Trial {
 // Throws std::runtime_error where a force passes `largest_force`.
 Trial trial(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const Scheme& scheme,
             double window, double largest_force, const ConvergenceOptions& options) {
-  cosim::CoupledSetup setup = coupled_setup(drivetrain, geometry);
+  system::CoupledSetup setup = coupled_setup(drivetrain, geometry);
   setup.gears.allowed_share = options.allowed_share;
   setup.bearing.allowed_length_error = options.allowed_length_error;
   const cosim::PlanetaryCoupling parts = cosim::planetary_coupling(setup);
@@ -108,7 +108,7 @@ double stability_limit(const PlanetaryDrivetrain& drivetrain, const DrivetrainGe
                        const Scheme& scheme, double largest_force, const ConvergenceOptions& options) {
   ConvergenceOptions rough;
   rough.allowed_length_error = drivetrain.steady_state.allowed_length_error;
-  rough.allowed_share = cosim::DrivenGearsSetup{}.allowed_share;
+  rough.allowed_share = system::DrivenGearsSetup{}.allowed_share;
   for (double window = options.shortest_limit; window <= options.longest_limit; window *= kLonger) {
     rough.longest_window = window;
     rough.longest_windows = std::lround(options.stability_path / window);

@@ -15,17 +15,17 @@ constexpr double kStepOfImpact = 1.05;     // [rad]  of the faster of both vibra
 constexpr double kRadialSpeedShare = 0.2;
 
 // Of a roller between its races [rad/s].
-double roller_frequency(const bearing::dynamics::BearingModel& model) {
+double roller_frequency(const bearing::motion::BearingModel& model) {
   const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
 }
 
 }  // namespace
 
-Eigen::VectorXd allowed_errors(const bearing::dynamics::StateLayout& layout, double length, double radius,
+Eigen::VectorXd allowed_errors(const bearing::motion::StateLayout& layout, double length, double radius,
                                double frequency) {
-  using bearing::dynamics::VariableKind;
-  const std::vector<VariableKind> kinds = bearing::dynamics::variable_kinds(layout);
+  using bearing::motion::VariableKind;
+  const std::vector<VariableKind> kinds = bearing::motion::variable_kinds(layout);
   Eigen::VectorXd allowed(layout.size());
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     const bool angular = kinds[i] == VariableKind::angle || kinds[i] == VariableKind::angular_speed;
@@ -36,14 +36,14 @@ Eigen::VectorXd allowed_errors(const bearing::dynamics::StateLayout& layout, dou
   return allowed;
 }
 
-Eigen::VectorXd allowed_errors(const bearing::dynamics::BearingModel& model, double length) {
+Eigen::VectorXd allowed_errors(const bearing::motion::BearingModel& model, double length) {
   return allowed_errors(model.layout, length, model.geometry.pitch_radius, roller_frequency(model));
 }
 
-std::vector<double> linearly_implicit_errors(const bearing::fast::VectorBearing& bearing,
+std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBearing& bearing,
                                              const Eigen::VectorXd& allowed_error) {
   std::vector<double> allowed = bearing.padded(kLinearlyImplicitErrorFactor * allowed_error);
-  const bearing::fast::PaddedLayout& layout = bearing.layout();
+  const bearing::vectorised::PaddedLayout& layout = bearing.layout();
   const auto radial_speeds = allowed.begin() + 2 * layout.lanes();
   std::for_each(radial_speeds, radial_speeds + layout.rollers,
                 [](double& error) { error *= kRadialSpeedShare; });
@@ -53,7 +53,7 @@ std::vector<double> linearly_implicit_errors(const bearing::fast::VectorBearing&
   return allowed;
 }
 
-double longest_step(const bearing::dynamics::BearingModel& model) {
+double longest_step(const bearing::motion::BearingModel& model) {
   const double load = model.inner.load.load(kTypicalApproach, 1.0);
   const double races = 0.25 * static_cast<double>(model.layout.rollers) * load / kTypicalApproach;
   const double ring = std::sqrt(model.bore_mass / std::max(races, 1.0));
@@ -63,9 +63,9 @@ double longest_step(const bearing::dynamics::BearingModel& model) {
 
 // A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off
 // the pitch circle of the displaced rings by as much is on the other side of a race.
-std::string out_of_place(const bearing::dynamics::BearingModel& model,
+std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x) {
-  const auto now = bearing::dynamics::state_views(model.layout, x.data());
+  const auto now = bearing::motion::state_views(model.layout, x.data());
   const double limit = model.geometry.element_radius;
   const double cage = (now.cage_position - now.pin_position).norm();
   std::ostringstream text;
@@ -96,7 +96,7 @@ void WithinStep::bend(std::ptrdiff_t position, std::ptrdiff_t velocity, std::ptr
   }
 }
 
-void WithinStep::bend(const bearing::fast::PaddedLayout& layout, std::ptrdiff_t first) const {
+void WithinStep::bend(const bearing::vectorised::PaddedLayout& layout, std::ptrdiff_t first) const {
   bend(first, first + 2 * layout.lanes(), 2 * layout.lanes());
   bend(first + layout.cage(), first + layout.cage() + 3, 3);
   bend(first + layout.bore(), first + layout.bore() + 2, 2);

@@ -17,21 +17,21 @@ inline constexpr double kLinearlyImplicitErrorFactor = 1000.0;
 
 /// Allowed errors of a bearing's state by kind: no share relative to angles, which grow. `length` [m] sets
 /// all: angles follow by `radius` [m], speeds by `frequency` [rad/s], that of a roller between its races.
-Eigen::VectorXd allowed_errors(const bearing::dynamics::StateLayout& layout, double length, double radius,
+Eigen::VectorXd allowed_errors(const bearing::motion::StateLayout& layout, double length, double radius,
                                double frequency);
 /// The same with pitch radius and frequency of `model`, the latter at a typical approach.
-Eigen::VectorXd allowed_errors(const bearing::dynamics::BearingModel& model, double length);
+Eigen::VectorXd allowed_errors(const bearing::motion::BearingModel& model, double length);
 /// Those of linearly implicit steps of the padded state, from those of dopri5.
-std::vector<double> linearly_implicit_errors(const bearing::fast::VectorBearing& bearing,
+std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBearing& bearing,
                                              const Eigen::VectorXd& allowed_error);
 
 /// Longest step [s] that still resolves the impact of a roller on its pocket and the ring on its rollers.
-double longest_step(const bearing::dynamics::BearingModel& model);
+double longest_step(const bearing::motion::BearingModel& model);
 
 /// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and
 /// by how much. Pockets hold a cage along the pitch circle alone: one that no land guides can be thrown out
 /// sideways, and its equations go on without bound.
-std::string out_of_place(const bearing::dynamics::BearingModel& model,
+std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x);
 
 /// A state within a step: positions by Hermite's cubic from their velocities, velocities in a straight line,
@@ -45,7 +45,7 @@ class WithinStep {
   /// `count` positions from `position`, whose velocities are those from `velocity`.
   void bend(std::ptrdiff_t position, std::ptrdiff_t velocity, std::ptrdiff_t count) const;
   /// All positions of the bearing whose padded state begins at `first`.
-  void bend(const bearing::fast::PaddedLayout& layout, std::ptrdiff_t first) const;
+  void bend(const bearing::vectorised::PaddedLayout& layout, std::ptrdiff_t first) const;
 
  private:
   const std::vector<double>&from_, &to_;

@@ -8,11 +8,11 @@
 
 #include "coupling/system/driven_bearing.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 namespace {
 
-using bearing::dynamics::BoreMotion;
+using bearing::motion::BoreMotion;
 using boost::math::double_constants::two_pi;
 using gearset::dynamics::PlanetBearing;
 
@@ -42,7 +42,7 @@ std::vector<double> answer(const CoupledModel& model, const DrivenGearsOutput& g
     motion.carrier_speed = gears.carrier_speed;
     motion.carrier_acceleration = gears.carrier_acceleration;
     bearings[b].initialize(motion);
-    const bearing::dynamics::BoreReaction reaction = bearings[b].reaction(motion);
+    const bearing::motion::BoreReaction reaction = bearings[b].reaction(motion);
     forces[3 * planet] += reaction.force.x();
     forces[3 * planet + 1] += reaction.force.y();
   }
@@ -124,4 +124,4 @@ CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model,
   return start;
 }
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

@@ -10,7 +10,7 @@
 #include "coupling/system/driven_gears.hpp"
 #include "gearset/dynamics/equations.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// All that is fixed before a run. Bearings of one planet see the same motion; their first rollers stand
 /// evenly spaced over one pitch, so that they are no copies of each other.
@@ -48,12 +48,12 @@ struct PlanetPort {
 /// All constants of a run. Bearing b belongs to planet b / per_planet.
 struct CoupledModel {
   gearset::dynamics::SetModel gears;
-  bearing::dynamics::BearingModel bearing;
+  bearing::motion::BearingModel bearing;
   std::vector<PlanetPort> ports;  // (planets)
   int per_planet = 1;
-  std::vector<bearing::dynamics::BearingModel> tilted = {};  // (planets) where their tilts are unlike
+  std::vector<bearing::motion::BearingModel> tilted = {};  // (planets) where their tilts are unlike
 
-  const bearing::dynamics::BearingModel& bearing_of(int b) const {
+  const bearing::motion::BearingModel& bearing_of(int b) const {
     return tilted.empty() ? bearing : tilted[static_cast<std::size_t>(b / per_planet)];
   }
   int bearings() const { return static_cast<int>(ports.size()) * per_planet; }
@@ -65,9 +65,9 @@ CoupledModel coupled_model(const CoupledSetup& setup);
 
 /// Motion of the bore at `port` at `time` [s] with positions `q` [m] and velocities `v` [m/s] of the gear
 /// set; without acceleration.
-bearing::dynamics::BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double time,
-                                          const Eigen::Ref<const Eigen::VectorXd>& q,
-                                          const Eigen::Ref<const Eigen::VectorXd>& v);
+bearing::motion::BoreMotion bore_motion(const CoupledModel& model, const PlanetPort& port, double time,
+                                        const Eigen::Ref<const Eigen::VectorXd>& q,
+                                        const Eigen::Ref<const Eigen::VectorXd>& v);
 
 /// A state to begin with.
 struct CoupledStart {
@@ -80,4 +80,4 @@ struct CoupledStart {
 /// @throws std::runtime_error where no balance is found
 CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time);
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

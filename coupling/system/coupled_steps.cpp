@@ -6,11 +6,11 @@
 
 #include "coupling/integration/window.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 namespace {
 
-using bearing::dynamics::BoreMotion;
+using bearing::motion::BoreMotion;
 
 // Error of a step, over what is allowed, up to which a bearing is gone over again by itself: beyond it the
 // bearing's force in the step of all is not to be trusted.
@@ -23,25 +23,28 @@ std::vector<double> gears_alone(const CoupledSystem& system, const std::vector<d
 }
 
 // The cubic through places and velocities at both ends of a step, and its slope.
-void join(double h, double from, double v_from, double to, double v_to, Course& place, Course& velocity) {
+void join(double h, double from, double v_from, double to, double v_to, InputPolynomial& place,
+          InputPolynomial& velocity) {
   const double mean = (to - from) / h;
   const double bend = (3.0 * mean - 2.0 * v_from - v_to) / h, twist = (v_from + v_to - 2.0 * mean) / (h * h);
   place = {{from, v_from, bend, twist}};
   velocity = {{v_from, 2.0 * bend, 3.0 * twist, 0.0}};
 }
 
-Course straight(double h, double from, double to) {
+InputPolynomial straight(double h, double from, double to) {
   return {{from, (to - from) / h, 0.0, 0.0}};
 }
 
-BoreCourse course_between(const BoreMotion& from, const BoreMotion& to, double h) {
-  BoreCourse course;
-  join(h, from.position.x(), from.velocity.x(), to.position.x(), to.velocity.x(), course.x, course.v_x);
-  join(h, from.position.y(), from.velocity.y(), to.position.y(), to.velocity.y(), course.y, course.v_y);
-  course.speed = straight(h, from.speed, to.speed);
-  course.carrier_speed = straight(h, from.carrier_speed, to.carrier_speed);
-  course.carrier_acceleration = straight(h, from.carrier_acceleration, to.carrier_acceleration);
-  return course;
+BoreInputs polynomial_between(const BoreMotion& from, const BoreMotion& to, double h) {
+  BoreInputs polynomial;
+  join(h, from.position.x(), from.velocity.x(), to.position.x(), to.velocity.x(), polynomial.x,
+       polynomial.v_x);
+  join(h, from.position.y(), from.velocity.y(), to.position.y(), to.velocity.y(), polynomial.y,
+       polynomial.v_y);
+  polynomial.speed = straight(h, from.speed, to.speed);
+  polynomial.carrier_speed = straight(h, from.carrier_speed, to.carrier_speed);
+  polynomial.carrier_acceleration = straight(h, from.carrier_acceleration, to.carrier_acceleration);
+  return polynomial;
 }
 
 }  // namespace
@@ -100,9 +103,9 @@ void CoupledSteps::refine(CoupledSystem& system, int b, const std::vector<double
                        system.part(state.data(), system.freedoms()));
   };
   const BoreMotion from = motion_at(before, t);
-  const BoreCourse course = course_between(from, motion_at(x, t + h), h);
+  const BoreInputs polynomial = polynomial_between(from, motion_at(x, t + h), h);
   const auto place = static_cast<std::size_t>(b);
-  DrivenSystem driven(system.bearing(b), course, from.angle, system.loads[place], system.sums[place]);
+  DrivenSystem driven(system.bearing(b), polynomial, from.angle, system.loads[place], system.sums[place]);
   std::copy_n(system.of_bearing(before.data(), b), bearing_.size(), bearing_.begin());
   double step = h * integration::StepControl::share(errors_[place]);
   integration::through_window(within_, driven, bearing_, h, {.most_steps = options_.most_steps}, step);
@@ -111,4 +114,4 @@ void CoupledSteps::refine(CoupledSystem& system, int b, const std::vector<double
   ++refined_;
 }
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

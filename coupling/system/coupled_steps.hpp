@@ -9,7 +9,7 @@
 #include "coupling/integration/step_control.hpp"
 #include "coupling/system/coupled_system.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// Allowed errors and bounds of the steps.
 struct CoupledStepOptions {
@@ -47,4 +47,4 @@ class CoupledSteps {
   long refined_ = 0;
 };
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

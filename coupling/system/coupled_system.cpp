@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 namespace {
 
-using bearing::dynamics::BoreMotion;
-using bearing::fast::VectorBearing;
+using bearing::motion::BoreMotion;
+using bearing::vectorised::VectorBearing;
 using gearset::dynamics::SetLayout;
 
-bearing::dynamics::DamageSums empty_sums(const CoupledModel& model, long places) {
-  return bearing::dynamics::DamageSums(places, uneven_laminae(cut_races(model.bearing_of(0))));
+bearing::motion::DamageSums empty_sums(const CoupledModel& model, long places) {
+  return bearing::motion::DamageSums(places, uneven_laminae(cut_races(model.bearing_of(0))));
 }
 
 constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at once
@@ -37,7 +37,7 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
   rate_.resize(freedoms());
 }
 
-bearing::dynamics::DamageSums CoupledSystem::no_damage(long places) const {
+bearing::motion::DamageSums CoupledSystem::no_damage(long places) const {
   return empty_sums(model_, places);
 }
 
@@ -113,7 +113,7 @@ bool CoupledSystem::factor(double g) {
   matrix_ = -g * slopes_.by_velocity - (g * g) * slopes_.by_position;
   matrix_.diagonal() += model_.gears.mass;
   for (int b = 0; b < bearings(); ++b) {
-    bearing::fast::PortMatrix port;
+    bearing::vectorised::PortMatrix port;
     if (!bearings_[static_cast<std::size_t>(b)].factor_open(g, port)) return false;
     Eigen::Matrix2d matrix;
     matrix << port.a[0][0], port.a[0][1], port.a[1][0], port.a[1][1];
@@ -154,7 +154,7 @@ void CoupledSystem::begun(const std::vector<double>& x) {
   for (int b = 0; b < bearings(); ++b) {
     const auto place = static_cast<std::size_t>(b);
     loads[place].take(bearing(b), of_bearing(x.data(), b),
-                      bearing::dynamics::race_speeds(bearing(b).model().geometry, 0.0, bore_speed_[place]));
+                      bearing::motion::race_speeds(bearing(b).model().geometry, 0.0, bore_speed_[place]));
   }
 }
 
@@ -179,4 +179,4 @@ void CoupledSystem::settle(double, std::vector<double>& x) const {
   }
 }
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

@@ -12,7 +12,7 @@
 #include "gearset/dynamics/slopes.hpp"
 #include "mechanics/dense_lu.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// State: [ gears in the order of SetLayout, padded to a multiple of eight | bearing | bearing | ... ], each
 /// bearing in PaddedLayout with its bore where the gear set has it. `Rosenbrock2` and `through_window` run
@@ -34,8 +34,10 @@ class CoupledSystem {
   std::ptrdiff_t offset(int b) const { return gear_size_ + b * bearing_size_; }
   double* of_bearing(double* x, int b) const { return x + offset(b); }
   const double* of_bearing(const double* x, int b) const { return x + offset(b); }
-  const bearing::fast::VectorBearing& bearing(int b) const { return bearings_[static_cast<std::size_t>(b)]; }
-  bearing::fast::VectorBearing& bearing(int b) { return bearings_[static_cast<std::size_t>(b)]; }
+  const bearing::vectorised::VectorBearing& bearing(int b) const {
+    return bearings_[static_cast<std::size_t>(b)];
+  }
+  bearing::vectorised::VectorBearing& bearing(int b) { return bearings_[static_cast<std::size_t>(b)]; }
   const CoupledModel& model() const { return model_; }
   double true_time(double time) const;
 
@@ -53,15 +55,15 @@ class CoupledSystem {
   void settle(double time, std::vector<double>& x) const;
 
   /// Sums of a bearing that nothing was counted of yet.
-  bearing::dynamics::DamageSums no_damage(long places) const;
+  bearing::motion::DamageSums no_damage(long places) const;
 
-  std::vector<system::LoadsAtStep> loads;           // (bearings)
-  std::vector<bearing::dynamics::DamageSums> sums;  // (bearings)
+  std::vector<system::LoadsAtStep> loads;         // (bearings)
+  std::vector<bearing::motion::DamageSums> sums;  // (bearings)
   std::vector<bool> counted;  // (bearings)  their loads of this step are in the sums already
   long steps = 0;             // [-]  accepted since construction
 
   /// What the bearings did to their planets at the last evaluation, one entry a bearing.
-  const std::vector<bearing::dynamics::BoreReaction>& reactions() const { return reactions_; }
+  const std::vector<bearing::motion::BoreReaction>& reactions() const { return reactions_; }
 
  private:
   template <bool WithSlopes>
@@ -70,8 +72,8 @@ class CoupledSystem {
 
   const CoupledModel& model_;
   gearset::dynamics::PlanetarySetEquations equations_;
-  std::vector<bearing::fast::VectorBearing> bearings_;
-  std::vector<bearing::dynamics::BoreReaction> reactions_;
+  std::vector<bearing::vectorised::VectorBearing> bearings_;
+  std::vector<bearing::motion::BoreReaction> reactions_;
   std::vector<double> bore_speed_;  // [rad/s]  (bearings)  at the last linearisation
   gearset::dynamics::PortLoads port_loads_;
   gearset::dynamics::ForceSlopes slopes_;
@@ -84,4 +86,4 @@ class CoupledSystem {
   double begin_ = 0.0, first_ = 0.0, last_ = 0.0;  // [s]
 };
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

@@ -17,7 +17,7 @@
 #include "coupling/system/driven_system.hpp"
 #include "mechanics/checks.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 // All that the future of a driven bearing depends on.
 struct DrivenState {
@@ -27,7 +27,7 @@ struct DrivenState {
   double angle = 0.0;        // [rad]  of the bore
   double turned = 0.0;       // [rad]  there and back
   double step_before = 0.0;  // [s]    half of it is not counted yet
-  bearing::dynamics::DamageSums sums{0};
+  bearing::motion::DamageSums sums{0};
 
   // Every number in turn, for `visit(double* first, size)`.
   template <class Visit>
@@ -41,12 +41,12 @@ struct DrivenState {
 
 namespace {
 
-using bearing::dynamics::BearingModel;
-using bearing::dynamics::BoreMotion;
-using bearing::dynamics::BoreReaction;
-using bearing::dynamics::DamageSums;
-using bearing::dynamics::Snapshot;
-using bearing::fast::VectorBearing;
+using bearing::motion::BearingModel;
+using bearing::motion::BoreMotion;
+using bearing::motion::BoreReaction;
+using bearing::motion::DamageSums;
+using bearing::motion::Snapshot;
+using bearing::vectorised::VectorBearing;
 using mechanics::require;
 
 // Steps of central differences: far below what the laws see, far above round-off.
@@ -72,24 +72,24 @@ void check_numbers(const DrivenBearingSetup& setup) {
           "at least 1");
 }
 
-void check_effects(const bearing::dynamics::DynamicsParameters& dynamics) {
-  require(dynamics.driving.growth == 0.0, "growth of the speeds [1/s]", dynamics.driving.growth,
+void check_effects(const bearing::motion::DynamicsParameters& dynamics) {
+  require(dynamics.driving.ramp == 0.0, "growth of the speeds [1/s]", dynamics.driving.ramp,
           "0, since the speeds are inputs");
-  require(dynamics.ripple.harmonics.empty(), "harmonics of a mesh ripple",
-          static_cast<double>(dynamics.ripple.harmonics.size()), "none, since the motion is an input");
+  require(dynamics.excitation.harmonics.empty(), "harmonics of a mesh excitation",
+          static_cast<double>(dynamics.excitation.harmonics.size()), "none, since the motion is an input");
   const bool printed =
       dynamics.race.film_in_approach && dynamics.race.film_approach == bearing::FilmApproach::as_printed;
   require(!printed, "film in the approach as printed", 1.0,
           "a film that is added, since the printed one asks for the load beforehand");
 }
 
-bool finite(const Course& course) {
-  return std::all_of(course.coefficient.begin(), course.coefficient.end(),
+bool finite(const InputPolynomial& polynomial) {
+  return std::all_of(polynomial.coefficient.begin(), polynomial.coefficient.end(),
                      [](double c) { return std::isfinite(c); });
 }
 
-void require_finite(const BoreCourse& inputs) {
-  const std::pair<const char*, const Course*> all[] = {
+void require_finite(const BoreInputs& inputs) {
+  const std::pair<const char*, const InputPolynomial*> all[] = {
       {"x [m]", &inputs.x},
       {"y [m]", &inputs.y},
       {"v_x [m/s]", &inputs.v_x},
@@ -97,13 +97,13 @@ void require_finite(const BoreCourse& inputs) {
       {"speed [rad/s]", &inputs.speed},
       {"carrier speed [rad/s]", &inputs.carrier_speed},
       {"carrier acceleration [rad/s^2]", &inputs.carrier_acceleration}};
-  for (const auto& [name, course] : all)
-    if (!finite(*course))
+  for (const auto& [name, polynomial] : all)
+    if (!finite(*polynomial))
       throw std::runtime_error(std::string("driven bearing: the input ") + name +
                                " is not finite; required: finite numbers");
 }
 
-void require_finite(const bearing::dynamics::BoreMotion& motion) {
+void require_finite(const bearing::motion::BoreMotion& motion) {
   const bool holds = motion.position.allFinite() && motion.velocity.allFinite() &&
                      motion.acceleration.allFinite() && std::isfinite(motion.speed) &&
                      std::isfinite(motion.carrier_speed) && std::isfinite(motion.carrier_acceleration);
@@ -215,7 +215,7 @@ struct DrivenBearing::Inside {
     allowed = system::allowed_errors(model, setup.allowed_length_error);
     state.sums = no_damage();
     state.flat = Eigen::VectorXd::Zero(model.layout.size());
-    if (!bearing::fast::supports(model)) return;
+    if (!bearing::vectorised::supports(model)) return;
     fast.emplace(model);
     stepper.emplace(system::linearly_implicit_errors(*fast, allowed), system::longest_step(model));
     at_instant.resize(static_cast<std::size_t>(fast->layout().size()));
@@ -251,8 +251,8 @@ struct DrivenBearing::Inside {
     return motion;
   }
 
-  void run(double length, const BoreCourse& inputs) {
-    const Course angle = integral(state.angle, inputs.speed);
+  void run(double length, const BoreInputs& inputs) {
+    const InputPolynomial angle = integral(state.angle, inputs.speed);
     const integration::WindowLimits limits{.most_steps = setup.most_steps};
     loads.step_before = state.step_before;
     if (fast)
@@ -266,13 +266,13 @@ struct DrivenBearing::Inside {
     if (!reason.empty()) throw std::runtime_error("driven bearing: " + reason);
   }
 
-  void run_fast(double length, const BoreCourse& inputs, const integration::WindowLimits& limits) {
+  void run_fast(double length, const BoreInputs& inputs, const integration::WindowLimits& limits) {
     DrivenSystem system(*fast, inputs, state.angle, loads, state.sums);
     system.settle(0.0, state.x);
     integration::through_window(*stepper, system, state.x, length, limits, state.step);
   }
 
-  void run_readable(double length, const BoreCourse& inputs, const Course& angle,
+  void run_readable(double length, const BoreInputs& inputs, const InputPolynomial& angle,
                     const integration::WindowLimits& limits) {
     const auto motion_at = [&](double time) {
       BoreMotion motion = inputs.at(time);
@@ -306,7 +306,7 @@ struct DrivenBearing::Inside {
     return fast->reaction();
   }
   BoreReaction reaction(const BoreMotion& motion) {
-    return fast ? evaluate(motion, false) : bearing::dynamics::reaction(model, motion, state.flat);
+    return fast ? evaluate(motion, false) : bearing::motion::reaction(model, motion, state.flat);
   }
 
   // Central difference of the force by the number that `move` changes.
@@ -337,7 +337,7 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
   in.set(start);
 }
 
-void DrivenBearing::advance(const Window& window, const BoreCourse& inputs) {
+void DrivenBearing::advance(const Window& window, const BoreInputs& inputs) {
   require_length(window);
   require_finite(inputs);
   inside_->backup = inside_->state;
@@ -369,7 +369,7 @@ Eigen::VectorXd DrivenBearing::state() const {
   return inside_->flat();
 }
 
-void DrivenBearing::collect_loads(bearing::dynamics::StatisticsCollector* collector) {
+void DrivenBearing::collect_loads(bearing::motion::StatisticsCollector* collector) {
   inside_->loads.collector = collector;
 }
 
@@ -379,7 +379,7 @@ ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
   ForceSlopes slopes;
   if (in.fast) {
     in.evaluate(here, true);
-    const bearing::fast::BoreSlopes exact = in.fast->bore_slopes();
+    const bearing::vectorised::BoreSlopes exact = in.fast->bore_slopes();
     for (int i = 0; i < 2; ++i)
       for (int k = 0; k < 2; ++k) {
         slopes.by_displacement(i, k) = exact.by_position[i][k];
@@ -420,9 +420,9 @@ void DrivenBearing::initialize(double, const std::vector<double>& inputs) {
   initialize(motion_of(inputs));
 }
 
-void DrivenBearing::advance(const Window& window, const std::vector<Course>& in) {
+void DrivenBearing::advance(const Window& window, const std::vector<InputPolynomial>& in) {
   using namespace bearing_input;
-  advance(window, BoreCourse{.x = in[x],
+  advance(window, BoreInputs{.x = in[x],
                              .y = in[y],
                              .v_x = in[velocity_x],
                              .v_y = in[velocity_y],
@@ -470,4 +470,4 @@ std::vector<double> DrivenBearing::slopes(const std::vector<double>& inputs, std
   return by;
 }
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

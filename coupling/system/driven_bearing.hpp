@@ -14,15 +14,15 @@
 #include "coupling/system/steady_state.hpp"
 #include "mechanics/described.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// All that is fixed before a run.
 struct DrivenBearingSetup {
   bearing::Bearing bearing;
-  bearing::dynamics::DynamicsParameters dynamics;  // no run-up, no ripple: the inputs bring them
-  double orbit_radius = 0.0;                       // [m]    from the carrier's axis to the pin's
-  double first_roller = 0.0;                       // [rad]  place of the first roller at the start
-  double lambda = 0.83;                            // [-]    of the Lundberg-Palmgren life
+  bearing::motion::DynamicsParameters dynamics;  // no run-up, no excitation: the inputs bring them
+  double orbit_radius = 0.0;                     // [m]    from the carrier's axis to the pin's
+  double first_roller = 0.0;                     // [rad]  place of the first roller at the start
+  double lambda = 0.83;                          // [-]    of the Lundberg-Palmgren life
   /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Felt by
   /// laminae only, and refused without them.
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
@@ -69,15 +69,15 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
 
 /// The model of a bearing that others drive. Throws std::invalid_argument, with what was found and what is
 /// required, where a number has no meaning or where something is asked for that follows from speeds or loads
-/// before they are known: a run-up, a mesh ripple, the film as printed.
-bearing::dynamics::BearingModel driven_model(const DrivenBearingSetup& setup);
+/// before they are known: a run-up, a mesh excitation, the film as printed.
+bearing::motion::BearingModel driven_model(const DrivenBearingSetup& setup);
 
 /// Throws std::runtime_error with what was found where a window has no length.
 void require_length(const Window& window);
 
 /// At the present time.
 struct DrivenBearingOutput {
-  bearing::dynamics::BoreReaction reaction;
+  bearing::motion::BoreReaction reaction;
   double cage_speed = 0.0;   // [rad/s]  relative to the carrier
   double cage_slip = 0.0;    // [-]  1 - cage speed / kinematic cage speed; 0 where nothing turns
   double life_used = 0.0;    // [-]  revolutions so far over the life (in revolutions) under the loads so far
@@ -91,9 +91,8 @@ struct DrivenBearingOutput {
 /// Of `now`, under a bore that turns at `bore_speed` [rad/s] and has turned by `turned` [rad] there and back;
 /// `life` [rev] under the loads so far.
 DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, double bore_speed,
-                                  const bearing::dynamics::Snapshot& now,
-                                  const bearing::dynamics::BoreReaction& reaction, double turned,
-                                  double life);
+                                  const bearing::motion::Snapshot& now,
+                                  const bearing::motion::BoreReaction& reaction, double turned, double life);
 
 /// Slopes of the force on the bore [N/m] and [N s/m]: rows x and y; the inner state held.
 struct ForceSlopes {
@@ -112,30 +111,30 @@ class DrivenBearing final : public Participant {
   DrivenBearing& operator=(DrivenBearing&&) noexcept;
 
   void initialize(double time, const std::vector<double>& inputs) override;
-  void advance(const Window& window, const std::vector<Course>& inputs) override;
+  void advance(const Window& window, const std::vector<InputPolynomial>& inputs) override;
   /// Of the first three, which are the reaction, no more is computed.
   std::vector<double> values(const std::vector<double>& inputs, std::size_t number) const override;
   std::vector<double> slopes(const std::vector<double>& inputs, std::size_t input) const override;
   /// That of the bore under `inputs`.
-  static bearing::dynamics::BoreMotion motion_of(const std::vector<double>& inputs);
+  static bearing::motion::BoreMotion motion_of(const std::vector<double>& inputs);
 
   /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
   /// zero.
-  void initialize(const bearing::dynamics::BoreMotion& motion);
-  /// From `window.begin` to its end with `inputs`, whose courses count from the beginning. On an error
+  void initialize(const bearing::motion::BoreMotion& motion);
+  /// From `window.begin` to its end with `inputs`, whose polynomials count from the beginning. On an error
   /// (std::runtime_error) the state is that at the beginning.
-  void advance(const Window& window, const BoreCourse& inputs);
+  void advance(const Window& window, const BoreInputs& inputs);
   /// What the bearing does to the bore under the motion at the present time: the cheap part of output().
-  bearing::dynamics::BoreReaction reaction(const bearing::dynamics::BoreMotion& motion) const;
+  bearing::motion::BoreReaction reaction(const bearing::motion::BoreMotion& motion) const;
   /// Under the motion at the present time.
-  DrivenBearingOutput output(const bearing::dynamics::BoreMotion& motion) const;
-  ForceSlopes slopes(const bearing::dynamics::BoreMotion& motion) const;
+  DrivenBearingOutput output(const bearing::motion::BoreMotion& motion) const;
+  ForceSlopes slopes(const bearing::motion::BoreMotion& motion) const;
 
   /// All that can be read off at the present time.
-  void take_snapshot(const bearing::dynamics::BoreMotion& motion, bearing::dynamics::Snapshot& into) const;
+  void take_snapshot(const bearing::motion::BoreMotion& motion, bearing::motion::Snapshot& into) const;
   /// From now on the loads of every step, weighted by its length, also go to `collector`, which outlives this
   /// or is replaced; null: no longer. No part of the saved state.
-  void collect_loads(bearing::dynamics::StatisticsCollector* collector);
+  void collect_loads(bearing::motion::StatisticsCollector* collector);
 
   /// In the order of StateLayout, the bore where it was last.
   Eigen::VectorXd state() const;
@@ -149,4 +148,4 @@ class DrivenBearing final : public Participant {
   std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

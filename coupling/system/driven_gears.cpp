@@ -10,7 +10,7 @@
 #include "gearset/dynamics/static_state.hpp"
 #include "mechanics/checks.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 namespace {
 
@@ -114,9 +114,9 @@ struct DrivenGears::Inside {
       mechanics::refuse("number of forces on planets", static_cast<double>(forces), "three for each planet");
   }
 
-  void set_loads(const std::vector<Course>& forces, double since) {
+  void set_loads(const std::vector<InputPolynomial>& forces, double since) {
     for (Index i = 0; i < planets(); ++i) {
-      const Course* force = &forces[static_cast<std::size_t>(kForcesOfPlanet * i)];
+      const InputPolynomial* force = &forces[static_cast<std::size_t>(kForcesOfPlanet * i)];
       loads.force.col(i) << force[0].at(since), force[1].at(since);
       loads.moment[i] = force[2].at(since);
     }
@@ -165,7 +165,7 @@ void DrivenGears::balance(double, const std::vector<double>& forces) {
   inside_->x = gearset::dynamics::static_state(springs);
 }
 
-void DrivenGears::advance(const Window& window, const std::vector<Course>& forces) {
+void DrivenGears::advance(const Window& window, const std::vector<InputPolynomial>& forces) {
   inside_->require_one_each(forces.size());
   if (!(window.end > window.begin)) mechanics::refuse("length of a window", window.length(), "above 0");
   const auto derivative = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
@@ -235,4 +235,4 @@ void DrivenGears::restore(const SavedState& state) {
   restore_state(state, "gears", {kSavedGearsKind}, *inside_);
 }
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

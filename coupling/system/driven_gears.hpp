@@ -8,7 +8,7 @@
 #include "coupling/system/participant.hpp"
 #include "gearset/dynamics/parameters.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// All that is fixed before a run. With `set.planet.coupled_bearing` stiffness and damping of the planet's
 /// bearing serve to find the state in which the run begins; without it they act beside the forces, so that
@@ -65,7 +65,7 @@ class DrivenGears final : public Participant {
   /// about it. Called in turn with the bearings' own answers it leads to the state in which both are in
   /// balance. Moments are left to the motion.
   void balance(double time, const std::vector<double>& forces) override;
-  void advance(const Window& window, const std::vector<Course>& forces) override;
+  void advance(const Window& window, const std::vector<InputPolynomial>& forces) override;
   std::vector<double> values(const std::vector<double>& forces, std::size_t number) const override;
   /// Zero: motion follows forces only in time.
   std::vector<double> slopes(const std::vector<double>& forces, std::size_t input) const override;
@@ -83,4 +83,4 @@ class DrivenGears final : public Participant {
   std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

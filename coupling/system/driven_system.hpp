@@ -4,31 +4,31 @@
 #include <algorithm>
 #include <vector>
 
-#include "coupling/system/course.hpp"
+#include "coupling/system/input_polynomial.hpp"
 #include "coupling/system/loads_at_step.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// Times count from the beginning of the window. The rate of the bore's velocity is given, so its row in the
 /// matrix is that of the unit matrix.
 class DrivenSystem {
  public:
-  DrivenSystem(bearing::fast::VectorBearing& bearing, const BoreCourse& inputs, double angle,
-               system::LoadsAtStep& loads, bearing::dynamics::DamageSums& sums)
+  DrivenSystem(bearing::vectorised::VectorBearing& bearing, const BoreInputs& inputs, double angle,
+               system::LoadsAtStep& loads, bearing::motion::DamageSums& sums)
       : bearing_(bearing),
         inputs_(inputs),
         angle_(integral(angle, inputs.speed)),
         loads_(loads),
         sums_(sums) {}
 
-  bearing::dynamics::BoreMotion at(double time) const {
-    bearing::dynamics::BoreMotion motion = inputs_.at(time);
+  bearing::motion::BoreMotion at(double time) const {
+    bearing::motion::BoreMotion motion = inputs_.at(time);
     motion.angle = angle_.at(time);
     return motion;
   }
 
   void linearise(double time, const double* x, double* dx) {
-    const bearing::dynamics::BoreMotion motion = at(time);
+    const bearing::motion::BoreMotion motion = at(time);
     bore_speed_ = motion.speed;
     bearing_.linearise(motion, x, dx);
   }
@@ -52,30 +52,30 @@ class DrivenSystem {
 
   void begun(const std::vector<double>& x) {
     loads_.take(bearing_, x.data(),
-                bearing::dynamics::race_speeds(bearing_.model().geometry, 0.0, bore_speed_));
+                bearing::motion::race_speeds(bearing_.model().geometry, 0.0, bore_speed_));
   }
   void stepped(double, double length) { loads_.count(length, &sums_); }
   void settle(double time, std::vector<double>& x) const { put(at(time), x); }
 
   /// Puts the bore where `motion` says.
-  void put(const bearing::dynamics::BoreMotion& motion, std::vector<double>& x) const {
+  void put(const bearing::motion::BoreMotion& motion, std::vector<double>& x) const {
     double* bore = x.data() + bearing_.layout().bore();
     std::copy_n(motion.position.data(), 2, bore);
     std::copy_n(motion.velocity.data(), 2, bore + 2);
   }
 
  private:
-  static double second_slope(const Course& course, double since) {
-    return 2.0 * course.coefficient[2] + 6.0 * since * course.coefficient[3];
+  static double second_slope(const InputPolynomial& polynomial, double since) {
+    return 2.0 * polynomial.coefficient[2] + 6.0 * since * polynomial.coefficient[3];
   }
 
-  bearing::fast::VectorBearing& bearing_;
-  const BoreCourse& inputs_;
-  Course angle_;
+  bearing::vectorised::VectorBearing& bearing_;
+  const BoreInputs& inputs_;
+  InputPolynomial angle_;
   system::LoadsAtStep& loads_;
-  bearing::dynamics::DamageSums& sums_;
+  bearing::motion::DamageSums& sums_;
   double bore_speed_ = 0.0;  // [rad/s]  at the last linearisation
-  bearing::fast::PortMatrix port_;
+  bearing::vectorised::PortMatrix port_;
 };
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

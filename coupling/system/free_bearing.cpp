@@ -15,21 +15,21 @@ namespace orbearing::system {
 
 namespace {
 
-using bearing::dynamics::BearingModel;
-using bearing::fast::VectorBearing;
+using bearing::motion::BearingModel;
+using bearing::vectorised::VectorBearing;
 using integration::IntegrationOptions;
 using integration::IntegrationReport;
 using integration::OutputTimes;
 
-bearing::dynamics::RaceSpeeds speeds_of(const BearingModel& model) {
-  return bearing::dynamics::race_speeds(model.geometry, model.point.inner_speed, model.point.outer_speed);
+bearing::motion::RaceSpeeds speeds_of(const BearingModel& model) {
+  return bearing::motion::race_speeds(model.geometry, model.point.inner_speed, model.point.outer_speed);
 }
 
 // The vectorised bearing as the linearly implicit stepper and its windows see it.
 class FreeSystem {
  public:
   FreeSystem(VectorBearing& bearing, const StepObserver& on_step,
-             bearing::dynamics::StatisticsCollector* collector)
+             bearing::motion::StatisticsCollector* collector)
       : bearing_(bearing),
         on_step_(on_step),
         races_(speeds_of(bearing.model())),
@@ -60,7 +60,7 @@ class FreeSystem {
  private:
   VectorBearing& bearing_;
   const StepObserver& on_step_;
-  bearing::dynamics::RaceSpeeds races_;
+  bearing::motion::RaceSpeeds races_;
   LoadsAtStep loads_;
   std::vector<double> from_;
   Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  // [N]
@@ -102,7 +102,7 @@ bool run(VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x, const O
 IntegrationReport integrate_bearing(VectorBearing& bearing, Eigen::VectorXd& x, const OutputTimes& output,
                                     const IntegrationOptions& options, const integration::Observer& observe,
                                     const StepObserver& on_step,
-                                    bearing::dynamics::StatisticsCollector* collector) {
+                                    bearing::motion::StatisticsCollector* collector) {
   IntegrationReport report;
   report.reached = output.time(0);
   report.smallest_step = std::numeric_limits<double>::infinity();
@@ -124,14 +124,14 @@ FreeBearing::FreeBearing(BearingModel model, Eigen::VectorXd start, double lengt
     : equations_(std::move(model)), options_(options), state_(std::move(start)), shown_(state_) {
   options_.allowed_error = allowed_errors(this->model(), length_error);
   if (options_.method != integration::Method::linearly_implicit) return;
-  if (bearing::fast::supports(this->model()))
+  if (bearing::vectorised::supports(this->model()))
     vectorised_.emplace(this->model());
   else
     options_.method = integration::Method::dopri5;
 }
 
-void FreeBearing::take_snapshot(int, bearing::dynamics::Snapshot& into) const {
-  bearing::dynamics::take_snapshot(model(), shown_, into, time_);
+void FreeBearing::take_snapshot(int, bearing::motion::Snapshot& into) const {
+  bearing::motion::take_snapshot(model(), shown_, into, time_);
 }
 
 void FreeBearing::advance(const OutputTimes& times, const std::function<void(double time)>& observe) {
@@ -170,12 +170,12 @@ IntegrationReport FreeBearing::advance_readable(const OutputTimes& times, const 
     show(time, x);
     if (!observers_.on_bore) return;
     const bearing::OperatingPoint& point = model().point;
-    const bearing::dynamics::BoreMotion motion{.position = x.segment<2>(model().layout.bore()),
-                                               .velocity = x.segment<2>(model().layout.bore() + 2),
-                                               .speed = point.outer_speed,
-                                               .angle = point.outer_speed * time,
-                                               .carrier_speed = point.carrier.speed,
-                                               .carrier_acceleration = point.carrier.acceleration};
+    const bearing::motion::BoreMotion motion{.position = x.segment<2>(model().layout.bore()),
+                                             .velocity = x.segment<2>(model().layout.bore() + 2),
+                                             .speed = point.outer_speed,
+                                             .angle = point.outer_speed * time,
+                                             .carrier_speed = point.carrier.speed,
+                                             .carrier_acceleration = point.carrier.acceleration};
     observers_.on_bore({time, 1.0, motion.position, motion.velocity, reaction(model(), motion, x).force});
   };
   return integrate(derivative, state_, times, options, observe);

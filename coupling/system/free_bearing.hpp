@@ -14,7 +14,7 @@ struct StepSample {
   double time = 0.0;              // [s]
   double weight = 0.0;            // [s]  half of the step before and half of the one after
   const double* state = nullptr;  // padded
-  bearing::dynamics::RollerLoads loads;
+  bearing::motion::RollerLoads loads;
   Eigen::Vector2d bore_force = Eigen::Vector2d::Zero();  // [N]  of the bearing on the bore
 };
 using StepObserver = std::function<void(const StepSample&)>;
@@ -23,19 +23,19 @@ using StepObserver = std::function<void(const StepSample&)>;
 /// `observe` sees states at the output times, `on_step` every accepted step and what is left of the last one;
 /// either may be empty, and a std::runtime_error of theirs ends the run as its message. The loads also go to
 /// `collector`, if any.
-integration::IntegrationReport integrate_bearing(bearing::fast::VectorBearing& bearing, Eigen::VectorXd& x,
-                                                 const integration::OutputTimes& output,
+integration::IntegrationReport integrate_bearing(bearing::vectorised::VectorBearing& bearing,
+                                                 Eigen::VectorXd& x, const integration::OutputTimes& output,
                                                  const integration::IntegrationOptions& options,
                                                  const integration::Observer& observe,
                                                  const StepObserver& on_step,
-                                                 bearing::dynamics::StatisticsCollector* collector = nullptr);
+                                                 bearing::motion::StatisticsCollector* collector = nullptr);
 
 /// By linearly implicit steps where they are asked for and the vectorised bearing knows all of the model,
 /// else by the readable equations.
 class FreeBearing final : public Motion {
  public:
   /// From the state `start`; `length_error` [m] is allowed in one step, and all other errors follow from it.
-  FreeBearing(bearing::dynamics::BearingModel model, Eigen::VectorXd start, double length_error,
+  FreeBearing(bearing::motion::BearingModel model, Eigen::VectorXd start, double length_error,
               const integration::IntegrationOptions& options);
 
   int bearings() const override { return 1; }
@@ -45,10 +45,10 @@ class FreeBearing final : public Motion {
   /// The last step ends with `times`.
   void advance(const integration::OutputTimes& times,
                const std::function<void(double time)>& observe) override;
-  void take_snapshot(int b, bearing::dynamics::Snapshot& into) const override;
+  void take_snapshot(int b, bearing::motion::Snapshot& into) const override;
   integration::IntegrationReport report() const override { return report_; }
 
-  const bearing::dynamics::BearingModel& model() const { return equations_.model(); }
+  const bearing::motion::BearingModel& model() const { return equations_.model(); }
   /// In the order of StateLayout; after an error the last one that was seen.
   const Eigen::VectorXd& state() const { return state_; }
 
@@ -60,8 +60,8 @@ class FreeBearing final : public Motion {
                                                   const integration::IntegrationOptions& options,
                                                   const integration::Observer& show);
 
-  bearing::dynamics::PlanetBearingEquations equations_;
-  std::optional<bearing::fast::VectorBearing> vectorised_;
+  bearing::motion::PlanetBearingEquations equations_;
+  std::optional<bearing::vectorised::VectorBearing> vectorised_;
   integration::IntegrationOptions options_;
   integration::IntegrationReport report_;
   StepObservers observers_{{nullptr}, {}};

@@ -13,15 +13,15 @@ namespace orbearing::system {
 struct LoadsAtStep {
   std::vector<double> angle, orbital_speed, inner, outer;   // [rad], [rad/s], [N]  (rollers)
   std::vector<double> inner_approach, outer_approach, tip;  // [m]  (rollers) or none
-  const bearing::dynamics::LaminaRaces* laminae = nullptr;  // where they are counted one by one
-  bearing::dynamics::RaceSpeeds races;
-  double step_before = 0.0;                                     // [s]
-  bearing::dynamics::StatisticsCollector* collector = nullptr;  // gets them, where there is one
+  const bearing::motion::LaminaRaces* laminae = nullptr;    // where they are counted one by one
+  bearing::motion::RaceSpeeds races;
+  double step_before = 0.0;                                   // [s]
+  bearing::motion::StatisticsCollector* collector = nullptr;  // gets them, where there is one
 
   explicit LoadsAtStep(int rollers)
       : angle(static_cast<std::size_t>(rollers)), orbital_speed(angle), inner(angle), outer(angle) {}
 
-  void take(const bearing::dynamics::RollerLoads& loads) {
+  void take(const bearing::motion::RollerLoads& loads) {
     std::copy_n(loads.angle, angle.size(), angle.begin());
     std::copy_n(loads.orbital_speed, angle.size(), orbital_speed.begin());
     std::copy_n(loads.inner, inner.size(), inner.begin());
@@ -34,22 +34,22 @@ struct LoadsAtStep {
     tip.assign(loads.tip, loads.tip + angle.size());
   }
   /// Those of the padded state `x`, at which `bearing` was evaluated last, with its races at `speeds`.
-  void take(const bearing::fast::VectorBearing& bearing, const double* x,
-            const bearing::dynamics::RaceSpeeds& speeds) {
+  void take(const bearing::vectorised::VectorBearing& bearing, const double* x,
+            const bearing::motion::RaceSpeeds& speeds) {
     const int lanes = bearing.layout().lanes();
-    const bearing::fast::ContactLoads loads = bearing.loads();
+    const bearing::vectorised::ContactLoads loads = bearing.loads();
     take({x + lanes, x + 3 * lanes, loads.inner, loads.outer, speeds, cut_races(bearing.model()),
           loads.inner_approach, loads.outer_approach, loads.tip});
   }
 
   /// Valid until the next are taken.
-  bearing::dynamics::RollerLoads loads() const {
+  bearing::motion::RollerLoads loads() const {
     return {angle.data(), orbital_speed.data(),  inner.data(),          outer.data(), races,
             laminae,      inner_approach.data(), outer_approach.data(), tip.data()};
   }
   /// A step of `length` [s] begins: the loads go to the collector and into `sums`, where there are any.
   /// @return how long they count [s]
-  double count(double length, bearing::dynamics::DamageSums* sums) {
+  double count(double length, bearing::motion::DamageSums* sums) {
     const double time = 0.5 * (step_before + length);
     step_before = length;
     if (sums) sums->add(time, static_cast<Eigen::Index>(angle.size()), loads());

@@ -13,12 +13,12 @@
 #include "coupling/system/coupled_steps.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 namespace {
 
-using bearing::dynamics::BoreMotion;
-using bearing::dynamics::Snapshot;
+using bearing::motion::BoreMotion;
+using bearing::motion::Snapshot;
 
 constexpr double kFirstStep = 1e-6;  // [s]
 constexpr double kSavedSystemKind = 30002.0;
@@ -28,7 +28,7 @@ constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
 
 CoupledModel checked_model(const CoupledSetup& setup) {
   CoupledModel model = coupled_model(setup);
-  if (!bearing::fast::supports(model.bearing))
+  if (!bearing::vectorised::supports(model.bearing))
     throw std::invalid_argument(
         "monolithic solution: found oil in the pockets; required: pockets without film, as the vectorised "
         "bearing knows them");
@@ -67,7 +67,7 @@ struct Monolithic::Inside {
 
   Eigen::VectorXd gear_state() const;
   Eigen::VectorXd bearing_state(int b) const;
-  bearing::dynamics::BoreMotion motion(int b) const;
+  bearing::motion::BoreMotion motion(int b) const;
 
   // Both throw std::runtime_error between two steps of follow().
   SavedState saved();
@@ -359,15 +359,15 @@ DrivenGearsOutput Monolithic::gears() const {
   return out;
 }
 
-bearing::dynamics::BoreReaction Monolithic::reaction(int b) const {
-  return bearing::dynamics::reaction(inside_->model_.bearing_of(b), inside_->motion(b),
-                                     inside_->bearing_state(b));
+bearing::motion::BoreReaction Monolithic::reaction(int b) const {
+  return bearing::motion::reaction(inside_->model_.bearing_of(b), inside_->motion(b),
+                                   inside_->bearing_state(b));
 }
 
 DrivenBearingOutput Monolithic::bearing(int b) const {
   const Inside& in = *inside_;
   const BoreMotion motion = in.motion(b);
-  const bearing::dynamics::BearingModel& model = in.model_.bearing_of(b);
+  const bearing::motion::BearingModel& model = in.model_.bearing_of(b);
   return driven_output(model.geometry, motion.speed, driven_snapshot(model, motion, in.bearing_state(b)),
                        reaction(b), in.turned_[static_cast<std::size_t>(b)], life(b).bearing);
 }
@@ -400,4 +400,4 @@ void Monolithic::restore(const SavedState& state) {
   inside_->put(state);
 }
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

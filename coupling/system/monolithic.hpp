@@ -8,7 +8,7 @@
 #include "coupling/system/coupled_model.hpp"
 #include "coupling/system/motion.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// Not for use by two threads at once; any number of objects side by side.
 class Monolithic final : public system::Motion {
@@ -43,9 +43,9 @@ class Monolithic final : public system::Motion {
   double time() const;  // [s]
   DrivenGearsOutput gears() const;
   /// What bearing `b` does to its planet.
-  bearing::dynamics::BoreReaction reaction(int b) const;
+  bearing::motion::BoreReaction reaction(int b) const;
   DrivenBearingOutput bearing(int b) const;
-  void take_snapshot(int b, bearing::dynamics::Snapshot& into) const override;
+  void take_snapshot(int b, bearing::motion::Snapshot& into) const override;
   void observe_steps(const system::StepObservers& observers) override;
   /// Life [rev] under the loads since the start, or since forget().
   bearing::BearingLife life(int b) const;
@@ -64,4 +64,4 @@ class Monolithic final : public system::Motion {
   std::unique_ptr<Inside> inside_;
 };
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

@@ -23,7 +23,7 @@ using BoreObserver = std::function<void(const BoreSample&)>;
 
 /// What sees every step.
 struct StepObservers {
-  std::vector<bearing::dynamics::StatisticsCollector*> loads;  // (bearings)  get the loads
+  std::vector<bearing::motion::StatisticsCollector*> loads;  // (bearings)  get the loads
   BoreObserver on_bore;  // sees the bore of a bearing by itself; may be empty
 };
 
@@ -46,7 +46,7 @@ class Motion {
   virtual void advance(const integration::OutputTimes& times,
                        const std::function<void(double time)>& observe) = 0;
   /// Bearing `b` at the present time.
-  virtual void take_snapshot(int b, bearing::dynamics::Snapshot& into) const = 0;
+  virtual void take_snapshot(int b, bearing::motion::Snapshot& into) const = 0;
   /// Sums since the start; a step may be an exchange.
   virtual integration::IntegrationReport report() const = 0;
 };

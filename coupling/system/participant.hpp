@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "coupling/system/course.hpp"
+#include "coupling/system/input_polynomial.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// Of an input or output that is not there.
 inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -22,7 +22,7 @@ struct Input {
   std::string meaning;
   double start = 0.0;  // [unit]
   std::size_t rate =
-      kNone;  // input with whose value this one goes on where no course is given; none: it stays
+      kNone;  // input with whose value this one goes on where no polynomial is given; none: it stays
 };
 
 struct Output {
@@ -47,8 +47,8 @@ class Participant {
   /// Then, before the first window, with what others have answered: nearer to the state in which all are in
   /// balance.
   virtual void balance(double time, const std::vector<double>& inputs) { initialize(time, inputs); }
-  /// From `window.begin`, where it stands, to its end; courses count from the beginning.
-  virtual void advance(const Window& window, const std::vector<Course>& inputs) = 0;
+  /// From `window.begin`, where it stands, to its end; polynomials count from the beginning.
+  virtual void advance(const Window& window, const std::vector<InputPolynomial>& inputs) = 0;
   /// The first `number` outputs under the inputs of the present time; those that cost little come first.
   virtual std::vector<double> values(const std::vector<double>& inputs, std::size_t number) const = 0;
   /// Slopes of all outputs by input `input`, the state held.
@@ -104,4 +104,4 @@ void restore_state(const SavedState& from, const char* whose, const std::vector<
   });
 }
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

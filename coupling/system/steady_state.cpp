@@ -14,11 +14,11 @@ namespace orbearing::system {
 
 namespace {
 
-using bearing::dynamics::BearingModel;
-using bearing::dynamics::RaceStatistics;
-using bearing::dynamics::Snapshot;
-using bearing::dynamics::StatisticsCollector;
-using bearing::dynamics::WindowStatistics;
+using bearing::motion::BearingModel;
+using bearing::motion::RaceStatistics;
+using bearing::motion::Snapshot;
+using bearing::motion::StatisticsCollector;
+using bearing::motion::WindowStatistics;
 using boost::math::double_constants::two_pi;
 using integration::OutputTimes;
 
@@ -270,10 +270,10 @@ RollingSpeeds rolling_speeds(const BearingModel& model) {
 constexpr double kLeastRatio =
     0.05;  // of the first speed: the meshes' load at constant power grows without bound
 
-void require_speed(const bearing::dynamics::Driving& driving, double duration) {
+void require_speed(const bearing::motion::Driving& driving, double duration) {
   if (duration > 0.0 && speed_ratio(driving, duration) >= kLeastRatio) return;
   std::ostringstream text;
-  text << "run-up: found " << driving.growth << " 1/s for " << duration
+  text << "run-up: found " << driving.ramp << " 1/s for " << duration
        << " s; required: a positive time, at whose end at least " << kLeastRatio
        << " of the first speed is left";
   throw std::invalid_argument(text.str());
@@ -289,11 +289,11 @@ long samples_of(const BearingModel& model, const SteadyStateOptions& options, do
 }  // namespace
 
 SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
-                                      const bearing::dynamics::DynamicsParameters& parameters,
+                                      const bearing::motion::DynamicsParameters& parameters,
                                       const SteadyStateOptions& options,
                                       const std::optional<Eigen::VectorXd>& start) {
   const BearingModel model = bearing_model(bearing, point, parameters);
-  if (model.driving.growth != 0.0)
+  if (model.driving.ramp != 0.0)
     throw std::invalid_argument(
         "growth of the speeds: found a run-up, which has no steady state; required: 0");
   FreeBearing motion(model,
@@ -305,11 +305,11 @@ SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bea
 }
 
 SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
-                         const bearing::dynamics::DynamicsParameters& parameters,
+                         const bearing::motion::DynamicsParameters& parameters,
                          const SteadyStateOptions& options, double duration) {
   require_speed(parameters.driving, duration);
   const BearingModel model = bearing_model(bearing, point, parameters);
-  bearing::dynamics::DynamicsParameters before = parameters;
+  bearing::motion::DynamicsParameters before = parameters;
   before.driving = {};
   SteadyStateOptions settling = options;
   settling.observed_windows = 1;

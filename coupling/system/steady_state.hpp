@@ -93,10 +93,10 @@ struct SteadyStateResult {
   bool completed = false;  // false: `message` says why and the means hold what there was, if anything
   bool steady = false;     // false with completed: the means drifted to the end
   std::string message;
-  bearing::dynamics::WindowStatistics statistics;             // over the observed windows
-  std::vector<bearing::dynamics::WindowStatistics> bearings;  // the same, bearing by bearing
-  std::vector<bearing::dynamics::WindowStatistics> windows;   // each window on the way to the steady state
-  BearingSeries series;                                       // of the first bearing in the last window
+  bearing::motion::WindowStatistics statistics;             // over the observed windows
+  std::vector<bearing::motion::WindowStatistics> bearings;  // the same, bearing by bearing
+  std::vector<bearing::motion::WindowStatistics> windows;   // each window on the way to the steady state
+  BearingSeries series;                                     // of the first bearing in the last window
   RollingSpeeds rolling;
   double duration = 0.0;                  // [s]  from the start to the end of what was observed
   Eigen::VectorXd final_state;            // of a bearing by itself, in the order of StateLayout
@@ -108,12 +108,11 @@ struct SteadyStateResult {
 
 /// Loads of several bearings as if all were passages of one: means over the bearings, the largest load of
 /// all.
-bearing::dynamics::WindowStatistics pooled(const std::vector<bearing::dynamics::WindowStatistics>& bearings);
+bearing::motion::WindowStatistics pooled(const std::vector<bearing::motion::WindowStatistics>& bearings);
 
 /// Whether the means stand still from one window to the next.
-bool is_steady(const bearing::dynamics::WindowStatistics& before,
-               const bearing::dynamics::WindowStatistics& now, double kinematic_cage_speed,
-               const SteadyStateOptions& options);
+bool is_steady(const bearing::motion::WindowStatistics& before, const bearing::motion::WindowStatistics& now,
+               double kinematic_cage_speed, const SteadyStateOptions& options);
 
 /// Time [s] between two samples of a motion that keeps to one interval.
 double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options);
@@ -128,16 +127,16 @@ SteadyStateResult run_to_steady_state(Motion& motion, const RollingSpeeds& rolli
 /// point), without one from its quasi-static state. Throws std::invalid_argument for input that
 /// bearing_model() refuses, and for a run-up.
 SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
-                                      const bearing::dynamics::DynamicsParameters& parameters,
+                                      const bearing::motion::DynamicsParameters& parameters,
                                       const SteadyStateOptions& options,
                                       const std::optional<Eigen::VectorXd>& start = std::nullopt);
 
-/// As above until it is steady, then all speeds grow by `parameters.driving.growth` for `duration` [s] at
+/// As above until it is steady, then all speeds grow by `parameters.driving.ramp` for `duration` [s] at
 /// constant power. Means, series (options.series_samples over the whole run-up) and slip are those of the
 /// run-up; its time counts from its beginning, the cage's slip refers to the mean speed. Throws
 /// std::invalid_argument where the duration is not positive or the speeds would come to rest.
 SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::OperatingPoint& point,
-                         const bearing::dynamics::DynamicsParameters& parameters,
+                         const bearing::motion::DynamicsParameters& parameters,
                          const SteadyStateOptions& options, double duration);
 
 }  // namespace orbearing::system

@@ -127,7 +127,7 @@ Flexibility flexibility(const Ring& ring, double theta) {
   add_harmonic(ring, 0, theta, 1.0, sum);
   for (int n = 1; n < harmonics; ++n) {
     const double x = pi * n / harmonics;
-    add_harmonic(ring, n, theta, std::sin(x) / x, sum);  // Lanczos: no ripple from the cut series
+    add_harmonic(ring, n, theta, std::sin(x) / x, sum);  // Lanczos: no excitation from the cut series
   }
   return sum;
 }

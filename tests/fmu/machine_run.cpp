@@ -15,7 +15,7 @@
 namespace {
 
 using namespace orbearing;
-using cosim::Course;
+using system::InputPolynomial;
 
 void print(const std::vector<double>& values) {
   for (const double value : values) std::printf("%.17g ", value);
@@ -32,8 +32,8 @@ std::vector<double> next_line() {
   return numbers;
 }
 
-bearing::dynamics::BoreMotion motion_of(const std::vector<double>& in) {
-  bearing::dynamics::BoreMotion motion;
+bearing::motion::BoreMotion motion_of(const std::vector<double>& in) {
+  bearing::motion::BoreMotion motion;
   motion.position = {in[1], in[2]};
   motion.velocity = {in[3], in[4]};
   motion.speed = in[5];
@@ -43,44 +43,41 @@ bearing::dynamics::BoreMotion motion_of(const std::vector<double>& in) {
 }
 
 // Displacement and carrier speed go on with the rates beside them.
-cosim::BoreCourse course_of(const std::vector<double>& in) {
+system::BoreInputs polynomial_of(const std::vector<double>& in) {
   const double slope_x = in.size() > 9 ? in[8] : 0.0, slope_y = in.size() > 9 ? in[9] : 0.0;
-  return {{{in[1], in[3], 0.5 * slope_x, 0.0}},
-          {{in[2], in[4], 0.5 * slope_y, 0.0}},
-          {{in[3], slope_x, 0.0, 0.0}},
-          {{in[4], slope_y, 0.0, 0.0}},
-          Course::constant(in[5]),
-          {{in[6], in[7], 0.0, 0.0}},
-          Course::constant(in[7])};
+  return {{{in[1], in[3], 0.5 * slope_x, 0.0}}, {{in[2], in[4], 0.5 * slope_y, 0.0}},
+          {{in[3], slope_x, 0.0, 0.0}},         {{in[4], slope_y, 0.0, 0.0}},
+          InputPolynomial::constant(in[5]),     {{in[6], in[7], 0.0, 0.0}},
+          InputPolynomial::constant(in[7])};
 }
 
 void run_bearing(const fmu::NumberTable& numbers) {
-  cosim::DrivenBearing bearing(fmu::setup_from<cosim::DrivenBearingSetup>(numbers));
+  system::DrivenBearing bearing(fmu::setup_from<system::DrivenBearingSetup>(numbers));
   double time = 0.0;
   bool begun = false;
   for (std::vector<double> in = next_line(); !in.empty(); in = next_line()) {
     if (!begun) bearing.initialize(motion_of(in));
     begun = true;
-    const cosim::BoreCourse inputs = course_of(in);
+    const system::BoreInputs inputs = polynomial_of(in);
     const double size = in[0];
     bearing.advance({time, time + size}, inputs);
     time += size;
-    const cosim::DrivenBearingOutput out = bearing.output(inputs.at(size));
+    const system::DrivenBearingOutput out = bearing.output(inputs.at(size));
     print({out.reaction.force.x(), out.reaction.force.y(), out.reaction.moment, out.life_used, out.cage_speed,
            out.inner_load[0], out.outer_load[0]});
   }
 }
 
 void run_gears(const fmu::NumberTable& numbers) {
-  cosim::DrivenGears gears(fmu::setup_from<cosim::DrivenGearsSetup>(numbers));
+  system::DrivenGears gears(fmu::setup_from<system::DrivenGearsSetup>(numbers));
   gears.initialize(0.0);
   double time = 0.0;
   for (std::vector<double> in = next_line(); !in.empty(); in = next_line()) {
-    std::vector<Course> forces;
-    for (std::size_t i = 1; i < in.size(); ++i) forces.push_back(Course::constant(in[i]));
+    std::vector<InputPolynomial> forces;
+    for (std::size_t i = 1; i < in.size(); ++i) forces.push_back(InputPolynomial::constant(in[i]));
     gears.advance({time, time + in[0]}, forces);
     time += in[0];
-    const cosim::PlanetMotion planet = gears.output().planets[0];
+    const system::PlanetMotion planet = gears.output().planets[0];
     print({planet.displacement.x(), planet.displacement.y(), planet.velocity.x(), planet.velocity.y(),
            planet.speed, planet.sun_mesh_force, planet.ring_mesh_force});
   }

@@ -73,10 +73,10 @@ TEST(RaceForm, MeansOverOnePitchRefuseWhatDiffersFromPitchToPitch) {
 TEST(RaceForm, OneTurningWaveIsACirclingRace) {
   constexpr double kShift = 1e-6;  // [m]
   Bearing bearing = test::reducer_bearing();
-  const dynamics::RaceModel round =
+  const motion::RaceModel round =
       race_model(bearing, geometry_of(bearing), kPoint, Race::outer, test::reducer_parameters());
   bearing.outer.form = {{1, kShift, 0.0, true}};
-  const dynamics::RaceModel waved =
+  const motion::RaceModel waved =
       race_model(bearing, geometry_of(bearing), kPoint, Race::outer, test::reducer_parameters());
   const double speed = -900.0, angle = 0.7, place = 0.2;
   const mechanics::Vector2 to_mark(std::cos(angle), std::sin(angle));
@@ -85,8 +85,8 @@ TEST(RaceForm, OneTurningWaveIsACirclingRace) {
                                        0.0};
   const mechanics::Vector2 outward(std::cos(place), std::sin(place));
   const mechanics::BodyMotion roller{(17.82e-3 + 4e-6) * outward, {0.0, 0.0}, -4000.0};
-  const dynamics::RaceForces found = race_forces(waved, roller, race);
-  const dynamics::RaceForces expected = race_forces(round, roller, circling);
+  const motion::RaceForces found = race_forces(waved, roller, race);
+  const motion::RaceForces expected = race_forces(round, roller, circling);
   const double second_order = kShift * kShift / 17.82e-3 / 4e-6 * 10.0 / 9.0;
   EXPECT_NEAR(found.load, expected.load, 2.0 * second_order * expected.load);
   EXPECT_LT((found.on_roller.force - expected.on_roller.force).norm(), 1e-5 * expected.load);

@@ -73,8 +73,8 @@ struct ConstantPower {
   }
 };
 
-// The load turns by some degrees over the search, and 240 places leave a ripple of life far below this; the
-// closed forms themselves are promised to 5e-3 only.
+// The load turns by some degrees over the search, and 240 places leave a excitation of life far below this;
+// the closed forms themselves are promised to 5e-3 only.
 constexpr double kPeak = 1e-3;
 constexpr int kBits = 24;  // of the place of a minimum: half of double precision
 

@@ -15,11 +15,12 @@
 namespace orbearing::cosim::cosim_driven_bearing_test {
 namespace {
 
-using bearing::dynamics::BearingModel;
-using bearing::dynamics::BoreMotion;
+using bearing::motion::BearingModel;
+using bearing::motion::BoreMotion;
 
 // Cubic through places and velocities at both ends; its slope as velocity.
-void join(double h, double from, double v_from, double to, double v_to, Course& place, Course& velocity) {
+void join(double h, double from, double v_from, double to, double v_to, InputPolynomial& place,
+          InputPolynomial& velocity) {
   const double mean = (to - from) / h;
   const double c2 = (3.0 * mean - 2.0 * v_from - v_to) / h, c3 = (v_from + v_to - 2.0 * mean) / (h * h);
   place = {{from, v_from, c2, c3}};
@@ -28,8 +29,8 @@ void join(double h, double from, double v_from, double to, double v_to, Course& 
 
 // The free bearing at tight tolerance records the path of its bore; a driven one follows it.
 TEST(DrivenBearingPath, FollowsTheFreeBearing) {
-  const DrivenBearingSetup setup = [] {
-    DrivenBearingSetup s = test::driven_reducer();
+  const system::DrivenBearingSetup setup = [] {
+    system::DrivenBearingSetup s = test::driven_reducer();
     s.allowed_length_error = 1e-14;
     return s;
   }();
@@ -37,12 +38,12 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
   const BearingModel model = bearing_model(setup.bearing, point, setup.dynamics);
   BoreMotion motion = test::pressed_motion();
   Eigen::VectorXd x = driven_start(setup.bearing, model, setup.dynamics, motion, setup.first_roller);
-  DrivenBearing driven(setup);
+  system::DrivenBearing driven(setup);
   driven.initialize(motion);
 
   constexpr double kStep = 0.5e-6;  // [s]
   constexpr long kSteps = 600;      // 0.3 ms
-  const bearing::dynamics::PlanetBearingEquations equations(model);
+  const bearing::motion::PlanetBearingEquations equations(model);
   integration::IntegrationOptions options;
   options.step = 1e-8;
   options.allowed_error = system::allowed_errors(model, 1e-15);
@@ -52,7 +53,7 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
   Eigen::VectorXd before = x;
   double worst = 0.0, largest = 0.0;
   const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& now) {
-    BoreCourse inputs = test::constant_course(motion);
+    system::BoreInputs inputs = test::constant_polynomial(motion);
     join(kStep, before[bore], before[bore + 2], now[bore], now[bore + 2], inputs.x, inputs.v_x);
     join(kStep, before[bore + 1], before[bore + 3], now[bore + 1], now[bore + 3], inputs.y, inputs.v_y);
     driven.advance({time - kStep, time}, inputs);
@@ -72,11 +73,11 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
 
 // Fixed steps on a path without touch-downs: halving them quarters the error.
 TEST(DrivenBearingPath, HasOrderTwo) {
-  const DrivenBearingSetup setup = test::driven_reducer();
-  const BearingModel model = driven_model(setup);
+  const system::DrivenBearingSetup setup = test::driven_reducer();
+  const BearingModel model = system::driven_model(setup);
   const BoreMotion about = test::pressed_motion();
-  const BoreCourse inputs = test::swinging_course(about, 0.5e-6, 1e4, 0.0);
-  bearing::fast::VectorBearing fast(model);
+  const system::BoreInputs inputs = test::swinging_polynomial(about, 0.5e-6, 1e4, 0.0);
+  bearing::vectorised::VectorBearing fast(model);
   constexpr double kLength = 16e-6;  // [s]
   const auto end_state = [&](int steps) {
     const double h = kLength / steps;
@@ -84,8 +85,8 @@ TEST(DrivenBearingPath, HasOrderTwo) {
         fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
     system::LoadsAtStep loads(setup.bearing.rollers().count);
-    bearing::dynamics::DamageSums sums(72);
-    DrivenSystem system(fast, inputs, 0.0, loads, sums);
+    bearing::motion::DamageSums sums(72);
+    system::DrivenSystem system(fast, inputs, 0.0, loads, sums);
     double step = h;
     integration::through_window(stepper, system, x, kLength, {}, step);
     Eigen::VectorXd flat(model.layout.size());

@@ -17,18 +17,18 @@
 namespace orbearing::cosim::cosim_monolithic_path_test {
 namespace {
 
-using bearing::dynamics::BearingModel;
-using bearing::dynamics::BoreMotion;
+using bearing::motion::BearingModel;
+using bearing::motion::BoreMotion;
 
 // The coupled equations from the readable side: [ gears | bearing | bearing | ... ].
 class ReadableSystem {
  public:
-  explicit ReadableSystem(const CoupledModel& model) : model_(model), gears_(model.gears) {}
+  explicit ReadableSystem(const system::CoupledModel& model) : model_(model), gears_(model.gears) {}
 
   Eigen::Index gear_size() const { return model_.gears.layout.size(); }
   Eigen::Index bearing_size() const { return model_.bearing.layout.size(); }
 
-  Eigen::VectorXd flat(const CoupledStart& start) const {
+  Eigen::VectorXd flat(const system::CoupledStart& start) const {
     Eigen::VectorXd x(gear_size() + model_.bearings() * bearing_size());
     x.head(gear_size()) = start.gears;
     for (int b = 0; b < model_.bearings(); ++b)
@@ -57,11 +57,11 @@ class ReadableSystem {
   }
 
  private:
-  const CoupledModel& model_;
+  const system::CoupledModel& model_;
   gearset::dynamics::PlanetarySetEquations gears_;
 };
 
-Eigen::VectorXd allowed_errors(const CoupledSetup& setup, const CoupledModel& model) {
+Eigen::VectorXd allowed_errors(const system::CoupledSetup& setup, const system::CoupledModel& model) {
   const ReadableSystem readable(model);
   Eigen::VectorXd allowed(readable.gear_size() + model.bearings() * readable.bearing_size());
   allowed.head(readable.gear_size()) =
@@ -73,7 +73,7 @@ Eigen::VectorXd allowed_errors(const CoupledSetup& setup, const CoupledModel& mo
 }
 
 // Everything but the bores, which the readable system does not carry along.
-double distance(const CoupledModel& model, const Eigen::VectorXd& one, const Eigen::VectorXd& other,
+double distance(const system::CoupledModel& model, const Eigen::VectorXd& one, const Eigen::VectorXd& other,
                 const Eigen::VectorXd& allowed) {
   const ReadableSystem readable(model);
   Eigen::VectorXd share = (one - other).cwiseQuotient(allowed).cwiseAbs();
@@ -85,13 +85,13 @@ double distance(const CoupledModel& model, const Eigen::VectorXd& one, const Eig
 
 class MonolithicPath : public testing::Test {
  protected:
-  CoupledSetup setup = test::coupled_reducer();
-  CoupledModel model = coupled_model(setup);
+  system::CoupledSetup setup = test::coupled_reducer();
+  system::CoupledModel model = system::coupled_model(setup);
 
   // From the same start by dopri5, tighter by `share`.
   Eigen::VectorXd reference(double length, double share) {
     ReadableSystem readable(model);
-    Eigen::VectorXd x = readable.flat(coupled_start(setup, model, 0.0));
+    Eigen::VectorXd x = readable.flat(system::coupled_start(setup, model, 0.0));
     integration::IntegrationOptions options;
     options.allowed_error = share * allowed_errors(setup, model);
     options.step = 1e-8;
@@ -105,8 +105,8 @@ class MonolithicPath : public testing::Test {
 
   // By linearly implicit steps of length `h` at most.
   Eigen::VectorXd fixed_steps(double length, double h) {
-    CoupledSystem system(model, 72);
-    const CoupledStart start = coupled_start(setup, model, 0.0);
+    system::CoupledSystem system(model, 72);
+    const system::CoupledStart start = system::coupled_start(setup, model, 0.0);
     std::vector<double> x(system.size(), 0.0);
     std::copy(start.gears.begin(), start.gears.end(), x.begin());
     for (int b = 0; b < system.bearings(); ++b) {
@@ -124,7 +124,7 @@ class MonolithicPath : public testing::Test {
       integration::through_window(stepper, system, x, end - begin, {}, step);
       begin = end;
     }
-    CoupledStart out{Eigen::Map<const Eigen::VectorXd>(x.data(), model.gears.layout.size()), {}};
+    system::CoupledStart out{Eigen::Map<const Eigen::VectorXd>(x.data(), model.gears.layout.size()), {}};
     for (int b = 0; b < system.bearings(); ++b) {
       Eigen::VectorXd flat(model.bearing.layout.size());
       system.bearing(b).flatten(system.of_bearing(x.data(), b), flat);
@@ -155,21 +155,20 @@ TEST_F(MonolithicPath, FollowsTheReadableEquations) {
   const Eigen::Index n = model.gears.layout.freedoms();
   const ReadableSystem readable(model);
   // Hundreds of steps together stay below what one of them may err, with bearings gone over again or without.
-  const double one_step =
-      system::kLinearlyImplicitErrorFactor * setup.bearing.allowed_length_error;  // [m]
+  const double one_step = system::kLinearlyImplicitErrorFactor * setup.bearing.allowed_length_error;  // [m]
   for (const int refined : {0, 2, 8}) {
     std::vector<double> planets, all;  // [m], [-] of what dopri5 is allowed
     for (const double tighter : {1.0, 1e-2, 1e-4}) {
-      CoupledSetup finer = setup;
+      system::CoupledSetup finer = setup;
       finer.bearing.allowed_length_error *= tighter;
       finer.gears.allowed_share *= tighter;
       finer.most_refined = refined;
-      Monolithic system(finer);
+      system::Monolithic system(finer);
       system.initialize(0.0);
       system.advance({0.0, kLength});
       EXPECT_EQ(system.refined() > 0, refined > 0);
       double worst = 0.0;
-      for (const PlanetPort& port : model.ports)
+      for (const system::PlanetPort& port : model.ports)
         worst = std::max(worst, port.along(system.state().gears.head(n) - exact.head(n)).norm());
       planets.push_back(worst);
       all.push_back(distance(model, readable.flat(system.state()), exact, allowed_errors(setup, model)));
@@ -195,9 +194,9 @@ TEST_F(MonolithicPath, KeepsItsEnergy) {
   setup.bearing.allowed_length_error = 1e-14;
   setup.gears.allowed_share = 1e-8;
   setup.gears.operation.load_yields = false;
-  Monolithic system(setup);
+  system::Monolithic system(setup);
   system.initialize(0.0);
-  CoupledModel here = coupled_model(setup);
+  system::CoupledModel here = system::coupled_model(setup);
   BearingModel massless = here.bearing;
   massless.bore_mass = 0.0;  // it belongs to the gears
   ReadableSystem readable(here);
@@ -207,7 +206,7 @@ TEST_F(MonolithicPath, KeepsItsEnergy) {
     double energy, power, turnover;
   };
   const auto balance = [&](double time) {
-    const CoupledStart now = system.state();
+    const system::CoupledStart now = system.state();
     const Eigen::VectorXd x = readable.flat(now);
     Eigen::VectorXd rate(x.size());
     readable(time, x, rate);

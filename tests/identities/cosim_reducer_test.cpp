@@ -23,13 +23,13 @@ constexpr double kOrder = 0.3;  // of a measured order: the next term is smaller
 
 // Allowed errors of steps inside the participants: of gears over the mean mesh deflection, of a bearing [m].
 struct Tolerances {
-  double gears = DrivenGearsSetup{}.allowed_share;
-  double bearing = DrivenBearingSetup{}.allowed_length_error;
+  double gears = system::DrivenGearsSetup{}.allowed_share;
+  double bearing = system::DrivenBearingSetup{}.allowed_length_error;
 };
 const Tolerances kTight{1e-9, 1e-15};
 
-CoupledSetup setup_of(const PlanetaryDrivetrain& drivetrain, const Tolerances& tolerances) {
-  CoupledSetup setup = study::coupled_setup(drivetrain, study::derive(drivetrain));
+system::CoupledSetup setup_of(const PlanetaryDrivetrain& drivetrain, const Tolerances& tolerances) {
+  system::CoupledSetup setup = study::coupled_setup(drivetrain, study::derive(drivetrain));
   setup.gears.allowed_share = tolerances.gears;
   setup.bearing.allowed_length_error = tolerances.bearing;
   return setup;
@@ -48,7 +48,7 @@ struct ReducerRun {
 };
 
 // Displacements of all planets at the end of the path.
-Eigen::Matrix2Xd displacements(const DrivenGearsOutput& gears) {
+Eigen::Matrix2Xd displacements(const system::DrivenGearsOutput& gears) {
   Eigen::Matrix2Xd out(2, static_cast<Eigen::Index>(gears.planets.size()));
   for (Eigen::Index i = 0; i < out.cols(); ++i)
     out.col(i) = gears.planets[static_cast<std::size_t>(i)].displacement;
@@ -63,7 +63,7 @@ const PlanetaryDrivetrain& smooth_reducer() {
 // The system solved as one, once for all schemes.
 const Eigen::Matrix2Xd& solved_as_one() {
   static const Eigen::Matrix2Xd end = [] {
-    Monolithic system(setup_of(smooth_reducer(), kTight));
+    system::Monolithic system(setup_of(smooth_reducer(), kTight));
     system.initialize(0.0);
     system.advance({0.0, kPath});
     return displacements(system.gears());

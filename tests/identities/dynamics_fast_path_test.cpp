@@ -10,11 +10,11 @@
 #include "coupling/system/free_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::dynamics_fast_path_test {
+namespace orbearing::bearing::motion::dynamics_fast_path_test {
 namespace {
 
-using fast::VectorBearing;
 using integration::Method;
+using vectorised::VectorBearing;
 
 // Energy that steps add to the exact motion: each step is gone over again from the same state by explicit
 // steps of order 5 with a far smaller error, and what the two ends differ in energy is summed. Nothing is
@@ -83,17 +83,18 @@ LocalFlowAudit audited(VectorBearing& bearing, Eigen::VectorXd x, double seconds
 struct AuditedSteps {
   const char* name;
   bool film;
-  double ripple;  // [N]
+  double excitation;  // [N]
 };
 
 DynamicsParameters parameters_of(const AuditedSteps& audited) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.film_in_approach = audited.film;
-  if (audited.ripple > 0.0)
-    parameters.ripple = {
+  if (audited.excitation > 0.0)
+    parameters.excitation = {
         .angular_frequency = 2.0 * M_PI * 2520.0,
-        .harmonics = {{.order = 1, .cosine = {0.0, audited.ripple}, .sine = {0.3 * audited.ripple, 0.0}},
-                      {.order = 2, .cosine = {0.0, 0.5 * audited.ripple}}}};
+        .harmonics = {
+            {.order = 1, .cosine = {0.0, audited.excitation}, .sine = {0.3 * audited.excitation, 0.0}},
+            {.order = 2, .cosine = {0.0, 0.5 * audited.excitation}}}};
   return parameters;
 }
 
@@ -179,8 +180,8 @@ struct SmoothCase {
     parameters.cage.pocket_clearance = 2e-3;
     parameters.cage.guide_diameter = 0.0;
     parameters.race.film_in_approach = true;
-    parameters.ripple = {.angular_frequency = 2e4,
-                         .harmonics = {{.order = 1, .cosine = {0.0, 100.0}, .sine = {200.0, 49.0}}}};
+    parameters.excitation = {.angular_frequency = 2e4,
+                             .harmonics = {{.order = 1, .cosine = {0.0, 100.0}, .sine = {200.0, 49.0}}}};
   }
 };
 
@@ -230,4 +231,4 @@ TEST(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::dynamics_fast_path_test
+}  // namespace orbearing::bearing::motion::dynamics_fast_path_test

@@ -7,7 +7,7 @@
 #include "bearing/motion/snapshot.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::dynamics_forces_test {
+namespace orbearing::bearing::motion::dynamics_forces_test {
 namespace {
 
 constexpr int kStates = 40;
@@ -32,8 +32,8 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
       bearing.cage.guidance = Race::inner;
       parameters.cage.guide_diameter = 33.1e-3;
     }
-    parameters.ripple = {.angular_frequency = 3e4,
-                         .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}}}};
+    parameters.excitation = {.angular_frequency = 3e4,
+                             .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}}}};
     refine();
   }
 
@@ -56,7 +56,7 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         parameters.cage.pocket_film = PocketFilm::hydrodynamic;
         break;
       case Refinement::run_up:
-        parameters.driving.growth = 150.0;
+        parameters.driving.ramp = 150.0;
         bearing.outer.form = {{5, 1e-6, 0.4, true}};
         break;
       case Refinement::printed:
@@ -226,4 +226,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::dynamics_forces_test
+}  // namespace orbearing::bearing::motion::dynamics_forces_test

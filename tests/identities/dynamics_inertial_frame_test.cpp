@@ -7,7 +7,7 @@
 #include "tests/reference/inertial_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::dynamics_inertial_frame_test {
+namespace orbearing::bearing::motion::dynamics_inertial_frame_test {
 namespace {
 
 using reference::Plane;
@@ -222,4 +222,4 @@ INSTANTIATE_TEST_SUITE_P(Variants, InertialFrame,
                          [](const testing::TestParamInfo<Seen>& seen) { return seen.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::dynamics_inertial_frame_test
+}  // namespace orbearing::bearing::motion::dynamics_inertial_frame_test

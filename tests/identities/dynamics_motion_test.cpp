@@ -11,7 +11,7 @@
 #include "coupling/system/steady_state.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::dynamics_motion_test {
+namespace orbearing::bearing::motion::dynamics_motion_test {
 namespace {
 
 using integration::IntegrationOptions;
@@ -87,10 +87,10 @@ INSTANTIATE_TEST_SUITE_P(
         AuditedVariant{"pocket_film",
                        [](Bearing&, Parameters& p) { p.cage.pocket_film = PocketFilm::hydrodynamic; }},
         // A fifth more speed within the millisecond.
-        AuditedVariant{"run_up", [](Bearing&, Parameters& p) { p.driving.growth = 200.0; }},
+        AuditedVariant{"run_up", [](Bearing&, Parameters& p) { p.driving.ramp = 200.0; }},
         AuditedVariant{"run_up_of_waves",
                        [](Bearing& b, Parameters& p) {
-                         p.driving.growth = -200.0;
+                         p.driving.ramp = -200.0;
                          b.outer.form = {{7, 5e-7, 0.3, true}};
                        }}),
     [](const testing::TestParamInfo<AuditedVariant>& variant) { return variant.param.name; });
@@ -239,4 +239,4 @@ TEST(SteadyState, RefusesABearingInWhichNothingTurns) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::dynamics_motion_test
+}  // namespace orbearing::bearing::motion::dynamics_motion_test

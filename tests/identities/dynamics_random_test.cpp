@@ -46,7 +46,7 @@ system::SteadyStateOptions short_run(Method method, double first_roller) {
   return options;
 }
 
-bool sound(const dynamics::WindowStatistics& means) {
+bool sound(const motion::WindowStatistics& means) {
   return std::isfinite(means.inner.load_rms) && std::isfinite(means.outer.load_max) &&
          std::isfinite(means.inner.least_film) && std::isfinite(means.cage_speed) &&
          std::isfinite(means.mean_spin) && std::isfinite(means.loss.total());
@@ -60,7 +60,7 @@ std::string reason(const system::SteadyStateResult& run) {
 
 // Steps of the longest length allowed over the cage revolutions of the run.
 double steps_of_longest_length(const MotionDraw& draw, const system::SteadyStateResult& run) {
-  const auto model = dynamics::bearing_model(draw.bearing, draw.point, draw.parameters);
+  const auto model = motion::bearing_model(draw.bearing, draw.point, draw.parameters);
   return kRevolutions * boost::math::double_constants::two_pi / std::abs(run.rolling.cage) /
          system::longest_step(model);
 }
@@ -68,7 +68,8 @@ double steps_of_longest_length(const MotionDraw& draw, const system::SteadyState
 constexpr const char* kHead =
     "number,rollers,roller_diameter_m,clearance_m,pitch_speed_m_per_s,load_per_area_Pa,film,limiting_shear,"
     "mixed,"
-    "guidance_as_printed,guided,inner_guided,waves,unequal,viscosity_Pa_s,roughness_m,ripple,carrier_rad_per_"
+    "guidance_as_printed,guided,inner_guided,waves,unequal,viscosity_Pa_s,roughness_m,excitation,carrier_rad_"
+    "per_"
     "s,"
     "longest_steps,steps,rejected,smallest_step_s,wall_s,cage_slip,ending";
 
@@ -78,16 +79,16 @@ void write_line(std::ostream& out, int n, const MotionDraw& draw, const system::
       draw.bearing.rollers().diameter * draw.bearing.rollers().length * draw.bearing.rollers().count;
   out << n << ',' << draw.bearing.rollers().count << ',' << draw.bearing.rollers().diameter << ','
       << draw.bearing.radial_clearance << ',' << draw.pitch_speed << ',' << draw.point.bore_load.norm() / area
-      << ',' << race.film_in_approach << ',' << (race.traction == dynamics::TractionLaw::limiting_shear)
-      << ',' << (race.lubrication == dynamics::Lubrication::mixed) << ','
-      << (draw.parameters.cage.guidance_film == dynamics::GuidanceFilm::as_printed) << ','
+      << ',' << race.film_in_approach << ',' << (race.traction == motion::TractionLaw::limiting_shear) << ','
+      << (race.lubrication == motion::Lubrication::mixed) << ','
+      << (draw.parameters.cage.guidance_film == motion::GuidanceFilm::as_printed) << ','
       << (draw.parameters.cage.guide_diameter > 0.0) << ',' << (draw.bearing.cage.guidance == Race::inner)
       << ',' << draw.bearing.inner.form.size() + draw.bearing.outer.form.size() << ','
       << draw.bearing.rollers().diameter_deviation.size() << ',' << draw.parameters.lubricant.viscosity << ','
-      << race.roughness << ',' << draw.parameters.ripple.harmonics.size() << ',' << draw.point.carrier.speed
-      << ',' << steps_of_longest_length(draw, run) << ',' << run.report.steps << ',' << run.report.rejected
-      << ',' << run.report.smallest_step << ',' << run.report.wall_seconds << ',' << run.cage_slip() << ','
-      << reason(run) << std::endl;
+      << race.roughness << ',' << draw.parameters.excitation.harmonics.size() << ','
+      << draw.point.carrier.speed << ',' << steps_of_longest_length(draw, run) << ',' << run.report.steps
+      << ',' << run.report.rejected << ',' << run.report.smallest_step << ',' << run.report.wall_seconds
+      << ',' << run.cage_slip() << ',' << reason(run) << std::endl;
 }
 
 class RandomDynamics : public testing::TestWithParam<Method> {};
@@ -111,7 +112,7 @@ TEST_P(RandomDynamics, EndsWithSoundNumbersOrAReason) {
     if (lines.is_open()) write_line(lines, n, draw, run);
     if (run.completed) {
       EXPECT_TRUE(sound(run.statistics)) << draw;
-      const auto model = dynamics::bearing_model(draw.bearing, draw.point, draw.parameters);
+      const auto model = motion::bearing_model(draw.bearing, draw.point, draw.parameters);
       EXPECT_EQ(system::out_of_place(model, run.final_state), "") << draw;
     }
     EXPECT_TRUE(run.completed || !run.message.empty()) << draw;

@@ -6,14 +6,14 @@
 #include "coupling/system/steady_state.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::dynamics_run_up_test {
+namespace orbearing::bearing::motion::dynamics_run_up_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
 
 BearingModel growing_model(double growth) {
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.driving.growth = growth;
+  parameters.driving.ramp = growth;
   return bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
 }
 
@@ -50,7 +50,7 @@ TEST(RunUp, AnglesAreTheIntegralsOfTheSpeeds) {
 
 TEST(RunUp, RefusesAnAccelerationBesidesItsOwn) {
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.driving.growth = 1.0;
+  parameters.driving.ramp = 1.0;
   OperatingPoint point = test::reducer_point(6000.0);
   point.carrier.acceleration = 10.0;
   EXPECT_THROW(bearing_model(test::reducer_bearing(), point, parameters), std::invalid_argument);
@@ -69,7 +69,7 @@ system::SteadyStateOptions short_options() {
 // bearing against the turn of the carrier by the planet's Euler load, a hundredth of the mesh load here.
 TEST(RunUp, CageFollowsTheSpeed) {
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.driving.growth = 20.0;
+  parameters.driving.ramp = 20.0;
   const auto run =
       system::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters, short_options(), 0.01);
   ASSERT_TRUE(run.completed) << run.message;
@@ -83,7 +83,7 @@ TEST(RunUp, CageFollowsTheSpeed) {
 
 TEST(RunUp, RefusesToComeToRest) {
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.driving.growth = -20.0;
+  parameters.driving.ramp = -20.0;
   EXPECT_THROW(
       system::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters, short_options(), 0.05),
       std::invalid_argument);
@@ -93,4 +93,4 @@ TEST(RunUp, RefusesToComeToRest) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::dynamics_run_up_test
+}  // namespace orbearing::bearing::motion::dynamics_run_up_test

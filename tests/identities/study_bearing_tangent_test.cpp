@@ -57,7 +57,7 @@ TEST(BearingTangent, CarriesTheMeanLoadAtTheMeanDisplacement) {
 // A support a thousand times softer than the rollers is all that is felt, its damper too.
 TEST(BearingTangent, OnASoftSupportIsThatOfTheSupport) {
   PlanetaryDrivetrain drivetrain = reducer();
-  bearing::dynamics::SupportParameters& support = drivetrain.dynamics.support;
+  bearing::motion::SupportParameters& support = drivetrain.dynamics.support;
   support = {.stiffness = 3e5, .damping_ratio = 0.05};
   const DrivetrainGeometry geometry = derive(drivetrain);
   const double mass =

@@ -74,7 +74,7 @@ TEST(DynamicAblation, LeavesOutWhatTheDrivetrainHasNotOrHasAlready) {
   PlanetaryDrivetrain drivetrain = short_run();
   EXPECT_EQ(names(dynamic_ablations(drivetrain)).count("constant mesh stiffness"), 0u);
   drivetrain.dynamics.cage.guide_diameter = 0.0;
-  drivetrain.dynamics.race.damping_law = bearing::dynamics::DampingLaw::as_printed;
+  drivetrain.dynamics.race.damping_law = bearing::motion::DampingLaw::as_printed;
   drivetrain.gear_set = [] { return gearset::dynamics::SetParameters{}; };
   const std::set<std::string> left = names(dynamic_ablations(drivetrain));
   EXPECT_EQ(left.count("constant mesh stiffness"), 1u);

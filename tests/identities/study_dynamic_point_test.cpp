@@ -1,11 +1,11 @@
-// The dynamic operating point of the reducer against the rung below it, and what the mesh ripple does.
+// The dynamic operating point of the reducer against the rung below it, and what the mesh excitation does.
 #include <gtest/gtest.h>
 
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/gear_dynamics.hpp"
 #include "coupling/study/gear_model.hpp"
-#include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/reducer.hpp"
 
@@ -102,22 +102,22 @@ TEST(StudyDynamicPoint, LoadOfTheGearsIsWhatAcceleratesThePlanetLessItsBearings)
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const gearset::dynamics::AffineBearing law = bearing_tangent(drivetrain, geometry);
   const double bore = gears.planet.mass / drivetrain.bearings_per_planet;
-  const bearing::dynamics::MeshRipple ripple =
-      ripple_of(gears_on(drivetrain, geometry, law), drivetrain, duty, law, bore);
+  const bearing::motion::MeshExcitation excitation =
+      excitation_of(gears_on(drivetrain, geometry, law), drivetrain, duty, law, bore);
   gears.planet.affine_bearing = law;
   const gearset::dynamics::SetModel model =
       set_model(gears, gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
   GearRunOptions options;
-  options.harmonics = ripple_orders(drivetrain, geometry, law);
+  options.harmonics = excitation_orders(drivetrain, geometry, law);
   const PlanetStatistics planet = run_gears(model, options).planets.front();
-  ASSERT_GT(ripple.harmonics.size(), 4u);
+  ASSERT_GT(excitation.harmonics.size(), 4u);
   double largest = 0.0;  // [N]
-  for (const bearing::dynamics::LoadHarmonic& harmonic : ripple.harmonics)
+  for (const bearing::motion::LoadHarmonic& harmonic : excitation.harmonics)
     largest = std::max({largest, harmonic.cosine.norm(), harmonic.sine.norm()});
   EXPECT_GT(largest, 1.0);
   constexpr double kJumps =
       0.02;  // of the largest: accelerations jump with the mesh stiffness, and are sampled
-  const auto expect_part = [&](const bearing::dynamics::LoadHarmonic& harmonic, Eigen::Index axis,
+  const auto expect_part = [&](const bearing::motion::LoadHarmonic& harmonic, Eigen::Index axis,
                                const SignalStatistics& acceleration, const SignalStatistics& force) {
     const auto i = static_cast<std::size_t>(harmonic.order) - 1;
     const double number = drivetrain.bearings_per_planet, mass = gears.planet.mass;
@@ -126,7 +126,7 @@ TEST(StudyDynamicPoint, LoadOfTheGearsIsWhatAcceleratesThePlanetLessItsBearings)
     EXPECT_NEAR(harmonic.sine[axis], (mass * acceleration.sines[i] - force.sines[i]) / number,
                 kJumps * largest);
   };
-  for (const bearing::dynamics::LoadHarmonic& harmonic : ripple.harmonics) {
+  for (const bearing::motion::LoadHarmonic& harmonic : excitation.harmonics) {
     expect_part(harmonic, 0, planet.radial_acceleration, planet.radial_force);
     expect_part(harmonic, 1, planet.tangential_acceleration, planet.tangential_force);
   }

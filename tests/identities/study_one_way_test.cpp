@@ -6,7 +6,7 @@
 
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/gear_dynamics.hpp"
-#include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/mesh_excitation.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/coupled_reducer.hpp"
 
@@ -42,19 +42,19 @@ GearRunResult gear_run_on(const PlanetaryDrivetrain& drivetrain, const AffineBea
       {});
 }
 
-// A bore on half the law, driven by the ripple, integrated by small steps until its start is forgotten; then
-// the harmonics of the force of the law on the planet.
-Eigen::Matrix<double, 2, 2> driven_harmonic(const bearing::dynamics::MeshRipple& ripple,
+// A bore on half the law, driven by the excitation, integrated by small steps until its start is forgotten;
+// then the harmonics of the force of the law on the planet.
+Eigen::Matrix<double, 2, 2> driven_harmonic(const bearing::motion::MeshExcitation& excitation,
                                             const AffineBearing& law, double mass,
                                             const bearing::CarrierFrame& frame, int wanted) {
   const int steps = 400, settle = 150, kept = 10;  // [per mesh period], [mesh periods]
-  const double h = 2.0 * M_PI / ripple.angular_frequency / steps;
+  const double h = 2.0 * M_PI / excitation.angular_frequency / steps;
   Vector2d x = Vector2d::Zero(), v = Vector2d::Zero();
   Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();
   const auto acceleration = [&](double time, const Vector2d& at, const Vector2d& speed) -> Vector2d {
     Vector2d load = -0.5 * (law.stiffness * at + law.damping * speed);
-    for (const bearing::dynamics::LoadHarmonic& one : ripple.harmonics) {
-      const double angle = one.order * ripple.angular_frequency * time;
+    for (const bearing::motion::LoadHarmonic& one : excitation.harmonics) {
+      const double angle = one.order * excitation.angular_frequency * time;
       load += one.cosine * std::cos(angle) + one.sine * std::sin(angle);
     }
     return load / mass + bearing::inertial_acceleration(frame, at, speed);
@@ -63,7 +63,7 @@ Eigen::Matrix<double, 2, 2> driven_harmonic(const bearing::dynamics::MeshRipple&
     const double t = i * h;
     if (i >= settle * steps) {
       const Vector2d force = -law.stiffness * x - law.damping * v;
-      const double angle = wanted * ripple.angular_frequency * t, weight = 2.0 / (kept * steps);
+      const double angle = wanted * excitation.angular_frequency * t, weight = 2.0 / (kept * steps);
       sums.col(0) += weight * std::cos(angle) * force;
       sums.col(1) += weight * std::sin(angle) * force;
     }
@@ -87,14 +87,14 @@ TEST(OneWay, IsExactForALinearBearing) {
   bearing::CarrierFrame frame = bearing::carrier_frame(duty.point.carrier, drivetrain.inertia);
   frame.orbit_radius = 0.0;
   for (const double mass : {0.5 * geometry.planet_mass, geometry.bearing.outer_ring_mass}) {
-    const bearing::dynamics::MeshRipple ripple =
-        ripple_of(gears_on(drivetrain, geometry, lopsided()), drivetrain, duty, lopsided(), mass);
+    const bearing::motion::MeshExcitation excitation =
+        excitation_of(gears_on(drivetrain, geometry, lopsided()), drivetrain, duty, lopsided(), mass);
     for (const int order : {1, 2}) {
       const auto i = static_cast<std::size_t>(order) - 1;
       Eigen::Matrix2d gears;
       gears << planet.radial_force.cosines[i], planet.radial_force.sines[i],
           planet.tangential_force.cosines[i], planet.tangential_force.sines[i];
-      const Eigen::Matrix2d driven = driven_harmonic(ripple, lopsided(), mass, frame, order);
+      const Eigen::Matrix2d driven = driven_harmonic(excitation, lopsided(), mass, frame, order);
       // Steps of 1/400 period are good to 1e-7; what is left of the start falls by e^(-c t / 2m), 1e-5 or
       // less.
       EXPECT_LT((driven - gears).norm(), 1e-4 * gears.norm()) << "order " << order << ", mass " << mass;
@@ -116,22 +116,22 @@ TEST(OneWay, DrivesThePlanetsMassWithTheMeshForces) {
   const auto& ring = planet.ring_mesh_force;
   const double a_s = geometry.gears.sun_mesh.working_pressure_angle,
                a_r = geometry.gears.ring_mesh.working_pressure_angle;
-  const bearing::dynamics::MeshRipple ripple =
-      ripple_of(gears_on(drivetrain, geometry, lopsided()), drivetrain, bearing_duty(drivetrain, geometry),
-                lopsided(), gears.planet.mass / drivetrain.bearings_per_planet);
+  const bearing::motion::MeshExcitation excitation = excitation_of(
+      gears_on(drivetrain, geometry, lopsided()), drivetrain, bearing_duty(drivetrain, geometry), lopsided(),
+      gears.planet.mass / drivetrain.bearings_per_planet);
   for (std::size_t i = 0; i < 2; ++i) {
     const auto load = [&](double of_sun, double of_ring) -> Vector2d {
       return Vector2d(std::sin(a_s) * of_sun - std::sin(a_r) * of_ring,
                       std::cos(a_s) * of_sun + std::cos(a_r) * of_ring) /
              drivetrain.bearings_per_planet;
     };
-    ASSERT_EQ(ripple.harmonics[i].order, static_cast<int>(i) + 1);
+    ASSERT_EQ(excitation.harmonics[i].order, static_cast<int>(i) + 1);
     const Vector2d cosine = load(sun.cosines[i], ring.cosines[i]), sine = load(sun.sines[i], ring.sines[i]);
     // The gears are integrated to 1e-4 of a mesh's deflection, and their harmonics are means over 12,800
     // samples of forces that jump.
     const double allowed = 5e-3 * std::hypot(cosine.norm(), sine.norm());
-    EXPECT_LT((ripple.harmonics[i].cosine - cosine).norm(), allowed);
-    EXPECT_LT((ripple.harmonics[i].sine - sine).norm(), allowed);
+    EXPECT_LT((excitation.harmonics[i].cosine - cosine).norm(), allowed);
+    EXPECT_LT((excitation.harmonics[i].sine - sine).norm(), allowed);
   }
 }
 

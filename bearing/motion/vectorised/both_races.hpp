@@ -4,7 +4,7 @@
 #include "bearing/motion/vectorised/constants.hpp"
 #include "mechanics/packs/pack.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -47,4 +47,4 @@ inline BothRaces both_races(const RaceConstants& inner, const RaceConstants& out
   return both;
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -6,7 +6,7 @@
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/pocket_law.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 /// Lanes to which the arrays over rollers are padded, whatever the instruction set.
 inline constexpr int kPadding = 16;
@@ -19,7 +19,7 @@ struct WaveConstants {
   bool turning = false;    // with the race
 };
 
-/// Numbers of the contacts of one race; see dynamics/race_forces.hpp. For one race Number is double;
+/// Numbers of the contacts of one race; see motion/race_forces.hpp. For one race Number is double;
 /// vectorised laws hold the numbers of both.
 template <class Number>
 struct RaceNumbers {
@@ -55,7 +55,7 @@ inline void set_film_powers(RaceConstants& c) {
       mechanics::exponential(kLineApproachExponent * (c.film_law.log_cap_load - c.log_stiffness));
 }
 
-/// The contacts cut into laminae; see dynamics/lamina_races.hpp.
+/// The contacts cut into laminae; see motion/lamina_races.hpp.
 struct LaminaConstants {
   int count = 0;                       // 0: line contacts of straight rollers
   const double* place = nullptr;       // (count)  -1 to 1
@@ -106,4 +106,4 @@ struct Constants {
   LandConstants land;
 };
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -2,11 +2,11 @@
 
 #include "bearing/motion/vectorised/constants_of.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 namespace {
 
-RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
+RaceConstants race_constants(const motion::RaceModel& race, double speed) {
   RaceConstants c;
   c.side = race.side.side;
   c.radius = race.side.radius;
@@ -22,18 +22,18 @@ RaceConstants race_constants(const dynamics::RaceModel& race, double speed) {
   return c;
 }
 
-LandConstants land_constants(const dynamics::BearingModel& model) {
+LandConstants land_constants(const motion::BearingModel& model) {
   if (!model.guidance.present) return {};
   const bool on_bore = model.guiding_race == Race::outer;
   return {.present = true,
           .on_bore = on_bore,
           .speed = on_bore ? model.point.outer_speed : model.point.inner_speed,
-          .law = dynamics::land_law(model.guidance)};
+          .law = motion::land_law(model.guidance)};
 }
 
 }  // namespace
 
-Constants constants_of(const dynamics::BearingModel& model) {
+Constants constants_of(const motion::BearingModel& model) {
   Constants c;
   c.rollers = static_cast<int>(model.layout.rollers);
   c.roller_radius = model.geometry.element_radius;
@@ -49,7 +49,7 @@ Constants constants_of(const dynamics::BearingModel& model) {
   c.orbit_radius = model.frame.orbit_radius;
   c.inner = race_constants(model.inner, model.point.inner_speed);
   c.outer = race_constants(model.outer, model.point.outer_speed);
-  c.pocket = dynamics::pocket_law(model.pocket);
+  c.pocket = motion::pocket_law(model.pocket);
   c.cage_mass = model.cage.mass;
   c.cage_inertia = model.cage.inertia;
   c.bore_mass = model.bore_mass;
@@ -60,4 +60,4 @@ Constants constants_of(const dynamics::BearingModel& model) {
   return c;
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

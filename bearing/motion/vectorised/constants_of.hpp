@@ -4,9 +4,9 @@
 #include "bearing/motion/model.hpp"
 #include "bearing/motion/vectorised/constants.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 /// Plain numbers of `model`.
-Constants constants_of(const dynamics::BearingModel& model);
+Constants constants_of(const motion::BearingModel& model);
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -4,10 +4,10 @@
 
 #include "bearing/motion/vectorised/constants.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 /// Order of the padded state: [ r | theta | r' | theta' | spin ] of lanes() entries each, then cage x y psi
-/// x' y' psi', bore x y x' y', pin x y x' y' as in dynamics/layout.hpp. Entries beyond the rollers are at
+/// x' y' psi', bore x y x' y', pin x y x' y' as in motion/layout.hpp. Entries beyond the rollers are at
 /// rest.
 struct PaddedLayout {
   int rollers = 0;
@@ -94,4 +94,4 @@ class Engine {
   virtual void complete(const double* rhs, const double (&rate)[2], double* k) const = 0;
 };
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

@@ -4,12 +4,12 @@
 #include "bearing/motion/vectorised/engines.hpp"
 #include "bearing/motion/vectorised/pack_open.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers) {
   return new packs_avx2::PackEngine(constants, rollers);
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised
 
 #endif

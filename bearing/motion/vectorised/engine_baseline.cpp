@@ -3,10 +3,10 @@
 #include "bearing/motion/vectorised/engines.hpp"
 #include "bearing/motion/vectorised/pack_open.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 Engine* baseline_engine(const Constants& constants, const RollerConstants& rollers) {
   return new packs_baseline::PackEngine(constants, rollers);
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

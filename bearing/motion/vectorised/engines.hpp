@@ -3,7 +3,7 @@
 
 #include "bearing/motion/vectorised/engine.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 Engine* baseline_engine(const Constants& constants, const RollerConstants& rollers);
 #if defined(__x86_64__) && !defined(_WIN32)
@@ -11,4 +11,4 @@ Engine* avx2_engine(const Constants& constants, const RollerConstants& rollers);
 Engine* avx512_engine(const Constants& constants, const RollerConstants& rollers);
 #endif
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

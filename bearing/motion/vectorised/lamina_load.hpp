@@ -1,9 +1,9 @@
-// Loads of contacts that are cut into laminae: dynamics/lamina_races.hpp, one roller a lane.
+// Loads of contacts that are cut into laminae: motion/lamina_races.hpp, one roller a lane.
 #pragma once
 
 #include "bearing/motion/vectorised/race_load.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -111,4 +111,4 @@ inline LoadSlope lamina_load(const BothRaces& race, const PackApproach& e, const
   return {share * sums.load, kLineExponent * share * slope};
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -7,7 +7,7 @@
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/dual.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -261,4 +261,4 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
   evaluate_rings<WithSlopes>(x, load_x, load_y, sums, dx);
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -4,7 +4,7 @@
 
 #include "bearing/motion/vectorised/pack_solve.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -81,4 +81,4 @@ inline BoreSlopes PackEngine::bore_slopes() const {
   return slopes;
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -4,7 +4,7 @@
 
 #include "bearing/motion/vectorised/pack_engine.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -105,4 +105,4 @@ inline void PackEngine::set_surroundings(const Surroundings& now) {
   if (c_.land.on_bore) c_.land.speed = now.bore_speed;
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -3,7 +3,7 @@
 
 #include "bearing/motion/vectorised/stage_matrix.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -146,4 +146,4 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
   complete_rollers(rhs, b, k);
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

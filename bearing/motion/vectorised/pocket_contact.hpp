@@ -4,7 +4,7 @@
 
 #include "bearing/motion/vectorised/race_contact.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -48,8 +48,8 @@ PocketForce pocket_contact(const PocketLaw& law, double stated_radius, const Pac
   const Pack offset = motion.d_r * a_r + motion.d_t * a_t;
   const Pack along = motion.d_r * e_r + motion.d_t * e_t;
   const Pack bar = with_sign_of(spread(1.0), offset);
-  const Pack larger_by = radius - stated_radius;
-  const Mask touching = present & (law.depth(bar, offset, larger_by) > 0.0);
+  const Pack radius_deviation = radius - stated_radius;
+  const Mask touching = present & (law.depth(bar, offset, radius_deviation) > 0.0);
   PocketForce result;
   result.touched = any(touching);
   if (!result.touched) return result;
@@ -65,7 +65,7 @@ PocketForce pocket_contact(const PocketLaw& law, double stated_radius, const Pac
     result.cage_moment = only(touching, value_of(touch.cage_moment));
   };
   if constexpr (!WithSlopes) {
-    put(law.touch(bar, radius, larger_by,
+    put(law.touch(bar, radius, radius_deviation,
                   PocketMotion<Pack, Pack, Pack, Pack, Pack, double>{offset, along, speed_ahead, speed_along,
                                                                      motion.spin, cage_speed}));
   } else {
@@ -74,7 +74,7 @@ PocketForce pocket_contact(const PocketLaw& law, double stated_radius, const Pac
     const PocketMotion moving{variable<kOffset>(offset),          variable<kAlong>(along),
                               variable<kSpeedAhead>(speed_ahead), variable<kSpeedAlong>(speed_along),
                               variable<kSpin>(motion.spin),       variable<kCageSpeed>(spread(cage_speed))};
-    const auto touch = law.touch(bar, radius, larger_by, moving);
+    const auto touch = law.touch(bar, radius, radius_deviation, moving);
     put(touch);
     const auto slope = [&](auto by) {
       return PocketRate{only(touching, by(touch.ahead)), only(touching, by(touch.along)),
@@ -113,4 +113,4 @@ PocketForce pocket_contact(const PocketLaw& law, double stated_radius, const Pac
   return result;
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

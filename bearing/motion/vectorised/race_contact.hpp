@@ -1,6 +1,6 @@
 // Rollers on a race: forces and their derivatives, one roller a lane. The laws are those of
 // bearing/contact/film_law.hpp, friction.hpp and
-// damping.hpp, which give their own slopes; those of the motion (dynamics/race_forces.hpp) stand here.
+// damping.hpp, which give their own slopes; those of the motion (motion/race_forces.hpp) stand here.
 //
 // Vectors are in polar axes (e_r, e_theta) of each roller. A derivative treats these axes as at rest; what
 // their turning adds is the caller's (ContactSlopes).
@@ -9,7 +9,7 @@
 #include "bearing/motion/vectorised/lamina_load.hpp"
 #include "bearing/motion/vectorised/race_form.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -55,7 +55,7 @@ inline void split(const ContactSlopes<PackPair>& both, ContactSlopes<Pack>& inne
   }
 }
 
-/// How rollers move against a race, dynamics/contact_motion.hpp; speeds along the tangent t = z x n.
+/// How rollers move against a race, motion/contact_motion.hpp; speeds along the tangent t = z x n.
 struct RaceMotion {
   PackPair n_r, n_t;              // [-]    normal, from the race's centre to the roller's
   PackPair inverse;               // [1/m]  1 / distance of both centres
@@ -129,7 +129,7 @@ TangentForce tangent_force(const mechanics::SparseDual<kVariables, PackPair>& x,
   return t;
 }
 
-/// What the laws give in a motion: dynamics/race_forces.hpp.
+/// What the laws give in a motion: motion/race_forces.hpp.
 struct RaceLoads {
   PackPair elastic;                  // [N]
   PackPair by_approach, by_rolling;  // its slopes
@@ -315,4 +315,4 @@ ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, c
   return result;
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

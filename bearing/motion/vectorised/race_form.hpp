@@ -5,7 +5,7 @@
 #include "bearing/motion/vectorised/both_races.hpp"
 #include "mechanics/packs/elementary.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -62,4 +62,4 @@ inline FormSlopes<PackPair> form_slopes(const BothRaces& race, const PackPair& c
           {inner.turning_bend, outer.turning_bend}};
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -5,18 +5,18 @@
 #include "bearing/motion/vectorised/both_races.hpp"
 #include "mechanics/packs/powers.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
 /// Root e of e - factor e^(-13/90) = approach, with film = factor e^(-13/90) and ninth = e^(1/9).
-struct ThinnedFilm {
+struct LoadedFilm {
   PackPair approach;
   PackPair film;
   PackPair ninth;
 };
 
-/// The powers of x that thinned_film() needs, by multiplication.
+/// The powers of x that loaded_film() needs, by multiplication.
 struct NinetiethPowers {
   PackPair tenth;       // x^10
   PackPair thirteenth;  // x^13
@@ -40,7 +40,7 @@ inline PackPair rough_ninetieth_root(const PackPair& e) {
 
 /// With e = x^90 all powers are whole ones: x^90 - factor x^-13 = approach. A start within some per cent,
 /// then steps of Halley in x; `beyond` is a bound of e from above.
-inline ThinnedFilm thinned_film(const PackPair& approach, const PackPair& factor, const PackPair& beyond) {
+inline LoadedFilm loaded_film(const PackPair& approach, const PackPair& factor, const PackPair& beyond) {
   constexpr double m = 13.0 / 90.0, kRough = 0.97;  // of a rough power, which is never too small
   constexpr double kLargest = 0.02, kNear = 2e-6;   // of steps; after the latter round-off is left
   PackPair e = larger(approach + factor * (kRough * rough_power(beyond, -m)), 0.1 * beyond);
@@ -93,7 +93,7 @@ PackApproach power_film_approach(const BothRaces& race, const PackPair& approach
   const PackPairMask thinned = beyond > cap_approach;
   // At the cap the elastic approach is known, and the same steps find its ninth root.
   const PackPair factor = only(thinned, race.film_factor * exponential(Film::kSpeed * log_speed));
-  const ThinnedFilm root = thinned_film(select(thinned, approach, beyond), factor, beyond);
+  const LoadedFilm root = loaded_film(select(thinned, approach, beyond), factor, beyond);
   PackApproach e{select(touching, root.approach, capped), root.ninth, PackPair{}, PackPair{}};
   if constexpr (WithSlopes) {
     const PackPair film = select(thinned, root.film, cap);
@@ -133,4 +133,4 @@ inline LoadSlope straight_load(const BothRaces& race, const PackApproach& e) {
   return {stiffness * e.value, kLineExponent * stiffness};
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -5,7 +5,7 @@
 
 #include "bearing/motion/vectorised/pack_rings.hpp"
 
-namespace orbearing::bearing::fast::ORBEARING_PACKS {
+namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
@@ -174,4 +174,4 @@ void PackEngine::assemble(double g) {
   return rings_.factor();
 }
 
-}  // namespace orbearing::bearing::fast::ORBEARING_PACKS
+}  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

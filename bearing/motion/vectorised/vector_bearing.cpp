@@ -8,7 +8,7 @@
 #include "bearing/motion/vectorised/constants_of.hpp"
 #include "bearing/motion/vectorised/engines.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 namespace {
 
@@ -38,7 +38,7 @@ void put_waves(const std::vector<WaveConstants>& waves, RaceConstants& race) {
 }
 
 // The constants point into `races`.
-void put_laminae(const dynamics::LaminaRaces& races, LaminaConstants& constants) {
+void put_laminae(const motion::LaminaRaces& races, LaminaConstants& constants) {
   constants = {.count = races.inner().laminae(),
                .place = races.inner().places().data(),
                .inner_drop = races.inner().drops().data(),
@@ -56,11 +56,11 @@ void turn_waves(const std::vector<RaceHarmonic>& form, double race_angle, std::v
 
 }  // namespace
 
-bool supports(const dynamics::BearingModel& model) {
-  return !model.pocket.with_film && model.driving.growth == 0.0;
+bool supports(const motion::BearingModel& model) {
+  return !model.pocket.with_film && model.driving.ramp == 0.0;
 }
 
-VectorBearing::VectorBearing(const dynamics::BearingModel& model, mechanics::InstructionSet set)
+VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::InstructionSet set)
     : model_(model), layout_{static_cast<int>(model.layout.rollers)}, set_(set) {
   const auto lanes = static_cast<std::size_t>(layout_.lanes());
   pocket_cosine_.assign(lanes, 1.0);
@@ -70,7 +70,8 @@ VectorBearing::VectorBearing(const dynamics::BearingModel& model, mechanics::Ins
     pocket_cosine_[j] = model.pocket_direction[j].x();
     pocket_sine_[j] = model.pocket_direction[j].y();
   }
-  for (std::size_t j = 0; j < model.larger_by.size(); ++j) roller_radius_[j] += model.larger_by[j];
+  for (std::size_t j = 0; j < model.radius_deviation.size(); ++j)
+    roller_radius_[j] += model.radius_deviation[j];
   inner_waves_ = waves_of(model.inner.form);
   outer_waves_ = waves_of(model.outer.form);
   for (const auto* waves : {&inner_waves_, &outer_waves_})
@@ -89,43 +90,43 @@ void VectorBearing::set_time(double time) {
 }
 
 void VectorBearing::derivative(double time, const double* x, double* dx) {
-  const mechanics::Vector2 load = dynamics::bore_load(model_, time);
+  const mechanics::Vector2 load = motion::bore_load(model_, time);
   set_time(time);
   engine_->derivative(x, load.x(), load.y(), dx);
 }
 
 void VectorBearing::linearise(double time, const double* x, double* dx) {
-  const mechanics::Vector2 load = dynamics::bore_load(model_, time);
+  const mechanics::Vector2 load = motion::bore_load(model_, time);
   set_time(time);
   engine_->linearise(x, load.x(), load.y(), dx);
 }
 
 void VectorBearing::time_slope(double time, double* rate) {
   std::fill(rate, rate + layout_.size(), 0.0);
-  const mechanics::Vector2 slope = dynamics::bore_load_slope(model_, time);
+  const mechanics::Vector2 slope = motion::bore_load_slope(model_, time);
   rate[layout_.bore() + 2] = slope.x() / model_.bore_mass;
   rate[layout_.bore() + 3] = slope.y() / model_.bore_mass;
 }
 
-void VectorBearing::set_motion(const dynamics::BoreMotion& motion) {
-  const CarrierFrame frame = dynamics::frame_of(model_, motion);
+void VectorBearing::set_motion(const motion::BoreMotion& motion) {
+  const CarrierFrame frame = motion::frame_of(model_, motion);
   engine_->set_surroundings({frame.coriolis_speed, frame.centrifugal, frame.euler, motion.speed});
   if (turning_waves_) turn_waves(model_.outer.form, motion.angle, outer_waves_);
 }
 
-void VectorBearing::derivative(const dynamics::BoreMotion& motion, const double* x, double* dx) {
+void VectorBearing::derivative(const motion::BoreMotion& motion, const double* x, double* dx) {
   set_motion(motion);
   engine_->derivative(x, 0.0, 0.0, dx);
   std::copy_n(motion.acceleration.data(), 2, dx + layout_.bore() + 2);
 }
 
-void VectorBearing::linearise(const dynamics::BoreMotion& motion, const double* x, double* dx) {
+void VectorBearing::linearise(const motion::BoreMotion& motion, const double* x, double* dx) {
   set_motion(motion);
   engine_->linearise(x, 0.0, 0.0, dx);
   std::copy_n(motion.acceleration.data(), 2, dx + layout_.bore() + 2);
 }
 
-dynamics::BoreReaction VectorBearing::reaction() const {
+motion::BoreReaction VectorBearing::reaction() const {
   const BoreForces forces = engine_->bore_forces();
   return {{forces.x, forces.y}, forces.moment};
 }
@@ -149,4 +150,4 @@ void VectorBearing::flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> fl
   std::copy(padded + layout_.cage(), padded + layout_.end(), flat.data() + 5 * z);
 }
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

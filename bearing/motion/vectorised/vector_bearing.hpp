@@ -14,19 +14,19 @@
 #include "bearing/motion/vectorised/engine.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
-namespace orbearing::bearing::fast {
+namespace orbearing::bearing::vectorised {
 
 /// Whether the vectorised bearing knows all that `model` holds: not oil in the pockets, nor run-ups.
-bool supports(const dynamics::BearingModel& model);
+bool supports(const motion::BearingModel& model);
 
 /// The vectorised bearing: engine, layout and conversion from and to the flat state of bearing/motion.
 class VectorBearing {
  public:
-  explicit VectorBearing(const dynamics::BearingModel& model,
+  explicit VectorBearing(const motion::BearingModel& model,
                          mechanics::InstructionSet set = mechanics::best_instruction_set());
 
   const PaddedLayout& layout() const { return layout_; }
-  const dynamics::BearingModel& model() const { return model_; }
+  const motion::BearingModel& model() const { return model_; }
   mechanics::InstructionSet instruction_set() const { return set_; }
 
   /// Rate `dx` of the padded state `x` at `time` [s].
@@ -42,10 +42,10 @@ class VectorBearing {
 
   /// As their namesakes, for a bore that is driven: it stands where its four entries of `x` say, and its
   /// velocity changes at the acceleration of `motion`; place and velocity of `motion` are not used.
-  void derivative(const dynamics::BoreMotion& motion, const double* x, double* dx);
-  void linearise(const dynamics::BoreMotion& motion, const double* x, double* dx);
+  void derivative(const motion::BoreMotion& motion, const double* x, double* dx);
+  void linearise(const motion::BoreMotion& motion, const double* x, double* dx);
   /// What the bearing does to the bore, at the last evaluation.
-  dynamics::BoreReaction reaction() const;
+  motion::BoreReaction reaction() const;
   /// Slopes of its force, at the last linearisation.
   BoreSlopes bore_slopes() const { return engine_->bore_slopes(); }
   /// As factor() and solve() with the bore open: engine.hpp. The planet's row of a stage becomes
@@ -61,9 +61,9 @@ class VectorBearing {
 
  private:
   void set_time(double time);
-  void set_motion(const dynamics::BoreMotion& motion);
+  void set_motion(const motion::BoreMotion& motion);
 
-  dynamics::BearingModel model_;
+  motion::BearingModel model_;
   PaddedLayout layout_;
   mechanics::InstructionSet set_;
   std::vector<double> pocket_cosine_;
@@ -75,4 +75,4 @@ class VectorBearing {
   std::unique_ptr<Engine> engine_;
 };
 
-}  // namespace orbearing::bearing::fast
+}  // namespace orbearing::bearing::vectorised

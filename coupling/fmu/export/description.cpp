@@ -168,7 +168,7 @@ std::vector<std::uint32_t> references_of(const Model& model, const std::vector<s
   return references;
 }
 
-std::vector<std::uint32_t> start_references(const Model& model, const cosim::Output& output) {
+std::vector<std::uint32_t> start_references(const Model& model, const system::Output& output) {
   std::vector<std::uint32_t> references;
   if (output.start_parameters)
     for (const Variable& variable : model.variables)

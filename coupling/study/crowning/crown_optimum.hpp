@@ -57,8 +57,8 @@ struct CrownOptimum {
   bool unique = false;          // all starts ended in it
 };
 
-/// Two ends are one where they are as close as this. Laminae that begin to touch ripple the life by about
-/// 1e-6 with a period of hundredths of a micrometre, each ripple with an optimum of its own.
+/// Two ends are one where they are as close as this. Laminae that begin to touch excitation the life by about
+/// 1e-6 with a period of hundredths of a micrometre, each excitation with an optimum of its own.
 inline constexpr double kSameDrop = 5e-3;  // of the greatest drop
 inline constexpr double kSameLife = 1e-4;  // relative
 bool is_same(const SearchEnd& end, const CrownOptimum& best, const SearchOptions& options);

@@ -22,7 +22,7 @@
 #include "app/study/static_study.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
-#include "coupling/study/several_sets.hpp"
+#include "coupling/study/multi_stage.hpp"
 
 namespace orbearing::app::fields_test {
 
@@ -71,18 +71,18 @@ inline std::string machine_result(const fmu::NumberTable& numbers, bool bearing)
   const fmu::ModelFacts facts = fmu::facts_of(numbers);
   std::vector<double> parameters, inputs;
   for (const fmu::ShownField& parameter : facts.shown.parameters) parameters.push_back(parameter.start);
-  for (const cosim::Input& input : facts.inputs) inputs.push_back(input.start);
+  for (const system::Input& input : facts.inputs) inputs.push_back(input.start);
   if (bearing) {
     inputs.at(0) = 2e-6;  // [m]        outward
     inputs.at(1) = 6e-6;  // [m]        under load
     inputs.at(6) = 2e3;   // [rad/s^2]  of the carrier
   }
-  const std::unique_ptr<cosim::Participant> driven = fmu::make_participant(numbers, parameters);
+  const std::unique_ptr<system::Participant> driven = fmu::make_participant(numbers, parameters);
   driven->initialize(0.0, inputs);
   for (int i = 0; i < steps; ++i) {
-    std::vector<cosim::Course> courses;
-    for (const double input : inputs) courses.push_back(cosim::Course::constant(input));
-    driven->advance({i * step, (i + 1) * step}, courses);
+    std::vector<system::InputPolynomial> polynomials;
+    for (const double input : inputs) polynomials.push_back(system::InputPolynomial::constant(input));
+    driven->advance({i * step, (i + 1) * step}, polynomials);
   }
   return digits(driven->values(inputs, facts.outputs.size()));
 }

@@ -236,7 +236,7 @@ TEST(FieldUse, PinsThatDoNotCountMakeNothingFelt) {
   const ResolvedCase one = case_of(base_named("bearing_in_a_set"), {block + pins, block + mass});
   EXPECT_THAT(require_used(one, use::quasi_static), testing::IsEmpty());
   const std::string set = "sets.first." + block;
-  const ResolvedCase several = case_of(base_named("several_sets"), {set + pins, set + mass});
+  const ResolvedCase several = case_of(base_named("multi_stage"), {set + pins, set + mass});
   EXPECT_THAT(require_used(several, use::quasi_static), testing::Contains(HasSubstr(set + "sun.mass")));
 }
 

@@ -57,7 +57,7 @@ inline std::string indented(const std::string& block) {
   return text.substr(0, text.size() - 4);
 }
 
-inline std::string several_sets() {
+inline std::string multi_stage() {
   const std::string set = indented(kGears) + indented(kBearing);
   return kDrivetrain + kShortRun +
          "shafts:\n  input: [motor, first.sun]\n  middle: [first.carrier, second.sun]\n"
@@ -127,7 +127,7 @@ inline const std::vector<Base>& bases() {
                                      {"displaced_pins", displaced_pins(), "", use::dynamic},
                                      {"gears_alone", kDrivetrain + kGears},
                                      {"masses_and_springs", kToothless},
-                                     {"several_sets", several_sets(), "first"},
+                                     {"multi_stage", multi_stage(), "first"},
                                      {"pair_of_gears", kPair},
                                      {"roller_bearing", rollers_case()},
                                      {"ball_bearing", kBalls}};

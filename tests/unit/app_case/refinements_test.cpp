@@ -32,7 +32,7 @@ TEST(Refinements, WavesAndDeviationsReachTheBearingInSI) {
 }
 
 TEST(Refinements, ChoicesReachTheModel) {
-  using namespace bearing::dynamics;
+  using namespace bearing::motion;
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped(
       {"contact.lubrication=mixed", "contact.roughness=0.3 um", "bearing.cage.pocket_film=hydrodynamic",
        "film.approach=as-printed", "contact.damping_law=as-printed",
@@ -48,7 +48,7 @@ TEST(Refinements, ChoicesReachTheModel) {
 
 TEST(Refinements, DefaultsAreThoseOfTheLibraries) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped());
-  const bearing::dynamics::DynamicsParameters library;
+  const bearing::motion::DynamicsParameters library;
   EXPECT_EQ(drivetrain.dynamics.race.lubrication, library.race.lubrication);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.roughness, library.race.roughness);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.boundary_friction, library.race.boundary_friction);

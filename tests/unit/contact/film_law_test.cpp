@@ -123,15 +123,15 @@ TEST(ElasticApproach, IsFoundWithAFilmThatIsNoPowerLaw) {
 
 // What the film that is a power law gains by its own search it may not lose in the result.
 TEST(ElasticApproach, OfPowersIsThatOfAnyFilm) {
-  using namespace fast::film_law_test_packs;
+  using namespace vectorised::film_law_test_packs;
   const auto law = FilmLaw<double>::of(oiled_contact());
   const double log_stiffness = std::log(8e8);
-  fast::RaceConstants one;
+  vectorised::RaceConstants one;
   one.film = true;
   one.stiffness = 8e8;
   one.log_stiffness = log_stiffness;
   one.film_law = law;
-  fast::set_film_powers(one);
+  vectorised::set_film_powers(one);
   const BothRaces race = both_races(one, one, {});
   std::mt19937 engine(20251122);
   std::uniform_real_distribution<double> log_approach(-20.0, -7.0), log_speed(-5.0, 4.5), side(-1.0, 1.0);

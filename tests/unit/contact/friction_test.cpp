@@ -8,9 +8,9 @@
 namespace orbearing::bearing::friction_test {
 namespace {
 
-using dynamics::Lubrication;
-using dynamics::RaceContactParameters;
-using dynamics::TractionLaw;
+using motion::Lubrication;
+using motion::RaceContactParameters;
+using motion::TractionLaw;
 
 constexpr double kRoundOff = 1e-13;
 constexpr double kCurvature =

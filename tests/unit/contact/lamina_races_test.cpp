@@ -8,7 +8,7 @@
 #include "bearing/motion/snapshot.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::lamina_races_test {
+namespace orbearing::bearing::motion::lamina_races_test {
 namespace {
 
 constexpr double kLength = 20e-3;  // [m]
@@ -74,4 +74,4 @@ TEST(LaminaRaces, ARollerInOneContactFollowsThatRace) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::lamina_races_test
+}  // namespace orbearing::bearing::motion::lamina_races_test

@@ -7,8 +7,8 @@
 
 namespace orbearing::test {
 
-inline cosim::CoupledSetup coupled_reducer() {
-  cosim::CoupledSetup setup;
+inline system::CoupledSetup coupled_reducer() {
+  system::CoupledSetup setup;
   setup.gears.set = gearset::dynamics::test::reducer_dynamics();
   setup.gears.set.planet.coupled_bearing = true;
   setup.gears.operation = gearset::dynamics::test::reducer_operation(6000.0 * M_PI / 30.0);

@@ -114,7 +114,7 @@ TEST(CoupledRun, IteratesStiffJoints) {
 class Failing : public ForceHalf {
  public:
   using ForceHalf::ForceHalf;
-  void advance(const Window& window, const std::vector<Course>& motion) override {
+  void advance(const Window& window, const std::vector<InputPolynomial>& motion) override {
     if (window.begin > 0.99) throw std::runtime_error("the joint broke");
     ForceHalf::advance(window, motion);
   }

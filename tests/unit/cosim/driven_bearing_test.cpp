@@ -12,7 +12,7 @@
 namespace orbearing::cosim::driven_bearing_test {
 namespace {
 
-using bearing::dynamics::BoreMotion;
+using bearing::motion::BoreMotion;
 using std::numbers::pi;
 
 constexpr double kWindow = 20e-6;  // [s]
@@ -21,21 +21,21 @@ Window window(long k) {
   return {static_cast<double>(k) * kWindow, static_cast<double>(k + 1) * kWindow};
 }
 
-void advance(DrivenBearing& bearing, const BoreMotion& about, long from, long to) {
+void advance(system::DrivenBearing& bearing, const BoreMotion& about, long from, long to) {
   for (long k = from; k < to; ++k)
-    bearing.advance(window(k), test::swinging_course(about, 2e-6, 2e4, window(k).begin));
+    bearing.advance(window(k), test::swinging_polynomial(about, 2e-6, 2e4, window(k).begin));
 }
 
 BoreMotion swinging(const BoreMotion& about, double time) {
-  return test::swinging_course(about, 2e-6, 2e4, time).at(0.0);
+  return test::swinging_polynomial(about, 2e-6, 2e4, time).at(0.0);
 }
 
 TEST(DrivenBearing, StandsStillWhereNothingMoves) {
-  DrivenBearing bearing(test::driven_reducer());
+  system::DrivenBearing bearing(test::driven_reducer());
   const BoreMotion none;
   bearing.initialize(none);
-  bearing.advance({0.0, 1e-3}, test::constant_course(none));
-  const DrivenBearingOutput output = bearing.output(none);
+  bearing.advance({0.0, 1e-3}, test::constant_polynomial(none));
+  const system::DrivenBearingOutput output = bearing.output(none);
   EXPECT_NEAR(output.reaction.force.norm(), 0.0, 0.1);  // [N]  the start rests on films of no thickness
   EXPECT_EQ(output.cage_slip, 0.0);
   EXPECT_EQ(output.revolutions, 0.0);
@@ -43,13 +43,13 @@ TEST(DrivenBearing, StandsStillWhereNothingMoves) {
 }
 
 TEST(DrivenBearing, PushesBackWhereItIsPressed) {
-  DrivenBearing bearing(test::driven_reducer());
+  system::DrivenBearing bearing(test::driven_reducer());
   const BoreMotion motion = test::pressed_motion();
   bearing.initialize(motion);
   const double at_start = bearing.output(motion).reaction.force.y();
   EXPECT_LT(at_start, -3000.0);  // [N]
-  bearing.advance({0.0, 1e-3}, test::constant_course(motion));
-  const DrivenBearingOutput output = bearing.output(motion);
+  bearing.advance({0.0, 1e-3}, test::constant_polynomial(motion));
+  const system::DrivenBearingOutput output = bearing.output(motion);
   EXPECT_NEAR(output.reaction.force.y(), at_start, 0.3 * std::abs(at_start));
   EXPECT_NEAR(output.reaction.moment, 0.0, 5.0);
   EXPECT_GT(output.reaction.moment, 0.0) << "friction holds back a bore that turns clockwise";
@@ -61,7 +61,7 @@ TEST(DrivenBearing, PushesBackWhereItIsPressed) {
 }
 
 TEST(DrivenBearing, ReactionIsThatOfTheOutput) {
-  DrivenBearing bearing(test::driven_reducer());
+  system::DrivenBearing bearing(test::driven_reducer());
   const BoreMotion motion = test::pressed_motion();
   bearing.initialize(motion);
   const auto quick = bearing.reaction(motion), full = bearing.output(motion).reaction;
@@ -72,15 +72,15 @@ TEST(DrivenBearing, ReactionIsThatOfTheOutput) {
 class DrivenBearingState : public testing::TestWithParam<bool> {
  protected:
   DrivenBearingState() {
-    if (GetParam()) setup.dynamics.cage.pocket_film = bearing::dynamics::PocketFilm::hydrodynamic;
+    if (GetParam()) setup.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
     setup.bearing.outer.form = {{.order = 5, .amplitude = 0.5e-6, .phase = 1.0, .turning = true}};
   }
-  DrivenBearingSetup setup = test::driven_reducer();
+  system::DrivenBearingSetup setup = test::driven_reducer();
   BoreMotion about = test::pressed_motion();
 };
 
 TEST_P(DrivenBearingState, ComesBackToTheSameBits) {
-  DrivenBearing bearing(setup);
+  system::DrivenBearing bearing(setup);
   bearing.initialize(about);
   advance(bearing, about, 0, 5);
   SavedState before, after, again, elsewhere;
@@ -90,7 +90,7 @@ TEST_P(DrivenBearingState, ComesBackToTheSameBits) {
   bearing.restore(before);
   advance(bearing, about, 5, 10);
   bearing.save(again);
-  DrivenBearing other(setup);
+  system::DrivenBearing other(setup);
   other.restore(before);
   advance(other, about, 5, 10);
   other.save(elsewhere);
@@ -101,18 +101,18 @@ TEST_P(DrivenBearingState, ComesBackToTheSameBits) {
 
 TEST_P(DrivenBearingState, StaysAtTheBeginningOnAnError) {
   setup.most_steps = 1000;
-  DrivenBearing bearing(setup);
+  system::DrivenBearing bearing(setup);
   bearing.initialize(about);
   advance(bearing, about, 0, 2);
   SavedState before, after;
   bearing.save(before);
-  BoreCourse inputs = test::constant_course(about);
+  system::BoreInputs inputs = test::constant_polynomial(about);
   inputs.v_y.coefficient[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(bearing.advance(window(2), inputs), std::runtime_error);
-  inputs = test::constant_course(about);
+  inputs = test::constant_polynomial(about);
   inputs.x.coefficient[1] = 1e4;  // [m/s]  through all rollers
   EXPECT_THROW(bearing.advance({0.0, 1e-4}, inputs), std::runtime_error);
-  EXPECT_THROW(bearing.advance({1e-3, 0.0}, test::constant_course(about)), std::runtime_error);
+  EXPECT_THROW(bearing.advance({1e-3, 0.0}, test::constant_polynomial(about)), std::runtime_error);
   bearing.save(after);
   EXPECT_EQ(before, after);
 }
@@ -121,20 +121,20 @@ INSTANTIATE_TEST_SUITE_P(Paths, DrivenBearingState, testing::Bool(),
                          [](const auto& path) { return path.param ? "readable" : "vectorised"; });
 
 TEST(DrivenBearing, GivesUpWhereItsStepsAreUsedUp) {
-  DrivenBearingSetup setup = test::driven_reducer();
+  system::DrivenBearingSetup setup = test::driven_reducer();
   setup.most_steps = 3;
-  DrivenBearing bearing(setup);
+  system::DrivenBearing bearing(setup);
   bearing.initialize(test::pressed_motion());
-  EXPECT_THROW(bearing.advance({0.0, 1e-3}, test::constant_course(test::pressed_motion())),
+  EXPECT_THROW(bearing.advance({0.0, 1e-3}, test::constant_polynomial(test::pressed_motion())),
                std::runtime_error);
 }
 
 TEST(DrivenBearing, RefusesAForeignState) {
-  DrivenBearing bearing(test::driven_reducer());
-  DrivenBearingSetup other = test::driven_reducer();
+  system::DrivenBearing bearing(test::driven_reducer());
+  system::DrivenBearingSetup other = test::driven_reducer();
   other.places = 36;
   SavedState state;
-  DrivenBearing(other).save(state);
+  system::DrivenBearing(other).save(state);
   EXPECT_THROW(bearing.restore(state), std::invalid_argument);
   bearing.save(state);
   state.pop_back();
@@ -146,30 +146,30 @@ TEST(DrivenBearing, RefusesAForeignState) {
 }
 
 TEST(DrivenBearing, RefusesWhatAsksForSpeedsBeforehand) {
-  DrivenBearingSetup setup = test::driven_reducer();
+  system::DrivenBearingSetup setup = test::driven_reducer();
   setup.dynamics.race.film_approach = bearing::FilmApproach::as_printed;
-  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_THROW(system::DrivenBearing{setup}, std::invalid_argument);
   setup = test::driven_reducer();
-  setup.dynamics.driving.growth = 1.0;
-  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
+  setup.dynamics.driving.ramp = 1.0;
+  EXPECT_THROW(system::DrivenBearing{setup}, std::invalid_argument);
   setup = test::driven_reducer();
   setup.orbit_radius = -1.0;
-  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_THROW(system::DrivenBearing{setup}, std::invalid_argument);
 }
 
 // The step size outlives a window, so that how time is cut matters little.
 TEST(DrivenBearing, DependsLittleOnTheWindows) {
   const BoreMotion motion = test::pressed_motion();
   const auto force_after = [&](long windows) {
-    DrivenBearingSetup setup = test::driven_reducer();
+    system::DrivenBearingSetup setup = test::driven_reducer();
     setup.allowed_length_error = 1e-13;
-    DrivenBearing bearing(setup);
+    system::DrivenBearing bearing(setup);
     bearing.initialize(motion);
     const double end = 50e-6;
     for (long k = 0; k < windows; ++k)
       bearing.advance({end * static_cast<double>(k) / static_cast<double>(windows),
                        end * static_cast<double>(k + 1) / static_cast<double>(windows)},
-                      test::constant_course(motion));
+                      test::constant_polynomial(motion));
     return bearing.reaction(motion).force;
   };
   const Eigen::Vector2d whole = force_after(1), cut = force_after(37);
@@ -178,14 +178,14 @@ TEST(DrivenBearing, DependsLittleOnTheWindows) {
 
 TEST(DrivenBearing, SlopesAreThoseOfTheForce) {
   for (const bool readable : {false, true}) {
-    DrivenBearingSetup setup = test::driven_reducer();
-    if (readable) setup.dynamics.cage.pocket_film = bearing::dynamics::PocketFilm::hydrodynamic;
-    DrivenBearing bearing(setup);
+    system::DrivenBearingSetup setup = test::driven_reducer();
+    if (readable) setup.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
+    system::DrivenBearing bearing(setup);
     const BoreMotion about = test::pressed_motion();
     bearing.initialize(about);
     advance(bearing, about, 0, 5);
     const BoreMotion motion = swinging(about, window(5).begin);
-    const ForceSlopes slopes = bearing.slopes(motion);
+    const system::ForceSlopes slopes = bearing.slopes(motion);
     const auto difference = [&](double step, auto move) -> Eigen::Vector2d {
       const auto at = [&](double by) {
         BoreMotion moved = motion;

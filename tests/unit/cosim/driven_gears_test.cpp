@@ -21,25 +21,27 @@ using gearset::dynamics::SetParameters;
 
 constexpr double kPeriod = 1.0 / 2519.0;  // [s]  of the mesh, about
 
-DrivenGearsSetup setup(double share = 1e-8) {
-  DrivenGearsSetup out{.set = gearset::dynamics::test::reducer_dynamics(),
-                       .operation = gearset::dynamics::test::reducer_operation(628.0),
-                       .allowed_share = share};
+system::DrivenGearsSetup setup(double share = 1e-8) {
+  system::DrivenGearsSetup out{.set = gearset::dynamics::test::reducer_dynamics(),
+                               .operation = gearset::dynamics::test::reducer_operation(628.0),
+                               .allowed_share = share};
   out.set.planet.coupled_bearing = true;
   return out;
 }
 
 // x, y, moment of each planet.
-std::vector<Course> spring_forces(const DrivenGears& gears, const SetParameters& set, double moment = 0.0) {
-  std::vector<Course> forces;
-  for (const PlanetMotion& planet : gears.output().planets) {
+std::vector<InputPolynomial> spring_forces(const system::DrivenGears& gears, const SetParameters& set,
+                                           double moment = 0.0) {
+  std::vector<InputPolynomial> forces;
+  for (const system::PlanetMotion& planet : gears.output().planets) {
     const Eigen::Vector2d force = -set.planet.bearing_stiffness * planet.displacement;
-    for (const double value : {force.x(), force.y(), moment}) forces.push_back(Course::constant(value));
+    for (const double value : {force.x(), force.y(), moment})
+      forces.push_back(InputPolynomial::constant(value));
   }
   return forces;
 }
 
-double farthest(const DrivenGearsOutput& a, const DrivenGearsOutput& b) {
+double farthest(const system::DrivenGearsOutput& a, const system::DrivenGearsOutput& b) {
   double out = 0.0;  // [m]
   for (std::size_t i = 0; i < a.planets.size(); ++i)
     out = std::max(out, (a.planets[i].displacement - b.planets[i].displacement).norm());
@@ -47,7 +49,7 @@ double farthest(const DrivenGearsOutput& a, const DrivenGearsOutput& b) {
 }
 
 TEST(DrivenGears, SaveAdvanceRestoreAdvanceGivesTheSameBits) {
-  DrivenGears gears(setup(1e-5)), other(setup(1e-5));
+  system::DrivenGears gears(setup(1e-5)), other(setup(1e-5));
   gears.initialize(0.0);
   const auto forces = spring_forces(gears, setup().set, 3.0);
   gears.advance({0.0, 0.37 * kPeriod}, forces);
@@ -69,7 +71,7 @@ TEST(DrivenGears, SaveAdvanceRestoreAdvanceGivesTheSameBits) {
 
 // The end does not depend on where windows end, but for the error of the steps.
 TEST(DrivenGears, AreAsGoodInShortWindows) {
-  DrivenGears whole(setup()), parts(setup());
+  system::DrivenGears whole(setup()), parts(setup());
   whole.initialize(0.0);
   parts.initialize(0.0);
   const auto forces = spring_forces(whole, setup().set, 3.0);
@@ -82,8 +84,8 @@ TEST(DrivenGears, AreAsGoodInShortWindows) {
 
 // Forces of the springs themselves, which change within the window along their tangent, converge to the set
 // on springs with the square of the window.
-TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheCourse) {
-  DrivenGearsSetup smooth = setup(1e-9);
+TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheInputs) {
+  system::DrivenGearsSetup smooth = setup(1e-9);
   smooth.set.sun_mesh.stiffness = gearset::PeriodicCurve::constant(4e8);
   smooth.set.ring_mesh.stiffness = gearset::PeriodicCurve::constant(5e8);
   smooth.set.planet.bearing_damping = 0.0;
@@ -106,7 +108,7 @@ TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheCourse) {
   BearingPorts exact;
   equations.motion_at_ports(x, exact);
   const auto error = [&](int windows) {
-    DrivenGears gears(smooth);
+    system::DrivenGears gears(smooth);
     gears.restore(start);
     for (int k = 0; k < windows; ++k) {
       auto forces = spring_forces(gears, smooth.set);
@@ -131,13 +133,13 @@ TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheCourse) {
 
 // With bearings half as stiff again as stated, each round leaves minus a half of the error.
 TEST(DrivenGears, BalanceWithBearingsThatAreNotTheStatedSprings) {
-  DrivenGears gears(setup());
+  system::DrivenGears gears(setup());
   gears.initialize(0.0);
   const Eigen::Vector2d before = gears.output().planets[0].displacement;
   const Eigen::Vector2d gap(2e-6, -5e-6);  // [m]
   for (int round = 0; round < 40; ++round) {
     std::vector<double> forces;
-    for (const PlanetMotion& planet : gears.output().planets) {
+    for (const system::PlanetMotion& planet : gears.output().planets) {
       const Eigen::Vector2d force = -1.5 * setup().set.planet.bearing_stiffness * (planet.displacement - gap);
       forces.insert(forces.end(), {force.x(), force.y(), 0.0});
     }
@@ -151,10 +153,10 @@ TEST(DrivenGears, BalanceWithBearingsThatAreNotTheStatedSprings) {
 }
 
 TEST(DrivenGears, RefuseWhatMakesNoSense) {
-  DrivenGearsSetup loose = setup();
+  system::DrivenGearsSetup loose = setup();
   loose.set.planet.bearing_stiffness = 0.0;
-  EXPECT_THROW(DrivenGears{loose}, std::invalid_argument);
-  DrivenGears gears(setup());
+  EXPECT_THROW(system::DrivenGears{loose}, std::invalid_argument);
+  system::DrivenGears gears(setup());
   gears.initialize(0.0);
   EXPECT_THROW(gears.advance({0.0, 1e-6}, {}), std::invalid_argument);
   EXPECT_THROW(gears.advance({1e-6, 1e-6}, spring_forces(gears, setup().set)), std::invalid_argument);
@@ -165,12 +167,12 @@ TEST(DrivenGears, RefuseWhatMakesNoSense) {
 }
 
 TEST(DrivenGears, KeepTheirStateWhereAWindowFails) {
-  DrivenGears gears(setup());
+  system::DrivenGears gears(setup());
   gears.initialize(0.0);
   SavedState before, after;
   gears.save(before);
   auto forces = spring_forces(gears, setup().set);
-  forces[6] = Course::constant(std::nan(""));
+  forces[6] = InputPolynomial::constant(std::nan(""));
   EXPECT_THROW(gears.advance({0.0, 1e-5}, forces), std::runtime_error);
   gears.save(after);
   EXPECT_EQ(before, after);
@@ -178,7 +180,7 @@ TEST(DrivenGears, KeepTheirStateWhereAWindowFails) {
 
 // Speeds of the planet: nominal, and what its own and the carrier's rotation add.
 TEST(DrivenGears, TellThePlanetsSpeed) {
-  DrivenGears gears(setup());
+  system::DrivenGears gears(setup());
   gears.initialize(0.0);
   const double carrier = 628.0 * 37.0 / 116.0;
   EXPECT_NEAR(gears.output().carrier_speed, carrier, 1e-9 * carrier);

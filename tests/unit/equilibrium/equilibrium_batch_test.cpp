@@ -13,7 +13,7 @@
 
 #include "tests/random_bearings.hpp"
 
-namespace orbearing::bearing::fast::equilibrium_batch_test {
+namespace orbearing::bearing::vectorised::equilibrium_batch_test {
 namespace {
 
 // Of the largest force at hand: required; where round-off ends their search both solvers accept as much.
@@ -148,4 +148,4 @@ TEST(EquilibriumBatch, LeavesWhatIsNotRoundToTheReadableSolver) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::fast::equilibrium_batch_test
+}  // namespace orbearing::bearing::vectorised::equilibrium_batch_test

@@ -57,12 +57,12 @@ TEST(FmuFields, NamesAreUnique) {
 }
 
 TEST(FmuFields, TextKeepsEveryBit) {
-  cosim::DrivenBearingSetup model = test::bearing_model();
+  system::DrivenBearingSetup model = test::bearing_model();
   model.bearing.radial_clearance = 0.1e-6 / 3.0;
   model.bearing.inner.form = {{3, 1e-6 / 7.0, 0.2, true}, {2, -1e-6, 0.0, false}};
   model.bearing.rollers().diameter_deviation = {1e-7 / 3.0, 0.0, 4.9e-324};
   const std::string text = text_of(numbers_of(model));
-  const cosim::DrivenBearingSetup again = setup_from<cosim::DrivenBearingSetup>(table_from(text));
+  const system::DrivenBearingSetup again = setup_from<system::DrivenBearingSetup>(table_from(text));
   EXPECT_EQ(text_of(numbers_of(again)), text);
   EXPECT_EQ(again.bearing.radial_clearance, model.bearing.radial_clearance);
   EXPECT_EQ(again.bearing.rollers().diameter_deviation, model.bearing.rollers().diameter_deviation);
@@ -71,9 +71,9 @@ TEST(FmuFields, TextKeepsEveryBit) {
 }
 
 TEST(FmuFields, MeshCurvesAreTheSameCurves) {
-  const cosim::DrivenGearsSetup model = test::gear_model();
-  const cosim::DrivenGearsSetup again =
-      setup_from<cosim::DrivenGearsSetup>(table_from(text_of(numbers_of(model))));
+  const system::DrivenGearsSetup model = test::gear_model();
+  const system::DrivenGearsSetup again =
+      setup_from<system::DrivenGearsSetup>(table_from(text_of(numbers_of(model))));
   const gearset::PeriodicCurve& curve = model.set.sun_mesh.stiffness;
   ASSERT_EQ(again.set.sun_mesh.stiffness.jumps(), curve.jumps());
   for (double fraction = -1.0; fraction < 2.0; fraction += 0.00731) {
@@ -135,8 +135,8 @@ TEST(FmuModelText, NumbersThatMakeNoSenseAreRefused) {
   NumberTable numbers = numbers_of(test::bearing_model());
   for (NumberRow& row : numbers.rows)
     if (row.name == "bearing.width") row.values = {-1.0};
-  EXPECT_THROW(setup_from<cosim::DrivenBearingSetup>(numbers), std::invalid_argument);
-  EXPECT_THROW(setup_from<cosim::DrivenBearingSetup>(NumberTable{"bearing", {}}), std::invalid_argument);
+  EXPECT_THROW(setup_from<system::DrivenBearingSetup>(numbers), std::invalid_argument);
+  EXPECT_THROW(setup_from<system::DrivenBearingSetup>(NumberTable{"bearing", {}}), std::invalid_argument);
   EXPECT_THROW(facts_of(NumberTable{"engine", {}}), std::invalid_argument);
 }
 

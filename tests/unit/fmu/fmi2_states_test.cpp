@@ -110,10 +110,10 @@ TEST(Fmi2Bearing, OutputsDependOnTheInputsOfTheTableAndOnNoOthers) {
     const std::string& name = facts.inputs[input].name;
     const double middle = instance.get(name);
     std::vector<double> before;
-    for (const cosim::Output& output : facts.outputs) before.push_back(instance.get(output.name));
+    for (const system::Output& output : facts.outputs) before.push_back(instance.get(output.name));
     instance.set(name, middle + (input < 2 ? 1e-6 : input < 4 ? 1e-2 : 10.0));
     for (std::size_t i = 0; i < facts.outputs.size(); ++i) {
-      const cosim::Output& output = facts.outputs[i];
+      const system::Output& output = facts.outputs[i];
       const bool listed = std::find(output.inputs.begin(), output.inputs.end(), input) != output.inputs.end();
       if (!listed) {
         EXPECT_EQ(instance.get(output.name), before[i]) << output.name << " by " << name;

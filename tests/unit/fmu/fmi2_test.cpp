@@ -21,10 +21,10 @@ const Resources& bearing_resources() {
 }
 
 // The same run without any interface.
-cosim::DrivenBearing direct(const bearing::dynamics::BoreMotion& motion, int steps) {
-  cosim::DrivenBearing bearing(bearing_model());
+system::DrivenBearing direct(const bearing::motion::BoreMotion& motion, int steps) {
+  system::DrivenBearing bearing(bearing_model());
   bearing.initialize(motion);
-  const cosim::BoreCourse inputs = orbearing::test::constant_course(motion);
+  const system::BoreInputs inputs = orbearing::test::constant_polynomial(motion);
   double time = 0.0;
   for (int i = 0; i < steps; ++i) {
     bearing.advance({time, i * kStep + kStep}, inputs);
@@ -39,8 +39,8 @@ TEST(Fmi2Bearing, RunsAsWithoutInterface) {
   press(instance);
   ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
   run(instance, 0, 30);
-  const bearing::dynamics::BoreMotion motion = orbearing::test::pressed_motion();
-  const cosim::DrivenBearingOutput now = direct(motion, 30).output(motion);
+  const bearing::motion::BoreMotion motion = orbearing::test::pressed_motion();
+  const system::DrivenBearingOutput now = direct(motion, 30).output(motion);
   EXPECT_EQ(instance.get("force.x"), now.reaction.force.x());
   EXPECT_EQ(instance.get("force.y"), now.reaction.force.y());
   EXPECT_EQ(instance.get("moment"), now.reaction.moment);
@@ -171,13 +171,13 @@ TEST(Fmi2Gears, RunsAsWithoutInterface) {
   Instance2 instance(resources);
   ASSERT_NE(instance.component, nullptr);
   ASSERT_EQ(instance.begin(), fmi2OK) << instance.messages.last();
-  cosim::DrivenGears gears(test::gear_model());
+  system::DrivenGears gears(test::gear_model());
   gears.initialize(0.0);
-  std::vector<cosim::Course> inputs(gears.inputs().size());  // x, y, moment of each planet
+  std::vector<system::InputPolynomial> inputs(gears.inputs().size());  // x, y, moment of each planet
   for (std::size_t i = 0; i < inputs.size() / 3; ++i) {
     const std::string planet = "planet[" + std::to_string(i + 1) + "].";
-    inputs[3 * i] = cosim::Course::constant(100.0);
-    inputs[3 * i + 1] = cosim::Course::constant(-900.0 - 10.0 * double(i));
+    inputs[3 * i] = system::InputPolynomial::constant(100.0);
+    inputs[3 * i + 1] = system::InputPolynomial::constant(-900.0 - 10.0 * double(i));
     instance.set(planet + "force.x", 100.0);
     instance.set(planet + "force.y", -900.0 - 10.0 * double(i));
   }
@@ -187,7 +187,7 @@ TEST(Fmi2Gears, RunsAsWithoutInterface) {
     gears.advance({time, i * kStep + kStep}, inputs);
     time = i * kStep + kStep;
   }
-  const cosim::DrivenGearsOutput now = gears.output();
+  const system::DrivenGearsOutput now = gears.output();
   EXPECT_EQ(instance.get("planet[2].displacement.y"), now.planets[1].displacement.y());
   EXPECT_EQ(instance.get("planet[4].velocity.x"), now.planets[3].velocity.x());
   EXPECT_EQ(instance.get("planet[1].speed"), now.planets[0].speed);

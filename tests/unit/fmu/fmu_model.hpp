@@ -19,17 +19,17 @@
 namespace orbearing::fmu::test {
 
 /// The reducer's bearing pressed by its planet at 6000 rpm of the sun.
-inline cosim::DrivenBearingSetup bearing_model() {
-  const bearing::dynamics::BoreMotion motion = orbearing::test::pressed_motion();
-  cosim::DrivenBearingSetup setup = orbearing::test::driven_reducer();
+inline system::DrivenBearingSetup bearing_model() {
+  const bearing::motion::BoreMotion motion = orbearing::test::pressed_motion();
+  system::DrivenBearingSetup setup = orbearing::test::driven_reducer();
   setup.planet_speed = motion.speed;
   setup.carrier_speed = motion.carrier_speed;
   return setup;
 }
 
-inline cosim::DrivenGearsSetup gear_model() {
-  cosim::DrivenGearsSetup setup{.set = gearset::dynamics::test::reducer_dynamics(),
-                                .operation = gearset::dynamics::test::reducer_operation(628.0)};
+inline system::DrivenGearsSetup gear_model() {
+  system::DrivenGearsSetup setup{.set = gearset::dynamics::test::reducer_dynamics(),
+                                 .operation = gearset::dynamics::test::reducer_operation(628.0)};
   setup.set.planet.coupled_bearing = true;
   return setup;
 }

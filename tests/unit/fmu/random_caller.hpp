@@ -12,14 +12,14 @@ inline constexpr long kFewSteps =
     300;  // internal ones of one call: wild inputs shall not take the time of the test
 
 inline NumberTable short_bearing() {
-  cosim::DrivenBearingSetup model = test::bearing_model();
+  system::DrivenBearingSetup model = test::bearing_model();
   model.bearing.rollers().count = 5;
   model.most_steps = kFewSteps;
   return numbers_of(model);
 }
 
 inline NumberTable short_gears() {
-  cosim::DrivenGearsSetup model = test::gear_model();
+  system::DrivenGearsSetup model = test::gear_model();
   model.most_steps = kFewSteps;
   return numbers_of(model);
 }

@@ -81,14 +81,14 @@ class CvodeBearing : public testing::Test {
 
   bearing::Bearing bearing = test::reducer_bearing();
   bearing::OperatingPoint point = test::reducer_point(6000.0);
-  bearing::dynamics::DynamicsParameters parameters = film_on();
-  bearing::dynamics::PlanetBearingEquations equations;
+  bearing::motion::DynamicsParameters parameters = film_on();
+  bearing::motion::PlanetBearingEquations equations;
   Eigen::VectorXd start;
   Eigen::VectorXd allowed;
 
  private:
-  static bearing::dynamics::DynamicsParameters film_on() {
-    bearing::dynamics::DynamicsParameters parameters = test::reducer_parameters();
+  static bearing::motion::DynamicsParameters film_on() {
+    bearing::motion::DynamicsParameters parameters = test::reducer_parameters();
     parameters.race.film_in_approach = true;
     return parameters;
   }

@@ -8,7 +8,7 @@
 #include "bearing/life/capacities.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::damage_test {
+namespace orbearing::bearing::motion::damage_test {
 namespace {
 
 constexpr double kRoundOff = 1e-11;  // of sums over 1e5 steps
@@ -198,4 +198,4 @@ TEST(Damage, NeedsLoadsAndSpeed) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::damage_test
+}  // namespace orbearing::bearing::motion::damage_test

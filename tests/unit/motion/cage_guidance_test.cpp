@@ -4,7 +4,7 @@
 
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::cage_guidance_test {
+namespace orbearing::bearing::motion::cage_guidance_test {
 namespace {
 
 constexpr double kRoundOff = 1e-11;
@@ -130,4 +130,4 @@ TEST(CageGuidance, AbsentLandExertsNothing) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::cage_guidance_test
+}  // namespace orbearing::bearing::motion::cage_guidance_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace orbearing::bearing::dynamics::cage_pocket_test {
+namespace orbearing::bearing::motion::cage_pocket_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -48,4 +48,4 @@ TEST(CagePocket, FrictionBrakesTheSpinOfTheRoller) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::cage_pocket_test
+}  // namespace orbearing::bearing::motion::cage_pocket_test

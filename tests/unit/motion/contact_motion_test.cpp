@@ -5,7 +5,7 @@
 #include "bearing/geometry.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::contact_motion_test {
+namespace orbearing::bearing::motion::contact_motion_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -61,4 +61,4 @@ TEST(ContactMotion, ApproachSpeedIsTheRateOfTheApproach) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::contact_motion_test
+}  // namespace orbearing::bearing::motion::contact_motion_test

@@ -7,7 +7,7 @@
 #include "bearing/motion/equations.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::driven_bore_test {
+namespace orbearing::bearing::motion::driven_bore_test {
 namespace {
 
 constexpr int kStates = 30;
@@ -162,4 +162,4 @@ INSTANTIATE_TEST_SUITE_P(Variants, DrivenBore,
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::driven_bore_test
+}  // namespace orbearing::bearing::motion::driven_bore_test

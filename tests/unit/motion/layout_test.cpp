@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace orbearing::bearing::dynamics::layout_test {
+namespace orbearing::bearing::motion::layout_test {
 namespace {
 
 TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
@@ -46,4 +46,4 @@ TEST(StateLayout, NamesAndKindsDescribeEachVariable) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::layout_test
+}  // namespace orbearing::bearing::motion::layout_test

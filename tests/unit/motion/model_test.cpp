@@ -7,7 +7,7 @@
 #include "bearing/motion/snapshot.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::model_test {
+namespace orbearing::bearing::motion::model_test {
 namespace {
 
 std::string complaint(const Bearing& bearing, const DynamicsParameters& parameters) {
@@ -45,9 +45,9 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
 
 TEST(BearingModel, RippleAddsItsHarmonics) {
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.ripple = {.angular_frequency = 1000.0,
-                       .harmonics = {{.order = 1, .cosine = {0.0, 7.0}, .sine = {0.0, 20.0}},
-                                     {.order = 2, .cosine = {0.0, 0.0}, .sine = {4.0, 0.0}}}};
+  parameters.excitation = {.angular_frequency = 1000.0,
+                           .harmonics = {{.order = 1, .cosine = {0.0, 7.0}, .sine = {0.0, 20.0}},
+                                         {.order = 2, .cosine = {0.0, 0.0}, .sine = {4.0, 0.0}}}};
   const OperatingPoint point = test::reducer_point(6000.0);
   const BearingModel model = bearing_model(test::reducer_bearing(), point, parameters);
   const Vector2 load = bore_load(model, 0.003);
@@ -123,4 +123,4 @@ TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::model_test
+}  // namespace orbearing::bearing::motion::model_test

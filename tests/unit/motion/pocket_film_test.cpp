@@ -8,7 +8,7 @@
 
 #include "bearing/motion/cage_pocket.hpp"
 
-namespace orbearing::bearing::dynamics::pocket_film_test {
+namespace orbearing::bearing::motion::pocket_film_test {
 namespace {
 
 constexpr double kViscosity = 0.01;  // [Pa s]
@@ -158,4 +158,4 @@ TEST(PocketFilm, CarriesBeforeTouchAndGoesOverWithoutAJump) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::pocket_film_test
+}  // namespace orbearing::bearing::motion::pocket_film_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::race_load_test {
+namespace orbearing::bearing::motion::race_load_test {
 namespace {
 
 constexpr double kRoundOff = 4e-12;  // ten operations on powers whose logarithms reach a hundred
@@ -65,4 +65,4 @@ TEST(RaceLoad, IsTheElasticContactWithoutFilm) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::race_load_test
+}  // namespace orbearing::bearing::motion::race_load_test

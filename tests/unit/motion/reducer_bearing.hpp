@@ -42,8 +42,8 @@ inline bearing::OperatingPoint reducer_point(double sun_rpm) {
   return point;
 }
 
-inline bearing::dynamics::DynamicsParameters reducer_parameters() {
-  bearing::dynamics::DynamicsParameters parameters;
+inline bearing::motion::DynamicsParameters reducer_parameters() {
+  bearing::motion::DynamicsParameters parameters;
   parameters.cage.guide_diameter = 38.88e-3;
   parameters.bore_mass = 0.186;
   return parameters;
@@ -61,16 +61,16 @@ class Random {
 
 /// The start of a run, with every length shaken by `length` [m] and every speed by the share `speed` of the
 /// kinematic ones, so that contacts open and close, slide and bounce.
-inline Eigen::VectorXd shaken_state(const bearing::dynamics::BearingModel& model,
+inline Eigen::VectorXd shaken_state(const bearing::motion::BearingModel& model,
                                     const bearing::Bearing& bearing,
-                                    const bearing::dynamics::DynamicsParameters& parameters, double length,
+                                    const bearing::motion::DynamicsParameters& parameters, double length,
                                     double speed, Random& random) {
-  Eigen::VectorXd x = bearing::dynamics::initial_state(bearing, model, parameters, 0.3).x;
-  const auto kinds = bearing::dynamics::variable_kinds(model.layout);
+  Eigen::VectorXd x = bearing::motion::initial_state(bearing, model, parameters, 0.3).x;
+  const auto kinds = bearing::motion::variable_kinds(model.layout);
   const double pitch_radius = model.geometry.pitch_radius;
   const double turning = 500.0;  // [rad/s]
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    using bearing::dynamics::VariableKind;
+    using bearing::motion::VariableKind;
     switch (kinds[static_cast<std::size_t>(i)]) {
       case VariableKind::length:
         x[i] += length * random();

@@ -4,7 +4,7 @@
 
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::dynamics::statistics_test {
+namespace orbearing::bearing::motion::statistics_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;
@@ -52,4 +52,4 @@ TEST(Statistics, MeansOfAHandMadeWindow) {
 }
 
 }  // namespace
-}  // namespace orbearing::bearing::dynamics::statistics_test
+}  // namespace orbearing::bearing::motion::statistics_test

@@ -7,14 +7,14 @@
 namespace orbearing::system::bearing_steps_test {
 namespace {
 
-using bearing::dynamics::BearingModel;
+using bearing::motion::BearingModel;
 
 class OutOfPlace : public testing::Test {
  protected:
   const bearing::Bearing bearing = test::reducer_bearing();
   const BearingModel model = bearing_model(bearing, test::reducer_point(6000.0), test::reducer_parameters());
   Eigen::VectorXd x = initial_state(bearing, model, test::reducer_parameters(), 0.3).x;
-  bearing::dynamics::MutableStateViews now = bearing::dynamics::mutable_state_views(model.layout, x.data());
+  bearing::motion::MutableStateViews now = bearing::motion::mutable_state_views(model.layout, x.data());
   const double limit = 2.62e-3;  // [m]  half of a roller
 };
 
@@ -44,7 +44,7 @@ TEST_F(OutOfPlace, LetsPinAndBoreMoveTogether) {
 }
 
 TEST(AllowedErrors, FollowTheKindOfEachVariable) {
-  const bearing::dynamics::StateLayout layout{2};
+  const bearing::motion::StateLayout layout{2};
   const Eigen::VectorXd allowed = allowed_errors(layout, 1e-9, 0.02, 1e5);
   EXPECT_DOUBLE_EQ(allowed[0], 1e-9);               // radius
   EXPECT_DOUBLE_EQ(allowed[2], 1e-9 / 0.02);        // angle

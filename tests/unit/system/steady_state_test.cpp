@@ -6,7 +6,7 @@
 namespace orbearing::system::steady_state_test {
 namespace {
 
-using bearing::dynamics::WindowStatistics;
+using bearing::motion::WindowStatistics;
 
 constexpr double kCageSpeed = -300.0;  // [rad/s]
 
@@ -23,7 +23,7 @@ bool steady_after(double WindowStatistics::*mean, double factor) {
   now.*mean *= factor;
   return is_steady(window(), now, kCageSpeed, {.integration = {}});
 }
-bool steady_after(bearing::dynamics::RaceStatistics WindowStatistics::*race, double factor) {
+bool steady_after(bearing::motion::RaceStatistics WindowStatistics::*race, double factor) {
   WindowStatistics now = window();
   (now.*race).load_rms *= factor;
   return is_steady(window(), now, kCageSpeed, {.integration = {}});
@@ -49,7 +49,7 @@ TEST(Pooled, MeansAndExtremesOfSeveralBearings) {
     WindowStatistics one;
     one.samples = 10;
     one.duration = 0.1;
-    for (bearing::dynamics::RaceStatistics* race : {&one.inner, &one.outer}) {
+    for (bearing::motion::RaceStatistics* race : {&one.inner, &one.outer}) {
       const double of = race == &one.inner ? size : 10.0 * size;
       *race = {.roller_rms = Eigen::Array2d(of, 2.0 * of),
                .load_rms = of,
@@ -75,7 +75,7 @@ TEST(Pooled, MeansAndExtremesOfSeveralBearings) {
   EXPECT_EQ(all.duration, 0.1);
   const double mean_square = (1.0 + 9.0 + 4.0) / 3.0;
   for (const double scale : {1.0, 10.0}) {
-    const bearing::dynamics::RaceStatistics& race = scale == 1.0 ? all.inner : all.outer;
+    const bearing::motion::RaceStatistics& race = scale == 1.0 ? all.inner : all.outer;
     EXPECT_NEAR(race.roller_rms[1], scale * 2.0 * std::sqrt(mean_square), scale * kRoundOff);
     EXPECT_NEAR(race.load_rms, scale * std::sqrt(mean_square), scale * kRoundOff);
     EXPECT_EQ(race.load_max, scale * 15.0);
@@ -113,7 +113,7 @@ class EvenMotion : public Motion {
     for (long i = 1; i <= output.samples; ++i) {
       now_ = output.time(i);
       if (now_ > fails_at) throw std::runtime_error("it failed");
-      bearing::dynamics::Snapshot now;
+      bearing::motion::Snapshot now;
       for (int b = 0; b < bearings(); ++b) {
         take_snapshot(b, now);
         observers_.loads[static_cast<std::size_t>(b)]->add_loads(1.0, loads_of(now));
@@ -122,10 +122,10 @@ class EvenMotion : public Motion {
       observe(now_);
     }
   }
-  void take_snapshot(int b, bearing::dynamics::Snapshot& into) const override {
+  void take_snapshot(int b, bearing::motion::Snapshot& into) const override {
     const Eigen::ArrayXd some = Eigen::Array3d(1.0, 2.0, 3.0);
     into.angle = into.orbital_speed = into.spin = into.pocket_load = some;
-    for (bearing::dynamics::RaceSnapshot* race : {&into.inner, &into.outer}) {
+    for (bearing::motion::RaceSnapshot* race : {&into.inner, &into.outer}) {
       race->load = (b + 1.0) * some;
       race->sliding = race->entrainment = race->least_film = some;
     }

@@ -6,12 +6,12 @@
 #include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::fast::driven_bore_test {
+namespace orbearing::bearing::vectorised::driven_bore_test {
 namespace {
 
-using dynamics::BearingModel;
-using dynamics::BoreMotion;
-using dynamics::BoreReaction;
+using motion::BearingModel;
+using motion::BoreMotion;
+using motion::BoreReaction;
 
 constexpr int kStates = 30;
 constexpr double kAgreement = 1e-10;  // of the largest number of a kind: required; found 3e-11
@@ -32,7 +32,7 @@ class OpenBore : public testing::TestWithParam<Variant> {
       parameters.cage.guide_diameter = 33.1e-3;
     }
     if (!GetParam().rough) return;
-    parameters.race.lubrication = dynamics::Lubrication::mixed;
+    parameters.race.lubrication = motion::Lubrication::mixed;
     bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
                           {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
     bearing.rollers().diameter_deviation = {0.0, 1e-6, -1e-6, 2e-6};
@@ -54,7 +54,7 @@ class OpenBore : public testing::TestWithParam<Variant> {
   }
 
   Bearing bearing = test::reducer_bearing();
-  dynamics::DynamicsParameters parameters = test::reducer_parameters();
+  motion::DynamicsParameters parameters = test::reducer_parameters();
   OperatingPoint point = test::reducer_point(6000.0);
   test::Random random;
 };
@@ -175,4 +175,4 @@ INSTANTIATE_TEST_SUITE_P(Variants, OpenBore,
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::fast::driven_bore_test
+}  // namespace orbearing::bearing::vectorised::driven_bore_test

@@ -7,12 +7,12 @@
 #include "bearing/motion/snapshot.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
-namespace orbearing::bearing::fast::vector_bearing_test {
+namespace orbearing::bearing::vectorised::vector_bearing_test {
 namespace {
 
-using dynamics::BearingModel;
-using dynamics::DynamicsParameters;
-using dynamics::TractionLaw;
+using motion::BearingModel;
+using motion::DynamicsParameters;
+using motion::TractionLaw;
 
 constexpr int kStates = 30;
 constexpr double kAgreement = 1e-10;  // of the largest rate of a kind: required; round-off gives about 1e-13
@@ -43,7 +43,7 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
       parameters.cage.guide_diameter = 33.1e-3;
     }
     if (GetParam().rough) {
-      parameters.race.lubrication = dynamics::Lubrication::mixed;
+      parameters.race.lubrication = motion::Lubrication::mixed;
       bearing.inner.form = {{.order = 2, .amplitude = 1e-6, .phase = 0.4, .turning = false}};
       bearing.outer.form = {{.order = 3, .amplitude = 2e-6, .phase = 1.0, .turning = true},
                             {.order = 11, .amplitude = 0.3e-6, .phase = 2.0, .turning = false}};
@@ -53,9 +53,9 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
     bearing.rollers().profile = profile::CircularCrown{bearing.rollers().length, 5e-6};
     bearing.inner.profile = profile::CircularCrown{bearing.rollers().length, 1e-6};
     point.bore_tilt = GetParam().tilt * Eigen::Vector2d(0.8, 0.6);
-    parameters.ripple = {.angular_frequency = 3e4,
-                         .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}},
-                                       {.order = 3, .cosine = {5.0, 0.0}, .sine = {0.0, 0.0}}}};
+    parameters.excitation = {.angular_frequency = 3e4,
+                             .harmonics = {{.order = 1, .cosine = {0.0, 10.0}, .sine = {20.0, 49.0}},
+                                           {.order = 3, .cosine = {5.0, 0.0}, .sine = {0.0, 0.0}}}};
     point.carrier.acceleration = 300.0;
   }
 
@@ -91,7 +91,7 @@ Eigen::VectorXd scale_by_kind(const BearingModel& model, const Eigen::VectorXd& 
 
 TEST_P(VectorBearingTest, AgreesWithTheReadableEquations) {
   const BearingModel model = bearing_model(bearing, point, parameters);
-  const dynamics::PlanetBearingEquations equations(model);
+  const motion::PlanetBearingEquations equations(model);
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
     VectorBearing fast(model, set);
     double worst = 0.0;
@@ -112,7 +112,7 @@ TEST_P(VectorBearingTest, AgreesWithTheReadableEquations) {
         Eigen::Index at = 0;
         worst = std::max(worst, error.maxCoeff(&at));
         ASSERT_LT(error.maxCoeff(), kAgreement)
-            << name_of(set) << ", " << dynamics::variable_names(model.layout)[static_cast<std::size_t>(at)];
+            << name_of(set) << ", " << motion::variable_names(model.layout)[static_cast<std::size_t>(at)];
       }
     }
     RecordProperty("worst_" + name_of(set), std::to_string(worst));
@@ -123,7 +123,7 @@ TEST_P(VectorBearingTest, LoadsAreThoseOfTheSnapshot) {
   const BearingModel model = bearing_model(bearing, point, parameters);
   VectorBearing fast(model);
   const Eigen::VectorXd x = shaken(model, 2e-6);
-  const dynamics::Snapshot expected = dynamics::snapshot(model, x);
+  const motion::Snapshot expected = motion::snapshot(model, x);
   std::vector<double> padded = fast.padded(x), rate(padded.size());
   fast.derivative(0.0, padded.data(), rate.data());
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
@@ -179,7 +179,7 @@ TEST_P(VectorBearingTest, SolvesWithTheTrueJacobian) {
       Eigen::Index at = 0;
       const double worst = error.cwiseAbs().cwiseQuotient(scale).maxCoeff(&at);
       EXPECT_LT(worst, kSlopeError) << name_of(set) << ", g = " << g << ", state " << i << ", "
-                                    << dynamics::variable_names(model.layout)[static_cast<std::size_t>(at)];
+                                    << motion::variable_names(model.layout)[static_cast<std::size_t>(at)];
     }
   }
   EXPECT_LT(kinked, compared / 3);
@@ -200,4 +200,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
-}  // namespace orbearing::bearing::fast::vector_bearing_test
+}  // namespace orbearing::bearing::vectorised::vector_bearing_test

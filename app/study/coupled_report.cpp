@@ -1,4 +1,4 @@
-#include "app/study/two_way_report.hpp"
+#include "app/study/coupled_report.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -65,7 +65,7 @@ Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
 
 }  // namespace
 
-nlohmann::ordered_json two_way_report(const study::PlanetaryDrivetrain& drivetrain,
+nlohmann::ordered_json coupled_report(const study::PlanetaryDrivetrain& drivetrain,
                                       const std::vector<double>& speeds_rpm, const std::string& fidelity) {
   return {{"how", how(drivetrain.exchange, fidelity)},
           {"one_way", one_way(drivetrain, speeds_rpm)},

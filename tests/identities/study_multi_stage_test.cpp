@@ -5,12 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "coupling/study/several_sets.hpp"
+#include "coupling/study/multi_stage.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 #include "tests/reducer.hpp"
 #include "tests/unit/gearset/arrangements.hpp"
 
-namespace orbearing::study::study_several_sets_test {
+namespace orbearing::study::study_multi_stage_test {
 namespace {
 
 using example::reducer;
@@ -43,7 +43,7 @@ void expect_equal(double ours, double theirs) {
   EXPECT_NEAR(ours, theirs, same * std::abs(theirs));
 }
 
-TEST(SeveralSets, InSeriesAreAsEachAloneAtItsOwnSpeed) {
+TEST(MultiStage, InSeriesAreAsEachAloneAtItsOwnSpeed) {
   const std::vector<NamedSet> sets = pair_in_series();
   PlanetaryDrivetrain alone = reducer();
   const PointResult first = evaluate(alone, derive(alone));
@@ -65,7 +65,7 @@ TEST(SeveralSets, InSeriesAreAsEachAloneAtItsOwnSpeed) {
 }
 
 // A set that is alone goes the old way to the last bit.
-TEST(SeveralSets, OneWithoutANameIsItself) {
+TEST(MultiStage, OneWithoutANameIsItself) {
   const PlanetaryDrivetrain alone = reducer();
   const PointResult one = evaluate({named("", alone)});
   EXPECT_EQ(one.life_hours, evaluate(alone, derive(alone)).life_hours);
@@ -75,7 +75,7 @@ TEST(SeveralSets, OneWithoutANameIsItself) {
 
 // The carrier's own speed, not the motor's, makes the inertial loads: with the ring turning forwards beside
 // the sun the planets stand still in the carrier's frame at w_s = w_r, and the whole set turns as one.
-TEST(SeveralSets, CarrierFrameTurnsWithItsOwnCarrier) {
+TEST(MultiStage, CarrierFrameTurnsWithItsOwnCarrier) {
   PlanetaryDrivetrain drivetrain = reducer();
   const double ring_speed = 0.5;
   const double carrier_speed = (37.0 + 79.0 * ring_speed) / 116.0;
@@ -95,7 +95,7 @@ TEST(SeveralSets, CarrierFrameTurnsWithItsOwnCarrier) {
 }
 
 // Seen from the other side a backwards carrier runs forwards: the same bearing, the same loads.
-TEST(SeveralSets, DoNotFeelTheSenseOfRotation) {
+TEST(MultiStage, DoNotFeelTheSenseOfRotation) {
   PlanetaryDrivetrain forwards = reducer();
   gearset::MemberRatios ratios = pair_in_series().front().drivetrain.in_arrangement.value();
   forwards.in_arrangement = ratios;
@@ -112,7 +112,7 @@ TEST(SeveralSets, DoNotFeelTheSenseOfRotation) {
   EXPECT_EQ(a.outer.load_max, b.outer.load_max);
 }
 
-TEST(SeveralSets, NameTheSetThatFails) {
+TEST(MultiStage, NameTheSetThatFails) {
   std::vector<NamedSet> sets = pair_in_series();
   EXPECT_THROW(evaluate(std::vector<NamedSet>{}), std::invalid_argument);
   sets[1].drivetrain.drive.power = -1.0;
@@ -125,4 +125,4 @@ TEST(SeveralSets, NameTheSetThatFails) {
 }
 
 }  // namespace
-}  // namespace orbearing::study::study_several_sets_test
+}  // namespace orbearing::study::study_multi_stage_test

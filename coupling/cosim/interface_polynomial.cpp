@@ -1,4 +1,4 @@
-#include "coupling/cosim/interface_course.hpp"
+#include "coupling/cosim/interface_polynomial.hpp"
 
 #include <algorithm>
 
@@ -22,25 +22,25 @@ InterfaceValues extrapolated(const InterfaceHistory& history, int order, const W
   const InterfaceValues& last = history.back();
   InterfaceValues out{window.end, {}};
   for (std::size_t joint = 0; joint < last.joints.size(); ++joint) {
-    const auto course = [&](double JointValue::*member) {
+    const auto polynomial = [&](double JointValue::*member) {
       return through(last_values(history, joint, order, member), window.begin);
     };
-    const Course velocity = course(&JointValue::velocity);
-    const Course displacement = integral(last.joints[joint].displacement, velocity);
+    const InputPolynomial velocity = polynomial(&JointValue::velocity);
+    const InputPolynomial displacement = integral(last.joints[joint].displacement, velocity);
     out.joints.push_back({displacement.at(window.length()), velocity.at(window.length()),
-                          course(&JointValue::force).at(window.length())});
+                          polynomial(&JointValue::force).at(window.length())});
   }
   return out;
 }
 
-Course motion_course(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
-                     const Window& window) {
+InputPolynomial motion_polynomial(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
+                                  const Window& window) {
   const JointValue& begin = history.back().joints[joint];
   return hermite(begin.displacement, begin.velocity, end.displacement, end.velocity, window.length());
 }
 
-Course force_course(const InterfaceHistory& history, std::size_t joint, double end, int order,
-                    const Window& window) {
+InputPolynomial force_polynomial(const InterfaceHistory& history, std::size_t joint, double end, int order,
+                                 const Window& window) {
   std::vector<TimedValue> points = last_values(history, joint, order, &JointValue::force);
   points.push_back({window.end, end});
   return through(points, window.begin);

@@ -6,7 +6,7 @@
 
 #include "bearing/motion/bore_motion.hpp"
 
-namespace orbearing::cosim {
+namespace orbearing::system {
 
 /// A window of time. Window k of length h begins at k h: times are multiplied, never added up.
 struct Window {
@@ -21,10 +21,10 @@ struct Window {
 using SavedState = std::vector<double>;
 
 /// value(s) = c0 + c1 s + c2 s^2 + c3 s^3, with s [s] the time since the beginning of the window.
-struct Course {
+struct InputPolynomial {
   std::array<double, 4> coefficient{};  // [unit], [unit/s], [unit/s^2], [unit/s^3]
 
-  static Course constant(double value) { return {{value, 0.0, 0.0, 0.0}}; }
+  static InputPolynomial constant(double value) { return {{value, 0.0, 0.0, 0.0}}; }
 
   double at(double since) const {
     const auto& c = coefficient;
@@ -36,29 +36,29 @@ struct Course {
     return c[1] + since * (2.0 * c[2] + since * 3.0 * c[3]);
   }
   /// The same polynomial, of a window that begins `later` [s].
-  Course moved(double later) const {
+  InputPolynomial moved(double later) const {
     const auto& c = coefficient;
     return {{at(later), slope(later), c[2] + 3.0 * later * c[3], c[3]}};
   }
 };
 
 /// `start` + the integral of `rate` from the beginning of the window; `rate` of degree 2 at most.
-inline Course integral(double start, const Course& rate) {
+inline InputPolynomial integral(double start, const InputPolynomial& rate) {
   const auto& c = rate.coefficient;
   return {{start, c[0], c[1] / 2.0, c[2] / 3.0}};
 }
 
 /// Motion of the bore of a bearing, and of its carrier, over a window.
-struct BoreCourse {
-  Course x, y;                  // [m]
-  Course v_x, v_y;              // [m/s]  slopes of the above
-  Course speed;                 // [rad/s]  of the bore, relative to the carrier
-  Course carrier_speed;         // [rad/s]
-  Course carrier_acceleration;  // [rad/s^2]
+struct BoreInputs {
+  InputPolynomial x, y;                  // [m]
+  InputPolynomial v_x, v_y;              // [m/s]  slopes of the above
+  InputPolynomial speed;                 // [rad/s]  of the bore, relative to the carrier
+  InputPolynomial carrier_speed;         // [rad/s]
+  InputPolynomial carrier_acceleration;  // [rad/s^2]
 
   /// All but the angle of the bore, which the bearing itself sums up.
-  bearing::dynamics::BoreMotion at(double since) const {
-    bearing::dynamics::BoreMotion motion;
+  bearing::motion::BoreMotion at(double since) const {
+    bearing::motion::BoreMotion motion;
     motion.position = {x.at(since), y.at(since)};
     motion.velocity = {v_x.at(since), v_y.at(since)};
     motion.acceleration = {v_x.slope(since), v_y.slope(since)};
@@ -69,4 +69,4 @@ struct BoreCourse {
   }
 };
 
-}  // namespace orbearing::cosim
+}  // namespace orbearing::system

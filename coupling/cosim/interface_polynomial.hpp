@@ -1,10 +1,10 @@
-// What is known at the joints, and the courses that follow from it.
+// What is known at the joints, and the polynomials that follow from it.
 #pragma once
 
 #include <deque>
 #include <vector>
 
-#include "coupling/cosim/courses.hpp"
+#include "coupling/cosim/polynomials.hpp"
 
 namespace orbearing::cosim {
 
@@ -16,10 +16,10 @@ struct JointValue {
 };
 
 /// At one joint over a window; one half, the other is zero.
-struct JointCourse {
-  Course displacement = {};  // [m] or [rad]
-  Course velocity = {};      // [m/s] or [rad/s]
-  Course force = {};         // [N] or [N m]
+struct JointPolynomial {
+  InputPolynomial displacement = {};  // [m] or [rad]
+  InputPolynomial velocity = {};      // [m/s] or [rad/s]
+  InputPolynomial force = {};         // [N] or [N m]
 };
 
 /// All joints at one instant.
@@ -36,12 +36,12 @@ using InterfaceHistory = std::deque<InterfaceValues>;
 /// from the last one. Eqs. (3) and (4) of coupling/cosim/README.md.
 InterfaceValues extrapolated(const InterfaceHistory& history, int order, const Window& window);
 
-/// Courses of `joint` over `window` that end with `end`: the displacement as a cubic with both values and
+/// Polynomials of `joint` over `window` that end with `end`: the displacement as a cubic with both values and
 /// velocities, the force as the polynomial through `end` and the last order + 1 ends. Eqs. (5) and (6). Where
-/// `end` is what extrapolated() says, these are the extrapolated courses.
-Course motion_course(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
-                     const Window& window);
-Course force_course(const InterfaceHistory& history, std::size_t joint, double end, int order,
-                    const Window& window);
+/// `end` is what extrapolated() says, these are the extrapolated polynomials.
+InputPolynomial motion_polynomial(const InterfaceHistory& history, std::size_t joint, const JointValue& end,
+                                  const Window& window);
+InputPolynomial force_polynomial(const InterfaceHistory& history, std::size_t joint, double end, int order,
+                                 const Window& window);
 
 }  // namespace orbearing::cosim

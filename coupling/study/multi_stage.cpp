@@ -1,4 +1,4 @@
-#include "coupling/study/several_sets.hpp"
+#include "coupling/study/multi_stage.hpp"
 
 #include <algorithm>
 #include <stdexcept>

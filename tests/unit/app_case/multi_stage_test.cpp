@@ -9,7 +9,7 @@
 #include "app/case/resolved_writer.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app::several_sets_test {
+namespace orbearing::app::multi_stage_test {
 namespace {
 
 using testing::AllOf;
@@ -33,7 +33,7 @@ std::vector<std::string> three_with(const std::string& setting) {
   return mistakes(three(), {setting});
 }
 
-TEST(SeveralSets, AreReadWithTheirShafts) {
+TEST(MultiStage, AreReadWithTheirShafts) {
   const ResolvedCase resolved = read_case(three_path);
   EXPECT_TRUE(resolved.shape().several);
   EXPECT_THAT(resolved.shape().sets, ElementsAre("reduction", "coupling", "transmission"));
@@ -50,7 +50,7 @@ TEST(SeveralSets, AreReadWithTheirShafts) {
   EXPECT_EQ(arrangement.shafts[4].members.size(), 3U);
 }
 
-TEST(SeveralSets, GiveEachAsACaseOfItsOwn) {
+TEST(MultiStage, GiveEachAsACaseOfItsOwn) {
   const ResolvedCase coupling = read_case(three_path).of_set("coupling");
   EXPECT_FALSE(coupling.shape().several);
   EXPECT_EQ(coupling.integer("gearset.teeth.sun"), 30);
@@ -59,7 +59,7 @@ TEST(SeveralSets, GiveEachAsACaseOfItsOwn) {
   EXPECT_FALSE(coupling.has("sets.reduction.gearset.teeth.sun"));
 }
 
-TEST(SeveralSets, AreWrittenAndReadAgain) {
+TEST(MultiStage, AreWrittenAndReadAgain) {
   const ResolvedCase resolved = read_case(three_path);
   const std::string written = write_resolved(resolved);
   EXPECT_EQ(parse_case(written, "case.yaml"), resolved);
@@ -67,7 +67,7 @@ TEST(SeveralSets, AreWrittenAndReadAgain) {
   EXPECT_THAT(written, HasSubstr("\n  first: [reduction.carrier, coupling.sun]\n"));
 }
 
-TEST(SeveralSets, TakeSettingsAndSweeps) {
+TEST(MultiStage, TakeSettingsAndSweeps) {
   const ResolvedCase set =
       read_case(three_path, {"sets.coupling.bearing.radial_clearance=5 um",
                              "sweep.sets.coupling.bearing.rollers=[11, 12]",
@@ -84,7 +84,7 @@ TEST(SeveralSets, TakeSettingsAndSweeps) {
                                 HasSubstr("5 equally spaced planets"))));
 }
 
-TEST(SeveralSets, AreCheckedEachForItself) {
+TEST(MultiStage, AreCheckedEachForItself) {
   EXPECT_THAT(
       three_with("sets.coupling.gearset.planets=5"),
       ElementsAre(StartsWith("--set: sets.coupling.gearset.planets: found 5 equally spaced planets")));
@@ -100,7 +100,7 @@ TEST(SeveralSets, AreCheckedEachForItself) {
               ElementsAre(StartsWith("case.yaml:17:5: sets.reduction.gearset.module: missing")));
 }
 
-TEST(SeveralSets, HaveSoundNames) {
+TEST(MultiStage, HaveSoundNames) {
   EXPECT_THAT(three_with("sets.a-b={}"), Contains(HasSubstr("sets.a-b: the name 'a-b'; a name of")));
   EXPECT_FALSE(is_name("") || is_name("1st") || is_name("a.b") || is_name(std::string(41, 'a')));
   EXPECT_TRUE(is_name("a") && is_name("Low_1"));
@@ -111,7 +111,7 @@ TEST(SeveralSets, HaveSoundNames) {
               Contains(HasSubstr("sets.reduction: duplicate key")));
 }
 
-TEST(SeveralSets, StandNotBesideOneSet) {
+TEST(MultiStage, StandNotBesideOneSet) {
   EXPECT_THAT(setting_mistakes({"shafts.input=[motor]"}),
               Contains(AllOf(StartsWith("--set: gearset: the fields of one set beside"),
                              HasSubstr("either gearset and bearing, or sets and shafts"))));
@@ -119,7 +119,7 @@ TEST(SeveralSets, StandNotBesideOneSet) {
   EXPECT_THAT(mistakes(bearing_case + "sets:\n  a: {}\n"), ElementsAre(HasSubstr("sets: unknown key")));
 }
 
-TEST(SeveralSets, NeedWordsThatMeanSomething) {
+TEST(MultiStage, NeedWordsThatMeanSomething) {
   EXPECT_THAT(
       three_mistakes("[motor, reduction.sun]", "[motor, reduction.son]"),
       ElementsAre("case.yaml:10:18: shafts.input: 'reduction.son' is nothing to join; motor, load, ground "
@@ -130,7 +130,7 @@ TEST(SeveralSets, NeedWordsThatMeanSomething) {
               ElementsAre(HasSubstr("a list found")));
 }
 
-TEST(SeveralSets, NameTheMembersAtFault) {
+TEST(MultiStage, NameTheMembersAtFault) {
   // Two grounds on one set.
   EXPECT_THAT(three_with("shafts.housing=[ground, reduction.ring, reduction.carrier, coupling.ring, "
                          "transmission.ring]"),
@@ -157,11 +157,11 @@ TEST(SeveralSets, NameTheMembersAtFault) {
   EXPECT_THAT(three_mistakes("shafts:\n", "shaft:\n"), Contains(HasSubstr("shafts: missing")));
 }
 
-TEST(SeveralSets, AreNotTooMany) {
+TEST(MultiStage, AreNotTooMany) {
   std::string many = "name: many\nsource: made up\nmodel: planetary-drivetrain\nsets:\n";
   for (int i = 0; i < 17; ++i) many += "  s" + std::to_string(i) + ": {}\n";
   EXPECT_THAT(mistakes(many), Contains(HasSubstr("sets: 17 sets; at most 16 are required")));
 }
 
 }  // namespace
-}  // namespace orbearing::app::several_sets_test
+}  // namespace orbearing::app::multi_stage_test

@@ -1,4 +1,4 @@
-#include "coupling/study/mesh_ripple.hpp"
+#include "coupling/study/mesh_excitation.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -71,7 +71,7 @@ GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const DrivetrainGe
   const gearset::dynamics::SetModel model = gearset::dynamics::set_model(
       std::move(set), gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
   GearRunOptions options;
-  options.harmonics = ripple_orders(drivetrain, geometry, law);
+  options.harmonics = excitation_orders(drivetrain, geometry, law);
   GearRunResult run = start ? run_gears_from(*start, model, options) : run_gears(model, options);
   if (!run.completed) throw std::runtime_error("gears: " + run.message);
   return run;
@@ -83,25 +83,26 @@ GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const Dri
   return {tangent, gears_on(drivetrain, geometry, tangent)};
 }
 
-bearing::dynamics::MeshRipple ripple_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,
-                                        const BearingDuty& duty, const AffineBearing& law, double bore_mass) {
-  bearing::dynamics::MeshRipple ripple;
-  if (run.planets.empty()) return ripple;
+bearing::motion::MeshExcitation excitation_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,
+                                              const BearingDuty& duty, const AffineBearing& law,
+                                              double bore_mass) {
+  bearing::motion::MeshExcitation excitation;
+  if (run.planets.empty()) return excitation;
   const PlanetStatistics& planet = run.planets[static_cast<std::size_t>(duty.planet)];
-  ripple.angular_frequency = two_pi * run.mesh_frequency;
+  excitation.angular_frequency = two_pi * run.mesh_frequency;
   const Eigen::Vector2d meshes(duty.gears.radial_force, duty.gears.tangential_force);
   const double least = kLeastShare * meshes.norm() / drivetrain.bearings_per_planet;
   for (int order = 1; order <= static_cast<int>(planet.radial_force.cosines.size()); ++order) {
-    const double w = order * ripple.angular_frequency;
+    const double w = order * excitation.angular_frequency;
     const Vector2cd load = load_over_force(drivetrain, duty, law, bore_mass, w) *
                            force_at(planet, static_cast<std::size_t>(order));
-    if (load.norm() > least) ripple.harmonics.push_back({order, load.real(), -load.imag()});
+    if (load.norm() > least) excitation.harmonics.push_back({order, load.real(), -load.imag()});
   }
-  return ripple;
+  return excitation;
 }
 
-int ripple_orders(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                  const AffineBearing& law) {
+int excitation_orders(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                      const AffineBearing& law) {
   const double own = std::sqrt(law.stiffness.norm() / geometry.planet_mass) / two_pi;
   const double meshes = gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive).mesh_frequency;
   return std::clamp(static_cast<int>(std::ceil(kHighest * own / meshes)), kLeastOrders, kMostOrders);

@@ -9,7 +9,7 @@
 
 namespace orbearing::study {
 
-/// The gears on planet bearings that are `law`, observed with as many harmonics as ripple_orders() says;
+/// The gears on planet bearings that are `law`, observed with as many harmonics as excitation_orders() says;
 /// empty statistics where the drivetrain has no `gear_set`, or no mesh variation.
 /// @param start state of the gears to go on from; none: their static state
 /// @throws std::runtime_error where the gears' motion cannot be computed
@@ -32,13 +32,13 @@ GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const Dri
 /// from the displacement, which is smooth where the mesh stiffness jumps. No harmonics where `run` has none.
 /// @param run   of gears_on() the same law
 /// @param bore_mass [kg] of one bearing
-bearing::dynamics::MeshRipple ripple_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,
-                                        const BearingDuty& duty, const gearset::dynamics::AffineBearing& law,
-                                        double bore_mass);
+bearing::motion::MeshExcitation excitation_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,
+                                              const BearingDuty& duty,
+                                              const gearset::dynamics::AffineBearing& law, double bore_mass);
 
 /// Orders of the mesh frequency that such a series has at most: up to three times the frequency of a planet
 /// on its bearings, where its mass leaves an eighth of a force, and at least twelve.
-int ripple_orders(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                  const gearset::dynamics::AffineBearing& law);
+int excitation_orders(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                      const gearset::dynamics::AffineBearing& law);
 
 }  // namespace orbearing::study

@@ -12,7 +12,7 @@ namespace orbearing::app {
 /// Keys: `how` (the exchange in words), `one_way` (speeds and lives of the bearing that the gears drive) and
 /// `convergence` (errors, orders and stability limits of the schemes at the drivetrain's own speed).
 /// @param speeds_rpm of the points of the sweep
-nlohmann::ordered_json two_way_report(const study::PlanetaryDrivetrain& drivetrain,
+nlohmann::ordered_json coupled_report(const study::PlanetaryDrivetrain& drivetrain,
                                       const std::vector<double>& speeds_rpm, const std::string& fidelity);
 
 }  // namespace orbearing::app
