@@ -7,6 +7,8 @@
 
 namespace orbearing::cosim {
 
+using system::InputPolynomial;
+
 /// A value and the time at which it holds.
 struct TimedValue {
   double time = 0.0;   // [s]

@@ -15,8 +15,10 @@
 namespace orbearing::cosim {
 
 // What the exchange speaks of belongs to the system in time.
+using system::Input;
 using system::InputPolynomial;
 using system::kNone;
+using system::Output;
 using system::Participant;
 using system::SavedState;
 using system::Window;

@@ -12,7 +12,7 @@
 #include "coupling/system/driven_system.hpp"
 #include "tests/unit/cosim/driven_reducer.hpp"
 
-namespace orbearing::cosim::cosim_driven_bearing_test {
+namespace orbearing::system::cosim_driven_bearing_test {
 namespace {
 
 using bearing::motion::BearingModel;
@@ -29,8 +29,8 @@ void join(double h, double from, double v_from, double to, double v_to, InputPol
 
 // The free bearing at tight tolerance records the path of its bore; a driven one follows it.
 TEST(DrivenBearingPath, FollowsTheFreeBearing) {
-  const system::DrivenBearingSetup setup = [] {
-    system::DrivenBearingSetup s = test::driven_reducer();
+  const DrivenBearingSetup setup = [] {
+    DrivenBearingSetup s = test::driven_reducer();
     s.allowed_length_error = 1e-14;
     return s;
   }();
@@ -38,7 +38,7 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
   const BearingModel model = bearing_model(setup.bearing, point, setup.dynamics);
   BoreMotion motion = test::pressed_motion();
   Eigen::VectorXd x = driven_start(setup.bearing, model, setup.dynamics, motion, setup.first_roller);
-  system::DrivenBearing driven(setup);
+  DrivenBearing driven(setup);
   driven.initialize(motion);
 
   constexpr double kStep = 0.5e-6;  // [s]
@@ -46,14 +46,14 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
   const bearing::motion::PlanetBearingEquations equations(model);
   integration::IntegrationOptions options;
   options.step = 1e-8;
-  options.allowed_error = system::allowed_errors(model, 1e-15);
+  options.allowed_error = allowed_errors(model, 1e-15);
   const auto derivative = [&](double t, const Eigen::Ref<const Eigen::VectorXd>& state,
                               Eigen::Ref<Eigen::VectorXd> rate) { equations.derivative(t, state, rate); };
   const Eigen::Index bore = model.layout.bore();
   Eigen::VectorXd before = x;
   double worst = 0.0, largest = 0.0;
   const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& now) {
-    system::BoreInputs inputs = test::constant_polynomial(motion);
+    BoreInputs inputs = test::constant_polynomial(motion);
     join(kStep, before[bore], before[bore + 2], now[bore], now[bore + 2], inputs.x, inputs.v_x);
     join(kStep, before[bore + 1], before[bore + 3], now[bore + 1], now[bore + 3], inputs.y, inputs.v_y);
     driven.advance({time - kStep, time}, inputs);
@@ -73,10 +73,10 @@ TEST(DrivenBearingPath, FollowsTheFreeBearing) {
 
 // Fixed steps on a path without touch-downs: halving them quarters the error.
 TEST(DrivenBearingPath, HasOrderTwo) {
-  const system::DrivenBearingSetup setup = test::driven_reducer();
+  const DrivenBearingSetup setup = test::driven_reducer();
   const BearingModel model = system::driven_model(setup);
   const BoreMotion about = test::pressed_motion();
-  const system::BoreInputs inputs = test::swinging_polynomial(about, 0.5e-6, 1e4, 0.0);
+  const BoreInputs inputs = test::swinging_polynomial(about, 0.5e-6, 1e4, 0.0);
   bearing::vectorised::VectorBearing fast(model);
   constexpr double kLength = 16e-6;  // [s]
   const auto end_state = [&](int steps) {
@@ -84,16 +84,16 @@ TEST(DrivenBearingPath, HasOrderTwo) {
     std::vector<double> x =
         fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
-    system::LoadsAtStep loads(setup.bearing.rollers().count);
+    LoadsAtStep loads(setup.bearing.rollers().count);
     bearing::motion::DamageSums sums(72);
-    system::DrivenSystem system(fast, inputs, 0.0, loads, sums);
+    DrivenSystem system(fast, inputs, 0.0, loads, sums);
     double step = h;
     integration::through_window(stepper, system, x, kLength, {}, step);
     Eigen::VectorXd flat(model.layout.size());
     fast.flatten(x.data(), flat);
     return flat;
   };
-  const Eigen::VectorXd scale = system::allowed_errors(model, 1.0).cwiseInverse();
+  const Eigen::VectorXd scale = allowed_errors(model, 1.0).cwiseInverse();
   const Eigen::VectorXd exact = end_state(4096);
   std::vector<double> errors;
   for (const int steps : {32, 64, 128, 256})
@@ -107,4 +107,4 @@ TEST(DrivenBearingPath, HasOrderTwo) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim::cosim_driven_bearing_test
+}  // namespace orbearing::system::cosim_driven_bearing_test

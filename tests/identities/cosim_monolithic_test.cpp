@@ -6,12 +6,12 @@
 #include "coupling/system/monolithic.hpp"
 #include "tests/unit/cosim/coupled_reducer.hpp"
 
-namespace orbearing::cosim::cosim_monolithic_test {
+namespace orbearing::system::cosim_monolithic_test {
 namespace {
 
 TEST(Monolithic, ComesBackToTheSameBits) {
-  const system::CoupledSetup setup = test::coupled_reducer();
-  system::Monolithic system(setup), other(setup);
+  const CoupledSetup setup = test::coupled_reducer();
+  Monolithic system(setup), other(setup);
   system.initialize(0.0);
   system.advance({0.0, 0.3e-3});
   SavedState saved, first, again, elsewhere;
@@ -34,10 +34,10 @@ TEST(Monolithic, ComesBackToTheSameBits) {
 
 // Steps that pass the times asked for, and states between them, against windows that end there.
 TEST(Monolithic, FollowedIsAsInWindows) {
-  system::CoupledSetup setup = test::coupled_reducer();
+  CoupledSetup setup = test::coupled_reducer();
   setup.bearing.allowed_length_error = 1e-14;
   setup.gears.allowed_share = 1e-8;
-  system::Monolithic windows(setup), followed(setup);
+  Monolithic windows(setup), followed(setup);
   windows.initialize(0.0);
   followed.initialize(0.0);
   for (int k = 1; k <= 40; ++k) {
@@ -47,8 +47,7 @@ TEST(Monolithic, FollowedIsAsInWindows) {
     EXPECT_EQ(followed.time(), time);
     for (int i = 0; i < 4; ++i) {
       const auto index = static_cast<std::size_t>(i);
-      const system::PlanetMotion one = windows.gears().planets[index],
-                                 other = followed.gears().planets[index];
+      const PlanetMotion one = windows.gears().planets[index], other = followed.gears().planets[index];
       EXPECT_LT((one.displacement - other.displacement).norm(), 1e-11);  // [m]
       EXPECT_LT((one.velocity - other.velocity).norm(), 1e-5);           // [m/s]
     }
@@ -64,10 +63,10 @@ TEST(Monolithic, FollowedIsAsInWindows) {
 }
 
 TEST(Monolithic, GoesOverBearingsAgainWithoutHarm) {
-  system::CoupledSetup setup = test::coupled_reducer(), even = setup;
+  CoupledSetup setup = test::coupled_reducer(), even = setup;
   even.most_refined = 0;
-  system::Monolithic refined(setup), plain(even);
-  for (system::Monolithic* system : {&refined, &plain}) {
+  Monolithic refined(setup), plain(even);
+  for (Monolithic* system : {&refined, &plain}) {
     system->initialize(0.0);
     system->advance({0.0, 10e-3});
   }
@@ -79,8 +78,8 @@ TEST(Monolithic, GoesOverBearingsAgainWithoutHarm) {
 }
 
 TEST(Monolithic, BearingsCarryWhatTheMeshesLeave) {
-  const system::CoupledSetup setup = test::coupled_reducer();
-  system::Monolithic system(setup);
+  const CoupledSetup setup = test::coupled_reducer();
+  Monolithic system(setup);
   system.initialize(0.0);
   system.advance({0.0, 5e-3});
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -97,16 +96,16 @@ TEST(Monolithic, BearingsCarryWhatTheMeshesLeave) {
 }
 
 TEST(Monolithic, RefusesWhatItDoesNotKnow) {
-  system::CoupledSetup setup = test::coupled_reducer();
+  CoupledSetup setup = test::coupled_reducer();
   setup.bearing.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
-  EXPECT_THROW(system::Monolithic{setup}, std::invalid_argument);
+  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
   setup = test::coupled_reducer();
   setup.gears.set.planet.coupled_bearing = false;
-  EXPECT_THROW(system::Monolithic{setup}, std::invalid_argument);
+  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
   setup = test::coupled_reducer();
   setup.bearings_per_planet = 0;
-  EXPECT_THROW(system::Monolithic{setup}, std::invalid_argument);
+  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace orbearing::cosim::cosim_monolithic_test
+}  // namespace orbearing::system::cosim_monolithic_test

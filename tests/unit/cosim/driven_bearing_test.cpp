@@ -9,7 +9,7 @@
 
 #include "tests/unit/cosim/driven_reducer.hpp"
 
-namespace orbearing::cosim::driven_bearing_test {
+namespace orbearing::system::driven_bearing_test {
 namespace {
 
 using bearing::motion::BoreMotion;
@@ -21,7 +21,7 @@ Window window(long k) {
   return {static_cast<double>(k) * kWindow, static_cast<double>(k + 1) * kWindow};
 }
 
-void advance(system::DrivenBearing& bearing, const BoreMotion& about, long from, long to) {
+void advance(DrivenBearing& bearing, const BoreMotion& about, long from, long to) {
   for (long k = from; k < to; ++k)
     bearing.advance(window(k), test::swinging_polynomial(about, 2e-6, 2e4, window(k).begin));
 }
@@ -31,11 +31,11 @@ BoreMotion swinging(const BoreMotion& about, double time) {
 }
 
 TEST(DrivenBearing, StandsStillWhereNothingMoves) {
-  system::DrivenBearing bearing(test::driven_reducer());
+  DrivenBearing bearing(test::driven_reducer());
   const BoreMotion none;
   bearing.initialize(none);
   bearing.advance({0.0, 1e-3}, test::constant_polynomial(none));
-  const system::DrivenBearingOutput output = bearing.output(none);
+  const DrivenBearingOutput output = bearing.output(none);
   EXPECT_NEAR(output.reaction.force.norm(), 0.0, 0.1);  // [N]  the start rests on films of no thickness
   EXPECT_EQ(output.cage_slip, 0.0);
   EXPECT_EQ(output.revolutions, 0.0);
@@ -43,13 +43,13 @@ TEST(DrivenBearing, StandsStillWhereNothingMoves) {
 }
 
 TEST(DrivenBearing, PushesBackWhereItIsPressed) {
-  system::DrivenBearing bearing(test::driven_reducer());
+  DrivenBearing bearing(test::driven_reducer());
   const BoreMotion motion = test::pressed_motion();
   bearing.initialize(motion);
   const double at_start = bearing.output(motion).reaction.force.y();
   EXPECT_LT(at_start, -3000.0);  // [N]
   bearing.advance({0.0, 1e-3}, test::constant_polynomial(motion));
-  const system::DrivenBearingOutput output = bearing.output(motion);
+  const DrivenBearingOutput output = bearing.output(motion);
   EXPECT_NEAR(output.reaction.force.y(), at_start, 0.3 * std::abs(at_start));
   EXPECT_NEAR(output.reaction.moment, 0.0, 5.0);
   EXPECT_GT(output.reaction.moment, 0.0) << "friction holds back a bore that turns clockwise";
@@ -61,7 +61,7 @@ TEST(DrivenBearing, PushesBackWhereItIsPressed) {
 }
 
 TEST(DrivenBearing, ReactionIsThatOfTheOutput) {
-  system::DrivenBearing bearing(test::driven_reducer());
+  DrivenBearing bearing(test::driven_reducer());
   const BoreMotion motion = test::pressed_motion();
   bearing.initialize(motion);
   const auto quick = bearing.reaction(motion), full = bearing.output(motion).reaction;
@@ -75,12 +75,12 @@ class DrivenBearingState : public testing::TestWithParam<bool> {
     if (GetParam()) setup.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
     setup.bearing.outer.form = {{.order = 5, .amplitude = 0.5e-6, .phase = 1.0, .turning = true}};
   }
-  system::DrivenBearingSetup setup = test::driven_reducer();
+  DrivenBearingSetup setup = test::driven_reducer();
   BoreMotion about = test::pressed_motion();
 };
 
 TEST_P(DrivenBearingState, ComesBackToTheSameBits) {
-  system::DrivenBearing bearing(setup);
+  DrivenBearing bearing(setup);
   bearing.initialize(about);
   advance(bearing, about, 0, 5);
   SavedState before, after, again, elsewhere;
@@ -90,7 +90,7 @@ TEST_P(DrivenBearingState, ComesBackToTheSameBits) {
   bearing.restore(before);
   advance(bearing, about, 5, 10);
   bearing.save(again);
-  system::DrivenBearing other(setup);
+  DrivenBearing other(setup);
   other.restore(before);
   advance(other, about, 5, 10);
   other.save(elsewhere);
@@ -101,12 +101,12 @@ TEST_P(DrivenBearingState, ComesBackToTheSameBits) {
 
 TEST_P(DrivenBearingState, StaysAtTheBeginningOnAnError) {
   setup.most_steps = 1000;
-  system::DrivenBearing bearing(setup);
+  DrivenBearing bearing(setup);
   bearing.initialize(about);
   advance(bearing, about, 0, 2);
   SavedState before, after;
   bearing.save(before);
-  system::BoreInputs inputs = test::constant_polynomial(about);
+  BoreInputs inputs = test::constant_polynomial(about);
   inputs.v_y.coefficient[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(bearing.advance(window(2), inputs), std::runtime_error);
   inputs = test::constant_polynomial(about);
@@ -121,20 +121,20 @@ INSTANTIATE_TEST_SUITE_P(Paths, DrivenBearingState, testing::Bool(),
                          [](const auto& path) { return path.param ? "readable" : "vectorised"; });
 
 TEST(DrivenBearing, GivesUpWhereItsStepsAreUsedUp) {
-  system::DrivenBearingSetup setup = test::driven_reducer();
+  DrivenBearingSetup setup = test::driven_reducer();
   setup.most_steps = 3;
-  system::DrivenBearing bearing(setup);
+  DrivenBearing bearing(setup);
   bearing.initialize(test::pressed_motion());
   EXPECT_THROW(bearing.advance({0.0, 1e-3}, test::constant_polynomial(test::pressed_motion())),
                std::runtime_error);
 }
 
 TEST(DrivenBearing, RefusesAForeignState) {
-  system::DrivenBearing bearing(test::driven_reducer());
-  system::DrivenBearingSetup other = test::driven_reducer();
+  DrivenBearing bearing(test::driven_reducer());
+  DrivenBearingSetup other = test::driven_reducer();
   other.places = 36;
   SavedState state;
-  system::DrivenBearing(other).save(state);
+  DrivenBearing(other).save(state);
   EXPECT_THROW(bearing.restore(state), std::invalid_argument);
   bearing.save(state);
   state.pop_back();
@@ -146,24 +146,24 @@ TEST(DrivenBearing, RefusesAForeignState) {
 }
 
 TEST(DrivenBearing, RefusesWhatAsksForSpeedsBeforehand) {
-  system::DrivenBearingSetup setup = test::driven_reducer();
+  DrivenBearingSetup setup = test::driven_reducer();
   setup.dynamics.race.film_approach = bearing::FilmApproach::as_printed;
-  EXPECT_THROW(system::DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
   setup = test::driven_reducer();
   setup.dynamics.driving.ramp = 1.0;
-  EXPECT_THROW(system::DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
   setup = test::driven_reducer();
   setup.orbit_radius = -1.0;
-  EXPECT_THROW(system::DrivenBearing{setup}, std::invalid_argument);
+  EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
 }
 
 // The step size outlives a window, so that how time is cut matters little.
 TEST(DrivenBearing, DependsLittleOnTheWindows) {
   const BoreMotion motion = test::pressed_motion();
   const auto force_after = [&](long windows) {
-    system::DrivenBearingSetup setup = test::driven_reducer();
+    DrivenBearingSetup setup = test::driven_reducer();
     setup.allowed_length_error = 1e-13;
-    system::DrivenBearing bearing(setup);
+    DrivenBearing bearing(setup);
     bearing.initialize(motion);
     const double end = 50e-6;
     for (long k = 0; k < windows; ++k)
@@ -178,14 +178,14 @@ TEST(DrivenBearing, DependsLittleOnTheWindows) {
 
 TEST(DrivenBearing, SlopesAreThoseOfTheForce) {
   for (const bool readable : {false, true}) {
-    system::DrivenBearingSetup setup = test::driven_reducer();
+    DrivenBearingSetup setup = test::driven_reducer();
     if (readable) setup.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
-    system::DrivenBearing bearing(setup);
+    DrivenBearing bearing(setup);
     const BoreMotion about = test::pressed_motion();
     bearing.initialize(about);
     advance(bearing, about, 0, 5);
     const BoreMotion motion = swinging(about, window(5).begin);
-    const system::ForceSlopes slopes = bearing.slopes(motion);
+    const ForceSlopes slopes = bearing.slopes(motion);
     const auto difference = [&](double step, auto move) -> Eigen::Vector2d {
       const auto at = [&](double by) {
         BoreMotion moved = motion;
@@ -208,4 +208,4 @@ TEST(DrivenBearing, SlopesAreThoseOfTheForce) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim::driven_bearing_test
+}  // namespace orbearing::system::driven_bearing_test

@@ -12,7 +12,7 @@
 #include "gearset/dynamics/static_state.hpp"
 #include "tests/gear_sets.hpp"
 
-namespace orbearing::cosim::driven_gears_test {
+namespace orbearing::system::driven_gears_test {
 namespace {
 
 using gearset::dynamics::BearingPorts;
@@ -21,19 +21,19 @@ using gearset::dynamics::SetParameters;
 
 constexpr double kPeriod = 1.0 / 2519.0;  // [s]  of the mesh, about
 
-system::DrivenGearsSetup setup(double share = 1e-8) {
-  system::DrivenGearsSetup out{.set = gearset::dynamics::test::reducer_dynamics(),
-                               .operation = gearset::dynamics::test::reducer_operation(628.0),
-                               .allowed_share = share};
+DrivenGearsSetup setup(double share = 1e-8) {
+  DrivenGearsSetup out{.set = gearset::dynamics::test::reducer_dynamics(),
+                       .operation = gearset::dynamics::test::reducer_operation(628.0),
+                       .allowed_share = share};
   out.set.planet.coupled_bearing = true;
   return out;
 }
 
 // x, y, moment of each planet.
-std::vector<InputPolynomial> spring_forces(const system::DrivenGears& gears, const SetParameters& set,
+std::vector<InputPolynomial> spring_forces(const DrivenGears& gears, const SetParameters& set,
                                            double moment = 0.0) {
   std::vector<InputPolynomial> forces;
-  for (const system::PlanetMotion& planet : gears.output().planets) {
+  for (const PlanetMotion& planet : gears.output().planets) {
     const Eigen::Vector2d force = -set.planet.bearing_stiffness * planet.displacement;
     for (const double value : {force.x(), force.y(), moment})
       forces.push_back(InputPolynomial::constant(value));
@@ -41,7 +41,7 @@ std::vector<InputPolynomial> spring_forces(const system::DrivenGears& gears, con
   return forces;
 }
 
-double farthest(const system::DrivenGearsOutput& a, const system::DrivenGearsOutput& b) {
+double farthest(const DrivenGearsOutput& a, const DrivenGearsOutput& b) {
   double out = 0.0;  // [m]
   for (std::size_t i = 0; i < a.planets.size(); ++i)
     out = std::max(out, (a.planets[i].displacement - b.planets[i].displacement).norm());
@@ -49,7 +49,7 @@ double farthest(const system::DrivenGearsOutput& a, const system::DrivenGearsOut
 }
 
 TEST(DrivenGears, SaveAdvanceRestoreAdvanceGivesTheSameBits) {
-  system::DrivenGears gears(setup(1e-5)), other(setup(1e-5));
+  DrivenGears gears(setup(1e-5)), other(setup(1e-5));
   gears.initialize(0.0);
   const auto forces = spring_forces(gears, setup().set, 3.0);
   gears.advance({0.0, 0.37 * kPeriod}, forces);
@@ -71,7 +71,7 @@ TEST(DrivenGears, SaveAdvanceRestoreAdvanceGivesTheSameBits) {
 
 // The end does not depend on where windows end, but for the error of the steps.
 TEST(DrivenGears, AreAsGoodInShortWindows) {
-  system::DrivenGears whole(setup()), parts(setup());
+  DrivenGears whole(setup()), parts(setup());
   whole.initialize(0.0);
   parts.initialize(0.0);
   const auto forces = spring_forces(whole, setup().set, 3.0);
@@ -85,7 +85,7 @@ TEST(DrivenGears, AreAsGoodInShortWindows) {
 // Forces of the springs themselves, which change within the window along their tangent, converge to the set
 // on springs with the square of the window.
 TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheInputs) {
-  system::DrivenGearsSetup smooth = setup(1e-9);
+  DrivenGearsSetup smooth = setup(1e-9);
   smooth.set.sun_mesh.stiffness = gearset::PeriodicCurve::constant(4e8);
   smooth.set.ring_mesh.stiffness = gearset::PeriodicCurve::constant(5e8);
   smooth.set.planet.bearing_damping = 0.0;
@@ -108,7 +108,7 @@ TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheInputs) {
   BearingPorts exact;
   equations.motion_at_ports(x, exact);
   const auto error = [&](int windows) {
-    system::DrivenGears gears(smooth);
+    DrivenGears gears(smooth);
     gears.restore(start);
     for (int k = 0; k < windows; ++k) {
       auto forces = spring_forces(gears, smooth.set);
@@ -133,13 +133,13 @@ TEST(DrivenGears, FollowTheSetOnSpringsAtTheOrderOfTheInputs) {
 
 // With bearings half as stiff again as stated, each round leaves minus a half of the error.
 TEST(DrivenGears, BalanceWithBearingsThatAreNotTheStatedSprings) {
-  system::DrivenGears gears(setup());
+  DrivenGears gears(setup());
   gears.initialize(0.0);
   const Eigen::Vector2d before = gears.output().planets[0].displacement;
   const Eigen::Vector2d gap(2e-6, -5e-6);  // [m]
   for (int round = 0; round < 40; ++round) {
     std::vector<double> forces;
-    for (const system::PlanetMotion& planet : gears.output().planets) {
+    for (const PlanetMotion& planet : gears.output().planets) {
       const Eigen::Vector2d force = -1.5 * setup().set.planet.bearing_stiffness * (planet.displacement - gap);
       forces.insert(forces.end(), {force.x(), force.y(), 0.0});
     }
@@ -153,10 +153,10 @@ TEST(DrivenGears, BalanceWithBearingsThatAreNotTheStatedSprings) {
 }
 
 TEST(DrivenGears, RefuseWhatMakesNoSense) {
-  system::DrivenGearsSetup loose = setup();
+  DrivenGearsSetup loose = setup();
   loose.set.planet.bearing_stiffness = 0.0;
-  EXPECT_THROW(system::DrivenGears{loose}, std::invalid_argument);
-  system::DrivenGears gears(setup());
+  EXPECT_THROW(DrivenGears{loose}, std::invalid_argument);
+  DrivenGears gears(setup());
   gears.initialize(0.0);
   EXPECT_THROW(gears.advance({0.0, 1e-6}, {}), std::invalid_argument);
   EXPECT_THROW(gears.advance({1e-6, 1e-6}, spring_forces(gears, setup().set)), std::invalid_argument);
@@ -167,7 +167,7 @@ TEST(DrivenGears, RefuseWhatMakesNoSense) {
 }
 
 TEST(DrivenGears, KeepTheirStateWhereAWindowFails) {
-  system::DrivenGears gears(setup());
+  DrivenGears gears(setup());
   gears.initialize(0.0);
   SavedState before, after;
   gears.save(before);
@@ -180,7 +180,7 @@ TEST(DrivenGears, KeepTheirStateWhereAWindowFails) {
 
 // Speeds of the planet: nominal, and what its own and the carrier's rotation add.
 TEST(DrivenGears, TellThePlanetsSpeed) {
-  system::DrivenGears gears(setup());
+  DrivenGears gears(setup());
   gears.initialize(0.0);
   const double carrier = 628.0 * 37.0 / 116.0;
   EXPECT_NEAR(gears.output().carrier_speed, carrier, 1e-9 * carrier);
@@ -197,4 +197,4 @@ TEST(DrivenGears, TellThePlanetsSpeed) {
 }
 
 }  // namespace
-}  // namespace orbearing::cosim::driven_gears_test
+}  // namespace orbearing::system::driven_gears_test
