@@ -3,7 +3,7 @@
 
 #include "bearing/pressure/of_bearing.hpp"
 #include "bearing/pressure/strip_contact.hpp"
-#include "bearing/pressure/surface_contact.hpp"
+#include "tests/reference/surface_contact.hpp"
 
 namespace orbearing::bearing::half_space {
 

@@ -3,8 +3,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "bearing/pressure/rectangle_influence.hpp"
-#include "bearing/pressure/rectangle_kernel.hpp"
+#include "tests/reference/rectangle_influence.hpp"
+#include "tests/reference/rectangle_kernel.hpp"
 
 namespace orbearing::bearing::half_space::rectangle_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "bearing/pressure/conjugate_gradients.hpp"
+#include "tests/reference/conjugate_gradients.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
-#include "bearing/pressure/surface_contact.hpp"
+#include "tests/reference/surface_contact.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/pressure/conjugate_gradients.hpp"
 #include "bearing/pressure/elasticity.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
 #include "bearing/pressure/strip_contact.hpp"
+#include "tests/reference/conjugate_gradients.hpp"
 
 namespace orbearing::bearing::half_space {
 

@@ -1,4 +1,4 @@
-#include "bearing/pressure/rectangle_kernel.hpp"
+#include "tests/reference/rectangle_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "bearing/pressure/rectangle_influence.hpp"
+#include "tests/reference/rectangle_influence.hpp"
 
 namespace orbearing::bearing::half_space {
 

@@ -1,9 +1,9 @@
-#include "bearing/pressure/rectangle_influence.hpp"
+#include "tests/reference/rectangle_influence.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/pressure/rectangle_kernel.hpp"
+#include "tests/reference/rectangle_kernel.hpp"
 
 namespace orbearing::bearing::half_space {
 
