@@ -24,6 +24,10 @@ struct PocketMotion {
   CageSpeed cage_speed;    // [rad/s]
 };
 
+template <class Offset, class Along, class SpeedAhead, class SpeedAlong, class Spin, class CageSpeed>
+PocketMotion(Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed)
+    -> PocketMotion<Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed>;
+
 /// What a bar does to the roller; the cage feels the opposite at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
 struct PocketTouch {
@@ -35,37 +39,35 @@ struct PocketTouch {
   Sliding sliding;             // [m/s]  surface of the bar less that of the roller, along e
 };
 
+template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
+PocketTouch(Ahead, Along, RollerMoment, CageMoment, Power, Sliding)
+    -> PocketTouch<Ahead, Along, RollerMoment, CageMoment, Power, Sliding>;
+
 struct PocketLaw {
   double half_clearance = 0.0;  // [m]
   double stiffness = 0.0;       // [N/m]  of a bar
   double damping = 0.0;         // [s/m]
   CoulombFriction<double> friction;
 
-  /// How far the bar ahead (`bar` = 1) or behind (-1) is pressed in [m] by a roller larger than stated by
-  /// `larger` [m]; negative where they do not touch.
-  template <class Bar, class Offset, class Larger>
-  auto depth(const Bar& bar, const Offset& offset, const Larger& larger) const {
-    return offset * bar - (half_clearance - larger);
+  /// How far the bar ahead (`bar` = 1) or behind (-1) is pressed in [m] by a roller whose radius is larger
+  /// than stated by `deviation` [m]; negative where they do not touch.
+  template <class Bar, class Offset, class Deviation>
+  auto depth(const Bar& bar, const Offset& offset, const Deviation& deviation) const {
+    return offset * bar - (half_clearance - deviation);
   }
 
   /// Touch at `bar`, of a roller of `radius` [m], where the depth is positive.
   template <class Number, class... Parts>
-  auto touch(const Number& bar, const Number& radius, const Number& larger,
+  auto touch(const Number& bar, const Number& radius, const Number& deviation,
              const PocketMotion<Parts...>& m) const {
     const auto closing = (m.speed_ahead - m.cage_speed * m.along) * bar;
-    const auto normal = damped_load(depth(bar, m.offset, larger) * stiffness, damping, closing);
+    const auto normal = damped_load(depth(bar, m.offset, deviation) * stiffness, damping, closing);
     const Number arm = bar * radius;
     const auto sliding = (m.spin - m.cage_speed) * arm - m.speed_along - m.cage_speed * m.offset;
     const auto rubbed = friction.force(normal.load, sliding);
     const auto ahead = -(normal.load * bar);
-    const auto on_cage = (m.offset + arm) * rubbed - m.along * ahead;
-    const auto on_roller = -(rubbed * arm);
-    return PocketTouch<
-        decltype(-(normal.load * bar)), decltype(friction.force(normal.load, sliding)),
-        decltype(-(rubbed * arm)), decltype((m.offset + arm) * rubbed - m.along * ahead),
-        decltype(damped_load(depth(bar, m.offset, larger) * stiffness, damping, closing).power),
-        decltype((m.spin - m.cage_speed) * arm - m.speed_along - m.cage_speed * m.offset)>{
-        ahead, rubbed, on_roller, on_cage, normal.power, sliding};
+    return PocketTouch{ahead,        rubbed, -(rubbed * arm), (m.offset + arm) * rubbed - m.along * ahead,
+                       normal.power, sliding};
   }
 };
 

@@ -51,9 +51,8 @@ inline PocketForces touch_forces(const PocketModel& model, const BodyMotion& rol
   if (law.depth(bar, offset, larger) <= 0.0) return forces;
   const Vector2 velocity = roller.velocity - cage.velocity;
   const auto touch = law.touch(bar, model.roller_radius + larger, larger,
-                               PocketMotion<double, double, double, double, double, double>{
-                                   offset, from_cage.dot(outward), velocity.dot(ahead), velocity.dot(outward),
-                                   roller.speed, cage.speed});
+                               PocketMotion{offset, from_cage.dot(outward), velocity.dot(ahead),
+                                            velocity.dot(outward), roller.speed, cage.speed});
   const Vector2 force = touch.ahead * ahead + touch.along * outward;
   forces.on_roller = {force, touch.roller_moment};
   forces.on_cage = {-force, touch.cage_moment};

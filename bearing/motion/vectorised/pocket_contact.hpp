@@ -66,8 +66,7 @@ PocketForce pocket_contact(const PocketLaw& law, double stated_radius, const Pac
   };
   if constexpr (!WithSlopes) {
     put(law.touch(bar, radius, radius_deviation,
-                  PocketMotion<Pack, Pack, Pack, Pack, Pack, double>{offset, along, speed_ahead, speed_along,
-                                                                     motion.spin, cage_speed}));
+                  PocketMotion{offset, along, speed_ahead, speed_along, motion.spin, cage_speed}));
   } else {
     using mechanics::variable;
     enum { kOffset, kAlong, kSpeedAhead, kSpeedAlong, kSpin, kCageSpeed };
