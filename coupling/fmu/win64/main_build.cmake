@@ -23,7 +23,7 @@ orbearing_win64_sources(gearset
   "^(drivetrain/|mesh/[^p]|mesh/planetary|dynamics/(modes|mode_kind|bodies|energy)|tooth_|planet_body|contact_path|working_geometry|gear_pair|mean_loads|assembly|involute)")
 orbearing_win64_sources(mechanics "^$")
 orbearing_win64_sources(bearing
-  "^pressure/|^equilibrium/(balls|rollers|equilibrium_)|^life/(ball|basic|life)_|_avx[0-9]+\\.cpp$")
+  "^pressure/|^equilibrium/(balls|rollers|static_bearing|equilibrium_)|^life/(ball|basic|life|standard)_|_avx[0-9]+\\.cpp$")
 orbearing_win64_sources(coupling "^(study/|cosim/|system/[^bd])")
 set(interface ${ORBEARING_FMU_INTERFACE})
 list(TRANSFORM interface PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
