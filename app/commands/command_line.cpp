@@ -188,7 +188,7 @@ void add_commands(CommandTable table) {
       "--motion", options.motion,
       "in place of the published numbers: what the assumptions that only motion feels are worth "
       "at the peak; takes minutes");
-  validate.add_option("--jobs", options.jobs, "with --motion: threads; default: one for each core")
+  validate.add_option("--jobs", options.jobs, "threads; default: one for each core")
       ->check(CLI::Range(1, 4096));
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);
   add_settings(report, options);

@@ -23,7 +23,7 @@ struct Options {
   std::string other;                     // report --with: folder of the branch to draw beside
   bool grid_only = false;                // sweep, merge: no points are added around the peak
   int jobs = 0;                          // 0: one for each core
-  bool every_effect = false;             // report: all ablations of the motion in time
+  bool every_effect = false;             // report: all effects of the motion in time
   bool motion = false;                   // validate: what assumptions are worth in motion, alone
   bool gears = false;                    // run: without the dynamics of bearings
   std::string fmi = "2";                 // fmu: version of the interface

@@ -91,7 +91,7 @@ nlohmann::ordered_json sweep_data(const ResolvedCase& resolved, const Manifest& 
     branches.push_back({options.other, read_results(options.other)});
     require_two_branches(branches.front(), branches.back());
   }
-  nlohmann::ordered_json data = report_data(resolved, manifest, options.every_effect);
+  nlohmann::ordered_json data = report_data(resolved, manifest, options.every_effect, !options.quiet);
   data["branches"] = branches_json(resolved, branches);
   return data;
 }

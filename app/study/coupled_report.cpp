@@ -8,7 +8,6 @@
 #include "app/results/json_number.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/units.hpp"
-#include "coupling/study/ablation.hpp"
 #include "coupling/study/scheme_convergence.hpp"
 
 namespace orbearing::app {
@@ -28,17 +27,11 @@ std::string how(const cosim::CoupledOptions& exchange, const std::string& fideli
                          : "");
 }
 
-Json one_way(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm) {
-  std::vector<double> speeds;
-  for (const double rpm : speeds_rpm) speeds.push_back(rpm / kRpm);
-  const std::vector<study::Ablation> as_it_stands{{"one way", "two-way", [](study::PlanetaryDrivetrain&) {}}};
-  const std::vector<study::PointResult> points =
-      study::evaluate_all(drivetrain, as_it_stands, speeds, study::Fidelity::dynamic);
+Json one_way_curve(const ChangeResult& one_way, const std::vector<double>& speeds_rpm) {
   Json curve{{"speed_rpm", speeds_rpm}, {"life_h", Json::array()}, {"outer_load_rms_N", Json::array()}};
-  for (const study::PointResult& point : points) {
-    const bool ok = point.status == "ok";
-    curve["life_h"].push_back(ok ? number_or_null(point.life_hours) : Json(nullptr));
-    curve["outer_load_rms_N"].push_back(ok ? number_or_null(point.outer.load_rms) : Json(nullptr));
+  for (const study::PointResult& point : one_way.points) {
+    curve["life_h"].push_back(number_or_null(life_of(point)));
+    curve["outer_load_rms_N"].push_back(point.status == "ok" ? number_or_null(point.outer.load_rms) : Json());
   }
   return curve;
 }
@@ -66,9 +59,10 @@ Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
 }  // namespace
 
 nlohmann::ordered_json coupled_report(const study::PlanetaryDrivetrain& drivetrain,
-                                      const std::vector<double>& speeds_rpm, const std::string& fidelity) {
+                                      const std::vector<double>& speeds_rpm, const ChangeResult& one_way,
+                                      const std::string& fidelity) {
   return {{"how", how(drivetrain.exchange, fidelity)},
-          {"one_way", one_way(drivetrain, speeds_rpm)},
+          {"one_way", one_way_curve(one_way, speeds_rpm)},
           // One system exchanges nothing.
           {"convergence",
            fidelity_of(fidelity) == study::Fidelity::monolithic ? Json(nullptr) : convergence(drivetrain)}};

@@ -13,7 +13,7 @@ namespace orbearing::app {
 /// gears, which itself follows from them: drivetrain_of() adds it.
 study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& resolved);
 
-/// Remarks on the gears, each with its place in the case; sets without bearings included.
+/// Warnings of the gears, each with its place in the case; sets without bearings included.
 std::vector<std::string> gear_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

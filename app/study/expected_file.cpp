@@ -35,8 +35,8 @@ PublishedValue published_value(const YAML::Node& node) {
   return row;
 }
 
-Alternative alternative(const YAML::Node& node) {
-  return {node["assumption"].as<std::string>(), node["reading"].as<std::string>(),
+NamedChange alternative(const YAML::Node& node) {
+  return {node["reading"].as<std::string>(), node["assumption"].as<std::string>(),
           node["settings"].as<std::vector<std::string>>()};
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/study/named_change.hpp"
+
 namespace orbearing::app {
 
 /// Where a number that ours is compared with comes from.
@@ -16,7 +18,7 @@ enum class Evidence {
 /// One published number.
 struct PublishedValue {
   std::string source;    // with its key in REFERENCES.md
-  std::string quantity;  // a name that the ledger knows how to compute
+  std::string quantity;  // a name that the validation table knows how to compute
   std::string meaning;
   std::optional<double> value;  // none: the source has it, the project cannot compare it yet
   double tolerance = 0.0;       // [-]  relative
@@ -26,23 +28,16 @@ struct PublishedValue {
       settings{};  // path=value  of the case, where the number belongs to a variant of it
 };
 
-/// Another reading of one assumption, as settings of the case.
-struct Alternative {
-  std::string assumption;  // key of the case
-  std::string reading;
-  std::vector<std::string> settings;  // path=value
-};
-
 /// Readings that only the motion in time feels, and where they are looked at.
 struct MotionPlan {
   std::string fidelity = "monolithic";
   std::vector<double> speed_rpm;
-  std::vector<Alternative> alternatives;
+  std::vector<NamedChange> alternatives;
 };
 
 struct ExpectedFile {
   std::vector<PublishedValue> published;
-  std::vector<Alternative> alternatives;
+  std::vector<NamedChange> alternatives;  // other readings of single assumptions
   std::optional<MotionPlan> motion{};
 };
 

@@ -26,7 +26,7 @@ study::GearRunOptions gear_run_options(const ResolvedCase& resolved);
 /// Masses, inertias and stiffnesses as the model has them, for `orbearing check`.
 std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved);
 
-/// Remarks on teeth and foundations.
+/// Warnings of teeth and foundations.
 std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -25,7 +25,7 @@ struct ModeStudy {
 
 ModeStudy mode_study(const gearset::dynamics::SetModel& model);
 
-/// A frequency by its name in the ledger: "rotational_2_Hz" in hertz, "rotational_2_1" over that of a planet
+/// A frequency by its name in the validation table: "rotational_2_Hz" in hertz, "rotational_2_1" over that of a planet
 /// on its bearing; the second of its kind, counted from the first above zero. NaN for a name that is not
 /// known or a mode that is not there.
 double mode_property(const ModeStudy& study, const std::string& quantity);

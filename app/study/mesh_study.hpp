@@ -37,7 +37,7 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved);
 /// What follows from the inputs of a gear-pair, for `orbearing check`.
 std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study);
 
-/// A number of the first mesh by its name in the ledger, such as "mean_N_per_m" or "c_prime_N_per_mm_um"; NaN
+/// A number of the first mesh by its name in the validation table, such as "mean_N_per_m" or "c_prime_N_per_mm_um"; NaN
 /// for a name that is not known.
 double mesh_property(const MeshStudy& study, const std::string& quantity);
 

@@ -5,17 +5,19 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/results/json_number.hpp"
+#include "app/results/progress.hpp"
 #include "app/study/coupled_report.hpp"
+#include "app/study/effects.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
-#include "app/study/ledger.hpp"
 #include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
+#include "app/study/validation_table.hpp"
 #include "app/units.hpp"
-#include "coupling/study/ablation.hpp"
 
 namespace orbearing::app {
 
@@ -131,71 +133,105 @@ Json axes_json(const ManifestHeader& header) {
   return list;
 }
 
-Json ablation_curves(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds) {
-  Json list = Json::array();
-  for (const study::Ablation& ablation : study::ablations()) {
-    const std::vector<double> lives = study::life_over_speed(drivetrain, ablation, speeds);
-    const auto best = std::max_element(lives.begin(), lives.end());
-    const double best_speed = speeds[static_cast<std::size_t>(best - lives.begin())];
-    list.push_back({{"name", ablation.name},
-                    {"group", ablation.group},
-                    {"speed_rpm", scaled(speeds, kRpm)},
-                    {"life_h", lives},
-                    {"peak_speed_rpm", kRpm * best_speed},
-                    {"peak_life_h", *best}});
-  }
-  return list;
+const study::NamedSet& named(const std::vector<study::NamedSet>& sets, const std::string& name) {
+  return *std::find_if(sets.begin(), sets.end(),
+                       [&](const study::NamedSet& set) { return set.name == name; });
 }
 
-Json dynamic_ablation(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm,
-                      bool every_effect) {
+// Of the bearing shown, on the gears as the case states them: an effect is switched in the bearing alone.
+ChangeStudy of_one_bearing(const study::NamedSet& shown, const std::vector<double>& speeds,
+                           study::Fidelity fidelity) {
+  return {.speed = speeds,
+          .fidelity = fidelity,
+          .evaluate = [name = shown.name, gears = shown.drivetrain.gear_set](
+                          const std::vector<study::NamedSet>& sets, study::Fidelity level) {
+            study::NamedSet one = named(sets, name);
+            one.drivetrain.gear_set = gears;
+            return study::evaluate(one.drivetrain, one.geometry, level);
+          }};
+}
+
+std::vector<double> radians_per_second(const std::vector<double>& speeds_rpm) {
   std::vector<double> speeds;
   for (const double rpm : speeds_rpm) speeds.push_back(rpm / kRpm);
-  const std::vector<study::Ablation> ablations =
-      every_effect ? study::dynamic_ablations(drivetrain) : study::chief_dynamic_ablations(drivetrain);
-  const std::vector<study::PointResult> points =
-      study::evaluate_all(drivetrain, ablations, speeds, study::Fidelity::dynamic);
+  return speeds;
+}
+
+Json effect_curves(const ResolvedCase& resolved, const study::NamedSet& shown,
+                   const std::vector<double>& speeds) {
   Json list = Json::array();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % speeds.size() == 0)
-      list.push_back({{"name", ablations[i / speeds.size()].name},
-                      {"group", ablations[i / speeds.size()].group},
-                      {"points", Json::array()}});
-    Json& row = list.back()["points"];
-    row.push_back({{"speed_rpm", speeds_rpm[i % speeds.size()]}, {"status", points[i].status}});
-    if (!points[i].dynamic) continue;
-    row.back().update({{"life_h", points[i].life_hours},
-                       {"cage_slip", points[i].cage_slip},
-                       {"roller_slip", points[i].dynamic->roller_slip},
-                       {"power_loss_W", points[i].dynamic->loss.total()},
-                       {"inner_load_rms_N", points[i].inner.load_rms},
-                       {"outer_load_rms_N", points[i].outer.load_rms},
-                       {"steady", points[i].dynamic->steady}});
+  for (const ChangeResult& result :
+       results_of(resolved, effects_at_rest(resolved, shown.name),
+                  of_one_bearing(shown, speeds, study::Fidelity::quasi_static))) {
+    const std::size_t best = best_point(result);
+    list.push_back({{"name", result.change.name},
+                    {"group", result.change.group},
+                    {"speed_rpm", scaled(speeds, kRpm)},
+                    {"life_h", Json::array()},
+                    {"peak_speed_rpm", kRpm * speeds[best]},
+                    {"peak_life_h", number_or_null(life_of(result.points[best]))}});
+    for (const study::PointResult& point : result.points)
+      list.back()["life_h"].push_back(number_or_null(life_of(point)));
   }
   return list;
 }
 
-// Each assumption with what its first alternative is worth, where the project knows one.
-Json assumptions_with_worth(const ResolvedCase& resolved, const std::vector<Worth>& worths) {
-  Json list = assumptions_json(resolved);
-  for (Json& entry : list) {
-    entry["worth_h"] = nullptr;
-    entry["worth_text"] = "";
-    for (const Worth& worth : worths) {
-      if (worth.alternative.assumption != entry["key"] || !entry["worth_h"].is_null()) continue;
-      entry["worth_h"] = worth.worth_h;
-      entry["worth_text"] = worth.alternative.reading;
+Json effects_in_time(const ResolvedCase& resolved, const study::NamedSet& shown,
+                     const std::vector<double>& speeds_rpm, bool every_effect, bool progress) {
+  const std::vector<NamedChange> effects = effects_in_motion(resolved, every_effect, shown.name);
+  Progress bar(0, effects.size() * speeds_rpm.size(), progress, "effects: ");
+  const std::vector<ChangeResult> results = results_of(
+      resolved, effects, of_one_bearing(shown, radians_per_second(speeds_rpm), study::Fidelity::dynamic),
+      [&](const std::vector<ChangeResult>&, std::size_t done) { bar.show(done * speeds_rpm.size()); });
+  Json list = Json::array();
+  for (const ChangeResult& result : results) {
+    list.push_back({{"name", result.change.name}, {"group", result.change.group}, {"points", Json::array()}});
+    Json& row = list.back()["points"];
+    for (std::size_t i = 0; i < result.points.size(); ++i) {
+      const study::PointResult& point = result.points[i];
+      row.push_back({{"speed_rpm", speeds_rpm[i]}, {"status", point.status}});
+      if (!point.dynamic) continue;
+      row.back().update({{"life_h", point.life_hours},
+                         {"cage_slip", point.cage_slip},
+                         {"roller_slip", point.dynamic->roller_slip},
+                         {"power_loss_W", point.dynamic->loss.total()},
+                         {"inner_load_rms_N", point.inner.load_rms},
+                         {"outer_load_rms_N", point.outer.load_rms},
+                         {"steady", point.dynamic->steady}});
     }
   }
   return list;
 }
 
-Json published_points(const std::vector<LedgerRow>& rows) {
+// The bearing that the gears drive, at the speeds of the sweep.
+ChangeResult one_way(const ResolvedCase& resolved, const study::NamedSet& shown,
+                     const std::vector<double>& speeds_rpm) {
+  return results_of(resolved, with_reference({}),
+                    of_one_bearing(shown, radians_per_second(speeds_rpm), study::Fidelity::dynamic))
+      .front();
+}
+
+// Each assumption with what its first other reading is worth, where the project knows one.
+Json assumptions_with_sensitivity(const ResolvedCase& resolved, const std::vector<Sensitivity>& all) {
+  Json list = assumptions_json(resolved);
+  for (Json& entry : list) {
+    entry["worth_h"] = nullptr;
+    entry["worth_text"] = "";
+    for (const Sensitivity& one : all) {
+      if (one.change.group != entry["key"] || !entry["worth_h"].is_null()) continue;
+      entry["worth_h"] = one.difference_h;
+      entry["worth_text"] = one.change.name;
+    }
+  }
+  return list;
+}
+
+Json published_points(const std::vector<ValidationRow>& rows) {
   Json list = Json::array();
   Json speed;
-  for (const LedgerRow& row : rows)
+  for (const ValidationRow& row : rows)
     if (row.reading.empty() && row.quantity == "peak_speed_rpm" && row.published) speed = *row.published;
-  for (const LedgerRow& row : rows)
+  for (const ValidationRow& row : rows)
     if (row.reading.empty() && row.quantity == "peak_life_h" && row.published && !speed.is_null())
       list.push_back({{"source", row.source},
                       {"quantity", row.quantity},
@@ -232,26 +268,26 @@ void add_numbers_of_sweep(const SweepOutcome& outcome, Json& rows) {
 
 // Pictures show one bearing: of several sets, of the one that limits life at the peak.
 study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
-  std::vector<study::NamedSet> sets = bearing_sets(resolved);
+  const std::vector<study::NamedSet> sets = bearing_sets(resolved);
   const double speed = property(grid, "peak_speed_rpm") / kRpm;
-  const std::string name = study::evaluate(study::at_speed(sets, speed)).limiting_set;
-  return *std::find_if(sets.begin(), sets.end(),
-                       [&](const study::NamedSet& set) { return set.name == name; });
+  return named(sets, study::evaluate(study::at_speed(sets, speed)).limiting_set);
 }
 
 }  // namespace
 
-nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest,
-                                   bool every_effect) {
+nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest, bool every_effect,
+                                   bool progress) {
   const SpeedSlice slice = speed_slice(resolved);
   const LifeCurve grid = life_curve(slice.at);
-  const auto [set, drivetrain, geometry] = shown_set(slice.at, grid);
+  const study::NamedSet shown = shown_set(slice.at, grid);
+  const auto& [set, drivetrain, geometry] = shown;
   const SweepOutcome outcome = outcome_of(*manifest.header, manifest.entries);
   const FoundPeak found = find_peak(outcome);
   const std::vector<double> fine = fine_speeds(grid);
   // The published numbers belong to the shipped case of this name, changed by the user or not.
-  const Ledger ledger = ledger_of(resolved, read_expected(shipped_expected(resolved.text("name"))));
-  Json data = sweep_json(outcome, found.peak, assumptions_with_worth(resolved, ledger.worth),
+  const ValidationTable table =
+      validation_table_of(resolved, read_expected(shipped_expected(resolved.text("name"))));
+  Json data = sweep_json(outcome, found.peak, assumptions_with_sensitivity(resolved, table.sensitivities),
                          sweep_warnings(resolved, outcome, found), versions_json());
   data["case"] = {{"name", set.empty() ? resolved.text("name") : resolved.text("name") + ", set " + set},
                   {"source", resolved.text("source")},
@@ -260,25 +296,27 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["axes"] = axes_json(outcome.header);
   data["slice"] = slice.columns;
   data["kinematics"] = kinematics(drivetrain, geometry);
-  data["published"] = published_points(ledger.rows);
+  data["published"] = published_points(table.rows);
   data["fine"] = fine_curve(drivetrain, geometry, fine);
   data["polar"] = polar(drivetrain, geometry, shown_speeds(grid));
   data["drawing"] = drawing(drivetrain, geometry, property(grid, "peak_speed_rpm"));
-  data["ablation"] = ablation_curves(drivetrain, fine);
-  data["ledger"] = rows_json(ledger);
+  data["ablation"] = effect_curves(slice.at, shown, fine);
+  data["ledger"] = rows_json(table);
   add_numbers_of_sweep(outcome, data["ledger"]);
-  data["worth"] = worth_json(ledger);
+  data["worth"] = sensitivities_json(table);
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;
   const study::Fidelity fidelity = fidelity_of(outcome.header.fidelity);
   if (in_time(fidelity))
     data["dynamic"] = {
-        {"ablation",
-         two_way(fidelity) ? Json::array() : dynamic_ablation(drivetrain, shown_speeds(grid), every_effect)},
+        {"ablation", two_way(fidelity)
+                         ? Json::array()
+                         : effects_in_time(slice.at, shown, shown_speeds(grid), every_effect, progress)},
         {"quasi_static",
          {{"polar", polar(drivetrain, geometry, shown_speeds(grid, best_speed_rpm(found.peak)))}}}};
   if (two_way(fidelity))
-    data["two_way"] = coupled_report(drivetrain, grid.speed_rpm, outcome.header.fidelity);
+    data["two_way"] = coupled_report(drivetrain, grid.speed_rpm, one_way(slice.at, shown, grid.speed_rpm),
+                                     outcome.header.fidelity);
   return data;
 }
 

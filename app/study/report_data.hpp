@@ -10,7 +10,8 @@
 namespace orbearing::app {
 
 /// What the page is made of, for a sweep whose rows stand in `manifest`. `every_effect`: a dynamic sweep is
-/// asked what each single effect is worth, not only the chief ones.
-nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest, bool every_effect);
+/// asked what each single effect is worth, not only the chief ones. `progress`: of that on standard error.
+nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest& manifest, bool every_effect,
+                                   bool progress);
 
 }  // namespace orbearing::app

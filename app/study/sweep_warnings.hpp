@@ -9,7 +9,7 @@
 
 namespace orbearing::app {
 
-/// Remarks on the gears, on inputs without effect, on the peak, on contacts beyond what steel stands and on
+/// Warnings of the gears, on inputs without effect, on the peak, on contacts beyond what steel stands and on
 /// motions that did not settle; each names its place.
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
                                         const FoundPeak& found);

@@ -6,9 +6,9 @@
 
 #include "app/case/case_file.hpp"
 #include "app/errors.hpp"
-#include "app/study/ledger.hpp"
 #include "app/study/mesh_output.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/validation_table.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
 namespace orbearing::app::mesh_study_test {
@@ -138,7 +138,7 @@ TEST(MeshText, DrawsEachKindOfMeshOnce) {
   EXPECT_EQ(text.find("sun and planet: one pair"), text.rfind("sun and planet: one pair"));
 }
 
-TEST(PairLedger, TakesASettingIntoItsRow) {
+TEST(PairValidationTable, TakesASettingIntoItsRow) {
   const ExpectedFile expected{
       .published = {
           {.source = "made up",
@@ -149,19 +149,19 @@ TEST(PairLedger, TakesASettingIntoItsRow) {
            .settings = {"pair.teeth=[30, 20]"}},
           {.source = "made up", .quantity = "contact_ratio", .meaning = "", .value = 2.0, .tolerance = 1e-3},
           {.source = "made up", .quantity = "colour", .meaning = "", .value = 1.0}}};
-  const Ledger ledger = ledger_of(pair_case(), expected);
-  ASSERT_EQ(ledger.rows.size(), 3U);
-  EXPECT_EQ(ledger.rows[0].verdict, "reproduced");
-  EXPECT_EQ(ledger.rows[0].reading, "pair.teeth=[30, 20]");
-  EXPECT_EQ(ledger.rows[1].verdict, "missed");
-  EXPECT_EQ(ledger.rows[2].verdict, "input missing");
+  const ValidationTable table = validation_table_of(pair_case(), expected);
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[0].verdict, "reproduced");
+  EXPECT_EQ(table.rows[0].reading, "pair.teeth=[30, 20]");
+  EXPECT_EQ(table.rows[1].verdict, "missed");
+  EXPECT_EQ(table.rows[2].verdict, "input missing");
 }
 
-TEST(PairLedger, OfTheShippedCaseReproducesAll) {
+TEST(PairValidationTable, OfTheShippedCaseReproducesAll) {
   const std::string file = ORBEARING_SOURCE_DIR "/cases/mesh_62_62/case.yaml";
-  const Ledger ledger = ledger_of(pair_case(), read_expected(expected_beside(file)));
-  EXPECT_EQ(ledger.rows.size(), 17U);
-  for (const LedgerRow& row : ledger.rows)
+  const ValidationTable table = validation_table_of(pair_case(), read_expected(expected_beside(file)));
+  EXPECT_EQ(table.rows.size(), 17U);
+  for (const ValidationRow& row : table.rows)
     EXPECT_EQ(row.verdict, "reproduced") << row.quantity << row.reading;
 }
 

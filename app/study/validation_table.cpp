@@ -1,4 +1,4 @@
-#include "app/study/ledger.hpp"
+#include "app/study/validation_table.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -22,19 +22,19 @@ namespace {
 // Where a tolerance is zero, a number printed to a few digits still is a decimal fraction.
 constexpr double kRoundOff = 1e-9;
 
-std::string verdict_of(const LedgerRow& row, bool trend) {
+std::string verdict_of(const ValidationRow& row, bool trend) {
   if (!row.published || !row.ours) return "input missing";
   if (std::abs(*row.deviation) > row.tolerance + kRoundOff) return "missed";
   return trend ? "trend" : "reproduced";
 }
 
-LedgerRow compare(const PublishedValue& published, double ours, const std::string& reading) {
-  LedgerRow row{.source = published.source,
-                .quantity = published.quantity,
-                .reading = reading,
-                .published = published.value,
-                .tolerance = published.tolerance,
-                .evidence = published.evidence};
+ValidationRow compare(const PublishedValue& published, double ours, const std::string& reading) {
+  ValidationRow row{.source = published.source,
+                    .quantity = published.quantity,
+                    .reading = reading,
+                    .published = published.value,
+                    .tolerance = published.tolerance,
+                    .evidence = published.evidence};
   if (std::isfinite(ours)) row.ours = ours;
   return judged(std::move(row), published.trend);
 }
@@ -47,7 +47,7 @@ std::string deviation_cell(const std::optional<double>& value) {
   return value ? fmt::format("{:+.1f} %", 100.0 * *value) : "-";
 }
 
-std::string key_with_reading(const LedgerRow& row) {
+std::string key_with_reading(const ValidationRow& row) {
   return row.reading.empty() ? row.quantity : row.quantity + " | " + row.reading;
 }
 
@@ -55,9 +55,10 @@ nlohmann::ordered_json number(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
-nlohmann::ordered_json comparisons_json(const std::string& case_name, const std::vector<LedgerRow>& rows) {
+nlohmann::ordered_json comparisons_json(const std::string& case_name,
+                                        const std::vector<ValidationRow>& rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const LedgerRow& row : rows)
+  for (const ValidationRow& row : rows)
     list.push_back({{"source", row.source},
                     {"quantity", row.quantity},
                     {"published", number(row.published)},
@@ -72,17 +73,16 @@ nlohmann::ordered_json comparisons_json(const std::string& case_name, const std:
 }
 
 // One line for each reading: our value of each quantity, marked where it misses the published one.
-std::string other_readings_text(const Ledger& ledger) {
-  if (ledger.other_readings.empty()) return "";
+std::string other_readings_text(const ValidationTable& table) {
+  if (table.other_readings.empty()) return "";
   std::vector<std::string> quantities;
-  for (const LedgerRow& row : ledger.rows)
+  for (const ValidationRow& row : table.rows)
     if (row.published) quantities.push_back(row.quantity);
   std::string text = "\nThe same values under other readings (* where a published one is missed)\n";
   for (const std::string& quantity : quantities) text += fmt::format("{:>{}}", quantity, quantity.size() + 2);
   text += "  reading\n";
-  const LedgerRow* row = ledger.other_readings.data();
-  for (std::size_t left = ledger.other_readings.size(); left >= quantities.size();
-       left -= quantities.size()) {
+  const ValidationRow* row = table.other_readings.data();
+  for (std::size_t left = table.other_readings.size(); left >= quantities.size(); left -= quantities.size()) {
     std::string line;
     for (const std::string& quantity : quantities) {
       const std::string shown = cell(row->ours) + (row->verdict == "missed" ? "*" : " ");
@@ -94,14 +94,14 @@ std::string other_readings_text(const Ledger& ledger) {
   return text;
 }
 
-std::string worth_text(const Ledger& ledger) {
-  if (ledger.worth.empty()) return "";
+std::string sensitivities_text(const ValidationTable& table) {
+  if (table.sensitivities.empty()) return "";
   std::string text = "\nWhat each assumption is worth\n";
   text += fmt::format("{:<44} {:>14} {:>12} {:>11}  {}\n", "assumption", "peak [rpm]", "life [h]",
                       "worth [h]", "other reading");
-  for (const Worth& worth : ledger.worth)
-    text += fmt::format("{:<44} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", worth.alternative.assumption,
-                        worth.peak_speed_rpm, worth.peak_life_h, worth.worth_h, worth.alternative.reading);
+  for (const Sensitivity& one : table.sensitivities)
+    text += fmt::format("{:<44} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", one.change.group, one.peak_speed_rpm,
+                        one.peak_life_h, one.difference_h, one.change.name);
   return text;
 }
 
@@ -111,18 +111,18 @@ std::string reading_of(const std::vector<std::string>& settings) {
 
 // Numbers that one study of the case answers all at once; each may belong to a variant of the case.
 template <typename StudyOf, typename Property>
-Ledger study_ledger(const ResolvedCase& resolved, const ExpectedFile& expected, const StudyOf& study_of,
-                    const Property& property_of) {
-  Ledger ledger{.case_name = resolved.text("name")};
+ValidationTable study_table(const ResolvedCase& resolved, const ExpectedFile& expected,
+                            const StudyOf& study_of, const Property& property_of) {
+  ValidationTable table{.case_name = resolved.text("name")};
   std::map<std::string, decltype(study_of(resolved))> studies;  // by reading; most belong to one of few
   for (const PublishedValue& published : expected.published) {
     const std::string reading = reading_of(published.settings);
     auto study = studies.find(reading);
     if (study == studies.end())
       study = studies.emplace(reading, study_of(with_settings(resolved, published.settings))).first;
-    ledger.rows.push_back(compare(published, property_of(study->second, published.quantity), reading));
+    table.rows.push_back(compare(published, property_of(study->second, published.quantity), reading));
   }
-  return ledger;
+  return table;
 }
 
 ModeStudy modes_of(const ResolvedCase& resolved) {
@@ -131,40 +131,43 @@ ModeStudy modes_of(const ResolvedCase& resolved) {
 
 }  // namespace
 
-LedgerRow judged(LedgerRow row, bool trend) {
+ValidationRow judged(ValidationRow row, bool trend) {
   if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
   row.trend = trend;
   row.verdict = verdict_of(row, trend);
   return row;
 }
 
-Ledger ledger_of(const ResolvedCase& resolved, const ExpectedFile& expected) {
-  if (resolved.model() == gear_pair) return study_ledger(resolved, expected, mesh_study, mesh_property);
-  if (is_static_bearing(resolved)) return study_ledger(resolved, expected, static_study, static_property);
+ValidationTable validation_table_of(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs) {
+  if (resolved.model() == gear_pair) return study_table(resolved, expected, mesh_study, mesh_property);
+  if (is_static_bearing(resolved)) return study_table(resolved, expected, static_study, static_property);
   if (resolved.model() != planetary_drivetrain)
-    throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; the ledger requires planetary-drivetrain, gear-pair, roller-bearing or ball-bearing");
-  if (!resolved.shape().teeth) return study_ledger(resolved, expected, modes_of, mode_property);
-  const LifeCurve base = life_curve(resolved);
-  Ledger ledger{.case_name = resolved.text("name"), .worth = worth_of(resolved, base, expected.alternatives)};
+    throw BadInput(
+        resolved.origin("model") + ": model: found " + resolved.choice("model") +
+        "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing or ball-bearing");
+  if (!resolved.shape().teeth) return study_table(resolved, expected, modes_of, mode_property);
+  const std::vector<ChangeResult> results =
+      results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});
+  const LifeCurve base = life_curve(results.front());
+  ValidationTable table{.case_name = resolved.text("name"), .sensitivities = sensitivities(results)};
   for (const PublishedValue& published : expected.published)
-    ledger.rows.push_back(compare(published, property(base, published.quantity), ""));
-  for (const Worth& worth : ledger.worth)
+    table.rows.push_back(compare(published, property(base, published.quantity), ""));
+  for (const Sensitivity& one : table.sensitivities)
     for (const PublishedValue& published : expected.published)
       if (published.value)
-        ledger.other_readings.push_back(
-            compare(published, property(worth.curve, published.quantity), worth.alternative.reading));
-  return ledger;
+        table.other_readings.push_back(
+            compare(published, property(one.curve, published.quantity), one.change.name));
+  return table;
 }
 
-LedgerCount counted(const std::vector<Ledger>& ledgers) {
-  LedgerCount count;
+ValidationCount counted(const std::vector<ValidationTable>& tables) {
+  ValidationCount count;
   std::set<std::tuple<std::string, std::string, std::string, std::string, double>> seen;
-  for (const Ledger& ledger : ledgers) {
-    count.comparisons_under_other_readings += static_cast<int>(ledger.other_readings.size());
-    for (const LedgerRow& row : ledger.rows) {
+  for (const ValidationTable& table : tables) {
+    count.comparisons_under_other_readings += static_cast<int>(table.other_readings.size());
+    for (const ValidationRow& row : table.rows) {
       if (!row.published ||
-          !seen.emplace(ledger.case_name, row.source, row.quantity, row.reading, *row.published).second)
+          !seen.emplace(table.case_name, row.source, row.quantity, row.reading, *row.published).second)
         continue;
       ++(row.evidence == Evidence::recomputed ? count.recomputed : count.published);
       count.trends += row.trend ? 1 : 0;
@@ -173,11 +176,11 @@ LedgerCount counted(const std::vector<Ledger>& ledgers) {
   return count;
 }
 
-std::string count_text(const std::vector<Ledger>& ledgers) {
-  const LedgerCount count = counted(ledgers);
+std::string count_text(const std::vector<ValidationTable>& tables) {
+  const ValidationCount count = counted(tables);
   std::map<std::string, int> verdicts;
-  for (const Ledger& ledger : ledgers)
-    for (const LedgerRow& row : ledger.rows)
+  for (const ValidationTable& table : tables)
+    for (const ValidationRow& row : table.rows)
       if (row.evidence == Evidence::published) ++verdicts[row.verdict];
   std::string text =
       fmt::format("\n{} distinct published values ({} of them trends):", count.published, count.trends);
@@ -190,35 +193,35 @@ std::string count_text(const std::vector<Ledger>& ledgers) {
              count.recomputed, count.comparisons_under_other_readings);
 }
 
-nlohmann::ordered_json rows_json(const Ledger& ledger) {
-  return comparisons_json(ledger.case_name, ledger.rows);
+nlohmann::ordered_json rows_json(const ValidationTable& table) {
+  return comparisons_json(table.case_name, table.rows);
 }
 
-nlohmann::ordered_json other_readings_json(const Ledger& ledger) {
-  return comparisons_json(ledger.case_name, ledger.other_readings);
+nlohmann::ordered_json other_readings_json(const ValidationTable& table) {
+  return comparisons_json(table.case_name, table.other_readings);
 }
-nlohmann::ordered_json worth_json(const Ledger& ledger) {
+nlohmann::ordered_json sensitivities_json(const ValidationTable& table) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Worth& worth : ledger.worth)
-    list.push_back({{"case", ledger.case_name},
-                    {"assumption", worth.alternative.assumption},
-                    {"reading", worth.alternative.reading},
-                    {"settings", worth.alternative.settings},
-                    {"peak_speed_rpm", worth.peak_speed_rpm},
-                    {"peak_life_h", worth.peak_life_h},
-                    {"worth_h", worth.worth_h}});
+  for (const Sensitivity& one : table.sensitivities)
+    list.push_back({{"case", table.case_name},
+                    {"assumption", one.change.group},
+                    {"reading", one.change.name},
+                    {"settings", one.change.settings},
+                    {"peak_speed_rpm", one.peak_speed_rpm},
+                    {"peak_life_h", one.peak_life_h},
+                    {"worth_h", one.difference_h}});
   return list;
 }
 
-std::string ledger_text(const Ledger& ledger) {
+std::string validation_text(const ValidationTable& table) {
   std::string text =
-      fmt::format("{}\n{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", ledger.case_name, "source",
+      fmt::format("{}\n{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", table.case_name, "source",
                   "published", "ours", "deviation", "tolerance", "verdict", "quantity");
-  for (const LedgerRow& row : ledger.rows)
+  for (const ValidationRow& row : table.rows)
     text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}\n", row.source,
                         cell(row.published), cell(row.ours), deviation_cell(row.deviation), row.tolerance,
                         row.verdict, key_with_reading(row));
-  return text + other_readings_text(ledger) + worth_text(ledger);
+  return text + other_readings_text(table) + sensitivities_text(table);
 }
 
 }  // namespace orbearing::app

@@ -1,11 +1,11 @@
-#include "app/study/stage_ledger.hpp"
+#include "app/study/stage_validation.hpp"
 
 #include "gearset/drivetrain/power_flow.hpp"
 #include "gearset/mean_loads.hpp"
 
 namespace orbearing::app {
 
-Ledger stage_ledger() {
+ValidationTable stage_validation() {
   constexpr double torque = 325e3;           // [N m]  of the rotor, on the carrier
   constexpr double centre_distance = 0.308;  // [m]    of the helical gears, as stated
   constexpr int bearings_per_planet = 2;

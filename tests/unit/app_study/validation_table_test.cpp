@@ -1,4 +1,4 @@
-#include "app/study/ledger.hpp"
+#include "app/study/validation_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,51 +12,52 @@
 #include "tests/gear_sets.hpp"
 #include "tests/unit/app_case/small_case.hpp"
 
-namespace orbearing::app::ledger_test {
+namespace orbearing::app::validation_table_test {
 namespace {
 
 using testing::HasSubstr;
 
-LedgerRow row(const std::string& quantity, double published, double ours) {
+ValidationRow row(const std::string& quantity, double published, double ours) {
   return judged({.source = "made up", .quantity = quantity, .published = published, .ours = ours}, false);
 }
 
 // Three quantities, one of them a trend and one recomputed, compared under two more readings.
-Ledger made_up() {
-  Ledger ledger{.case_name = "case", .rows = {row("a", 1.0, 1.0), row("b", 2.0, 2.0), row("c", 3.0, 4.0)}};
-  ledger.rows[1] = judged(ledger.rows[1], true);
-  ledger.rows[2].evidence = Evidence::recomputed;
+ValidationTable made_up() {
+  ValidationTable table{.case_name = "case",
+                        .rows = {row("a", 1.0, 1.0), row("b", 2.0, 2.0), row("c", 3.0, 4.0)}};
+  table.rows[1] = judged(table.rows[1], true);
+  table.rows[2].evidence = Evidence::recomputed;
   for (const char* reading : {"other oil", "other cage"})
-    for (LedgerRow again : ledger.rows) {
+    for (ValidationRow again : table.rows) {
       again.reading = reading;
-      ledger.other_readings.push_back(again);
+      table.other_readings.push_back(again);
     }
-  return ledger;
+  return table;
 }
 
-TEST(LedgerCount, CountsEachPublishedValueOnceWhateverItsReadings) {
-  const LedgerCount count = counted({made_up()});
+TEST(ValidationCount, CountsEachPublishedValueOnceWhateverItsReadings) {
+  const ValidationCount count = counted({made_up()});
   EXPECT_EQ(count.published, 2);
   EXPECT_EQ(count.trends, 1);
   EXPECT_EQ(count.recomputed, 1);
   EXPECT_EQ(count.comparisons_under_other_readings, 6);
 }
 
-TEST(LedgerCount, CountsARowGivenTwiceOnce) {
-  Ledger twice = made_up();
+TEST(ValidationCount, CountsARowGivenTwiceOnce) {
+  ValidationTable twice = made_up();
   twice.rows.push_back(twice.rows.front());
   EXPECT_EQ(counted({twice}).published, 2);
   EXPECT_EQ(counted({twice, made_up()}).published, 2);
 }
 
-TEST(LedgerCount, LeavesOutWhatHasNoPublishedNumber) {
-  Ledger ledger = made_up();
-  ledger.rows[0].published.reset();
-  EXPECT_EQ(counted({ledger}).published, 1);
+TEST(ValidationCount, LeavesOutWhatHasNoPublishedNumber) {
+  ValidationTable table = made_up();
+  table.rows[0].published.reset();
+  EXPECT_EQ(counted({table}).published, 1);
 }
 
-TEST(LedgerText, ListsOtherReadingsApart) {
-  const std::string text = ledger_text(made_up());
+TEST(ValidationText, ListsOtherReadingsApart) {
+  const std::string text = validation_text(made_up());
   const auto apart = text.find("under other readings");
   ASSERT_NE(apart, std::string::npos);
   EXPECT_EQ(text.substr(0, apart).find("other oil"), std::string::npos);
@@ -65,13 +66,13 @@ TEST(LedgerText, ListsOtherReadingsApart) {
 }
 
 // The one source of the reducer prints five things that can be compared; two dozen readings add none.
-TEST(LedgerOfTheReducer, HasAsManyRowsAsItsSourcePrintsValues) {
+TEST(ValidationTableOfTheReducer, HasAsManyRowsAsItsSourcePrintsValues) {
   const ExpectedFile expected = read_expected(expected_beside(shipped_path()));
-  const Ledger ledger = ledger_of(shipped(), expected);
-  EXPECT_EQ(ledger.rows.size(), expected.published.size());
-  EXPECT_EQ(counted({ledger}).published, 5);
-  EXPECT_EQ(ledger.other_readings.size(), 5 * expected.alternatives.size());
-  EXPECT_EQ(rows_json(ledger).size(), ledger.rows.size());
+  const ValidationTable table = validation_table_of(shipped(), expected);
+  EXPECT_EQ(table.rows.size(), expected.published.size());
+  EXPECT_EQ(counted({table}).published, 5);
+  EXPECT_EQ(table.other_readings.size(), 5 * expected.alternatives.size());
+  EXPECT_EQ(rows_json(table).size(), table.rows.size());
 }
 
 TEST(ModeProperty, IsInHertzOrOverThePlanetsOwnFrequency) {
@@ -84,4 +85,4 @@ TEST(ModeProperty, IsInHertzOrOverThePlanetsOwnFrequency) {
 }
 
 }  // namespace
-}  // namespace orbearing::app::ledger_test
+}  // namespace orbearing::app::validation_table_test

@@ -1,0 +1,55 @@
+// The life curve of a case in a few numbers, and what other readings of its assumptions do to them: at rest,
+// and for those that only motion feels at a few speeds in time.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/study/expected_file.hpp"
+#include "app/study/named_change.hpp"
+
+namespace orbearing::app {
+
+/// Life and loads over speed. Arrays are over speeds.
+struct LifeCurve {
+  std::vector<double> speed_rpm;
+  std::vector<double> life_h;
+  std::vector<double> roller_load_rms;  // [N]  on the outer race
+};
+
+/// Points that failed are left out. Throws ComputationFailed where none is left.
+LifeCurve life_curve(const ChangeResult& result);
+
+/// Of the case as it stands by the quasi-static model, over its axis of input.speed; over its one speed where
+/// it has none.
+LifeCurve life_curve(const ResolvedCase& resolved);
+
+/// A named property of a curve, such as "peak_life_h"; NaN for a name that is not known.
+double property(const LifeCurve& curve, const std::string& quantity);
+
+/// What one change does to the peak.
+struct Sensitivity {
+  NamedChange change;
+  LifeCurve curve;
+  double peak_speed_rpm = 0.0;
+  double peak_life_h = 0.0;
+  double difference_h = 0.0;  // [h]  peak life under the change less that of the case as it stands
+};
+
+/// Of all results but the first, which is the case as it stands.
+std::vector<Sensitivity> sensitivities(const std::vector<ChangeResult>& results);
+
+/// The speeds and the fidelity of a plan. Throws BadInput where a speed is not one of the case.
+ChangeStudy study_of(const ResolvedCase& resolved, const MotionPlan& plan, int jobs);
+
+/// Heading of the table of a plan, and the line of one reading: life at each speed, the best of these speeds,
+/// and the difference at the best speed of `reference`, the case as it stands.
+std::string motion_heading(const std::string& case_name, const MotionPlan& plan);
+std::string motion_line(const MotionPlan& plan, const ChangeResult& reference, const ChangeResult& result);
+/// @param results the case as it stands first
+nlohmann::ordered_json motion_json(const std::string& case_name, const MotionPlan& plan,
+                                   const std::vector<ChangeResult>& results);
+
+}  // namespace orbearing::app
