@@ -1,9 +1,7 @@
 #include "app/study/effects.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <span>
 
 #include "app/case/field_table.hpp"
@@ -12,27 +10,40 @@ namespace orbearing::app {
 
 namespace {
 
-constexpr const char* kAllEffects = "all effects";
-
-struct FixedChange {
-  const char* name;
-  const char* group;
-  const char* path;
-  const char* value;
-};
-
 // No cage is lighter than its range allows; this one's mass vanishes in the round-off of any load.
-constexpr FixedChange kAtRest[] = {
-    {"no carrier centrifugal", "inertia", "inertia.carrier_centrifugal", "false"},
-    {"no Coriolis", "inertia", "inertia.coriolis", "false"},
-    {"no own orbit", "inertia", "inertia.own_orbit", "false"},
-    {"cage without mass", "inertia", "bearing.cage.density", "1e-30 kg/m3"},
-    {"clearance 0 um", "clearance", "bearing.radial_clearance", "0 um"},
-    {"clearance 10 um", "clearance", "bearing.radial_clearance", "10 um"},
-    {"clearance 37 um", "clearance", "bearing.radial_clearance", "37 um"},
-    {"film in the approach", "clearance", "film.enabled", "true"},
-};
+const std::vector<NamedChange>& changes_at_rest() {
+  static const std::vector<NamedChange> list{
+      {"all effects", "inertia", {}},
+      {"no carrier centrifugal", "inertia", {"inertia.carrier_centrifugal=false"}},
+      {"no Coriolis", "inertia", {"inertia.coriolis=false"}},
+      {"no own orbit", "inertia", {"inertia.own_orbit=false"}},
+      {"cage without mass", "inertia", {"bearing.cage.density=1e-30 kg/m3"}},
+      {"clearance 0 um", "clearance", {"bearing.radial_clearance=0 um"}},
+      {"clearance 10 um", "clearance", {"bearing.radial_clearance=10 um"}},
+      {"clearance 37 um", "clearance", {"bearing.radial_clearance=37 um"}},
+      {"film in the approach", "clearance", {"film.enabled=true"}},
+  };
+  return list;
+}
 
+// Each beside the waves that the case has.
+const std::vector<NamedChange>& one_wave_more() {
+  static const std::vector<NamedChange> list{
+      {"oval bore, 5 um",
+       "form",
+       {"bearing.outer_race.standing_form.order=[2]", "bearing.outer_race.standing_form.amplitude=[5e-6 m]"}},
+      {"oval pin, 5 um",
+       "form",
+       {"bearing.inner_race.standing_form.order=[2]", "bearing.inner_race.standing_form.amplitude=[5e-6 m]"}},
+      {"11 waves on the bore, 0.5 um",
+       "form",
+       {"bearing.outer_race.turning_form.order=[11]",
+        "bearing.outer_race.turning_form.amplitude=[0.5e-6 m]"}},
+  };
+  return list;
+}
+
+// An effect that the case has is left out, one that it lacks is added.
 struct Effect {
   const char* group;
   const char* path;
@@ -43,12 +54,14 @@ struct Effect {
   const char* needs = "";  // flag without which the case has it not, whatever the path says
 };
 
+constexpr const char* kGears = "gears";
+
 constexpr Effect kChief[] = {
     {"inertia", "inertia.coriolis", "true", "Coriolis", "false", "no Coriolis"},
     {"inertia", "inertia.carrier_centrifugal", "true", "carrier centrifugal", "false",
      "no carrier centrifugal"},
     {"inertia", "inertia.own_orbit", "true", "own orbit", "false", "no own orbit"},
-    {"gears", "gearset.mesh_variation", "true", "", "false", "constant mesh stiffness"},
+    {kGears, "gearset.mesh_variation", "true", "", "false", "constant mesh stiffness"},
     {"oil", "film.enabled", "true", "film in the approach", "false", "no film in the approach"},
     {"oil", "traction.law", "limiting-shear", "limiting-shear traction", "regularised-coulomb",
      "Coulomb traction"},
@@ -71,134 +84,98 @@ constexpr Effect kAsPrinted[] = {
     {"as printed", "bearing.cage.reference_speed", "as-printed", "cage speed as printed", "rolling", ""},
 };
 
-struct Wave {
-  const char* name;
-  const char* block;
-  int order;
-  double amplitude;  // [m]
-};
-
-constexpr Wave kWaves[] = {
-    {"oval bore, 5 um", "bearing.outer_race.standing_form", 2, 5e-6},
-    {"oval pin, 5 um", "bearing.inner_race.standing_form", 2, 5e-6},
-    {"11 waves on the bore, 0.5 um", "bearing.outer_race.turning_form", 11, 0.5e-6},
-};
-
-// Changes of one set's bearing, collected.
-class Changes {
- public:
-  Changes(const ResolvedCase& resolved, const std::string& set, const char* group_of_reference)
-      : resolved_(resolved), of_set_(set.empty() ? resolved : resolved.of_set(set)), set_(set) {
-    list_.push_back({kAllEffects, group_of_reference, {}});
-  }
-
-  const ResolvedCase& of_set() const { return of_set_; }
-
-  void add(const char* name, const char* group, const std::vector<Setting>& settings) {
-    NamedChange change{name, group, {}};
-    for (const auto& [path, value] : settings) change.settings.push_back(placed(path) + "=" + value);
-    if (fits(resolved_, change)) list_.push_back(std::move(change));
-  }
-
-  void add(std::span<const Effect> effects) {
-    for (const Effect& effect : effects) {
-      if (!set_.empty() && std::string(effect.group) == "gears") continue;  // several sets give mean forces
-      const bool needs = *effect.needs != '\0';
-      const bool has = holds(effect.path, effect.on) && (!needs || of_set_.flag(effect.needs));
-      const char* name = has ? effect.left_out : effect.added;
-      if (*name == '\0') continue;
-      std::vector<Setting> settings{{effect.path, has ? effect.off : effect.on}};
-      if (needs) settings.emplace_back(effect.needs, "true");
-      add(name, effect.group, settings);
-    }
-  }
-
-  std::vector<NamedChange> list() && { return std::move(list_); }
-
- private:
-  std::string placed(const std::string& path) const {
-    return set_.empty() || !in_each_set(*find_field(path)) ? path : set_prefix(set_) + path;
-  }
-
-  bool holds(const char* path, const std::string& value) const {
-    return find_field(path)->kind == Kind::flag ? of_set_.flag(path) == (value == "true")
-                                                : of_set_.choice(path) == value;
-  }
-
-  const ResolvedCase& resolved_;
-  ResolvedCase of_set_;
-  const std::string& set_;
-  std::vector<NamedChange> list_;
-};
-
-std::vector<double> list_of(const ResolvedCase& in, const std::string& path) {
-  return in.has(path) ? in.list(path) : std::vector<double>{};
+bool has_value(const ResolvedCase& in, const char* path, const std::string& value) {
+  return find_field(path)->kind == Kind::flag ? in.flag(path) == (value == "true") : in.choice(path) == value;
 }
 
-std::string list_text(const std::vector<double>& values, const char* unit) {
-  std::vector<std::string> texts;
-  for (const double value : values) texts.push_back(fmt::format("{}{}", value, unit));
-  return fmt::format("[{}]", fmt::join(texts, ", "));
+void add_effects(const ResolvedCase& in, std::span<const Effect> effects, std::vector<NamedChange>& list) {
+  for (const Effect& effect : effects) {
+    const std::string needs = effect.needs;
+    const bool has = has_value(in, effect.path, effect.on) && (needs.empty() || in.flag(needs));
+    const std::string name = has ? effect.left_out : effect.added;
+    if (name.empty()) continue;
+    list.push_back({name, effect.group, {std::string(effect.path) + "=" + (has ? effect.off : effect.on)}});
+    if (!needs.empty()) list.back().settings.push_back(needs + "=true");
+  }
 }
 
 // The cage on the land of the other ring, with the clearance it has.
-void add_guidance(Changes& changes) {
-  const ResolvedCase& in = changes.of_set();
-  const std::string land = "bearing.cage.guide_land_diameter";
+void add_guidance(const ResolvedCase& in, std::vector<NamedChange>& list) {
+  const std::string land = "bearing.cage.guide_land_diameter", guidance = "bearing.cage.guidance=";
   if (!in.has(land)) return;
-  const bool outer = in.choice("bearing.cage.guidance") == "outer";
-  const double inner_diameter = in.quantity("bearing.cage.inner_diameter");
-  const double outer_diameter = in.quantity("bearing.cage.outer_diameter");
-  const double clearance = outer ? in.quantity(land) - outer_diameter : inner_diameter - in.quantity(land);
-  const double other = outer ? inner_diameter - clearance : outer_diameter + clearance;  // [m]
-  changes.add(outer ? "cage on the inner ring" : "cage on the outer ring", "cage",
-              {{"bearing.cage.guidance", outer ? "inner" : "outer"}, {land, fmt::format("{} m", other)}});
+  const double inner = in.quantity("bearing.cage.inner_diameter");
+  const double outer = in.quantity("bearing.cage.outer_diameter");
+  const double now = in.quantity(land);
+  if (in.choice("bearing.cage.guidance") == "outer")
+    list.push_back({"cage on the inner ring",
+                    "cage",
+                    {guidance + "inner", fmt::format("{}={} m", land, inner - (now - outer))}});
+  else
+    list.push_back({"cage on the outer ring",
+                    "cage",
+                    {guidance + "outer", fmt::format("{}={} m", land, outer + (inner - now))}});
 }
 
-// One wave more, or a larger first roller, beside those that the case has.
-void add_forms(Changes& changes) {
-  const ResolvedCase& in = changes.of_set();
-  for (const Wave& wave : kWaves) {
-    const std::string block = wave.block, phase = block + ".phase";
-    std::vector<double> orders = list_of(in, block + ".order"),
-                        amplitudes = list_of(in, block + ".amplitude");
-    orders.push_back(wave.order);
-    amplitudes.push_back(wave.amplitude);
-    std::vector<Setting> settings{{block + ".order", list_text(orders, "")},
-                                  {block + ".amplitude", list_text(amplitudes, " m")}};
-    if (in.has(phase)) {
-      std::vector<double> phases = in.list(phase);
-      phases.push_back(0.0);
-      settings.emplace_back(phase, list_text(phases, " rad"));
+void add_forms(const ResolvedCase& in, std::vector<NamedChange>& list) {
+  for (NamedChange change : one_wave_more()) {
+    const std::string& order = change.settings.front();
+    const std::string phase = order.substr(0, order.find("order=")) + "phase";
+    if (in.has(phase)) change.settings.push_back(phase + "=[0 deg]");
+    for (std::string& setting : change.settings) {
+      const std::size_t equals = setting.find('=');
+      if (const std::string path = setting.substr(0, equals); in.has(path)) {
+        std::string own = in.given(path);  // "[1 um, 2 um]"
+        own.pop_back();
+        setting.replace(equals + 1, 1, own + ", ");
+      }
     }
-    changes.add(wave.name, "form", settings);
+    list.push_back(std::move(change));
   }
+}
+
+void add_larger_roller(const ResolvedCase& in, std::vector<NamedChange>& list) {
   const std::string path = "bearing.roller_diameter_deviation";
-  std::vector<double> deviations = list_of(in, path);
+  std::string text = fmt::format("{}=[", path);
+  std::vector<double> deviations = in.has(path) ? in.list(path) : std::vector<double>{};
   if (deviations.empty()) deviations.resize(1);
   deviations.front() += 2e-6;
-  changes.add("one roller 2 um larger", "form", {{path, list_text(deviations, " m")}});
+  for (const double deviation : deviations) text += fmt::format("{} m, ", deviation);
+  text.replace(text.size() - 2, 2, "]");
+  list.push_back({"one roller 2 um larger", "form", {text}});
+}
+
+// Of the set that is looked at, as changes of the whole case.
+std::vector<NamedChange> placed(const ResolvedCase& resolved, const std::string& set,
+                                const std::vector<NamedChange>& list) {
+  std::vector<NamedChange> all;
+  for (NamedChange change : list) {
+    if (!set.empty() && change.group == kGears) continue;  // several sets give mean forces
+    for (std::string& setting : change.settings)
+      if (!set.empty() && in_each_set(*find_field(setting.substr(0, setting.find('=')))))
+        setting.insert(0, set_prefix(set));
+    if (fits(resolved, change)) all.push_back(std::move(change));
+  }
+  return all;
 }
 
 }  // namespace
 
 std::vector<NamedChange> effects_at_rest(const ResolvedCase& resolved, const std::string& set) {
-  Changes changes(resolved, set, "inertia");
-  for (const FixedChange& change : kAtRest)
-    changes.add(change.name, change.group, {{change.path, change.value}});
-  return std::move(changes).list();
+  return placed(resolved, set, changes_at_rest());
 }
 
 std::vector<NamedChange> effects_in_motion(const ResolvedCase& resolved, bool every, const std::string& set) {
-  Changes changes(resolved, set, "reference");
-  changes.add(kChief);
+  const ResolvedCase in = set.empty() ? resolved : resolved.of_set(set);
+  std::vector<NamedChange> list{{"all effects", "reference", {}}};
+  add_effects(in, kChief, list);
   if (every) {
-    changes.add(kOil);
-    add_guidance(changes);
-    add_forms(changes);
-    changes.add(kAsPrinted);
+    add_effects(in, kOil, list);
+    add_guidance(in, list);
+    add_forms(in, list);
+    add_larger_roller(in, list);
+    add_effects(in, kAsPrinted, list);
   }
-  return std::move(changes).list();
+  return placed(resolved, set, list);
 }
 
 }  // namespace orbearing::app

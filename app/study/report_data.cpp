@@ -133,7 +133,7 @@ Json axes_json(const ManifestHeader& header) {
   return list;
 }
 
-const study::NamedSet& named(const std::vector<study::NamedSet>& sets, const std::string& name) {
+const study::NamedSet& set_named(const std::vector<study::NamedSet>& sets, const std::string& name) {
   return *std::find_if(sets.begin(), sets.end(),
                        [&](const study::NamedSet& set) { return set.name == name; });
 }
@@ -145,7 +145,7 @@ ChangeStudy of_one_bearing(const study::NamedSet& shown, const std::vector<doubl
           .fidelity = fidelity,
           .evaluate = [name = shown.name, gears = shown.drivetrain.gear_set](
                           const std::vector<study::NamedSet>& sets, study::Fidelity level) {
-            study::NamedSet one = named(sets, name);
+            study::NamedSet one = set_named(sets, name);
             one.drivetrain.gear_set = gears;
             return study::evaluate(one.drivetrain, one.geometry, level);
           }};
@@ -270,7 +270,7 @@ void add_numbers_of_sweep(const SweepOutcome& outcome, Json& rows) {
 study::NamedSet shown_set(const ResolvedCase& resolved, const LifeCurve& grid) {
   const std::vector<study::NamedSet> sets = bearing_sets(resolved);
   const double speed = property(grid, "peak_speed_rpm") / kRpm;
-  return named(sets, study::evaluate(study::at_speed(sets, speed)).limiting_set);
+  return set_named(sets, study::evaluate(study::at_speed(sets, speed)).limiting_set);
 }
 
 }  // namespace

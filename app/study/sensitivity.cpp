@@ -42,7 +42,7 @@ std::string life_cell(double life) {
 }
 
 // At the best speed of the case as it stands [h]; NaN where either failed.
-double gain(const ChangeResult& reference, const ChangeResult& result) {
+double gain_at_best(const ChangeResult& reference, const ChangeResult& result) {
   const std::size_t at = best_point(reference);
   return life_of(result.points[at]) - life_of(reference.points[at]);
 }
@@ -110,7 +110,7 @@ std::string motion_line(const MotionPlan& plan, const ChangeResult& reference, c
   std::string text = fmt::format("{:<46}", result.change.group);
   for (const study::PointResult& point : result.points)
     text += fmt::format("{:>10}", life_cell(life_of(point)));
-  const double difference = gain(reference, result);
+  const double difference = gain_at_best(reference, result);
   return text + fmt::format("{:>12.0f}{:>12}  {}\n", plan.speed_rpm[best_point(result)],
                             std::isnan(difference) ? "-" : fmt::format("{:+.0f}", difference),
                             result.change.name);
@@ -132,7 +132,7 @@ nlohmann::ordered_json motion_json(const std::string& case_name, const MotionPla
                     {"settings", result.change.settings},
                     {"points", points},
                     {"best_speed_rpm", plan.speed_rpm[best_point(result)]},
-                    {"worth_h", number_or_null(gain(results.front(), result))}});
+                    {"worth_h", number_or_null(gain_at_best(results.front(), result))}});
   }
   return list;
 }
