@@ -40,9 +40,6 @@ ORBEARING_INLINE double absolute(double x) {
 ORBEARING_INLINE double angle_of(double y, double x) {
   return __builtin_atan2(y, x);
 }
-ORBEARING_INLINE double with_sign_of(double size, double sign) {
-  return __builtin_copysign(size, sign);
-}
 ORBEARING_INLINE double larger(double a, double b) {
   return a > b ? a : b;
 }

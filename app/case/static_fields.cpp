@@ -27,26 +27,22 @@ Field optional_quantity(const Dimension& dimension, std::string path, std::strin
           .range = range};
 }
 
+// Felt by the film, and so where there is an oil.
+Field speed_of_ring(std::string path, std::string meaning) {
+  return {.path = std::move(path),
+          .kind = Kind::quantity,
+          .meaning = std::move(meaning),
+          .use = by_static_load().when(where_given({"lubricant.kinematic_viscosity"})),
+          .models = single_bearing,
+          .dimension = dimension::angular_speed,
+          .range = {-1e6, 1e6},
+          .default_text = "0 rpm",
+          .default_reason = "a static load"};
+}
+
 void add_operation(std::vector<Field>& fields) {
-  constexpr Range speeds{-1e6, 1e6};
-  fields.push_back({.path = "operation.shaft_speed",
-                    .kind = Kind::quantity,
-                    .meaning = "speed of the inner ring",
-                    .use = by_static_load().when(where_given({"lubricant.kinematic_viscosity"})),
-                    .models = single_bearing,
-                    .dimension = dimension::angular_speed,
-                    .range = speeds,
-                    .default_text = "0 rpm",
-                    .default_reason = "a static load"});
-  fields.push_back({.path = "operation.outer_speed",
-                    .kind = Kind::quantity,
-                    .meaning = "speed of the outer ring",
-                    .use = by_static_load().when(where_given({"lubricant.kinematic_viscosity"})),
-                    .models = single_bearing,
-                    .dimension = dimension::angular_speed,
-                    .range = speeds,
-                    .default_text = "0 rpm",
-                    .default_reason = "a static load"});
+  fields.push_back(speed_of_ring("operation.shaft_speed", "speed of the inner ring"));
+  fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
   fields.push_back({.path = "operation.turning_race",
                     .kind = Kind::choice,
                     .meaning = "race that turns relative to the load",
