@@ -14,11 +14,13 @@ enum class TractionLaw {
   regularised_coulomb,  // mu Q s / sqrt(s^2 + s_0^2), Eq. (17) of [Gai2025]
   limiting_shear,       // mu Q (1 - exp(-|s| / s_c)) sign(s), film sheared up to its limiting stress
                         // [BairWiner1979]
+  ree_eyring,           // film that thins by shear before its limit [JohnsonTevaarwerk1977]; of balls alone
 };
 
-constexpr described::Names<TractionLaw, 2> names_of(TractionLaw) {
+constexpr described::Names<TractionLaw, 3> names_of(TractionLaw) {
   return {{{TractionLaw::regularised_coulomb, "regularised-coulomb"},
-           {TractionLaw::limiting_shear, "limiting-shear"}}};
+           {TractionLaw::limiting_shear, "limiting-shear"},
+           {TractionLaw::ree_eyring, "ree-eyring"}}};
 }
 
 /// Who carries the load of a race contact.
