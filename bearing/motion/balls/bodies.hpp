@@ -24,7 +24,7 @@ struct Body {
 };
 
 /// From `x`: centre x y z, axis x y; and `v`: their rates.
-inline Body body_at(const double* x, const double* v, double spin) {
+[[gnu::always_inline]] inline Body body_at(const double* x, const double* v, double spin) {
   const double z = __builtin_sqrt(1.0 - x[3] * x[3] - x[4] * x[4]);
   return {{x[0], x[1], x[2]},
           {x[3], x[4], z},
@@ -34,7 +34,7 @@ inline Body body_at(const double* x, const double* v, double spin) {
 }
 
 /// What turns how fast [rad/s].
-inline Triple<double> turning(const Body& body) {
+[[gnu::always_inline]] inline Triple<double> turning(const Body& body) {
   return cross(body.axis, body.axis_rate) + scaled(body.spin, body.axis);
 }
 

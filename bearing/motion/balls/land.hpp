@@ -40,7 +40,7 @@ LandForce<T> land_force(const LandNumbers& land, const LandMotion<T>& motion, do
 struct LandOffset {
   double by[5];
 };
-inline LandOffset land_offset(const Body& cage, const Body& ring, double place) {
+[[gnu::always_inline]] inline LandOffset land_offset(const Body& cage, const Body& ring, double place) {
   return {{cage.centre.x - ring.centre.x + place * (cage.axis.x - ring.axis.x),
            cage.centre.y - ring.centre.y + place * (cage.axis.y - ring.axis.y),
            cage.velocity.x - ring.velocity.x + place * (cage.axis_rate.x - ring.axis_rate.x),

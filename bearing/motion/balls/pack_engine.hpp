@@ -65,10 +65,10 @@ class PackEngine final : public Engine {
     }
   }
 
-  [[gnu::flatten]] void derivative(const double* x, const Surroundings& now, double* dx) override {
+   void derivative(const double* x, const Surroundings& now, double* dx) override {
     with_shear_law(c_.shear.law, [&](auto law) { evaluate<false>(law, x, now, dx); });
   }
-  [[gnu::flatten]] void linearise(const double* x, const Surroundings& now, double* dx) override {
+   void linearise(const double* x, const Surroundings& now, double* dx) override {
     with_shear_law(c_.shear.law, [&](auto law) { evaluate<true>(law, x, now, dx); });
   }
   bool factor(double g) override;
@@ -84,13 +84,15 @@ class PackEngine final : public Engine {
   using LandDual = Dual<5>;
 
   template <bool kSlopes, class Law>
-  void evaluate(const Law& law, const double* x, const Surroundings& now, double* dx);
+  [[gnu::flatten, gnu::noinline]] void evaluate(const Law& law, const double* x, const Surroundings& now, double* dx);
+  // Whatever handles plain numbers is flattened: a copy of its own, left for other files to use, would run the
+  // instructions of this one.
   template <bool kSlopes, class Law>
-  void evaluate_balls(const Law& law, int p, const double* x, const Body& inner, const Body& outer,
+  [[gnu::noinline]] void evaluate_balls(const Law& law, int p, const double* x, const Body& inner, const Body& outer,
                       const Body& cage, double cage_turn, BodySums& on_inner, BodySums& on_outer,
                       BodySums& on_cage, double* dx);
   template <bool kSlopes>
-  void evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on_cage, BodyLoad& on_ring);
+  [[gnu::flatten, gnu::noinline]] void evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on_cage, BodyLoad& on_ring);
   template <int kEnd>
   void build_block(int p, double g);
   void add_bodies(double g);
@@ -156,15 +158,19 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
                   orbital};
   ball.velocity.y = ball.radius * orbital;
   BallPack& at = linear_[p];
-  const SeenBody<Pack> seen_inner = seen(ball, inner), seen_outer = seen(ball, outer);
-  const RaceTouch<Pack> in = race_touch<kSlopes>(law, c_, c_.inner, ball, seen_inner, at.inner);
-  const RaceTouch<Pack> out = race_touch<kSlopes>(law, c_, c_.outer, ball, seen_outer, at.outer);
-  react(ball, seen_inner.from_centre, in.on_ball, here, on_inner);
-  react(ball, seen_outer.from_centre, out.on_ball, here, on_outer);
-  inner_load_[p] = only(here, in.load);
-  outer_load_[p] = only(here, out.load);
-  BallWrench<Pack> sum = in.on_ball;
-  sum += out.on_ball;
+  BallWrench<Pack> sum;
+  // One copy of the code serves both races.
+#pragma GCC unroll 1
+  for (int race = 0; race < 2; ++race) {
+    const bool in = race == 0;
+    const SeenBody<Pack> ring = seen(ball, in ? inner : outer);
+    const RaceTouch<Pack> touch = race_touch<kSlopes>(law, c_, in ? c_.inner : c_.outer, ball, ring,
+                                                      in ? at.inner : at.outer);
+    react(ball, ring.from_centre, touch.on_ball, here, in ? on_inner : on_outer);
+    sum += touch.on_ball;
+    (in ? at.from_inner : at.from_outer) = ring.from_centre;
+    (in ? inner_load_ : outer_load_)[p] = only(here, touch.load);
+  }
 
   const SeenBody<Pack> seen_cage = seen(ball, cage);
   const SineCosine ahead = sine_cosine(pocket_angle_[p] + cage_turn - angle);
@@ -193,8 +199,6 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   put(only(here, per_inertia * sum.moment.z), dx, 8, p);
   if constexpr (kSlopes) {
     at.ball = ball;
-    at.from_inner = seen_inner.from_centre;
-    at.from_outer = seen_outer.from_centre;
     at.from_cage = seen_cage.from_centre;
   }
 }

@@ -171,7 +171,7 @@ bool PackEngine::assemble(double g) {
   return shared_.factor(kEnd, kEnd);
 }
 
-[[gnu::flatten]] inline bool PackEngine::factor(double g) {
+ inline bool PackEngine::factor(double g) {
   return shared_end() > kOuter ? assemble<kShared>(g) : assemble<kOuter>(g);
 }
 
@@ -209,7 +209,7 @@ inline void react_on(const BodyColumns& b, const BallWrench<Pack>& w, const Mask
 }
 
 // k_place = b_place + g k_velocity, so that velocities see g (dw/dplace) b_place on their right-hand side.
-[[gnu::flatten]] inline void PackEngine::solve(const double* rhs, double* k) const {
+ inline void PackEngine::solve(const double* rhs, double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* inner = rhs + layout_.inner();
   const double* outer = rhs + layout_.outer();
