@@ -35,6 +35,7 @@ inline constexpr Dimension power{"power", "W", "kW", "150 kW", 1e3};
 inline constexpr Dimension force{"force", "N", "N", "4450 N"};
 inline constexpr Dimension torque{"torque", "N.m", "N.m", "240 N.m"};
 inline constexpr Dimension mass{"mass", "kg", "kg", "2 kg"};
+inline constexpr Dimension inertia{"moment of inertia", "kg.m2", "kg.m2", "1e-4 kg.m2"};
 inline constexpr Dimension time{"time", "s", "s", "0.5 s"};
 inline constexpr Dimension density{"density", "kg/m3", "kg/m3", "7850 kg/m3"};
 inline constexpr Dimension stress{"stress", "Pa", "GPa", "206 GPa", 1e9};
@@ -67,10 +68,14 @@ enum Model : unsigned {
   planetary_drivetrain = 1,
   roller_bearing = 2,
   gear_pair = 4,
-  ball_bearing = 8
+  ball_bearing = 8,
+  ball_motion = 1u << 12  // a ball bearing whose case has a block `simulation`: in time
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
+inline constexpr unsigned with_balls = ball_bearing | ball_motion;
+/// Bearings in motion over time.
+inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
+inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -94,7 +99,8 @@ enum class Felt {
   life,          // what loads of the rollers are worth in life
   run,           // means over time
   run_up,        // speeds that grow
-  lone,          // a single bearing under a static load
+  lone,          // a single bearing under a load of its own
+  lone_run,      // a ball bearing by itself in time
   exchange       // windows of a co-simulation
 };
 

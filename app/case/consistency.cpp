@@ -60,6 +60,12 @@ class Checker {
   std::vector<Mistake>& mistakes_;
 };
 
+void check_traction(Checker& check) {
+  if (!check.has({"bearing.rollers", "traction.law"}) || check.choice("traction.law") != "ree-eyring") return;
+  check.object("traction.law", "'ree-eyring', a law of balls",
+               "regularised-coulomb or limiting-shear is required for rollers");
+}
+
 void check_members(Checker& check) {
   if (!check.has({"input.member", "gearset.fixed"})) return;
   if (check.choice("input.member") != check.choice("gearset.fixed")) return;
@@ -250,6 +256,7 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
 
 void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   Checker check(resolved, mistakes);
+  check_traction(check);
   check_members(check);
   check_gears(check, resolved);
   check_pair(check, resolved);

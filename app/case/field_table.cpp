@@ -181,10 +181,10 @@ const Field* find_field(std::string_view path) {
   return found == fields.end() ? nullptr : &*found;
 }
 
-std::vector<const Field*> fields_of(Model model) {
+std::vector<const Field*> fields_of(unsigned models) {
   std::vector<const Field*> found;
   for (const Field& field : all_fields())
-    if ((field.models & model) != 0) found.push_back(&field);
+    if ((field.models & models) != 0) found.push_back(&field);
   return found;
 }
 
@@ -198,6 +198,8 @@ std::string_view model_name(Model model) {
       return "gear-pair";
     case ball_bearing:
       return "ball-bearing";
+    case ball_motion:
+      return "ball-bearing with a block 'simulation'";
     case no_model:
       break;
   }

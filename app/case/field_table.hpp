@@ -32,8 +32,8 @@ bool in_each_set(const Field& field);
 /// The field of `shafts.NAME`.
 const Field& shaft_field();
 
-/// Fields that a model knows, in table order.
-std::vector<const Field*> fields_of(Model model);
+/// Fields that any of the models knows, in table order.
+std::vector<const Field*> fields_of(unsigned models);
 
 /// Name of a model of this version, and back (`no_model` for another name).
 std::string_view model_name(Model model);

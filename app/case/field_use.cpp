@@ -22,19 +22,19 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load | use::ball_run;
     case carrier:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::ball_run;
     case walls:
       return use::gears_in_motion | use::natural | use::rollers_in_motion;
     case pin:
-      return use::rollers_in_motion | use::bearings_as_springs;
+      return use::rollers_in_motion | use::bearings_as_springs | use::ball_run;
     case load_sharing:
       return use::gears_in_motion | use::quasi_static;
     case at_rest:
       return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
     case motion:
-      return use::rollers_in_motion;
+      return use::rollers_in_motion | use::ball_run;
     case euler:
       return use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing;
     case life:
@@ -44,7 +44,9 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
-      return use::static_load;
+      return use::static_load | use::ball_run;
+    case lone_run:
+      return use::ball_run;
     case exchange:
       return use::co_simulated;
   }
@@ -83,6 +85,7 @@ constexpr Exception exceptions[] = {
     {"bearing.cage.pocket_roughness", use::monolithic},
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
+    {"load.tilt", use::ball_run},
     {"simulation.integrator", other_rungs | use::fmu_bearing}};
 
 // What gives way under the planets, with its ends: felt at rest too where pins stand off their places, since
@@ -166,7 +169,7 @@ const std::vector<use::Analysis>& analyses() {
   static const std::vector<use::Analysis> every{
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,  use::fmu_gearset, use::static_load};
+      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run};
   return every;
 }
 
@@ -198,6 +201,8 @@ std::string analysis_name(use::Analysis analysis) {
       return "fmu --model gearset";
     case use::static_load:
       return "run of a single bearing";
+    case use::ball_run:
+      return "run of a ball bearing in time";
   }
   return "";
 }

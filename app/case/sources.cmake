@@ -25,6 +25,7 @@ set(ORBEARING_CASE_SOURCES
   case/resolved_writer.cpp
   case/schema.cpp
   case/settings.cpp
+  case/ball_case.cpp
   case/static_case.cpp
   case/static_consistency.cpp
   case/static_fields.cpp

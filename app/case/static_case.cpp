@@ -22,7 +22,7 @@ std::optional<double> stated(const ResolvedCase& in, const char* path) {
 
 bearing::Bearing bearing_of(const ResolvedCase& in) {
   bearing::Bearing bearing;
-  if (in.model() == ball_bearing) bearing.elements = bearing::Balls{};
+  if ((in.model() & with_balls) != 0) bearing.elements = bearing::Balls{};
   bearing = from_case(in, bearing);
   std::visit([&](auto& elements) { complete(in, elements); }, bearing.elements);
   bearing.motions = bearing::rating::turning(

@@ -36,7 +36,7 @@ struct RingLoad {
 template <class Visitor>
 void describe(Visitor& visit, RingLoad& m) {
   using namespace described;
-  constexpr unsigned single_bearing = roller_bearing | ball_bearing;
+  constexpr unsigned single_bearing = roller_bearing | with_balls;
   members(
       visit, m,
       field(m.radial, "load.radial", Felt::lone, "radial load on the bearing",
@@ -45,7 +45,7 @@ void describe(Visitor& visit, RingLoad& m) {
              .dimension = dimension::force,
              .range = {0.0, 1e9}}),
       field(m.axial, "load.axial", Felt::lone, "axial load on the bearing",
-            {.models = ball_bearing,
+            {.models = with_balls,
              .dimension = dimension::force,
              .range = {0.0, 1e9},
              .reason = "a radial load alone"}),

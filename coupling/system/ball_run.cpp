@@ -13,6 +13,7 @@
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/run.hpp"
 #include "coupling/integration/window.hpp"
+#include "coupling/system/bearing_steps.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::system {
@@ -238,23 +239,22 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
                         const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
                         const std::function<void(double)>& progress) {
   mechanics::require(options.duration > 0.0, "duration of the run [s]", options.duration, "more than 0");
-  mechanics::require(options.observed > 0.0 && options.observed <= options.duration, "observed time [s]",
-                     options.observed, "more than 0 and at most the duration of the run");
-  mechanics::require(options.samples >= 2, "samples", static_cast<double>(options.samples), "at least 2");
+  mechanics::require(options.observed > 0.0 && options.observed <= 1.0, "observed share of the run [-]",
+                     options.observed, "more than 0 and at most 1");
+  mechanics::require(options.samples >= 2, "samples", options.samples, "at least 2");
   const BallNumbers numbers = bearing::balls::ball_numbers(bearing, parameters);
   const bearing::BearingGeometry geometry = geometry_of(bearing);
   BallBearing model(numbers, duty);
-  std::vector<double> x = start_state(bearing, model, options.first_ball, options.start_share);
+  std::vector<double> x = start_state(bearing, model, options.first_ball, options.start == Start::rest ? 0.0 : 1.0);
   // Observed from a sample on.
   const long first_observed =
-      std::min(options.samples - 1,
-               std::lround(static_cast<double>(options.samples) * (1.0 - options.observed / options.duration)));
+      std::min<long>(options.samples - 1, std::lround(options.samples * (1.0 - options.observed)));
   const auto sample_time = [&](long i) {
-    return options.duration * static_cast<double>(i) / static_cast<double>(options.samples);
+    return options.duration * static_cast<double>(i) / options.samples;
   };
   const double observe_from = sample_time(first_observed);
   BallSystem system(model, geometry, observe_from, options.places);
-  integration::Rosenbrock2 stepper(ball_allowed_errors(numbers, options.length_error),
+  integration::Rosenbrock2 stepper(ball_allowed_errors(numbers, kLinearlyImplicitErrorFactor * options.length_error),
                                    kStepOfImpact / ball_frequency(numbers));
   BallRunResult result;
   result.report.smallest_step = std::numeric_limits<double>::infinity();

@@ -9,20 +9,49 @@
 #include "bearing/life/standard_life.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
+#include "coupling/system/steady_state.hpp"
 
 namespace orbearing::system {
 
+/// How balls and cage move at the start.
+enum class Start { rolling, rest };
+
+constexpr described::Names<Start, 2> names_of(Start) {
+  return {{{Start::rolling, "rolling"}, {Start::rest, "rest"}}};
+}
+
 /// What belongs to the method and to the start.
 struct BallRunOptions {
-  double duration = 1.0;       // [s]  of the whole run
-  double observed = 0.2;       // [s]  at its end, over which means are taken
-  double first_ball = 0.0;     // [rad]  angle of the first ball at the start
-  double start_share = 1.0;    // [-]  of the speeds of pure rolling that balls and cage have at the start
-  long samples = 4000;         // [-]  of the whole run
-  long places = 72;            // [-]  bins on the races
-  double length_error = 2e-7;  // [m]  allowed in one step; all other variables follow from it
-  double most_seconds = 3600.0;  // [s]  of wall time
+  double duration = 1.0;           // [s]  of the whole run
+  double observed = 0.2;           // [-]  share of it at its end, over which means are taken
+  Start start = Start::rolling;
+  int samples = 4000;              // [-]  of the whole run
+  double length_error = 2e-10;     // [m]  as SteadyStateOptions::allowed_length_error
+  double first_ball = 0.0;         // [rad]  angle of the first ball at the start
+  int places = 72;                 // [-]  bins on the races
+  double most_seconds = 3600.0;    // [s]  of wall time
 };
+
+template <class Visitor>
+void describe(Visitor& visit, BallRunOptions& m) {
+  using namespace described;
+  rows(visit,
+       field(m.duration, "simulation.duration", Felt::lone_run, "time that is simulated",
+             {.models = ball_motion,
+              .required_by = ball_motion,
+              .dimension = dimension::time,
+              .range = positive(1e5)}),
+       field(m.observed, "simulation.observed_share", Felt::lone_run,
+             "share of the time, at its end, over which means are taken",
+             {.models = ball_motion,
+              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
+              .reason = "what lies before it is for settling"}),
+       field(m.start, "simulation.start", Felt::lone_run, "how balls and cage move at the start",
+             {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
+       field(m.samples, "simulation.samples", Felt::lone_run, "states that are shown, evenly over the time",
+             {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
+       length_error_row(m.length_error));
+}
 
 /// The run over time; entries are samples.
 struct BallSeries {

@@ -181,7 +181,7 @@ TEST(BallMotion, SlowTurningIsTheStaticBearing) {
   const BallDuty duty{RingDrive::steady(30.0), RingDrive::steady(0.0), {{1500.0, 0.0, 0.0, 0.0, 0.0}}, {}};
   system::BallRunOptions options;
   options.duration = 0.25;
-  options.observed = 0.2;
+  options.observed = 0.8;
   options.samples = 200;
   const rating::Ratings ratings = rating::ratings_of(b, {});
   const system::BallRunResult run = system::run_balls(b, p, duty, ratings.contacts, options);

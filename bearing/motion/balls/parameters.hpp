@@ -19,16 +19,16 @@ void describe(Visitor& visit, EllipseParameters& m) {
   members(visit, m,
           field(m.eyring_stress, "traction.eyring_stress", Felt::motion,
                 "shear stress at which the oil begins to thin",
-                {.models = ball_bearing,
+                {.models = ball_motion,
                  .dimension = dimension::stress,
                  .range = positive(1.0),
                  .reason = "mineral oil",
                  .where = {"traction.law", "ree-eyring"}}),
           field(m.slices, "traction.slices", Felt::motion,
                 "slices of an ellipse of contact across the direction of rolling",
-                {.models = ball_bearing, .range = {1, 32}, .reason = "friction within a per cent"}),
+                {.models = ball_motion, .range = {1, 32}, .reason = "friction within a per cent"}),
           field(m.rows, "traction.rows", Felt::motion, "points of each slice along the direction of rolling",
-                {.models = ball_bearing, .range = {1, 8}, .reason = "ellipses are slender"}));
+                {.models = ball_motion, .range = {1, 8}, .reason = "ellipses are slender"}));
 }
 
 /// Pockets of a ball bearing's cage.
@@ -42,7 +42,7 @@ void describe(Visitor& visit, PocketParameters& m) {
   members(visit, m,
           field(m.straight, "bearing.cage.pocket_straight", Felt::motion,
                 "length of the straight part of an oblong pocket along the pitch circle",
-                {.models = ball_bearing,
+                {.models = ball_motion,
                  .dimension = dimension::length,
                  .range = {0.0, 100.0},
                  .reason = "round pockets"}));
@@ -66,5 +66,26 @@ struct MotionParameters {
   RingBodyParameters inner;
   RingBodyParameters outer{.held = true};
 };
+
+template <class Visitor>
+void describe(Visitor& visit, MotionParameters& m) {
+  using namespace described;
+  const std::string_view ring_alone = "the ring alone: a light shaft";
+  members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.lubricant), part(m.ellipse),
+          part(m.pocket),
+          together(field(m.inner.mass, "rotor.mass", Felt::motion,
+                         "mass that moves with the inner ring, its own in it; 0: the ring's own",
+                         {.models = ball_motion,
+                          .dimension = dimension::mass,
+                          .range = {0.0, 1e6},
+                          .reason = ring_alone}),
+                   field(m.inner.across, "rotor.inertia", Felt::motion,
+                         "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
+                         {.models = ball_motion,
+                          .dimension = dimension::inertia,
+                          .range = {0.0, 1e6},
+                          .reason = ring_alone})),
+          apart(m.outer));
+}
 
 }  // namespace orbearing::bearing::balls
