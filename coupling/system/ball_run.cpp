@@ -26,17 +26,13 @@ using bearing::balls::BallPowerLoss;
 using bearing::balls::BallSnapshot;
 using bearing::balls::StateLayout;
 
-constexpr double kTypicalApproach = 1e-6;  // [m]
-constexpr double kStepOfImpact = 1.05;     // [rad]  of a ball between its races in the longest step
-constexpr double kRadialSpeedShare = 0.2;  // of the allowed error: radial speeds open and close the contacts
-
 // Of a ball between its races [rad/s].
 double ball_frequency(const BallNumbers& c) {
   const double slope = 1.5 * (c.inner.stiffness + c.outer.stiffness) * std::sqrt(kTypicalApproach);
   return std::sqrt(slope / c.mass);
 }
 
-void add(BallPowerLoss& sum, const BallPowerLoss& other, double weight) {
+void add_loss(BallPowerLoss& sum, const BallPowerLoss& other, double weight) {
   sum.sliding += weight * other.sliding;
   sum.differential += weight * other.differential;
   sum.spin += weight * other.spin;
@@ -47,7 +43,7 @@ void add(BallPowerLoss& sum, const BallPowerLoss& other, double weight) {
 }
 
 // What is summed step by step while observed.
-struct StepSums {
+struct ObservedSteps {
   double weight = 0.0;  // [s]
   double inner_square = 0.0, outer_square = 0.0;
   double inner_max = 0.0, outer_max = 0.0;
@@ -55,7 +51,7 @@ struct StepSums {
 };
 
 // What is summed sample by sample while observed.
-struct SampleSums {
+struct ObservedSamples {
   long samples = 0;
   double inner_torque = 0.0, outer_torque = 0.0;
   double inner_load = 0.0, outer_load = 0.0;          // [N]
@@ -112,7 +108,7 @@ class BallSystem {
   }
   void settle(double, std::vector<double>&) const {}
 
-  const StepSums& sums() const { return sums_; }
+  const ObservedSteps& sums() const { return sums_; }
   /// Largest load of a pocket since the last call [N].
   double take_pocket_load() { return std::exchange(pocket_, 0.0); }
 
@@ -120,16 +116,16 @@ class BallSystem {
   BallBearing& bearing_;
   const bearing::BearingGeometry& geometry_;
   double observe_from_;
-  StepSums sums_;
+  ObservedSteps sums_;
   std::vector<double> inner_, outer_, angle_, orbital_;
   double pocket_ = 0.0;
 };
 
-void sum_sample(const BallSnapshot& s, SampleSums& sums) {
+void sum_sample(const BallSnapshot& s, ObservedSamples& sums) {
   ++sums.samples;
   sums.inner_torque += s.inner_torque;
   sums.outer_torque += s.outer_torque;
-  add(sums.loss, s.loss, 1.0);
+  add_loss(sums.loss, s.loss, 1.0);
   for (std::size_t j = 0; j < s.inner.size(); ++j) {
     sums.inner_load += s.inner[j].load;
     sums.outer_load += s.outer[j].load;
@@ -140,29 +136,29 @@ void sum_sample(const BallSnapshot& s, SampleSums& sums) {
   }
 }
 
-double over(double sum, double count) {
+double mean_of(double sum, double count) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
-BallMeans means_of(const StepSums& steps, const SampleSums& samples, int balls) {
+BallMeans means_of_balls(const ObservedSteps& steps, const ObservedSamples& samples, int balls) {
   BallMeans m;
   const double contacts = steps.weight * balls, n = static_cast<double>(samples.samples);
-  m.inner_load_rms = std::sqrt(over(steps.inner_square, contacts));
-  m.outer_load_rms = std::sqrt(over(steps.outer_square, contacts));
+  m.inner_load_rms = std::sqrt(mean_of(steps.inner_square, contacts));
+  m.outer_load_rms = std::sqrt(mean_of(steps.outer_square, contacts));
   m.inner_load_max = steps.inner_max;
   m.outer_load_max = steps.outer_max;
-  m.inner_torque = over(samples.inner_torque, n);
-  m.outer_torque = over(samples.outer_torque, n);
-  m.inner_angle = over(samples.inner_angle, samples.inner_load);
-  m.outer_angle = over(samples.outer_angle, samples.outer_load);
-  m.inner_film = over(samples.inner_film, static_cast<double>(samples.inner_loaded));
-  m.outer_film = over(samples.outer_film, static_cast<double>(samples.outer_loaded));
-  add(m.loss, samples.loss, over(1.0, n));
+  m.inner_torque = mean_of(samples.inner_torque, n);
+  m.outer_torque = mean_of(samples.outer_torque, n);
+  m.inner_angle = mean_of(samples.inner_angle, samples.inner_load);
+  m.outer_angle = mean_of(samples.outer_angle, samples.outer_load);
+  m.inner_film = mean_of(samples.inner_film, static_cast<double>(samples.inner_loaded));
+  m.outer_film = mean_of(samples.outer_film, static_cast<double>(samples.outer_loaded));
+  add_loss(m.loss, samples.loss, mean_of(1.0, n));
   return m;
 }
 
 // Balls between the races and in their pockets; else what has come out.
-std::string out_of_place(const BallNumbers& c, const StateLayout& layout, const double* x) {
+std::string balls_out_of_place(const BallNumbers& c, const StateLayout& layout, const double* x) {
   for (int j = 0; j < c.balls; ++j)
     if (!(std::abs(x[j] - c.pitch_radius) < c.radius) || !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
       return "a ball came out: it stands more than its radius off its circle";
@@ -172,14 +168,14 @@ std::string out_of_place(const BallNumbers& c, const StateLayout& layout, const 
   return {};
 }
 
-double kinematic(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty, double time) {
+double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty, double time) {
   return kinematic_cage_speed(geometry, duty.inner.speed_at(time), duty.outer.speed_at(time));
 }
 
 void sample_series(const BallBearing& model, const bearing::BearingGeometry& geometry, double time,
                    const double* x, const BallSnapshot& s, double pocket_load, BallSeries& series) {
   const StateLayout& layout = model.layout();
-  const double rolling = kinematic(geometry, model.duty(), time);
+  const double rolling = rolling_cage_speed(geometry, model.duty(), time);
   const double* inner = x + layout.inner();
   series.time.push_back(time);
   series.cage_speed.push_back(s.cage_speed);
@@ -261,7 +257,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   integration::IntegrationOptions limits;
   limits.most_seconds = options.most_seconds;
   integration::Run budget(limits, result.report);
-  SampleSums samples;
+  ObservedSamples samples;
   const int cage_turn = model.layout().cage() + 5;
   double time = 0.0, step = 1e-7, observed_since = 0.0, angle_then = 0.0, rolled = 0.0;
   bool observing = false;
@@ -289,9 +285,9 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
         result.report.rejected += attempts - 1;
         if (!budget.accept(time, time - before)) throw std::runtime_error(result.report.message);
         if (before >= observe_from)
-          rolled += (time - before) * kinematic(geometry, duty, 0.5 * (before + time));
+          rolled += (time - before) * rolling_cage_speed(geometry, duty, 0.5 * (before + time));
       }
-      const std::string reason = out_of_place(numbers, model.layout(), x.data());
+      const std::string reason = balls_out_of_place(numbers, model.layout(), x.data());
       if (!reason.empty()) throw std::runtime_error(reason);
       sample();
       if (progress) progress(time);
@@ -303,7 +299,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   result.report.completed = result.completed;
   result.report.reached = time;
   result.report.wall_seconds = budget.seconds();
-  result.means = means_of(system.sums(), samples, numbers.balls);
+  result.means = means_of_balls(system.sums(), samples, numbers.balls);
   const double span = time - observed_since;
   if (observing && span > 0.0) {
     const double turned = x[static_cast<std::size_t>(cage_turn)] - angle_then;

@@ -51,23 +51,40 @@ Ball<double> ball_of(const StateLayout& layout, const double* x, int j) {
           orbital};
 }
 
-// Everything that happens to ball `j`: visit(ball, seen inner, touch, seen outer, touch, seen cage, touch).
-template <class Visit>
-void visit_balls(const BallNumbers& c, const StateLayout& layout, const Bodies& bodies, const double* x,
-                 const Visit& visit) {
-  with_shear_law(c.shear.law, [&](auto law) {
-    ContactSlopes<double> unused;
-    for (int j = 0; j < c.balls; ++j) {
-      const Ball<double> ball = ball_of(layout, x, j);
-      const SeenBody<double> inner = seen(ball, bodies.inner), outer = seen(ball, bodies.outer),
-                             cage = seen(ball, bodies.cage);
-      const double ahead = two_pi * j / c.balls + bodies.cage_turn - x[layout.lanes() + j];
-      visit(j, ball, inner, race_touch<false>(law, c, c.inner, ball, inner, unused), outer,
-            race_touch<false>(law, c, c.outer, ball, outer, unused),
-            pocket_touch<false>(c, ball, cage, pocket_direction(cage.axis, std::cos(ahead), std::sin(ahead)),
-                                unused));
+// Everything that happens to one ball.
+struct BallTouches {
+  Ball<double> ball;
+  SeenBody<double> ring[2];   // inner, outer
+  RaceTouch<double> race[2];
+  PocketTouch<double> pocket;
+};
+
+template <class Law>
+[[gnu::noinline]] RaceTouch<double> touch_of(const Law& law, const BallNumbers& c, const GrooveNumbers& groove,
+                                             const Ball<double>& ball, const SeenBody<double>& ring) {
+  ContactSlopes<double> unused;
+  return race_touch<false>(law, c, groove, ball, ring, unused);
+}
+
+std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& layout, const Bodies& bodies,
+                                    const double* x) {
+  std::vector<BallTouches> all;
+  for (int j = 0; j < c.balls; ++j) {
+    BallTouches& now = all.emplace_back();
+    now.ball = ball_of(layout, x, j);
+    for (const int race : {0, 1}) {
+      now.ring[race] = seen(now.ball, race == 0 ? bodies.inner : bodies.outer);
+      now.race[race] = with_shear_law(c.shear.law, [&](auto law) {
+        return touch_of(law, c, race == 0 ? c.inner : c.outer, now.ball, now.ring[race]);
+      });
     }
-  });
+    const SeenBody<double> cage = seen(now.ball, bodies.cage);
+    const double ahead = two_pi * j / c.balls + bodies.cage_turn - x[layout.lanes() + j];
+    ContactSlopes<double> unused;
+    now.pocket = pocket_touch<false>(c, now.ball, cage,
+                                     pocket_direction(cage.axis, std::cos(ahead), std::sin(ahead)), unused);
+  }
+  return all;
 }
 
 ContactSnapshot shown(const RaceTouch<double>& touch) {
@@ -139,27 +156,24 @@ BallSnapshot BallBearing::snapshot(double time, const double* x) const {
   BallSnapshot s;
   s.cage_speed = bodies.cage.spin;
   s.cage_place = {bodies.cage.centre.x, bodies.cage.centre.y, bodies.cage.centre.z};
-  visit_balls(numbers_, layout_, bodies, x,
-              [&](int, const Ball<double>& ball, const SeenBody<double>& inner, const RaceTouch<double>& in,
-                  const SeenBody<double>& outer, const RaceTouch<double>& out,
-                  const PocketTouch<double>& pocket) {
-                s.inner.push_back(shown(in));
-                s.outer.push_back(shown(out));
-                s.pocket_load.push_back(pocket.load);
-                s.inner_torque -= axial_moment(inner, in.on_ball);
-                s.outer_torque -= axial_moment(outer, out.on_ball);
-                for (const RaceTouch<double>* touch : {&in, &out}) {
-                  s.loss.sliding += touch->sliding_power;
-                  s.loss.differential += touch->differential_power;
-                  s.loss.spin += touch->spin_power;
-                  s.loss.rolling += touch->rolling_power;
-                  s.loss.damping += touch->damping_power;
-                }
-                s.loss.cage += pocket.damping_power + pocket.friction_power;
-                const double speed = ball.velocity.y, turning = std::sqrt(dot(ball.spin, ball.spin) + 1e-12);
-                s.loss.churning += numbers_.drag.translation * speed * speed * std::abs(speed) +
-                                   numbers_.drag.churning * turning * dot(ball.spin, ball.spin);
-              });
+  for (const BallTouches& ball : touches_of(numbers_, layout_, bodies, x)) {
+    s.inner.push_back(shown(ball.race[0]));
+    s.outer.push_back(shown(ball.race[1]));
+    s.pocket_load.push_back(ball.pocket.load);
+    s.inner_torque -= axial_moment(ball.ring[0], ball.race[0].on_ball);
+    s.outer_torque -= axial_moment(ball.ring[1], ball.race[1].on_ball);
+    for (const RaceTouch<double>& touch : ball.race) {
+      s.loss.sliding += touch.sliding_power;
+      s.loss.differential += touch.differential_power;
+      s.loss.spin += touch.spin_power;
+      s.loss.rolling += touch.rolling_power;
+      s.loss.damping += touch.damping_power;
+    }
+    s.loss.cage += ball.pocket.damping_power + ball.pocket.friction_power;
+    const double speed = ball.ball.velocity.y, square = dot(ball.ball.spin, ball.ball.spin);
+    s.loss.churning += numbers_.drag.translation * speed * speed * std::abs(speed) +
+                       numbers_.drag.churning * std::sqrt(square + 1e-12) * square;
+  }
   const double cage = bodies.cage.spin;
   s.loss.churning += numbers_.drag.cage_churning * cage * cage * std::abs(cage);
   visit_lands(numbers_, bodies, [&](const LandOffset&, const LandForce<double>& land) {
@@ -173,14 +187,12 @@ BallEnergy BallBearing::energy(const double* x) const {
   const Bodies bodies = bodies_of(layout_, surroundings(0.0), x);
   const BallNumbers& c = numbers_;
   BallEnergy energy;
-  visit_balls(c, layout_, bodies, x,
-              [&](int, const Ball<double>& ball, const SeenBody<double>&, const RaceTouch<double>& in,
-                  const SeenBody<double>&, const RaceTouch<double>& out, const PocketTouch<double>& pocket) {
-                energy.races += race_energy(c.inner, in.approach) + race_energy(c.outer, out.approach);
-                energy.pockets += pocket_energy(c.pocket, pocket.approach);
-                energy.kinetic += 0.5 * c.mass * dot(ball.velocity, ball.velocity) +
-                                  0.5 * c.inertia * dot(ball.spin, ball.spin);
-              });
+  for (const BallTouches& now : touches_of(c, layout_, bodies, x)) {
+    energy.races += race_energy(c.inner, now.race[0].approach) + race_energy(c.outer, now.race[1].approach);
+    energy.pockets += pocket_energy(c.pocket, now.pocket.approach);
+    energy.kinetic += 0.5 * c.mass * dot(now.ball.velocity, now.ball.velocity) +
+                      0.5 * c.inertia * dot(now.ball.spin, now.ball.spin);
+  }
   const auto add = [&](const BodyNumbers& numbers, const Body& body) {
     if (numbers.mass > 0.0)
       energy.kinetic += 0.5 * numbers.mass * dot(body.velocity, body.velocity) +
