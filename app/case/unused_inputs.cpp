@@ -190,6 +190,7 @@ std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {
 std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
   unsigned allowed = use::static_load;
   const CaseShape& shape = resolved.shape();
+  if (resolved.model() == ball_motion) allowed = use::ball_run;
   if (resolved.model() == gear_pair) allowed = use::mesh;
   if (resolved.model() == planetary_drivetrain) {
     if (shape.several)

@@ -83,7 +83,7 @@ class BallSystem {
     const auto count = static_cast<std::size_t>(layout.balls);
     inner_.assign(loads.inner, loads.inner + count);
     outer_.assign(loads.outer, loads.outer + count);
-    for (std::size_t j = 0; j < count; ++j) pocket_ = std::max(pocket_, std::abs(loads.pocket[j]));
+    for (std::size_t j = 0; j < count; ++j) pocket_ = std::max(pocket_, loads.pocket[j]);
     const double* angle = x.data() + layout.lanes();
     angle_.assign(angle, angle + count);
     orbital_.assign(x.data() + 4 * layout.lanes(), x.data() + 4 * layout.lanes() + count);
@@ -221,12 +221,14 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
 }
 
 std::optional<double> settling_time(const std::vector<double>& time, const std::vector<double>& slip,
-                                    double final_slip) {
+                                    double final_slip, double observed_from) {
   constexpr double kShare = 0.05, kPoints = 0.005;
-  const double band = std::max(kShare * std::abs(final_slip), kPoints);
+  double band = std::max(kShare * std::abs(final_slip), kPoints);
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (time[i] >= observed_from) band = std::max(band, std::abs(slip[i] - final_slip));
   std::size_t settled = time.size();
   while (settled > 0 && std::abs(slip[settled - 1] - final_slip) <= band) --settled;
-  if (settled == time.size()) return std::nullopt;
+  if (settled == time.size() || time[settled] >= observed_from) return std::nullopt;
   return time[settled];
 }
 
@@ -310,7 +312,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0), outer = damage.outer.damage().pow(1.0 / 3.0);
   result.means.life = bearing::rating::ball_reference_life(capacities, inner, outer, bearing.motions);
   if (result.completed)
-    result.slip_settling = settling_time(result.series.time, result.series.cage_slip, result.means.cage_slip);
+    result.slip_settling = settling_time(result.series.time, result.series.cage_slip, result.means.cage_slip, observe_from);
   result.final_state = std::move(x);
   return result;
 }

@@ -200,5 +200,24 @@ TEST(BallMotion, SlowTurningIsTheStaticBearing) {
   EXPECT_LT(std::abs(run.means.cage_slip), 0.02);
 }
 
+// At the start balls roll, where all of them meet the races at one angle.
+TEST(BallMotion, StartsRolling) {
+  RandomBalls random(3);
+  for (int draw = 0; draw < 60; ++draw) {
+    SCOPED_TRACE(draw);
+    DrawnBalls drawn = random.next();
+    drawn.duty.on_inner.by[drawn.bearing.contact_angle() > 0.0 ? 0 : 2] = 0.0;
+    const BallNumbers numbers = ball_numbers(drawn.bearing, drawn.parameters);
+    const BallBearing model(numbers, drawn.duty);
+    const std::vector<double> x = start_state(drawn.bearing, model, 0.1);
+    const BallSnapshot start = model.snapshot(0.0, x.data());
+    for (const auto* race : {&start.inner, &start.outer})
+      for (const ContactSnapshot& contact : *race) {
+        if (!(contact.load > 1.0)) continue;
+        EXPECT_LT(std::abs(contact.sliding), 0.02 * contact.entrainment);
+      }
+  }
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::balls::balls_motion_test

@@ -230,11 +230,15 @@ double BallBearing::power_input(double time, const double* x) const {
 std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first, double share) {
   const BallNumbers& c = model.numbers();
   const StateLayout layout = model.layout();
-  const BearingGeometry geometry = geometry_of(bearing);
   const RingLoad& load = model.duty().on_inner;
   equilibrium::RingLoad static_load;
   static_load.radial = std::hypot(load.by[0], load.by[1]);
   static_load.axial = load.by[2];
+  // Moments lean the axis the other way than a tilt counts, in the planes along and across the radial load.
+  const double along = static_load.radial > 0.0 ? load.by[0] / static_load.radial : 1.0;
+  const double across = static_load.radial > 0.0 ? load.by[1] / static_load.radial : 0.0;
+  static_load.moment = -(load.by[3] * along + load.by[4] * across);
+  static_load.moment_across = -(load.by[4] * along - load.by[3] * across);
   const double direction = static_load.radial > 0.0 ? std::atan2(load.by[1], load.by[0]) : 0.0;
   Bearing turned = bearing;
   turned.first_element = first - direction;
@@ -250,8 +254,14 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
   inner[3] = tilts[0];
   inner[4] = tilts[1];
   const double inner_speed = model.duty().inner.speed, outer_speed = model.duty().outer.speed;
-  const double cage = share * kinematic_cage_speed(geometry, inner_speed, outer_speed);
-  const double spin = share * kinematic_roller_spin(geometry, inner_speed, outer_speed);
+  // Balls and cage go round together, as the mean of the loaded contact angles has it.
+  const double carried = std::max(1e-300, state.contact_load.sum());
+  BearingGeometry leaning = geometry_of(bearing);
+  leaning.slenderness = 2.0 * c.radius / bearing.pitch_diameter *
+                        (state.contact_load.sum() > 0.0
+                             ? (state.contact_load * state.contact_angle.cos()).sum() / carried
+                             : std::cos(bearing.balls().contact_angle));
+  const double cage = share * kinematic_cage_speed(leaning, inner_speed, outer_speed);
   const Surroundings now = model.surroundings(0.0);
   const Bodies bodies = bodies_of(layout, now, x.data());
   const int lanes = layout.lanes();
@@ -263,7 +273,7 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
     // ball midway.
     const Ball<double> axes{0.0, 0.0, std::cos(angle), std::sin(angle), {}, {}, 0.0};
     const Triple<double> centre = in_axes_of(axes, bodies.inner.centre), axis = in_axes_of(axes, bodies.inner.axis);
-    const double inner_r = c.inner.centre_radius + centre.x, inner_z = centre.z + c.inner.centre_axial -
+    const double inner_r = c.inner.centre_radius + centre.x + c.inner.centre_axial * axis.x, inner_z = centre.z + c.inner.centre_axial -
                                                                    c.inner.centre_radius * axis.x;
     const double outer_r = c.outer.centre_radius, outer_z = c.outer.centre_axial;
     const double length = std::hypot(inner_r - outer_r, inner_z - outer_z);
@@ -276,9 +286,11 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
     entry(1) = angle;
     entry(2) = outer_z + part * (inner_z - outer_z);
     entry(4) = cage;
-    const double contact = bearing.balls().contact_angle;
-    entry(6) = spin * std::sin(contact);
-    entry(8) = spin * std::cos(contact);
+    // Rolling on the outer race: relative to the cage about the line across the contact's normal.
+    const double angle_here = load_here > 0.0 ? state.contact_angle[j] : bearing.balls().contact_angle;
+    const double turning = (share * outer_speed - cage) * (entry(0) / c.radius + std::cos(angle_here));
+    entry(6) = -turning * std::sin(angle_here);
+    entry(8) = turning * std::cos(angle_here) + cage;
   }
   x[static_cast<std::size_t>(layout.cage() + 5)] = first;
   x[static_cast<std::size_t>(layout.cage() + 2 * kCageUnknowns - 1)] = cage;

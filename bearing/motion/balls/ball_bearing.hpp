@@ -37,16 +37,17 @@ struct BallDuty {
 /// One contact of one ball at an instant.
 struct ContactSnapshot {
   double load = 0.0;           // [N]
-  double contact_angle = 0.0;  // [rad]  positive where n points along the axis
+  double contact_angle = 0.0;  // [rad]  of n to the bearing's middle plane
   double sliding = 0.0;        // [m/s]  in the middle, along the direction of rolling: race less ball
   double spin = 0.0;           // [rad/s]  race less ball about n
   double entrainment = 0.0;    // [m/s]
   double central_film = 0.0;   // [m]
 };
 
-/// Power lost by cause [W], each >= 0.
+/// Power lost by cause [W]. Friction over the ellipses falls into its first three parts by the motion that
+/// does the work: their sum is >= 0, one alone may be slightly less. All others are >= 0.
 struct BallPowerLoss {
-  double sliding = 0.0;       // over the middle of the ellipses
+  double sliding = 0.0;       // of the ellipses' middles
   double differential = 0.0;  // because ellipses are curved
   double spin = 0.0;
   double rolling = 0.0;
@@ -63,7 +64,7 @@ struct BallSnapshot {
   std::vector<double> pocket_load;       // [N]  (balls)
   double cage_speed = 0.0;               // [rad/s]
   Eigen::Vector3d cage_place;            // [m]
-  double inner_torque = 0.0;             // [N m]  that the drive of the inner ring must give
+  double inner_torque = 0.0;             // [N m]  of the drive against the bearing's friction alone
   double outer_torque = 0.0;             // [N m]
   BallPowerLoss loss;
 };
@@ -98,7 +99,7 @@ class BallBearing {
   Surroundings surroundings(double time) const;
   BallSnapshot snapshot(double time, const double* x) const;
   BallEnergy energy(const double* x) const;
-  /// Power that loads and drives put in at `time` in the state `x` whose rate is `dx` [W].
+  /// Power that loads, and drives against friction, put in at `time` in the state `x` [W].
   double power_input(double time, const double* x) const;
 
  private:
@@ -109,9 +110,9 @@ class BallBearing {
   std::vector<double> last_x_, last_rate_;
 };
 
-/// The state of balls where the static bearing under the loads of the rings' first instant has them, `first`
-/// [rad] the angle of the first; balls and cage turn as at pure rolling, times `share` of it. The inner ring
-/// is displaced, the outer one in place. Throws std::invalid_argument as balance_bearing().
+/// Where a run begins: the inner ring displaced as the static bearing under its load is, the outer one in
+/// place, balls between them, the first at the angle `first` [rad]; balls and cage turn as at pure rolling,
+/// times `share` of it. Throws std::invalid_argument as balance_bearing().
 std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first,
                                 double share = 1.0);
 

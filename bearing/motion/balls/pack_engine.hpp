@@ -55,7 +55,7 @@ class PackEngine final : public Engine {
         block_(packs_),
         inner_load_(packs_),
         outer_load_(packs_),
-        pocket_load_(packs_),
+        pocket_(packs_),
         pocket_angle_(packs_) {
     constexpr double kTwoPi = 6.283185307179586476925286766559;
     for (int p = 0; p < packs_; ++p) {
@@ -77,7 +77,7 @@ class PackEngine final : public Engine {
     const auto numbers = [](const AlignedArray<Pack>& packs) {
       return reinterpret_cast<const double*>(&packs[0]);
     };
-    return {numbers(inner_load_), numbers(outer_load_), numbers(pocket_load_)};
+    return {numbers(inner_load_), numbers(outer_load_), numbers(pocket_)};
   }
 
  private:
@@ -114,7 +114,7 @@ class PackEngine final : public Engine {
   int packs_;
   AlignedArray<BallPack> linear_;
   AlignedArray<ElementBlock<kBallUnknowns, kShared>> block_;
-  AlignedArray<Pack> inner_load_, outer_load_, pocket_load_, pocket_angle_;
+  AlignedArray<Pack> inner_load_, outer_load_, pocket_, pocket_angle_;
   LandDual land_[2][3];  // both lands: force x y, moment on the cage
   SharedBlock<kShared> shared_;
   double g_ = 0.0;  // [s]
@@ -177,7 +177,7 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   const Triple<Pack> pocket = pocket_direction(seen_cage.axis, ahead.cosine, ahead.sine);
   const PocketTouch<Pack> held = pocket_touch<kSlopes>(c_, ball, seen_cage, pocket, at.pocket);
   at.caged = any((held.load > Pack{}) & here);
-  pocket_load_[p] = only(here, held.driving);
+  pocket_[p] = only(here, held.load);
   if (at.caged) {
     react(ball, seen_cage.from_centre, held.on_ball, here, on_cage);
     sum += held.on_ball;

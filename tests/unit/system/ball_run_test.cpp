@@ -25,11 +25,12 @@ TEST(RingDrive, SpeedsUpThenKeepsItsSpeed) {
 }
 
 TEST(SettlingTime, IsWhereTheSlipLastEntersItsBand) {
-  // Half a point about 0.001, five per cent about 0.4.
-  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {1.0, 0.2, 0.005, 0.002, 0.0}, 0.001), 2.0);
-  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {0.4, 0.39, 0.45, 0.41, 0.4}, 0.4), 3.0);
-  EXPECT_DOUBLE_EQ(*settling_time({0, 1}, {0.4, 0.4}, 0.4), 0.0);
-  EXPECT_FALSE(settling_time({0, 1}, {0.4, 0.5}, 0.4).has_value());
+  // Half a point about 0.001, five per cent about 0.4; a cage that strays by two points while observed.
+  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {1.0, 0.2, 0.005, 0.002, 0.0}, 0.001, 4.0), 2.0);
+  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {0.4, 0.39, 0.45, 0.41, 0.4}, 0.4, 4.0), 3.0);
+  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {1.0, 0.1, 0.03, -0.01, 0.02}, 0.0, 4.0), 3.0);
+  EXPECT_DOUBLE_EQ(*settling_time({0, 1}, {0.4, 0.4}, 0.4, 1.0), 0.0);
+  EXPECT_FALSE(settling_time({0, 1, 2}, {0.4, 0.5, 0.4}, 0.4, 2.0).has_value());
 }
 
 bearing::Bearing small_bearing() {
@@ -69,10 +70,13 @@ BallRunOptions short_run() {
 }
 
 TEST(BallRun, SamplesWhereItSaysAndBalancesTheLoad) {
-  const BallRunResult result = run(500.0, 300.0, short_run());
+  BallRunOptions options = short_run();
+  options.duration = 0.2;
+  options.samples = 4000;
+  const BallRunResult result = run(500.0, 300.0, options);
   ASSERT_TRUE(result.completed) << result.message;
-  ASSERT_EQ(result.series.time.size(), 41u);
-  EXPECT_NEAR(result.series.time[10], 0.005, 1e-12);
+  ASSERT_EQ(result.series.time.size(), 4001u);
+  EXPECT_NEAR(result.series.time[1000], 0.05, 1e-12);
   EXPECT_NEAR(result.means.cage_slip, 0.0, 0.05);
   EXPECT_GT(result.means.loss.total(), 0.0);
   // The drive gives what is lost.
