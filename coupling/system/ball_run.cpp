@@ -1,7 +1,7 @@
 #include "coupling/system/ball_run.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -20,6 +20,7 @@ namespace orbearing::system {
 
 namespace {
 
+using boost::math::double_constants::two_pi;
 using bearing::balls::BallBearing;
 using bearing::balls::BallNumbers;
 using bearing::balls::BallPowerLoss;
@@ -61,6 +62,10 @@ struct ObservedSamples {
   BallPowerLoss loss;
 };
 
+double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty, double time) {
+  return kinematic_cage_speed(geometry, duty.inner.speed_at(time), duty.outer.speed_at(time));
+}
+
 // The bearing as the stepper and its windows see it.
 class BallSystem {
  public:
@@ -87,8 +92,14 @@ class BallSystem {
     const double* angle = x.data() + layout.lanes();
     angle_.assign(angle, angle + count);
     orbital_.assign(x.data() + 4 * layout.lanes(), x.data() + 4 * layout.lanes() + count);
+    cage_speed_ = x[static_cast<std::size_t>(layout.inner() - 1)];
   }
   void stepped(double time, double length) {
+    const double rolling = rolling_cage_speed(geometry_, bearing_.duty(), time);
+    if (rolling != 0.0) {
+      history_.time.push_back(time);
+      history_.slip.push_back(1.0 - cage_speed_ / rolling);
+    }
     if (time < observe_from_) return;
     sums_.weight += length;
     for (std::size_t j = 0; j < inner_.size(); ++j) {
@@ -111,6 +122,8 @@ class BallSystem {
   const ObservedSteps& sums() const { return sums_; }
   /// Largest load of a pocket since the last call [N].
   double take_pocket_load() { return std::exchange(pocket_, 0.0); }
+  /// Slip of every step.
+  SlipHistory take_history() { return std::move(history_); }
 
  private:
   BallBearing& bearing_;
@@ -118,7 +131,9 @@ class BallSystem {
   double observe_from_;
   ObservedSteps sums_;
   std::vector<double> inner_, outer_, angle_, orbital_;
-  double pocket_ = 0.0;
+  double pocket_ = 0.0;      // [N]
+  double cage_speed_ = 0.0;  // [rad/s]
+  SlipHistory history_;
 };
 
 void sum_sample(const BallSnapshot& s, ObservedSamples& sums) {
@@ -168,9 +183,6 @@ std::string balls_out_of_place(const BallNumbers& c, const StateLayout& layout, 
   return {};
 }
 
-double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty, double time) {
-  return kinematic_cage_speed(geometry, duty.inner.speed_at(time), duty.outer.speed_at(time));
-}
 
 void sample_series(const BallBearing& model, const bearing::BearingGeometry& geometry, double time,
                    const double* x, const BallSnapshot& s, double pocket_load, BallSeries& series) {
@@ -220,16 +232,20 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
   return allowed;
 }
 
-std::optional<double> settling_time(const std::vector<double>& time, const std::vector<double>& slip,
-                                    double final_slip, double observed_from) {
+std::optional<double> settling_time(const SlipHistory& h) {
   constexpr double kShare = 0.05, kPoints = 0.005;
-  double band = std::max(kShare * std::abs(final_slip), kPoints);
-  for (std::size_t i = 0; i < time.size(); ++i)
-    if (time[i] >= observed_from) band = std::max(band, std::abs(slip[i] - final_slip));
-  std::size_t settled = time.size();
-  while (settled > 0 && std::abs(slip[settled - 1] - final_slip) <= band) --settled;
-  if (settled == time.size() || time[settled] >= observed_from) return std::nullopt;
-  return time[settled];
+  double band = std::max(kShare * std::abs(h.final_slip), kPoints);
+  for (std::size_t i = 0; i < h.time.size(); ++i)
+    if (h.time[i] >= h.observed_from) band = std::max(band, std::abs(h.slip[i] - h.final_slip));
+  std::optional<double> since;
+  for (std::size_t i = 0; i < h.time.size() && h.time[i] < h.observed_from; ++i) {
+    if (std::abs(h.slip[i] - h.final_slip) > band)
+      since.reset();
+    else if (!since)
+      since = h.time[i];
+    if (since && h.time[i] - *since >= h.revolution) return since;
+  }
+  return since;
 }
 
 BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
@@ -311,8 +327,13 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const bearing::motion::DamageSums& damage = system.sums().damage;
   const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0), outer = damage.outer.damage().pow(1.0 / 3.0);
   result.means.life = bearing::rating::ball_reference_life(capacities, inner, outer, bearing.motions);
-  if (result.completed)
-    result.slip_settling = settling_time(result.series.time, result.series.cage_slip, result.means.cage_slip, observe_from);
+  if (result.completed) {
+    SlipHistory history = system.take_history();
+    history.final_slip = result.means.cage_slip;
+    history.observed_from = observe_from;
+    history.revolution = two_pi / std::max(1e-9, std::abs(result.means.cage_speed));
+    result.slip_settling = settling_time(history);
+  }
   result.final_state = std::move(x);
   return result;
 }

@@ -100,11 +100,19 @@ struct BallRunResult {
 /// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
 std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
 
-/// Time after which `slip` stays within 5 % of `final_slip` or half a percentage point, whichever is larger,
-/// or within what it strays by from `observed_from` [s] on, since a cage that rattles never rests; none where
-/// that is not before then.
-std::optional<double> settling_time(const std::vector<double>& time, const std::vector<double>& slip,
-                                    double final_slip, double observed_from);
+/// A slip over time and what it comes to.
+struct SlipHistory {
+  std::vector<double> time;    // [s]  rising
+  std::vector<double> slip;    // [-]
+  double final_slip = 0.0;     // [-]
+  double observed_from = 0.0;  // [s]
+  double revolution = 0.0;     // [s]  of the cage
+};
+
+/// First time from which the slip stays, for a revolution of the cage, within 5 % of its final value or half a
+/// percentage point, whichever is larger, or within what it strays by while observed: a cage that rattles
+/// never rests. None where that is not before it is observed.
+std::optional<double> settling_time(const SlipHistory& history);
 
 /// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time
 /// reached [s], if any. What goes wrong on the way is in the result; throws std::invalid_argument for input

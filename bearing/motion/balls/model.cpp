@@ -1,5 +1,6 @@
 #include "bearing/motion/balls/model.hpp"
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
@@ -145,14 +146,19 @@ LandNumbers lands(const Bearing& bearing, const MotionParameters& given) {
   return land;
 }
 
+// [-]  of a sphere in a stream of Reynolds numbers from 1e3 to 1e5 [Schlichting2000].
+constexpr double kSphereDrag = 0.45;
+
 // A ball shows the mixture its section, and turns in it with its fifth power, Eqs. (29) and (30) of
 // [Chen2026], the latter with the square of the ball's own turning.
 DragNumbers drag(const Bearing& bearing, const motion::OilDragParameters& given) {
   if (!given.on) return {};
   const double density = given.oil_share * given.oil_density, diameter = bearing.balls().diameter;
-  const double section = 0.25 * pi * diameter * diameter;
+  // What the cage does not hide of the ball, Eq. (29).
+  const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
+  const double section = std::max(0.0, 0.25 * pi * diameter * diameter - height * diameter);
   const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);
-  return {.translation = 0.5 * given.drag_coefficient * density * section,
+  return {.translation = 0.5 * kSphereDrag * density * section,
           .churning = 0.5 * given.churning_coefficient * density * std::pow(0.5 * diameter, 5),
           .cage_churning =
               motion::churning_drag(density, given.churning_coefficient, cage_radius, bearing.cage.width)

@@ -99,6 +99,27 @@ load: {radial: 1000 N}
 bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um}
 )";
 
+inline const std::string kBallsInTime = R"(name: a ball bearing in time
+source: none
+model: ball-bearing
+load: {radial: 400 N}
+bearing:
+  balls: 9
+  ball_diameter: 7 mm
+  pitch_diameter: 36 mm
+  radial_clearance: 5 um
+  bore: 25 mm
+  width: 11.9 mm
+  cage:
+    inner_diameter: 33.44 mm
+    outer_diameter: 38.54 mm
+    width: 9 mm
+    density: 1310 kg/m3
+    guide_land_diameter: 38.88 mm
+operation: {shaft_speed: 6000 rpm}
+simulation: {duration: 0.02 s, samples: 50, length_error: 2e-6 mm}
+)";
+
 // Pins off their places: loads at rest then follow from all that gives way under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
@@ -130,7 +151,8 @@ inline const std::vector<Base>& bases() {
                                      {"multi_stage", multi_stage(), "first"},
                                      {"pair_of_gears", kPair},
                                      {"roller_bearing", rollers_case()},
-                                     {"ball_bearing", kBalls}};
+                                     {"ball_bearing", kBalls},
+                                     {"ball_bearing_in_time", kBallsInTime}};
   return all;
 }
 
@@ -226,6 +248,11 @@ inline const std::map<std::string, Change>& stated_changes() {
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
       {"simulation.cage_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
+      {"bearing.cage.pocket_straight", {"0.1 mm"}},
+      {"traction.eyring_stress", {"0.004 GPa", {"traction.law=ree-eyring"}}},
+      {"rotor.mass", {"0.3 kg"}},
+      {"rotor.inertia", {"1e-4 kg.m2"}},
+      {"operation.shaft_acceleration", {"2e6 rpm/s"}},
       {"load.tilt", {"1 mrad"}},
       {"load.moment", {"2 N.m"}},
       {"load.moment_across", {"2 N.m"}},

@@ -26,11 +26,14 @@ TEST(RingDrive, SpeedsUpThenKeepsItsSpeed) {
 
 TEST(SettlingTime, IsWhereTheSlipLastEntersItsBand) {
   // Half a point about 0.001, five per cent about 0.4; a cage that strays by two points while observed.
-  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {1.0, 0.2, 0.005, 0.002, 0.0}, 0.001, 4.0), 2.0);
-  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {0.4, 0.39, 0.45, 0.41, 0.4}, 0.4, 4.0), 3.0);
-  EXPECT_DOUBLE_EQ(*settling_time({0, 1, 2, 3, 4}, {1.0, 0.1, 0.03, -0.01, 0.02}, 0.0, 4.0), 3.0);
-  EXPECT_DOUBLE_EQ(*settling_time({0, 1}, {0.4, 0.4}, 0.4, 1.0), 0.0);
-  EXPECT_FALSE(settling_time({0, 1, 2}, {0.4, 0.5, 0.4}, 0.4, 2.0).has_value());
+  const auto settled = [](std::vector<double> slip, double final_slip) {
+    return settling_time({{0, 1, 2, 3, 4, 5}, std::move(slip), final_slip, 5.0, 1.0});
+  };
+  EXPECT_DOUBLE_EQ(*settled({1.0, 0.2, 0.005, 0.002, 0.0, 0.0}, 0.001), 2.0);
+  EXPECT_DOUBLE_EQ(*settled({0.4, 0.45, 0.41, 0.39, 0.4, 0.4}, 0.4), 2.0);
+  EXPECT_DOUBLE_EQ(*settled({1.0, 0.1, 0.015, -0.01, 0.03, 0.02}, 0.0), 2.0);
+  EXPECT_DOUBLE_EQ(*settled({0.4, 0.4, 0.4, 0.4, 0.4, 0.4}, 0.4), 0.0);
+  EXPECT_FALSE(settled({0.4, 0.5, 0.6, 0.5, 0.6, 0.4}, 0.4).has_value());
 }
 
 bearing::Bearing small_bearing() {
