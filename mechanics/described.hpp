@@ -46,6 +46,7 @@ inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
 inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};
 inline constexpr Dimension inverse_speed{"inverse speed", "s/m", "s/m", "0.1 s/m"};
 inline constexpr Dimension damping{"damping", "N.s/m", "N.s/m", "200 N.s/m"};
+inline constexpr Dimension frequency{"frequency", "Hz", "kHz", "51.2 kHz", 1e3};
 }  // namespace dimension
 
 /// Interval of allowed values, in the customary unit of the dimension.
@@ -67,10 +68,12 @@ enum Model : unsigned {
   planetary_drivetrain = 1,
   roller_bearing = 2,
   gear_pair = 4,
-  ball_bearing = 8
+  ball_bearing = 8,
+  raceway_defect = 16
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
+inline constexpr unsigned with_balls = ball_bearing | raceway_defect;
+inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -95,6 +98,7 @@ enum class Felt {
   run,           // means over time
   run_up,        // speeds that grow
   lone,          // a single bearing under a static load
+  defect,        // a bearing with scratches in motion
   exchange       // windows of a co-simulation
 };
 
@@ -105,7 +109,8 @@ enum class InFmu {
   constant    // shown; fixes the number of variables
 };
 
-/// A parameter counts only where that of `path` is `value`; without a value, where it is given and not zero.
+/// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
+/// value, where it is given and not zero.
 struct Where {
   std::string_view path{};
   std::string_view value{};

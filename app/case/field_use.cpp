@@ -22,7 +22,7 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load | use::defect;
     case carrier:
       return use::lives | use::bearings_as_springs | use::fmu_bearing;
     case walls:
@@ -44,7 +44,9 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
-      return use::static_load;
+      return use::static_load | use::defect;
+    case defect:
+      return use::defect;
     case exchange:
       return use::co_simulated;
   }
@@ -113,6 +115,17 @@ Use with_load_sharing(const Use& use, std::string_view path) {
   return gives_way ? use.felt_too(use::quasi_static, where_pins_are_displaced()) : use;
 }
 
+// "one|other"
+std::vector<std::string> either_of(std::string_view values) {
+  std::vector<std::string> found;
+  for (std::size_t bar = 0; bar != std::string_view::npos; values.remove_prefix(bar + 1)) {
+    bar = values.find('|');
+    found.emplace_back(values.substr(0, bar));
+    if (bar == std::string_view::npos) break;
+  }
+  return found;
+}
+
 Exception exception_of(std::string_view path) {
   for (const Exception& exception : exceptions)
     if (exception.path == path) return exception;
@@ -130,7 +143,7 @@ Use use_of(const described::Facts& facts) {
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);
-  return use.when(only.value.empty() ? where_given({path}) : where(path, {std::string(only.value)}));
+  return use.when(only.value.empty() ? where_given({path}) : where(path, either_of(only.value)));
 }
 
 Condition where(std::string path, std::vector<std::string> values) {
@@ -166,7 +179,7 @@ const std::vector<use::Analysis>& analyses() {
   static const std::vector<use::Analysis> every{
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,  use::fmu_gearset, use::static_load};
+      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::defect};
   return every;
 }
 
@@ -198,6 +211,8 @@ std::string analysis_name(use::Analysis analysis) {
       return "fmu --model gearset";
     case use::static_load:
       return "run of a single bearing";
+    case use::defect:
+      return "run of a bearing with scratches";
   }
   return "";
 }

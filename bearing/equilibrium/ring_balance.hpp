@@ -40,8 +40,8 @@ void describe(Visitor& visit, RingLoad& m) {
   members(
       visit, m,
       field(m.radial, "load.radial", Felt::lone, "radial load on the bearing",
-            {.models = single_bearing,
-             .required_by = single_bearing,
+            {.models = single_bearing | raceway_defect,
+             .required_by = single_bearing | raceway_defect,
              .dimension = dimension::force,
              .range = {0.0, 1e9}}),
       field(m.axial, "load.axial", Felt::lone, "axial load on the bearing",
