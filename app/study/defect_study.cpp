@@ -17,7 +17,6 @@ namespace defect = bearing::defect;
 using defect::Scratched;
 
 constexpr const char* kPassage = "ball passage";  // the compliance that varies as balls pass the load zone
-constexpr int kHarmonics = 20;
 
 std::string defect_name(Scratched scratched) {
   switch (scratched) {
@@ -47,31 +46,32 @@ std::optional<double> defect_frequency(Scratched scratched, const defect::Passin
   return std::nullopt;
 }
 
-// A scratch that goes round meets the load zone once in each turn of what carries it.
+// Up to `highest` [Hz]. A scratch that goes round meets the load zone once in each turn of what carries it.
 std::vector<signals::ExpectedLine> expected_lines(Scratched scratched,
-                                                  const defect::PassingFrequencies& passing) {
+                                                  const defect::PassingFrequencies& passing, double highest) {
   constexpr int bands = 6, rare = 3;
   std::vector<signals::ExpectedLine> lines;
+  const auto add = [&](double frequency, const std::string& name, double spacing, const char* of, int order) {
+    const int harmonics = static_cast<int>(std::ceil(highest / frequency)) + 1;
+    signals::add_lines(frequency, name, harmonics, spacing, of, spacing > 0.0 ? bands : 0, order, lines);
+  };
   const std::string name = defect_name(scratched);
-  if (scratched == Scratched::outer)
-    signals::add_lines(passing.outer_pass, name, kHarmonics, 0.0, "", 0, 0, lines);
-  if (scratched == Scratched::inner)
-    signals::add_lines(passing.inner_pass, name, kHarmonics, passing.shaft, "shaft", bands, 0, lines);
+  if (scratched == Scratched::outer) add(passing.outer_pass, name, 0.0, "", 0);
+  if (scratched == Scratched::inner) add(passing.inner_pass, name, passing.shaft, "shaft", 0);
   if (scratched == Scratched::ball) {
-    signals::add_lines(passing.element_pass, name, kHarmonics, passing.cage, "cage", bands, 0, lines);
+    add(passing.element_pass, name, passing.cage, "cage", 0);
     // It meets both races, each once a turn, and sinks less on the outer one.
-    signals::add_lines(0.5 * passing.element_pass, "ball spin", kHarmonics, passing.cage, "cage", bands, rare,
-                       lines);
+    add(0.5 * passing.element_pass, "ball spin", passing.cage, "cage", rare);
   }
-  signals::add_lines(passing.outer_pass, kPassage, kHarmonics, 0.0, "", 0, 1, lines);
-  signals::add_lines(passing.shaft, "shaft", kHarmonics, 0.0, "", 0, 1, lines);
-  signals::add_lines(passing.cage, "cage", kHarmonics, 0.0, "", 0, rare, lines);
+  add(passing.outer_pass, kPassage, 0.0, "", 1);
+  add(passing.shaft, "shaft", 0.0, "", 1);
+  add(passing.cage, "cage", 0.0, "", rare);
   return lines;
 }
 
 std::vector<NamedPeak> named_peaks(const signals::Spectrum& spectrum, double highest,
                                    const DefectStudy& study) {
-  const std::vector<signals::ExpectedLine> lines = expected_lines(study.scratched, study.passing);
+  const std::vector<signals::ExpectedLine> lines = expected_lines(study.scratched, study.passing, highest);
   std::vector<NamedPeak> named;
   for (const signals::Peak& peak : signals::peaks_of(spectrum, {.highest = highest}))
     named.push_back(
@@ -88,7 +88,8 @@ void analyse(const ResolvedCase& in, DefectStudy& study) {
   const Eigen::ArrayXd signal = study.vibration.acceleration.row(0).transpose();
   const double rate = study.vibration.rate, pass = highest_pass(study.passing);
   study.spectrum = signals::spectrum_of(signal, rate, signals::Window::hann);
-  study.spectrum_peaks = named_peaks(study.spectrum, passes_shown * pass, study);
+  // Up to beyond the vibration that a scratch strikes.
+  study.spectrum_peaks = named_peaks(study.spectrum, 2.0 * study.at_rest.natural_frequency, study);
   if (const std::optional<signals::Band> stated = stated_band_of(in))
     study.band = {*stated, signals::kurtosis_of(signal, rate, *stated)};
   else
