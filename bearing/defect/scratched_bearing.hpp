@@ -60,7 +60,7 @@ void describe(Visitor& visit, VibratingRing& m) {
                 {.models = raceway_defect,
                  .range = {0.0, 1.0},
                  .reason = "within 0.25e-5 to 2.5e-5 s times the stiffness, usual for rolling bearings"}),
-          field(m.damping_law, "contact.damping_law", Felt::defect,
+          field(m.damping_law, "contact.damping_model", Felt::defect,
                 "damping of a contact: of its speed alone, or of its load and speed",
                 {.models = raceway_defect, .reason = "as the source writes it"}));
 }
