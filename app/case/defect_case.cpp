@@ -40,7 +40,7 @@ void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (turns == 0.0) return;
   const double samples =
       rate / turns * (in.number("signal.revolutions") + in.number("signal.settling_revolutions"));
-  constexpr double most = 5e7;
+  constexpr double most = 1e7;
   if (samples > most)
     object_to(in, "signal.sampling_rate", fmt::format("{:.3g} samples in all", samples),
               fmt::format("at most {:.0g}, by a lower rate or fewer revolutions, are required", most),

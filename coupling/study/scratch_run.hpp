@@ -47,9 +47,11 @@ void describe(Visitor& visit, Sampling& m) {
            .written = "mm"}));
 }
 
-/// The ring's motion at even times; place and acceleration along the load and across it.
+/// The ring's motion at even times; place and acceleration along the load and across it. The acceleration has
+/// passed the low-pass of an instrument, which takes off what lies above a third of the rate.
 struct RingVibration {
   double rate = 0.0;             // [Hz]
+  double begin = 0.0;            // [s]  of the first sample, since the motion began
   Eigen::Array2Xd place;         // [m]      (directions, samples)
   Eigen::Array2Xd acceleration;  // [m/s^2]  (directions, samples)
   Eigen::ArrayXd ball_approach;  // [m]      of the first element, negative where it is free

@@ -46,7 +46,7 @@ TEST(ScratchRun, SlowlyItFollowsTheStaticBalance) {
   const double cage = passing_frequencies(in.bearing, in.shaft_speed).cage;
   for (const Eigen::Index sample : {Eigen::Index{100}, Eigen::Index{333}, Eigen::Index{1200}}) {
     ScratchedBearing there = in;
-    const double time = static_cast<double>(sample + 1) / slow.rate;
+    const double time = vibration.begin + static_cast<double>(sample) / slow.rate;
     there.bearing.first_element = 2.0 * 3.14159265358979324 * cage * time;
     const Eigen::Vector2d place = ScratchedMotion(there).static_place().place;
     EXPECT_NEAR(vibration.place(0, sample), place[0], 2e-4 * place[0]);

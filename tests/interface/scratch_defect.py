@@ -133,7 +133,7 @@ class Refusals(unittest.TestCase):
                                ("operation.shaft_speed=0 rpm", "a speed is required"), ("operation.shaft_speed=25 Hz", "how much angle"),
                                ("signal.sampling_rate=100 rad/s", "angle"), ("signal.sampling_rate=1 kHz", "samples a revolution"),
                                ("signal.band=[4 kHz]", "lower and upper end"), ("load.radial=0 N", "radial load greater"),
-                               ("bearing.balls=30", "do not fit"), ("load.axial=5 N", "unknown key")):
+                               ("bearing.balls=30", "do not fit"), ("load.axial=5 N", "does not use")):
             result = call("run", CASE, "--json", "--set", setting)
             self.assertEqual(result.returncode, 2, setting)
             self.assertIn(words, result.stderr, setting)
