@@ -47,6 +47,7 @@ inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
 inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};
 inline constexpr Dimension inverse_speed{"inverse speed", "s/m", "s/m", "0.1 s/m"};
 inline constexpr Dimension damping{"damping", "N.s/m", "N.s/m", "200 N.s/m"};
+inline constexpr Dimension frequency{"frequency", "Hz", "kHz", "51.2 kHz", 1e3};
 }  // namespace dimension
 
 /// Interval of allowed values, in the customary unit of the dimension.
@@ -69,10 +70,13 @@ enum Model : unsigned {
   roller_bearing = 2,
   gear_pair = 4,
   ball_bearing = 8,
+  raceway_defect = 16,
   ball_motion = 1u << 12  // a ball bearing whose case has a block `simulation`: in time
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned with_balls = ball_bearing | ball_motion;
+/// A ball bearing under a load of its own, at rest or in time.
+inline constexpr unsigned lone_balls = ball_bearing | ball_motion;
+inline constexpr unsigned with_balls = lone_balls | raceway_defect;
 /// Bearings in motion over time.
 inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
 inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
@@ -101,6 +105,7 @@ enum class Felt {
   run_up,        // speeds that grow
   lone,          // a single bearing under a load of its own
   lone_run,      // a ball bearing by itself in time
+  defect,        // a bearing with scratches in motion
   exchange       // windows of a co-simulation
 };
 
@@ -111,7 +116,8 @@ enum class InFmu {
   constant    // shown; fixes the number of variables
 };
 
-/// A parameter counts only where that of `path` is `value`; without a value, where it is given and not zero.
+/// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
+/// value, where it is given and not zero.
 struct Where {
   std::string_view path{};
   std::string_view value{};

@@ -107,6 +107,7 @@ std::vector<Field> build_table() {
   table::add_bearing_fields(fields);
   add_described(fields, gearset::GearPair{});
   table::add_static_fields(fields);
+  table::add_defect_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -200,6 +201,8 @@ std::string_view model_name(Model model) {
       return "ball-bearing";
     case ball_motion:
       return "ball-bearing with a block 'simulation'";
+    case raceway_defect:
+      return "raceway-defect";
     case no_model:
       break;
   }
@@ -207,7 +210,8 @@ std::string_view model_name(Model model) {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, ball_bearing, gear_pair};
+  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, ball_bearing, gear_pair,
+                                      raceway_defect};
   return all;
 }
 
@@ -218,7 +222,7 @@ Model model_of(std::string_view name) {
 }
 
 const std::vector<std::string>& planned_models() {
-  static const std::vector<std::string> names{"duplex-pair", "raceway-defect", "spin-film"};
+  static const std::vector<std::string> names{"duplex-pair", "spin-film"};
   return names;
 }
 

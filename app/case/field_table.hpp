@@ -53,6 +53,7 @@ void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
 void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
+void add_defect_fields(std::vector<Field>& fields);
 }  // namespace table
 
 }  // namespace orbearing::app

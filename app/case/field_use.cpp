@@ -22,7 +22,8 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load | use::ball_run;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load | use::ball_run |
+             use::defect;
     case carrier:
       return use::lives | use::bearings_as_springs | use::fmu_bearing | use::ball_run;
     case walls:
@@ -44,9 +45,11 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
-      return use::static_load | use::ball_run;
+      return use::static_load | use::ball_run | use::defect;
     case lone_run:
       return use::ball_run;
+    case defect:
+      return use::defect;
     case exchange:
       return use::co_simulated;
   }
@@ -116,6 +119,17 @@ Use with_load_sharing(const Use& use, std::string_view path) {
   return gives_way ? use.felt_too(use::quasi_static, where_pins_are_displaced()) : use;
 }
 
+// "one|other"
+std::vector<std::string> either_of(std::string_view values) {
+  std::vector<std::string> found;
+  for (std::size_t bar = 0; bar != std::string_view::npos; values.remove_prefix(bar + 1)) {
+    bar = values.find('|');
+    found.emplace_back(values.substr(0, bar));
+    if (bar == std::string_view::npos) break;
+  }
+  return found;
+}
+
 Exception exception_of(std::string_view path) {
   for (const Exception& exception : exceptions)
     if (exception.path == path) return exception;
@@ -133,7 +147,7 @@ Use use_of(const described::Facts& facts) {
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);
-  return use.when(only.value.empty() ? where_given({path}) : where(path, {std::string(only.value)}));
+  return use.when(only.value.empty() ? where_given({path}) : where(path, either_of(only.value)));
 }
 
 Condition where(std::string path, std::vector<std::string> values) {
@@ -169,7 +183,7 @@ const std::vector<use::Analysis>& analyses() {
   static const std::vector<use::Analysis> every{
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run};
+      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect};
   return every;
 }
 
@@ -203,6 +217,8 @@ std::string analysis_name(use::Analysis analysis) {
       return "run of a single bearing";
     case use::ball_run:
       return "run of a ball bearing in time";
+    case use::defect:
+      return "run of a bearing with scratches";
   }
   return "";
 }

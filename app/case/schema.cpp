@@ -83,7 +83,7 @@ Json& block_of(Json& root, std::string_view path, bool required) {
 
 // A ball bearing is one model to a schema, with or without a block `simulation`.
 unsigned kinds_of(Model model) {
-  return model == ball_bearing ? with_balls : unsigned{model};
+  return model == ball_bearing ? lone_balls : unsigned{model};
 }
 
 void add_field(Json& root, const Field& field, Model model) {

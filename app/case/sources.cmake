@@ -8,6 +8,8 @@ set(ORBEARING_CASE_SOURCES
   case/changed_case.cpp
   case/check_table.cpp
   case/consistency.cpp
+  case/defect_case.cpp
+  case/defect_fields.cpp
   case/derived_defaults.cpp
   case/described_fields.cpp
   case/drivetrain_fields.cpp

@@ -5,20 +5,11 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "app/case/objection.hpp"
+
 namespace orbearing::app {
 
 namespace {
-
-void object_to(const ResolvedCase& in, const std::string& path, std::string found, std::string required,
-               std::vector<Mistake>& mistakes) {
-  mistakes.push_back({in.place(path), path, {std::move(found), std::move(required)}});
-}
-
-bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
-  for (const char* path : paths)
-    if (!in.has(path)) return false;
-  return true;
-}
 
 // Two ways to state the same thing exclude each other.
 void check_either(const ResolvedCase& in, const char* one, const char* other,
@@ -103,11 +94,12 @@ void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 }  // namespace
 
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
-  if (resolved.model() != roller_bearing && (resolved.model() & with_balls) == 0) return;
+  if ((resolved.model() & with_balls) != 0) check_balls(resolved, mistakes);
+  if (resolved.model() == ball_motion) check_motion(resolved, mistakes);
+  if (resolved.model() != roller_bearing && resolved.model() != ball_bearing && resolved.model() != ball_motion)
+    return;
   check_load(resolved, mistakes);
   check_life(resolved, mistakes);
-  check_balls(resolved, mistakes);
-  check_motion(resolved, mistakes);
 }
 
 }  // namespace orbearing::app

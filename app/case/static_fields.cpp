@@ -12,7 +12,7 @@ namespace orbearing::app::table {
 namespace {
 
 constexpr unsigned static_bearing = roller_bearing | ball_bearing;
-constexpr unsigned single_bearing = roller_bearing | with_balls;
+constexpr unsigned single_bearing = roller_bearing | lone_balls;
 
 const Use& by_static_load() {
   static const Use use(use::static_load, 0);
@@ -35,12 +35,13 @@ Field optional_quantity(const Dimension& dimension, std::string path, std::strin
           .range = range};
 }
 
-// Felt by the film, and so where there is an oil, and by the motion.
+// Felt by the film, and so where there is an oil; by what moves always.
 Field speed_of_ring(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
-          .use = by_any_load().when(where_given({"lubricant.kinematic_viscosity", "simulation.duration"})),
+          .use = by_any_load().when(
+              where_given({"lubricant.kinematic_viscosity", "simulation.duration", "defect.race"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},
@@ -49,7 +50,11 @@ Field speed_of_ring(std::string path, std::string meaning) {
 }
 
 void add_operation(std::vector<Field>& fields) {
-  fields.push_back(speed_of_ring("operation.shaft_speed", "speed of the inner ring"));
+  Field shaft = speed_of_ring("operation.shaft_speed", "speed of the inner ring");
+  shaft.use.by |= use::defect;
+  shaft.models |= raceway_defect;
+  shaft.required_by |= raceway_defect;
+  fields.push_back(std::move(shaft));
   fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
   fields.push_back({.path = "operation.turning_race",
                     .kind = Kind::choice,

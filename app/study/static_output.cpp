@@ -54,10 +54,6 @@ Json factors_json(const StaticStudy& study) {
   return factors;
 }
 
-NamedArray scalar(std::string name, std::string units, std::string meaning, double value) {
-  return {std::move(name), {}, std::move(units), std::move(meaning), {value}};
-}
-
 std::string life_row(const char* name, double life, const char* meaning) {
   if (!std::isfinite(life)) return fmt::format("{:<22} {:>14}  {}\n", name, "-", meaning);
   return fmt::format("{:<22} {:>14.6g}  {}\n", name, kMillion * life, meaning);
@@ -106,15 +102,15 @@ PointContent static_content(const StaticStudy& study) {
   const auto elements = static_cast<std::size_t>(study.contact_load.size());
   PointContent content{.dimensions = {{"element", elements}}, .arrays = {}, .attributes = {}};
   content.arrays = {
-      scalar("radial_displacement", "m", "inner ring along the radial load", study.radial),
-      scalar("axial_displacement", "m", "inner ring along the axis", study.axial),
-      scalar("tilt", "rad", "inner ring in the plane of the load", study.tilt),
-      scalar("moment", "N m", "on the inner ring in the plane of the load", study.moment),
-      scalar("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
-      scalar("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
-      scalar("basic_life", "1", "L10, revolutions", study.basic_life),
-      scalar("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
-      scalar("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
+      single_value("radial_displacement", "m", "inner ring along the radial load", study.radial),
+      single_value("axial_displacement", "m", "inner ring along the axis", study.axial),
+      single_value("tilt", "rad", "inner ring in the plane of the load", study.tilt),
+      single_value("moment", "N m", "on the inner ring in the plane of the load", study.moment),
+      single_value("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
+      single_value("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
+      single_value("basic_life", "1", "L10, revolutions", study.basic_life),
+      single_value("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
+      single_value("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
       {"contact_load",
        {"element"},
        "N",

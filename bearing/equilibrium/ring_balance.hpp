@@ -36,16 +36,16 @@ struct RingLoad {
 template <class Visitor>
 void describe(Visitor& visit, RingLoad& m) {
   using namespace described;
-  constexpr unsigned single_bearing = roller_bearing | with_balls;
+  constexpr unsigned single_bearing = roller_bearing | lone_balls;
   members(
       visit, m,
       field(m.radial, "load.radial", Felt::lone, "radial load on the bearing",
-            {.models = single_bearing,
-             .required_by = single_bearing,
+            {.models = single_bearing | raceway_defect,
+             .required_by = single_bearing | raceway_defect,
              .dimension = dimension::force,
              .range = {0.0, 1e9}}),
       field(m.axial, "load.axial", Felt::lone, "axial load on the bearing",
-            {.models = with_balls,
+            {.models = lone_balls,
              .dimension = dimension::force,
              .range = {0.0, 1e9},
              .reason = "a radial load alone"}),

@@ -120,6 +120,16 @@ operation: {shaft_speed: 6000 rpm}
 simulation: {duration: 0.02 s, samples: 50, length_error: 2e-6 mm}
 )";
 
+inline const std::string kScratch = R"(name: a scratched race
+source: none
+model: raceway-defect
+load: {radial: 1000 N}
+operation: {shaft_speed: 1500 rpm}
+bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um, outer_ring_mass: 0.3 kg}
+defect: {race: inner, width: 0.8 mm, depth: 0.1 mm}
+signal: {sampling_rate: 20 kHz, revolutions: 3, settling_revolutions: 0.5, length_error: 1e-8 mm}
+)";
+
 // Pins off their places: loads at rest then follow from all that gives way under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
@@ -153,6 +163,9 @@ inline const std::vector<Base>& bases() {
                                      {"roller_bearing", rollers_case()},
                                      {"ball_bearing", kBalls},
                                      {"ball_bearing_in_time", kBallsInTime}};
+)";
+
+                                     {"raceway_defect", kScratch}};
   return all;
 }
 
@@ -268,6 +281,9 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"lubricant.kinematic_viscosity", {"30 mm2/s", turning}},
       {"operation.shaft_speed", {"1200 rpm", turning}},
       {"operation.outer_speed", {"-1200 rpm", turning}},
+      {"defect.depth", {"5 um"}},  // less than a ball sinks
+      {"defect.more_angles", {"[40 deg]"}},
+      {"signal.band", {"[1 kHz, 4 kHz]"}},
       {"pair.teeth", {"[30, 41]"}},
       {"pair.profile_shift", {"[0.1, 0]"}}};
   return all;
@@ -292,6 +308,7 @@ inline Change quantity_change(const std::string& given) {
 inline Change change_of(const Field& field, const ResolvedCase& in, const std::string& path) {
   if (field.path == "gearset.planets" && in.has("gearset.dynamics.pin_error.tangential"))
     return {"4", {}, {"gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]"}};
+  if (field.path == "operation.shaft_speed" && in.model() == raceway_defect) return {"1600 rpm"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
   if (field.path.find("_form.") != std::string::npos) return wave_change(field.path);
