@@ -67,10 +67,12 @@ enum Model : unsigned {
   planetary_drivetrain = 1,
   roller_bearing = 2,
   gear_pair = 4,
-  ball_bearing = 8
+  ball_bearing = 8,
+  duplex_pair = 32
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
+inline constexpr unsigned with_balls = ball_bearing | duplex_pair;
+inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -78,24 +80,26 @@ inline constexpr unsigned toothless_set = 1u << 16;
 /// The physics by which a parameter changes a result. Which analysis holds which physics, and which cannot
 /// take a parameter that it ought to, is known where analyses are (app/case/field_use).
 enum class Felt {
-  everywhere,    // gears and bearings alike
-  planet,        // teeth and all that a planet is made of
-  pair,          // a pair of gears
-  gear_bodies,   // masses and springs of the gears
-  gear_motion,   // gears in motion
-  balance,       // what rollers carry, under a static load too
-  carrier,       // the same, but only of a bearing that a carrier takes round
-  walls,         // the carrier's, which hold the pins: gears and rollers in motion
-  pin,           // what holds the bearing: its springs, and rollers in motion
-  load_sharing,  // unlike loads of the planets
-  at_rest,       // bearings at rest, and those in motion that start from them
-  motion,        // rollers and cage in motion
-  euler,         // the carrier's speed that changes
-  life,          // what loads of the rollers are worth in life
-  run,           // means over time
-  run_up,        // speeds that grow
-  lone,          // a single bearing under a static load
-  exchange       // windows of a co-simulation
+  everywhere,     // gears and bearings alike
+  planet,         // teeth and all that a planet is made of
+  pair,           // a pair of gears
+  gear_bodies,    // masses and springs of the gears
+  gear_motion,    // gears in motion
+  balance,        // what rollers carry, under a static load too
+  carrier,        // the same, but only of a bearing that a carrier takes round
+  walls,          // the carrier's, which hold the pins: gears and rollers in motion
+  pin,            // what holds the bearing: its springs, and rollers in motion
+  load_sharing,   // unlike loads of the planets
+  at_rest,        // bearings at rest, and those in motion that start from them
+  motion,         // rollers and cage in motion
+  euler,          // the carrier's speed that changes
+  life,           // what loads of the rollers are worth in life
+  run,            // means over time
+  run_up,         // speeds that grow
+  lone,           // a single bearing under a static load
+  turning_balls,  // balls of such a bearing whose rings turn
+  duplex,         // two such bearings on one shaft
+  exchange        // windows of a co-simulation
 };
 
 /// What an FMU shows of a member.

@@ -28,9 +28,10 @@ ResultRow row_of(const TableHead& head, const StaticStudy& study) {
   };
   const double rms = std::sqrt(study.contact_load.square().mean());
   put("inner_load_max_N", study.contact_load.maxCoeff());
-  put("outer_load_max_N", study.contact_load.maxCoeff());
+  const Eigen::ArrayXd& outer = study.outer_load.size() > 0 ? study.outer_load : study.contact_load;
+  put("outer_load_max_N", outer.maxCoeff());
   put("inner_load_rms_N", rms);
-  put("outer_load_rms_N", rms);
+  put("outer_load_rms_N", std::sqrt(outer.square().mean()));
   put("inner_life_Mrev", 1e-6 * study.reference_life.inner);
   put("outer_life_Mrev", 1e-6 * study.reference_life.outer);
   return row;
