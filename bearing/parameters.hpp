@@ -239,14 +239,14 @@ void describe(Visitor& visit, Balls& m) {
   using namespace described;
   members(visit, m,
           field(m.count, "bearing.balls", Felt::lone, "number of balls",
-                {.models = with_balls, .required_by = with_balls, .range = {3, 500}}),
+                {.models = ball_bearing, .required_by = ball_bearing, .range = {3, 500}}),
           field(m.diameter, "bearing.ball_diameter", Felt::lone, "diameter of a ball",
-                {.models = with_balls,
-                 .required_by = with_balls,
+                {.models = ball_bearing,
+                 .required_by = ball_bearing,
                  .dimension = dimension::length,
                  .range = positive(1e4)}),
           field(m.contact_angle, "bearing.contact_angle", Felt::lone, "nominal contact angle",
-                {.models = with_balls,
+                {.models = ball_bearing,
                  .dimension = dimension::angle,
                  .range = {0.0, 85.0},
                  .reason = "a deep-groove bearing"}));
@@ -259,7 +259,7 @@ void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat
   using namespace described;
   const auto groove = field(m.osculation, "bearing." + name + "_osculation", Felt::lone,
                             "radius of the " + name + " groove over ball diameter",
-                            {.models = with_balls,
+                            {.models = ball_bearing,
                              .range = {.least = 0.5, .most = 1.0, .least_allowed = false},
                              .reason = "the grooves for which ISO 281 states f_c"});
   const std::string race = "bearing." + name + "_race";
@@ -292,8 +292,8 @@ void describe(Visitor& visit, Bearing& m) {
       part(m.elements, [&] { std::visit([&](auto& elements) { describe(visit, elements); }, m.elements); }),
       field(m.pitch_diameter, "bearing.pitch_diameter", Felt::balance,
             "diameter of the circle of centres of rollers or balls",
-            {.models = any_bearing | duplex_pair,
-             .required_by = any_bearing | duplex_pair,
+            {.models = any_bearing,
+             .required_by = any_bearing,
              .dimension = dimension::length,
              .range = positive(1e4),
              .fmu = InFmu::parameter}),
@@ -313,7 +313,7 @@ void describe(Visitor& visit, Bearing& m) {
       apart(m.motions),  // of a single bearing a case states operation.turning_race
       field(m.first_element, "bearing.first_element_angle", Felt::lone,
             "angle of the first rolling element from the radial load",
-            {.models = roller_bearing | with_balls,
+            {.models = roller_bearing | ball_bearing,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},
              .reason = "the first one stands on the line of the radial load"}));

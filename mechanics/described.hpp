@@ -67,12 +67,10 @@ enum Model : unsigned {
   planetary_drivetrain = 1,
   roller_bearing = 2,
   gear_pair = 4,
-  ball_bearing = 8,
-  duplex_pair = 32
+  ball_bearing = 8
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned with_balls = ball_bearing | duplex_pair;
-inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
+inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -98,7 +96,6 @@ enum class Felt {
   run_up,         // speeds that grow
   lone,           // a single bearing under a static load
   turning_balls,  // balls of such a bearing whose rings turn
-  duplex,         // two such bearings on one shaft
   exchange        // windows of a co-simulation
 };
 
