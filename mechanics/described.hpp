@@ -87,26 +87,27 @@ inline constexpr unsigned toothless_set = 1u << 16;
 /// The physics by which a parameter changes a result. Which analysis holds which physics, and which cannot
 /// take a parameter that it ought to, is known where analyses are (app/case/field_use).
 enum class Felt {
-  everywhere,    // gears and bearings alike
-  planet,        // teeth and all that a planet is made of
-  pair,          // a pair of gears
-  gear_bodies,   // masses and springs of the gears
-  gear_motion,   // gears in motion
-  balance,       // what rollers carry, under a static load too
-  carrier,       // the same, but only of a bearing that a carrier takes round
-  walls,         // the carrier's, which hold the pins: gears and rollers in motion
-  pin,           // what holds the bearing: its springs, and rollers in motion
-  load_sharing,  // unlike loads of the planets
-  at_rest,       // bearings at rest, and those in motion that start from them
-  motion,        // rollers and cage in motion
-  euler,         // the carrier's speed that changes
-  life,          // what loads of the rollers are worth in life
-  run,           // means over time
-  run_up,        // speeds that grow
-  lone,          // a single bearing under a load of its own
-  lone_run,      // a ball bearing by itself in time
-  defect,        // a bearing with scratches in motion
-  exchange       // windows of a co-simulation
+  everywhere,     // gears and bearings alike
+  planet,         // teeth and all that a planet is made of
+  pair,           // a pair of gears
+  gear_bodies,    // masses and springs of the gears
+  gear_motion,    // gears in motion
+  balance,        // what rollers carry, under a static load too
+  carrier,        // the same, but only of a bearing that a carrier takes round
+  walls,          // the carrier's, which hold the pins: gears and rollers in motion
+  pin,            // what holds the bearing: its springs, and rollers in motion
+  load_sharing,   // unlike loads of the planets
+  at_rest,        // bearings at rest, and those in motion that start from them
+  motion,         // rollers and cage in motion
+  euler,          // the carrier's speed that changes
+  life,           // what loads of the rollers are worth in life
+  run,            // means over time
+  run_up,         // speeds that grow
+  lone,           // a single bearing under a load of its own
+  turning_balls,  // balls of such a bearing whose rings turn, in balance
+  lone_run,       // a ball bearing by itself in time
+  defect,         // a bearing with scratches in motion
+  exchange        // windows of a co-simulation
 };
 
 /// What an FMU shows of a member.

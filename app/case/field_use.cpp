@@ -46,6 +46,8 @@ unsigned holding(described::Felt felt) {
       return use::dynamic | use::dynamic_of_sets;
     case lone:
       return use::static_load | use::ball_run | use::defect;
+    case turning_balls:
+      return use::static_load;
     case lone_run:
       return use::ball_run;
     case defect:
@@ -136,6 +138,13 @@ Exception exception_of(std::string_view path) {
   return {path};
 }
 
+// Balls feel their mass where a ring turns.
+Use with_turning_rings(const Use& use, const described::Facts& facts) {
+  const Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed"});
+  if (facts.felt == described::Felt::turning_balls) return use.when(turning);
+  return facts.path == "material.density" ? use.felt_too(use::static_load, turning) : use;
+}
+
 }  // namespace
 
 Use use_of(const described::Facts& facts) {
@@ -143,7 +152,7 @@ Use use_of(const described::Facts& facts) {
   const unsigned without = leaving_out(facts.felt) | but.unused_by;
   const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
-  const Use use = with_load_sharing(Use(by, unfelt, but.refused_by), facts.path);
+  const Use use = with_turning_rings(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);

@@ -34,6 +34,12 @@ bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& in) {
   return from_case<bearing::equilibrium::RingLoad>(in);
 }
 
+bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& in) {
+  return {.speeds = {in.quantity("operation.shaft_speed"), in.quantity("operation.outer_speed")},
+          .inertia = in.model() == ball_bearing ? from_case<bearing::equilibrium::BallInertia>(in)
+                                                : bearing::equilibrium::BallInertia{}};
+}
+
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {
   bearing::rating::StatedRatings ratings{.dynamic_capacity = stated(in, "bearing.dynamic_capacity"),
                                          .fatigue_load_limit = stated(in, "bearing.fatigue_load_limit")};

@@ -2,6 +2,7 @@
 // asks.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "bearing/equilibrium/moving_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/motion/balls/parameters.hpp"
 #include "bearing/parameters.hpp"
@@ -35,13 +36,12 @@ Field optional_quantity(const Dimension& dimension, std::string path, std::strin
           .range = range};
 }
 
-// Felt by the film, and so where there is an oil; by what moves always.
+// Felt by the film, and so where there is an oil; by balls always.
 Field speed_of_ring(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
-          .use = by_any_load().when(
-              where_given({"lubricant.kinematic_viscosity", "simulation.duration", "defect.race"})),
+          .use = by_any_load().when(where_given({"lubricant.kinematic_viscosity", "bearing.balls"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},
@@ -127,6 +127,7 @@ void add_life(std::vector<Field>& fields) {
 
 void add_static_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::equilibrium::RingLoad{});
+  add_described(fields, bearing::equilibrium::BallInertia{});
   add_operation(fields);
   add_described(fields, bearing::Bearing{.elements = bearing::Balls{}});
   add_described(fields, bearing::balls::MotionParameters{});

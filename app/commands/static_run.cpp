@@ -32,11 +32,12 @@ ResultRow filled(const TableHead& head, const std::vector<std::pair<const char*,
 }
 
 ResultRow row_of(const TableHead& head, const StaticStudy& study) {
-  const double rms = std::sqrt(study.contact_load.square().mean()), most = study.contact_load.maxCoeff();
-  return filled(head, {{"inner_load_max_N", most},
-                       {"outer_load_max_N", most},
-                       {"inner_load_rms_N", rms},
-                       {"outer_load_rms_N", rms},
+  const Eigen::ArrayXd& inner = study.contact_load;
+  const Eigen::ArrayXd& outer = study.outer_load.size() > 0 ? study.outer_load : study.contact_load;
+  return filled(head, {{"inner_load_max_N", inner.maxCoeff()},
+                       {"outer_load_max_N", outer.maxCoeff()},
+                       {"inner_load_rms_N", std::sqrt(inner.square().mean())},
+                       {"outer_load_rms_N", std::sqrt(outer.square().mean())},
                        {"inner_life_Mrev", 1e-6 * study.reference_life.inner},
                        {"outer_life_Mrev", 1e-6 * study.reference_life.outer}});
 }

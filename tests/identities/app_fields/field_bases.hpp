@@ -190,6 +190,7 @@ inline const std::map<std::string, Change>& stated_changes() {
   const std::vector<std::string> clean{"life.viscosity_ratio=2", "life.cleanliness=high"};
   const std::vector<std::string> turning{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
                                          "operation.shaft_speed=1000 rpm"};
+  const std::vector<std::string> turning_balls{"operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
@@ -284,6 +285,9 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"defect.depth", {"5 um"}},  // less than a ball sinks
       {"defect.more_angles", {"[40 deg]"}},
       {"signal.band", {"[1 kHz, 4 kHz]"}},
+      {"equilibrium.ball_inertia", {"false", turning_balls}},
+      {"equilibrium.ball_attitude", {"outer-race-control", turning_balls}},
+      {"equilibrium.gyroscopic_moment", {"none", turning_balls}},
       {"pair.teeth", {"[30, 41]"}},
       {"pair.profile_shift", {"[0.1, 0]"}}};
   return all;
