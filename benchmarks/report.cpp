@@ -27,9 +27,7 @@ constexpr double kClearances[] = {0.0, 37.0};  // [um]
 const std::vector<double> kTolerances{1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10, 3e-11, 1e-11};  // [m]
 
 constexpr int kStatesCompared = 200;
-// Of the largest rate: micrometres of approach are differences of lengths of 20 mm, 2e-12 of them in
-// round-off.
-constexpr double kRoundOff = 1e-10;
+constexpr double kRoundOff = 1e-12;  // of the largest rate; found: 6e-15
 constexpr double kOtherReferenceStep = 0.75 * kReferenceStep;
 // Beside 6000 rpm without clearance [1/min], [um].
 constexpr std::pair<double, double> kAccuracyPoints[] = {
