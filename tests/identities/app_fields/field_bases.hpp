@@ -19,13 +19,13 @@ inline const std::string kGears = R"(gearset:
   module: 3 mm
   profile_shift: {sun: 0.2618, ring: 0.4146}
   face_width: 28 mm
-  dynamics: {observed_periods: 20, settling_periods: 100}
+  dynamics: {observed_periods: 8, settling_periods: 100}
 )";
 
 inline const std::string kBearing = R"(bearing:
   type: cylindrical-roller
   per_planet: 1
-  rollers: 10
+  rollers: 8
   roller_diameter: 5.24 mm
   roller_length: 5.7 mm
   pitch_diameter: 35.64 mm
@@ -44,7 +44,7 @@ inline const std::string kBearing = R"(bearing:
 inline const std::string kDrivetrain = R"(name: all fields
 source: none
 model: planetary-drivetrain
-input: {power: 75 kW, speed: 9000 rpm}
+input: {power: 150 kW, speed: 18000 rpm}
 )";
 
 // Coarse steps: what is asked is whether a field counts, not how much.
