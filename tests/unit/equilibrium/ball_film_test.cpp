@@ -70,7 +70,9 @@ TEST(BallFilm, TheLeastFilmTurnsOverWithSpeed) {
                      std::to_string(1e6 * films.least));
     }
     RecordProperty(race == Race::inner ? "inner_turns_at" : "outer_turns_at", std::to_string(highest_at));
-    if (race == Race::inner) EXPECT_LT(last, highest);
+    if (race == Race::inner) {
+      EXPECT_LT(last, highest);
+    }
   }
 }
 

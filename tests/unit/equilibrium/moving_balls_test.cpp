@@ -96,8 +96,12 @@ TEST(MovingBalls, BallsRollOnBothRaces) {
                 motion.radial_spin * inner.cosine + motion.axial_spin * inner.sine -
                     (speeds.inner - motion.orbit) * inner.sine,
                 1e-9);
-    if (weights.inner == 0.0) EXPECT_NEAR(motion.outer_spin, 0.0, 1e-12);
-    if (weights.outer == 0.0) EXPECT_NEAR(motion.inner_spin, 0.0, 1e-12);
+    if (weights.inner == 0.0) {
+      EXPECT_NEAR(motion.outer_spin, 0.0, 1e-12);
+    }
+    if (weights.outer == 0.0) {
+      EXPECT_NEAR(motion.inner_spin, 0.0, 1e-12);
+    }
   }
 }
 
@@ -172,6 +176,30 @@ TEST(MovingBalls, ForcesOfEachBallClose) {
       EXPECT_NEAR(along / ball.outer_load, 0.0, 1e-9);
       EXPECT_NEAR(outward / ball.outer_load, 0.0, 1e-9);
     }
+  }
+}
+
+// Forces at the points of contact, with their arms in space, hold the moments on the ring: those of traction
+// too.
+TEST(MovingBalls, ForcesAtTheContactsHoldTheMoments) {
+  const Bearing bearing = bearing_218();
+  const RingLoad load{.radial = 3000.0, .axial = 17800.0, .moment = 40.0, .moment_across = -25.0};
+  for (const BallAttitude attitude : attitudes) {
+    MovingBallRow row(bearing, turning(11000.0, attitude));
+    ASSERT_TRUE(balance_ring(row, load).report.converged);
+    const double groove = 0.5232 * 22.23e-3;  // [m]
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    for (Eigen::Index j = 0; j < 16; ++j) {
+      const MovingBall& ball = row.balls()[static_cast<std::size_t>(j)];
+      const auto [cosine, sine] = row.geometry().direction(j);
+      const Eigen::Vector3d outward(cosine, sine, 0.0), along = Eigen::Vector3d::UnitZ();
+      const Eigen::Vector3d normal = ball.inner.cosine * outward + ball.inner.sine * along;
+      const Eigen::Vector3d across = ball.inner.cosine * along - ball.inner.sine * outward;
+      const Eigen::Vector3d place = row.lever() * outward - groove * normal;
+      moment += place.cross(-ball.inner_load * normal - ball.inner_traction * across);
+    }
+    EXPECT_NEAR(moment.x(), -load.moment_across, 1e-7);
+    EXPECT_NEAR(moment.y(), load.moment, 1e-7);
   }
 }
 
