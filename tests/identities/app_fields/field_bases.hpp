@@ -162,9 +162,7 @@ inline const std::vector<Base>& bases() {
                                      {"pair_of_gears", kPair},
                                      {"roller_bearing", rollers_case()},
                                      {"ball_bearing", kBalls},
-                                     {"ball_bearing_in_time", kBallsInTime}};
-)";
-
+                                     {"ball_bearing_in_time", kBallsInTime},
                                      {"raceway_defect", kScratch}};
   return all;
 }
