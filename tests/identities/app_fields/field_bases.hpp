@@ -280,6 +280,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"lubricant.kinematic_viscosity", {"30 mm2/s", turning}},
       {"operation.shaft_speed", {"1200 rpm", turning}},
       {"operation.outer_speed", {"-1200 rpm", turning}},
+      {"defect.angle", {"7 deg"}},
       {"defect.depth", {"5 um"}},  // less than a ball sinks
       {"defect.more_angles", {"[40 deg]"}},
       {"signal.band", {"[1 kHz, 4 kHz]"}},
