@@ -53,7 +53,6 @@ void add_operation(std::vector<Field>& fields) {
   Field shaft = speed_of_ring("operation.shaft_speed", "speed of the inner ring");
   shaft.use.by |= use::defect;
   shaft.models |= raceway_defect;
-  shaft.required_by |= raceway_defect;
   fields.push_back(std::move(shaft));
   fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
   fields.push_back({.path = "operation.turning_race",

@@ -158,7 +158,6 @@ Contact guide_ball(const BallNumbers& b, int pocket, const Body& ball, const Bod
   const double closing = -passing.dot(n);
   const Load load = load_of(b.pocket.stiffness, b.pocket.damping, contact.approach, closing);
   contact.load = load.damped;
-  contact.ahead = load.damped * n.dot(ahead);
   const Vector sliding = passing + closing * n;
   const Vector friction =
       b.pocket.friction * load.damped / std::hypot(sliding.norm(), b.pocket.sliding_scale) * sliding;

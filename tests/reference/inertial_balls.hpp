@@ -53,7 +53,6 @@ struct Surroundings {
 struct Contact {
   double approach = 0.0;       // [m]      <= 0: open
   double load = 0.0;           // [N]
-  double ahead = 0.0;          // [N]      of it along the way, of a pocket
   double contact_angle = 0.0;  // [rad]    of the normal from the bearing's plane
   double sliding = 0.0;        // [m/s]    in the middle, along the direction of rolling
   double spin = 0.0;           // [rad/s]

@@ -116,6 +116,7 @@ bearing:
     width: 9 mm
     density: 1310 kg/m3
     guide_land_diameter: 38.88 mm
+    largest_eccentricity: 0.2
 operation: {shaft_speed: 6000 rpm}
 simulation: {duration: 0.02 s, samples: 50, length_error: 2e-6 mm}
 )";
@@ -219,6 +220,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.dynamics.ring.torsional_stiffness", {"1e7 N/m"}},
       {"gearset.dynamics.carrier.torsional_stiffness", {"1e7 N/m"}},
       {"bearing.radial_clearance", {"8 um"}},
+      {"bearing.outside_diameter", {"48 mm"}},
+      {"simulation.observed_share", {"0.5"}},
       {"gearset.dynamics.ring.equivalent_mass",
        {"3.3 kg", {"gearset.dynamics.ring.torsional_stiffness=1e9 N/m"}}},
       {"gearset.dynamics.run_up.from", {"0.9", gears_run_up}},
