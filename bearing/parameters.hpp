@@ -30,14 +30,14 @@ void describe(Visitor& visit, Lubricant& m) {
   members(visit, m,
           field(m.viscosity, "lubricant.viscosity", Felt::carrier,
                 "dynamic viscosity at the inlet, at running temperature",
-                {.models = with_rollers,
+                {.models = with_rollers | ball_motion,
                  .dimension = dimension::viscosity,
                  .range = {1e-5, 100.0},
                  .reason = "a gear oil when warm",
                  .fmu = InFmu::parameter}),
           field(m.pressure_viscosity, "lubricant.pressure_viscosity", Felt::carrier,
                 "pressure-viscosity coefficient at running temperature",
-                {.models = with_rollers,
+                {.models = with_rollers | ball_motion,
                  .dimension = dimension::pressure_viscosity,
                  .range = {0.1, 100.0},
                  .reason = "a mineral oil when warm",
@@ -66,8 +66,8 @@ void describe(Visitor& visit, Cage& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning) {
     return field(member, std::move(path), Felt::carrier, std::move(meaning),
-                 {.models = with_rollers,
-                  .required_by = planetary_drivetrain,
+                 {.models = with_rollers | ball_motion,
+                  .required_by = in_motion,
                   .dimension = dimension::length,
                   .range = positive(1e4),
                   .fmu = InFmu::parameter});
@@ -76,13 +76,13 @@ void describe(Visitor& visit, Cage& m) {
           length(m.outer_diameter, "bearing.cage.outer_diameter", "outer diameter of the cage"),
           length(m.width, "bearing.cage.width", "axial width of the cage"),
           field(m.density, "bearing.cage.density", Felt::carrier, "density of the cage",
-                {.models = with_rollers,
-                 .required_by = planetary_drivetrain,
+                {.models = with_rollers | ball_motion,
+                 .required_by = in_motion,
                  .dimension = dimension::density,
                  .range = positive(25000.0),
                  .fmu = InFmu::parameter}),
           field(m.guidance, "bearing.cage.guidance", Felt::carrier, "ring that guides the cage",
-                {.models = planetary_drivetrain,
+                {.models = in_motion,
                  .reason = "inertia of the carrier frame throws the cage outward"}));
 }
 
@@ -239,14 +239,14 @@ void describe(Visitor& visit, Balls& m) {
   using namespace described;
   members(visit, m,
           field(m.count, "bearing.balls", Felt::lone, "number of balls",
-                {.models = ball_bearing, .required_by = ball_bearing, .range = {3, 500}}),
+                {.models = with_balls, .required_by = with_balls, .range = {3, 500}}),
           field(m.diameter, "bearing.ball_diameter", Felt::lone, "diameter of a ball",
-                {.models = ball_bearing,
-                 .required_by = ball_bearing,
+                {.models = with_balls,
+                 .required_by = with_balls,
                  .dimension = dimension::length,
                  .range = positive(1e4)}),
           field(m.contact_angle, "bearing.contact_angle", Felt::lone, "nominal contact angle",
-                {.models = ball_bearing,
+                {.models = with_balls,
                  .dimension = dimension::angle,
                  .range = {0.0, 85.0},
                  .reason = "a deep-groove bearing"}));
@@ -259,7 +259,7 @@ void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat
   using namespace described;
   const auto groove = field(m.osculation, "bearing." + name + "_osculation", Felt::lone,
                             "radius of the " + name + " groove over ball diameter",
-                            {.models = ball_bearing,
+                            {.models = with_balls,
                              .range = {.least = 0.5, .most = 1.0, .least_allowed = false},
                              .reason = "the grooves for which ISO 281 states f_c"});
   const std::string race = "bearing." + name + "_race";
@@ -272,10 +272,10 @@ void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat
 template <class Visitor>
 void describe(Visitor& visit, Bearing& m) {
   using namespace described;
-  constexpr unsigned any_bearing = with_rollers | ball_bearing;
+  constexpr unsigned any_bearing = with_rollers | with_balls;
   const auto of_rings = [](double& member, std::string path, Felt felt, std::string meaning) {
     return field(member, std::move(path), felt, std::move(meaning),
-                 {.models = with_rollers,
+                 {.models = with_rollers | ball_motion,
                   .required_by = planetary_drivetrain,
                   .dimension = dimension::length,
                   .range = positive(1e4),
@@ -313,7 +313,7 @@ void describe(Visitor& visit, Bearing& m) {
       apart(m.motions),  // of a single bearing a case states operation.turning_race
       field(m.first_element, "bearing.first_element_angle", Felt::lone,
             "angle of the first rolling element from the radial load",
-            {.models = roller_bearing | ball_bearing,
+            {.models = roller_bearing | with_balls,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},
              .reason = "the first one stands on the line of the radial load"}));

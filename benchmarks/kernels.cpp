@@ -12,6 +12,7 @@
 #include "bearing/equilibrium/equilibrium_batch.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/motion/equations.hpp"
+#include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/runs.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 
@@ -62,6 +63,7 @@ void add(const std::string& name, Body body) {
 struct Bench {
   Contest contest;
   bearing::motion::PlanetBearingEquations plain;
+  frozen::Equations before;
   Eigen::VectorXd flat;
   Eigen::VectorXd flat_rate;
   std::vector<double> x, rate, k;
@@ -70,6 +72,7 @@ struct Bench {
   explicit Bench(const Duty& duty)
       : contest(duty),
         plain(duty.model()),
+        before(frozen::constants_of(duty.model())),
         flat(contest.settled(kSettling)),
         flat_rate(flat.size()),
         x(contest.fast().padded(flat)),
@@ -89,6 +92,7 @@ struct Bench {
 void add_kernels(const std::shared_ptr<Bench>& b) {
   bearing::vectorised::VectorBearing& fast = b->contest.fast();
   add("plain_rhs", [b] { b->plain.derivative(0.0, b->flat, b->flat_rate); });
+  add("frozen_rhs", [b] { b->before.derivative(b->flat, b->flat_rate); });
   add("rhs", [b, &fast] { fast.derivative(0.0, b->x.data(), b->rate.data()); });
   add("jacobian", [b, &fast] { fast.linearise(0.0, b->x.data(), b->rate.data()); });
   add("factor", [b, &fast] {
@@ -178,6 +182,7 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
   benchmark::Shutdown();
   const std::map<std::string, double>& ns = keeper.nanoseconds;
   return {.plain_rhs = ns.at("plain_rhs"),
+          .frozen_rhs = ns.at("frozen_rhs"),
           .rhs = ns.at("rhs"),
           .jacobian = ns.at("jacobian"),
           .factor = ns.at("factor"),

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 #include <utility>
 
 #include "benchmarks/accuracy.hpp"
 #include "benchmarks/clocks.hpp"
+#include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/kernels.hpp"
 #include "benchmarks/speed.hpp"
 #include "coupling/system/bearing_steps.hpp"
@@ -24,6 +26,8 @@ constexpr int kSpeeds = 12;                    // thousands of revolutions per m
 constexpr double kClearances[] = {0.0, 37.0};  // [um]
 const std::vector<double> kTolerances{1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10, 3e-11, 1e-11};  // [m]
 
+constexpr int kStatesCompared = 200;
+constexpr double kRoundOff = 1e-12;  // of the largest rate; found: 6e-15
 constexpr double kOtherReferenceStep = 0.75 * kReferenceStep;
 // Beside 6000 rpm without clearance [1/min], [um].
 constexpr std::pair<double, double> kAccuracyPoints[] = {
@@ -46,6 +50,7 @@ void put_kernels(const KernelTimes& times, Json& out) {
   out["solve_ns"] = times.solve;
   out["step_ns"] = times.step;
   out["plain_rhs_ns"] = times.plain_rhs;
+  out["frozen_rhs_ns"] = times.frozen_rhs;
   out["rollers_exponent"] = times.exponent;
   out["static_points_per_s"] = 1e9 / times.fast_static;
   out["plain_static_points_per_s"] = 1e9 / times.plain_static;
@@ -60,6 +65,17 @@ void put_speedup(Trial& trial, const std::string& name, Method searched, Method 
   out["speedup_over_" + name] = fit.found ? Json(speedup(trial, timed, fit.tolerance)) : Json();
   out["references"][name] = {{"allowed_length_error_m", fit.found ? Json(fit.tolerance) : Json()},
                              {"errors", errors_json(fit.errors)}};
+}
+
+// Ratios against other physics would mean nothing.
+void check_frozen(Trial& trial, Json& out) {
+  const double difference =
+      frozen::largest_difference(trial.contest.duty().model(), trial.start, kStatesCompared);
+  out["frozen_difference"] = difference;
+  if (!(difference < kRoundOff))
+    throw std::runtime_error(
+        fmt::format("frozen and present equations differ by {} of the largest rate; required: {}", difference,
+                    kRoundOff));
 }
 
 std::string point_name(double rpm, double clearance) {
@@ -114,6 +130,7 @@ Json measure() {
   put_kernels(time_kernels(drivetrain), out);
   say("reference of 6000 rpm");
   Trial trial(duty_at(drivetrain, kMiddleSpeed, 0.0));
+  check_frozen(trial, out);
   // The search needs no clock, and both equations agree to round-off: the faster ones serve it.
   put_speedup(trial, "dopri5", Method::fast_dopri5, Method::plain_dopri5, out);
   put_speedup(trial, "cvode", Method::cvode, Method::cvode, out);

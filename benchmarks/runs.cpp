@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bearing/motion/equations.hpp"
 #include "bearing/motion/initial_state.hpp"
 #include "benchmarks/cvode.hpp"
+#include "benchmarks/frozen/constants.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/free_bearing.hpp"
 
@@ -98,11 +98,12 @@ void Contest::derivative(double time, const double* x, double* dx) {
 }
 
 Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {
-  const bearing::motion::PlanetBearingEquations plain(model_);
+  std::optional<frozen::Equations> plain;
+  if (method == Method::plain_dopri5) plain.emplace(frozen::constants_of(model_));
   const integration::RightHandSide rate = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                                               Eigen::Ref<Eigen::VectorXd> dx) {
-    if (method == Method::plain_dopri5)
-      plain.derivative(time, x, dx);
+    if (plain)
+      plain->derivative(x, dx);
     else
       derivative(time, x.data(), dx.data());
   };

@@ -39,7 +39,7 @@ struct Span {
 enum class Method {
   fast,          // vectorised equations, linearly implicit stepper
   fast_dopri5,   // vectorised equations, Odeint's controlled dopri5
-  plain_dopri5,  // readable equations, Odeint's controlled dopri5: the frozen baseline
+  plain_dopri5,  // frozen plain equations (frozen/), Odeint's controlled dopri5
   cvode,         // vectorised equations, SUNDIALS CVODE BDF with dense Jacobian by differences
   cvode_order2,  // the same with its order held at two, where BDF damps the ring's resonance
   rk4,           // vectorised equations, classic Runge-Kutta at the fixed step `tolerance` [s]: the reference

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace orbearing::mechanics {
 
@@ -58,8 +59,7 @@ Eigen::Vector<double, N> lengths_under(const Eigen::Vector<double, N>& force,
 namespace detail {
 
 template <int N>
-Eigen::Vector<double, N> newton_step(const Imbalance<N>& now, double reach) {
-  const Eigen::Vector<double, N> step = lengths_under<N>(now.force, now.stiffness);
+Eigen::Vector<double, N> within(double reach, const Eigen::Vector<double, N>& step) {
   const double length = step.norm();
   return length > reach ? Eigen::Vector<double, N>(step * (reach / length)) : step;
 }
@@ -73,18 +73,19 @@ bool is_balanced(const Imbalance<N>& now, const Eigen::Vector<double, N>& place,
   return now.force.norm() <= limits.acceptable * now.scale + now.stiffness.trace() * round_off;
 }
 
-/// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes. `place` holds the start and
-/// then the balance, `now` the imbalance there.
-template <int N, class Function>
-SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
-                          Eigen::Vector<double, N>& place, Imbalance<N>& now) {
+namespace detail {
+
+// The search of all balances. `lengths(force, stiffness)` are those that the force causes.
+template <int N, class Function, class Lengths>
+SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, const SearchLimits& limits,
+                           Eigen::Vector<double, N>& place, Imbalance<N>& now) {
   constexpr int kMostShortenings = 60;
   constexpr double kOvershoot = 0.5;  // of the driving force, that may point back after a step
   SearchReport report;
   now = imbalance_at(place);
   for (; report.iterations < limits.most_iterations; ++report.iterations) {
     if (!(now.force.norm() > limits.tolerance * now.scale)) break;
-    const Eigen::Vector<double, N> step = detail::newton_step<N>(now, limits.reach);
+    const Eigen::Vector<double, N> step = within<N>(limits.reach, lengths(now.force, now.stiffness));
     if (step.norm() <= limits.resolution * (place.norm() + limits.size)) break;
     const Eigen::Vector<double, N> from = place;
     const double drive = now.force.dot(step);
@@ -100,6 +101,16 @@ SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
   report.residual = now.force.norm();
   report.converged = is_balanced<N>(now, place, limits);
   return report;
+}
+
+}  // namespace detail
+
+/// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes. `place` holds the start and
+/// then the balance, `now` the imbalance there.
+template <int N, class Function>
+SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
+                          Eigen::Vector<double, N>& place, Imbalance<N>& now) {
+  return detail::damped_search<N>(std::forward<Function>(imbalance_at), lengths_under<N>, limits, place, now);
 }
 
 /// Takes the freedoms out of a search whose coordinates are given: they bear any force.

@@ -35,6 +35,7 @@ inline constexpr Dimension power{"power", "W", "kW", "150 kW", 1e3};
 inline constexpr Dimension force{"force", "N", "N", "4450 N"};
 inline constexpr Dimension torque{"torque", "N.m", "N.m", "240 N.m"};
 inline constexpr Dimension mass{"mass", "kg", "kg", "2 kg"};
+inline constexpr Dimension inertia{"moment of inertia", "kg.m2", "kg.m2", "1e-4 kg.m2"};
 inline constexpr Dimension time{"time", "s", "s", "0.5 s"};
 inline constexpr Dimension density{"density", "kg/m3", "kg/m3", "7850 kg/m3"};
 inline constexpr Dimension stress{"stress", "Pa", "GPa", "206 GPa", 1e9};
@@ -46,6 +47,7 @@ inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
 inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};
 inline constexpr Dimension inverse_speed{"inverse speed", "s/m", "s/m", "0.1 s/m"};
 inline constexpr Dimension damping{"damping", "N.s/m", "N.s/m", "200 N.s/m"};
+inline constexpr Dimension frequency{"frequency", "Hz", "kHz", "51.2 kHz", 1e3};
 }  // namespace dimension
 
 /// Interval of allowed values, in the customary unit of the dimension.
@@ -67,10 +69,17 @@ enum Model : unsigned {
   planetary_drivetrain = 1,
   roller_bearing = 2,
   gear_pair = 4,
-  ball_bearing = 8
+  ball_bearing = 8,
+  raceway_defect = 16,
+  ball_motion = 1u << 12  // a ball bearing whose case has a block `simulation`: in time
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
-inline constexpr unsigned every_model = with_rollers | gear_pair | ball_bearing;
+/// A ball bearing under a load of its own, at rest or in time.
+inline constexpr unsigned lone_balls = ball_bearing | ball_motion;
+inline constexpr unsigned with_balls = lone_balls | raceway_defect;
+/// Bearings in motion over time.
+inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
+inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -78,24 +87,27 @@ inline constexpr unsigned toothless_set = 1u << 16;
 /// The physics by which a parameter changes a result. Which analysis holds which physics, and which cannot
 /// take a parameter that it ought to, is known where analyses are (app/case/field_use).
 enum class Felt {
-  everywhere,    // gears and bearings alike
-  planet,        // teeth and all that a planet is made of
-  pair,          // a pair of gears
-  gear_bodies,   // masses and springs of the gears
-  gear_motion,   // gears in motion
-  balance,       // what rollers carry, under a static load too
-  carrier,       // the same, but only of a bearing that a carrier takes round
-  walls,         // the carrier's, which hold the pins: gears and rollers in motion
-  pin,           // what holds the bearing: its springs, and rollers in motion
-  load_sharing,  // unlike loads of the planets
-  at_rest,       // bearings at rest, and those in motion that start from them
-  motion,        // rollers and cage in motion
-  euler,         // the carrier's speed that changes
-  life,          // what loads of the rollers are worth in life
-  run,           // means over time
-  run_up,        // speeds that grow
-  lone,          // a single bearing under a static load
-  exchange       // windows of a co-simulation
+  everywhere,     // gears and bearings alike
+  planet,         // teeth and all that a planet is made of
+  pair,           // a pair of gears
+  gear_bodies,    // masses and springs of the gears
+  gear_motion,    // gears in motion
+  balance,        // what rollers carry, under a static load too
+  carrier,        // the same, but only of a bearing that a carrier takes round
+  walls,          // the carrier's, which hold the pins: gears and rollers in motion
+  pin,            // what holds the bearing: its springs, and rollers in motion
+  load_sharing,   // unlike loads of the planets
+  at_rest,        // bearings at rest, and those in motion that start from them
+  motion,         // rollers and cage in motion
+  euler,          // the carrier's speed that changes
+  life,           // what loads of the rollers are worth in life
+  run,            // means over time
+  run_up,         // speeds that grow
+  lone,           // a single bearing under a load of its own
+  turning_balls,  // balls of such a bearing whose rings turn, in balance
+  lone_run,       // a ball bearing by itself in time
+  defect,         // a bearing with scratches in motion
+  exchange        // windows of a co-simulation
 };
 
 /// What an FMU shows of a member.
@@ -105,7 +117,8 @@ enum class InFmu {
   constant    // shown; fixes the number of variables
 };
 
-/// A parameter counts only where that of `path` is `value`; without a value, where it is given and not zero.
+/// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
+/// value, where it is given and not zero.
 struct Where {
   std::string_view path{};
   std::string_view value{};

@@ -46,6 +46,7 @@ class Resolver {
     const Member* member = find_member(root_, "model");
     if (member == nullptr || member->value.shape != Entry::Shape::scalar) return;
     model_ = model_of(member->value.text);
+    if (model_ == ball_bearing && find_member(root_, "simulation") != nullptr) model_ = ball_motion;
     if (model_ != no_model) allowed_ = model_;
   }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/case/arrangement_case.hpp"
+#include "app/case/defect_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
@@ -59,6 +60,12 @@ class Checker {
   const ResolvedCase& resolved_;
   std::vector<Mistake>& mistakes_;
 };
+
+void check_traction(Checker& check) {
+  if (!check.has({"bearing.rollers", "traction.law"}) || check.choice("traction.law") != "ree-eyring") return;
+  check.object("traction.law", "'ree-eyring', a law of balls",
+               "regularised-coulomb or limiting-shear is required for rollers");
+}
 
 void check_members(Checker& check) {
   if (!check.has({"input.member", "gearset.fixed"})) return;
@@ -250,6 +257,7 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
 
 void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   Checker check(resolved, mistakes);
+  check_traction(check);
   check_members(check);
   check_gears(check, resolved);
   check_pair(check, resolved);
@@ -264,6 +272,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_refinements(resolved, mistakes);
   check_profile(resolved, mistakes);
   check_static_bearing(resolved, mistakes);
+  check_defect(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }
 
@@ -285,6 +294,7 @@ void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mist
 bool takes_part_in_consistency(std::string_view path) {
   return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("sets.") ||
          path.starts_with("shafts.") || path.starts_with("pair.") || path.starts_with("load.") ||
+         path.starts_with("defect.") || path.starts_with("signal.") || path == "operation.shaft_speed" ||
          path.starts_with("life.") || path.starts_with("lubricant.kinematic") || path == "input.member";
 }
 

@@ -47,14 +47,16 @@ std::string stiffness_text(double stiffness) {
 }
 
 std::optional<DerivedDefault> pocket_clearance(const ValuesOfSet& value) {
-  if (!value.has({"bearing.roller_diameter", "bearing.pitch_diameter", "bearing.rollers"}))
-    return std::nullopt;
-  const double clearance =
-      bearing::usual_pocket_clearance(value("bearing.roller_diameter"), value("bearing.pitch_diameter"),
-                                      static_cast<int>(value("bearing.rollers")));
+  const bool balls = value.has({"bearing.balls"});
+  const std::string_view diameter = balls ? "bearing.ball_diameter" : "bearing.roller_diameter";
+  const std::string_view count = balls ? "bearing.balls" : "bearing.rollers";
+  if (!value.has({diameter, "bearing.pitch_diameter", count})) return std::nullopt;
+  const double clearance = bearing::usual_pocket_clearance(value(diameter), value("bearing.pitch_diameter"),
+                                                           static_cast<int>(value(count)));
   if (!(clearance > 0.0)) return std::nullopt;
   return DerivedDefault{fmt::format("{:.6g} mm", 1e3 * clearance),
-                        "a fiftieth of the roller's diameter, at most half of the gap between rollers"};
+                        fmt::format("a fiftieth of the {0}'s diameter, at most half of the gap between {0}s",
+                                    balls ? "ball" : "roller")};
 }
 
 std::optional<DerivedDefault> pocket_stiffness(const ValuesOfSet& value) {
@@ -120,7 +122,7 @@ struct DefaultRule {
 // In an order in which each finds what it follows from.
 constexpr DefaultRule default_rules[] = {
     {"bearing.cage.pocket_clearance",
-     "a fiftieth of the roller's diameter, at most half of the gap between rollers", pocket_clearance},
+     "a fiftieth of the diameter of a roller or ball, at most half of the gap between them", pocket_clearance},
     {"bearing.cage.pocket_stiffness",
      "a bar between two pockets, clamped at both ends, of the usual cage material nearest in density",
      pocket_stiffness},
@@ -159,8 +161,12 @@ std::string_view default_rule(std::string_view path) {
 }
 
 void fill_derived_defaults(CaseData& data) {
-  const auto model = data.values.find("model");
-  if (model == data.values.end() || model_of(model->second.value.given) != planetary_drivetrain) return;
+  const auto found = data.values.find("model");
+  if (found == data.values.end()) return;
+  const Model model = model_of(found->second.value.given) == ball_bearing && data.values.contains("simulation.duration")
+                          ? ball_motion
+                          : model_of(found->second.value.given);
+  if ((model & described::in_motion) == 0) return;
   std::vector<std::string> prefixes{""};
   if (data.shape.several) {
     prefixes.clear();
@@ -170,6 +176,7 @@ void fill_derived_defaults(CaseData& data) {
     for (const DefaultRule& rule : default_rules) {
       // The pin belongs to a set, though its field does not: each of several finds its own, in `of_set`.
       if (data.shape.several && !in_each_set(*find_field(rule.path))) continue;
+      if ((find_field(rule.path)->models & model) == 0) continue;
       fill_one(data, prefix, rule);
     }
 }

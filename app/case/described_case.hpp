@@ -22,7 +22,7 @@ class DescribedCase {
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if (facts.details.models == no_model) return;
+    if ((facts.details.models & in_.model()) == 0) return;
     // What follows from other values must have done so.
     if (in_.has(facts.path) || !default_rule(facts.path).empty()) read(member, facts);
   }

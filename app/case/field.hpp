@@ -19,6 +19,8 @@ using described::every_model;
 using described::positive;
 using described::Range;
 using described::toothless_set;
+using described::lone_balls;
+using described::with_balls;
 using described::with_rollers;
 
 struct Field {

@@ -107,6 +107,7 @@ std::vector<Field> build_table() {
   table::add_bearing_fields(fields);
   add_described(fields, gearset::GearPair{});
   table::add_static_fields(fields);
+  table::add_defect_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -181,10 +182,10 @@ const Field* find_field(std::string_view path) {
   return found == fields.end() ? nullptr : &*found;
 }
 
-std::vector<const Field*> fields_of(Model model) {
+std::vector<const Field*> fields_of(unsigned models) {
   std::vector<const Field*> found;
   for (const Field& field : all_fields())
-    if ((field.models & model) != 0) found.push_back(&field);
+    if ((field.models & models) != 0) found.push_back(&field);
   return found;
 }
 
@@ -198,6 +199,10 @@ std::string_view model_name(Model model) {
       return "gear-pair";
     case ball_bearing:
       return "ball-bearing";
+    case ball_motion:
+      return "ball-bearing with a block 'simulation'";
+    case raceway_defect:
+      return "raceway-defect";
     case no_model:
       break;
   }
@@ -205,7 +210,8 @@ std::string_view model_name(Model model) {
 }
 
 const std::vector<Model>& models() {
-  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, ball_bearing, gear_pair};
+  static const std::vector<Model> all{planetary_drivetrain, roller_bearing, ball_bearing, gear_pair,
+                                      raceway_defect};
   return all;
 }
 
@@ -216,7 +222,7 @@ Model model_of(std::string_view name) {
 }
 
 const std::vector<std::string>& planned_models() {
-  static const std::vector<std::string> names{"duplex-pair", "raceway-defect", "spin-film"};
+  static const std::vector<std::string> names{"duplex-pair", "spin-film"};
   return names;
 }
 

@@ -32,8 +32,8 @@ bool in_each_set(const Field& field);
 /// The field of `shafts.NAME`.
 const Field& shaft_field();
 
-/// Fields that a model knows, in table order.
-std::vector<const Field*> fields_of(Model model);
+/// Fields that any of the models knows, in table order.
+std::vector<const Field*> fields_of(unsigned models);
 
 /// Name of a model of this version, and back (`no_model` for another name).
 std::string_view model_name(Model model);
@@ -53,6 +53,7 @@ void add_drivetrain_fields(std::vector<Field>& fields);
 void add_bearing_fields(std::vector<Field>& fields);
 void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
+void add_defect_fields(std::vector<Field>& fields);
 }  // namespace table
 
 }  // namespace orbearing::app

@@ -22,19 +22,20 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load | use::ball_run |
+             use::defect;
     case carrier:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::ball_run;
     case walls:
       return use::gears_in_motion | use::natural | use::rollers_in_motion;
     case pin:
-      return use::rollers_in_motion | use::bearings_as_springs;
+      return use::rollers_in_motion | use::bearings_as_springs | use::ball_run;
     case load_sharing:
       return use::gears_in_motion | use::quasi_static;
     case at_rest:
       return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
     case motion:
-      return use::rollers_in_motion;
+      return use::rollers_in_motion | use::ball_run;
     case euler:
       return use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing;
     case life:
@@ -44,7 +45,13 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
+      return use::static_load | use::ball_run | use::defect;
+    case turning_balls:
       return use::static_load;
+    case lone_run:
+      return use::ball_run;
+    case defect:
+      return use::defect;
     case exchange:
       return use::co_simulated;
   }
@@ -83,6 +90,7 @@ constexpr Exception exceptions[] = {
     {"bearing.cage.pocket_roughness", use::monolithic},
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
+    {"load.tilt", use::ball_run},
     {"simulation.integrator", other_rungs | use::fmu_bearing}};
 
 // What gives way under the planets, with its ends: felt at rest too where pins stand off their places, since
@@ -113,10 +121,28 @@ Use with_load_sharing(const Use& use, std::string_view path) {
   return gives_way ? use.felt_too(use::quasi_static, where_pins_are_displaced()) : use;
 }
 
+// "one|other"
+std::vector<std::string> either_of(std::string_view values) {
+  std::vector<std::string> found;
+  for (std::size_t bar = 0; bar != std::string_view::npos; values.remove_prefix(bar + 1)) {
+    bar = values.find('|');
+    found.emplace_back(values.substr(0, bar));
+    if (bar == std::string_view::npos) break;
+  }
+  return found;
+}
+
 Exception exception_of(std::string_view path) {
   for (const Exception& exception : exceptions)
     if (exception.path == path) return exception;
   return {path};
+}
+
+// Balls feel their mass where a ring turns.
+Use with_turning_rings(const Use& use, const described::Facts& facts) {
+  const Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed"});
+  if (facts.felt == described::Felt::turning_balls) return use.when(turning);
+  return facts.path == "material.density" ? use.felt_too(use::static_load, turning) : use;
 }
 
 }  // namespace
@@ -126,11 +152,11 @@ Use use_of(const described::Facts& facts) {
   const unsigned without = leaving_out(facts.felt) | but.unused_by;
   const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
-  const Use use = with_load_sharing(Use(by, unfelt, but.refused_by), facts.path);
+  const Use use = with_turning_rings(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);
-  return use.when(only.value.empty() ? where_given({path}) : where(path, {std::string(only.value)}));
+  return use.when(only.value.empty() ? where_given({path}) : where(path, either_of(only.value)));
 }
 
 Condition where(std::string path, std::vector<std::string> values) {
@@ -166,7 +192,7 @@ const std::vector<use::Analysis>& analyses() {
   static const std::vector<use::Analysis> every{
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,  use::fmu_gearset, use::static_load};
+      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect};
   return every;
 }
 
@@ -198,6 +224,10 @@ std::string analysis_name(use::Analysis analysis) {
       return "fmu --model gearset";
     case use::static_load:
       return "run of a single bearing";
+    case use::ball_run:
+      return "run of a ball bearing in time";
+    case use::defect:
+      return "run of a bearing with scratches";
   }
   return "";
 }

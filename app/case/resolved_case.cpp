@@ -70,7 +70,9 @@ std::string ResolvedCase::origin(std::string_view path) const {
 }
 
 Model ResolvedCase::model() const {
-  return has("model") ? model_of(choice("model")) : no_model;
+  if (!has("model")) return no_model;
+  const Model model = model_of(choice("model"));
+  return model == ball_bearing && has("simulation.duration") ? ball_motion : model;
 }
 
 ResolvedCase ResolvedCase::without_sweep() const {

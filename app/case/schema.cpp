@@ -81,8 +81,13 @@ Json& block_of(Json& root, std::string_view path, bool required) {
   return *block;
 }
 
+// A ball bearing is one model to a schema, with or without a block `simulation`.
+unsigned kinds_of(Model model) {
+  return model == ball_bearing ? lone_balls : unsigned{model};
+}
+
 void add_field(Json& root, const Field& field, Model model) {
-  const bool required = (field.required_by & model) != 0;
+  const bool required = (field.required_by & kinds_of(model)) == kinds_of(model);
   Json& block = block_of(root, field.path, required);
   const std::string key = field.path.substr(field.path.rfind('.') + 1);
   if (required) block["required"].push_back(key);
@@ -117,7 +122,7 @@ Json by_path(Model model, const char* key, const char* description, bool (*takes
              Json (*schema)(const Field&)) {
   Json properties = Json::object();
   Json patterns = Json::object();
-  for (const Field* field : fields_of(model)) {
+  for (const Field* field : fields_of(kinds_of(model))) {
     if (!takes(*field)) continue;
     properties[field->path] = schema(*field);
     if ((model & planetary_drivetrain) != 0 && in_each_set(*field))
@@ -195,7 +200,7 @@ Json model_schema(Model model) {
                  {"additionalProperties", false},
                  {"required", Json::array()},
                  {"properties", Json::object()}};
-  for (const Field* field : fields_of(model)) add_field(schema, *field, model);
+  for (const Field* field : fields_of(kinds_of(model))) add_field(schema, *field, model);
   schema["properties"]["model"] = {{"const", model_name(model)}};
   if (model == planetary_drivetrain) schema["properties"]["sweep"] = sweep_schema(model);
   schema["properties"]["assumed"] = assumed_schema(model);

@@ -8,6 +8,8 @@ set(ORBEARING_CASE_SOURCES
   case/changed_case.cpp
   case/check_table.cpp
   case/consistency.cpp
+  case/defect_case.cpp
+  case/defect_fields.cpp
   case/derived_defaults.cpp
   case/described_fields.cpp
   case/drivetrain_fields.cpp
@@ -25,6 +27,7 @@ set(ORBEARING_CASE_SOURCES
   case/resolved_writer.cpp
   case/schema.cpp
   case/settings.cpp
+  case/ball_case.cpp
   case/static_case.cpp
   case/static_consistency.cpp
   case/static_fields.cpp

@@ -22,7 +22,7 @@ std::optional<double> stated(const ResolvedCase& in, const char* path) {
 
 bearing::Bearing bearing_of(const ResolvedCase& in) {
   bearing::Bearing bearing;
-  if (in.model() == ball_bearing) bearing.elements = bearing::Balls{};
+  if ((in.model() & with_balls) != 0) bearing.elements = bearing::Balls{};
   bearing = from_case(in, bearing);
   std::visit([&](auto& elements) { complete(in, elements); }, bearing.elements);
   bearing.motions = bearing::rating::turning(
@@ -32,6 +32,12 @@ bearing::Bearing bearing_of(const ResolvedCase& in) {
 
 bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& in) {
   return from_case<bearing::equilibrium::RingLoad>(in);
+}
+
+bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& in) {
+  return {.speeds = {in.quantity("operation.shaft_speed"), in.quantity("operation.outer_speed")},
+          .inertia = in.model() == ball_bearing ? from_case<bearing::equilibrium::BallInertia>(in)
+                                                : bearing::equilibrium::BallInertia{}};
 }
 
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {

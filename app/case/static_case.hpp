@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/case/resolved_case.hpp"
-#include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/equilibrium/moving_balls.hpp"
 #include "bearing/life/standard_life.hpp"
 
 namespace orbearing::app {
@@ -15,6 +15,9 @@ bearing::Bearing bearing_of(const ResolvedCase& resolved);
 
 /// On the inner ring.
 bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& resolved);
+
+/// How its rings turn.
+bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& resolved);
 
 /// What the case states in place of the standard's values.
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& resolved);

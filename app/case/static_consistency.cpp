@@ -5,20 +5,11 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "app/case/objection.hpp"
+
 namespace orbearing::app {
 
 namespace {
-
-void object_to(const ResolvedCase& in, const std::string& path, std::string found, std::string required,
-               std::vector<Mistake>& mistakes) {
-  mistakes.push_back({in.place(path), path, {std::move(found), std::move(required)}});
-}
-
-bool has_all(const ResolvedCase& in, std::initializer_list<const char*> paths) {
-  for (const char* path : paths)
-    if (!in.has(path)) return false;
-  return true;
-}
 
 // Two ways to state the same thing exclude each other.
 void check_either(const ResolvedCase& in, const char* one, const char* other,
@@ -66,6 +57,17 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
               fmt::format("less than {:.4g} um is required by the grooves", 1e6 * most), mistakes);
 }
 
+// What a motion needs beyond a balance.
+void check_motion(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (in.model() != ball_motion) return;
+  const auto positive = [&](const char* path) { return in.has(path) && in.quantity(path) > 0.0; };
+  if (!(positive("rotor.mass") && positive("rotor.inertia")) && !has_all(in, {"bearing.bore", "bearing.width"}))
+    object_to(in, "simulation.duration", "an inner ring in motion whose mass is not known",
+              "bearing.bore and bearing.width are required, or rotor.mass and rotor.inertia", mistakes);
+  if (positive("load.axial") || positive("load.radial")) return;
+  object_to(in, "load.radial", "no load", "a radial or axial load greater than 0 N is required", mistakes);
+}
+
 void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_either(in, "life.viscosity_ratio", "lubricant.kinematic_viscosity", mistakes);
   check_either(in, "life.contamination_factor", "life.cleanliness", mistakes);
@@ -92,10 +94,12 @@ void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 }  // namespace
 
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
-  if (resolved.model() != roller_bearing && resolved.model() != ball_bearing) return;
+  if ((resolved.model() & with_balls) != 0) check_balls(resolved, mistakes);
+  if (resolved.model() == ball_motion) check_motion(resolved, mistakes);
+  if (resolved.model() != roller_bearing && resolved.model() != ball_bearing && resolved.model() != ball_motion)
+    return;
   check_load(resolved, mistakes);
   check_life(resolved, mistakes);
-  check_balls(resolved, mistakes);
 }
 
 }  // namespace orbearing::app

@@ -2,65 +2,87 @@
 // asks.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "bearing/equilibrium/moving_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/motion/balls/parameters.hpp"
 #include "bearing/parameters.hpp"
+#include "coupling/system/ball_run.hpp"
 
 namespace orbearing::app::table {
 
 namespace {
 
-constexpr unsigned single_bearing = roller_bearing | ball_bearing;
+constexpr unsigned static_bearing = roller_bearing | ball_bearing;
+constexpr unsigned single_bearing = roller_bearing | lone_balls;
 
 const Use& by_static_load() {
   static const Use use(use::static_load, 0);
   return use;
 }
 
+const Use& by_any_load() {
+  static const Use use(use::static_load | use::ball_run, 0);
+  return use;
+}
+
 Field optional_quantity(const Dimension& dimension, std::string path, std::string meaning, unsigned models,
-                        Range range) {
+                        Range range, const Use& use = by_static_load()) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
-          .use = by_static_load(),
+          .use = use,
           .models = models,
           .dimension = dimension,
           .range = range};
 }
 
-// Felt by the film, and so where there is an oil.
+// Felt by the film, and so where there is an oil; by balls always.
 Field speed_of_ring(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
-          .use = by_static_load().when(where_given({"lubricant.kinematic_viscosity"})),
+          .use = by_any_load().when(where_given({"lubricant.kinematic_viscosity", "bearing.balls"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},
           .default_text = "0 rpm",
-          .default_reason = "a static load"};
+          .default_reason = "a ring that stands"};
 }
 
 void add_operation(std::vector<Field>& fields) {
-  fields.push_back(speed_of_ring("operation.shaft_speed", "speed of the inner ring"));
+  Field shaft = speed_of_ring("operation.shaft_speed", "speed of the inner ring");
+  shaft.use.by |= use::defect;
+  shaft.models |= raceway_defect;
+  fields.push_back(std::move(shaft));
   fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
   fields.push_back({.path = "operation.turning_race",
                     .kind = Kind::choice,
                     .meaning = "race that turns relative to the load",
-                    .use = by_static_load(),
+                    .use = by_any_load(),
                     .models = single_bearing,
                     .choices = {"inner", "outer"},
                     .default_text = "inner",
                     .default_reason = "a load that stands still on a turning shaft"});
+  fields.push_back({.path = "operation.shaft_acceleration",
+                    .kind = Kind::quantity,
+                    .meaning = "acceleration of the inner ring from rest up to its speed; 0: that speed from the "
+                               "start on",
+                    .use = Use(use::ball_run, 0),
+                    .models = ball_motion,
+                    .dimension = dimension::angular_acceleration,
+                    .range = {0.0, 1e9},
+                    .default_text = "0 rpm/s",
+                    .default_reason = "steady speed"});
 }
 
 void add_capacities(std::vector<Field>& fields) {
   constexpr Range above_zero{.least = 0.0, .most = 1e9, .least_allowed = false};
   fields.push_back(optional_quantity(dimension::force, "bearing.dynamic_capacity",
                                      "basic dynamic load rating C; without it that of ISO 281",
-                                     single_bearing, above_zero));
+                                     single_bearing, above_zero, by_any_load()));
   fields.push_back(optional_quantity(dimension::force, "bearing.fatigue_load_limit",
                                      "fatigue load limit C_u; without it that of ISO 281 by C_0",
-                                     single_bearing, above_zero));
+                                     static_bearing, above_zero));
 }
 
 Field life_number(std::string path, std::string meaning, Range range) {
@@ -68,7 +90,7 @@ Field life_number(std::string path, std::string meaning, Range range) {
           .kind = Kind::number,
           .meaning = std::move(meaning),
           .use = by_static_load(),
-          .models = single_bearing,
+          .models = static_bearing,
           .range = range};
 }
 
@@ -85,7 +107,7 @@ void add_life(std::vector<Field>& fields) {
                     .kind = Kind::choice,
                     .meaning = "how the bearing is lubricated, for the contamination factor",
                     .use = by_static_load().when(where_given({"life.cleanliness"})),
-                    .models = single_bearing,
+                    .models = static_bearing,
                     .choices = {"circulating-oil", "oil-bath", "grease"},
                     .default_text = "circulating-oil",
                     .default_reason = "oil with a filter in its line"});
@@ -93,19 +115,22 @@ void add_life(std::vector<Field>& fields) {
                     .kind = Kind::choice,
                     .meaning = "level of cleanliness, in place of the contamination factor",
                     .use = by_static_load(),
-                    .models = single_bearing,
+                    .models = static_bearing,
                     .choices = {"highest", "high", "medium", "low", "lowest"}});
   fields.push_back(optional_quantity(dimension::kinematic_viscosity, "lubricant.kinematic_viscosity",
                                      "kinematic viscosity at running temperature, in place of kappa",
-                                     single_bearing, {.least = 0.0, .most = 1e6, .least_allowed = false}));
+                                     static_bearing, {.least = 0.0, .most = 1e6, .least_allowed = false}));
 }
 
 }  // namespace
 
 void add_static_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::equilibrium::RingLoad{});
+  add_described(fields, bearing::equilibrium::BallInertia{});
   add_operation(fields);
   add_described(fields, bearing::Bearing{.elements = bearing::Balls{}});
+  add_described(fields, bearing::balls::MotionParameters{});
+  add_described(fields, system::BallRunOptions{});
   add_capacities(fields);
   add_life(fields);
 }

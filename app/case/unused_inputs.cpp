@@ -73,7 +73,8 @@ bool is_felt_beside(const ResolvedCase& in, const Input& input, const Condition&
 
 std::string condition_text(const ResolvedCase& in, const Input& input, const Condition& condition) {
   std::vector<std::string> paths;
-  for (const std::string& path : condition.paths) paths.push_back(beside(input.path, path));
+  for (const std::string& path : condition.paths)
+    if ((find_field(path)->models & in.model()) != 0) paths.push_back(beside(input.path, path));
   const std::string either = fmt::format("{}", fmt::join(paths, " or "));
   if (condition.absent) return fmt::format("it counts only where {} is not given", either);
   if (condition.values.empty()) return fmt::format("it counts only beside {}", either);
@@ -190,7 +191,9 @@ std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {
 std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
   unsigned allowed = use::static_load;
   const CaseShape& shape = resolved.shape();
+  if (resolved.model() == ball_motion) allowed = use::ball_run;
   if (resolved.model() == gear_pair) allowed = use::mesh;
+  if (resolved.model() == raceway_defect) allowed = use::defect;
   if (resolved.model() == planetary_drivetrain) {
     if (shape.several)
       allowed = use::quasi_static | use::dynamic_of_sets | use::crown;

@@ -7,6 +7,7 @@
 #include "app/case/check_table.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
+#include "app/study/defect_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
@@ -30,6 +31,7 @@ Checked check(const ResolvedCase& resolved) {
     return {pair_quantities(resolved, meshes), meshes.warnings};
   }
   if (is_static_bearing(resolved)) return {static_quantities(resolved), {}, {}};
+  if (is_defect(resolved)) return {defect_quantities(resolved), {}, {}};
   if (resolved.model() != planetary_drivetrain) return {};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);

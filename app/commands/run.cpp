@@ -2,9 +2,12 @@
 
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
+#include "app/commands/defect_run.hpp"
 #include "app/commands/gear_study.hpp"
 #include "app/commands/static_run.hpp"
+#include "app/study/ball_study.hpp"
 #include "app/study/computable.hpp"
+#include "app/study/defect_study.hpp"
 #include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 
@@ -14,6 +17,8 @@ int run_command(const Options& options) {
   require_place_of_results(options);
   const ResolvedCase resolved = read_point(options.case_file, options.settings);
   if (is_static_bearing(resolved) && !options.gears) return run_static_case(resolved, options);
+  if (is_ball_run(resolved) && !options.gears) return run_ball_case(resolved, options);
+  if (is_defect(resolved) && !options.gears) return run_defect_case(resolved, options);
   if (options.gears || runs_gears_alone(resolved)) return run_gear_case(resolved, options);
   require_computable(resolved, options.fidelity, false);
   SweepRequest request = sweep_request(resolved, options.fidelity);

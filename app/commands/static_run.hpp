@@ -1,5 +1,5 @@
-// The analysis of one bearing under a static load: `orbearing run` of the models roller-bearing and
-// ball-bearing.
+// The analyses of one bearing by itself: `orbearing run` of the models roller-bearing and ball-bearing, under a
+// static load or, of balls, in time.
 #pragma once
 
 #include "app/case/resolved_case.hpp"
@@ -7,7 +7,8 @@
 
 namespace orbearing::app {
 
-/// Runs, writes the folder, prints. Returns the exit code. Throws BadInput and ComputationFailed.
+/// Run, write the folder, print. Return the exit code. Throw BadInput and ComputationFailed.
 int run_static_case(const ResolvedCase& resolved, const Options& options);
+int run_ball_case(const ResolvedCase& resolved, const Options& options);
 
 }  // namespace orbearing::app

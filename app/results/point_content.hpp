@@ -22,6 +22,10 @@ struct NamedArray {
   std::vector<double> values;  // NaN where there is none
 };
 
+inline NamedArray single_value(std::string name, std::string units, std::string meaning, double value) {
+  return {std::move(name), {}, std::move(units), std::move(meaning), {value}};
+}
+
 /// All that a file holds; a new series is one more array here.
 struct PointContent {
   std::vector<NamedDimension> dimensions;

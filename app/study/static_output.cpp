@@ -54,13 +54,26 @@ Json factors_json(const StaticStudy& study) {
   return factors;
 }
 
-NamedArray scalar(std::string name, std::string units, std::string meaning, double value) {
-  return {std::move(name), {}, std::move(units), std::move(meaning), {value}};
-}
-
 std::string life_row(const char* name, double life, const char* meaning) {
   if (!std::isfinite(life)) return fmt::format("{:<22} {:>14}  {}\n", name, "-", meaning);
   return fmt::format("{:<22} {:>14.6g}  {}\n", name, kMillion * life, meaning);
+}
+
+std::string loads_of_elements(const StaticStudy& study) {
+  std::string text = fmt::format("{:>8} {:>12}\n", "element", "load [N]");
+  for (Eigen::Index j = 0; j < study.contact_load.size(); ++j)
+    text += fmt::format("{:>8} {:>12.6g}\n", j, study.contact_load[j]);
+  return text;
+}
+
+std::string loads_on_both_races(const StaticStudy& study) {
+  std::string text = fmt::format("{:>8} {:>12} {:>12} {:>12} {:>12}\n", "ball", "inner [N]", "inner [deg]",
+                                 "outer [N]", "outer [deg]");
+  for (Eigen::Index j = 0; j < study.contact_load.size(); ++j)
+    text +=
+        fmt::format("{:>8} {:>12.6g} {:>12.4f} {:>12.6g} {:>12.4f}\n", j, study.contact_load[j],
+                    kDegree * study.contact_angle[j], study.outer_load[j], kDegree * study.outer_angle[j]);
+  return text;
 }
 
 }  // namespace
@@ -68,7 +81,7 @@ std::string life_row(const char* name, double life, const char* meaning) {
 Json static_json(const StaticStudy& study) {
   Json object{{"displacement", {{"radial_um", 1e6 * study.radial}, {"axial_um", 1e6 * study.axial}}},
               {"tilt_mrad", 1e3 * study.tilt},
-              {"contact_load_max_N", study.contact_load.maxCoeff()},
+              {"contact_load_max_N", largest_load(study)},
               {"contact_loads_N", list(study.contact_load)},
               {"L10_Mrev", number_or_null(kMillion * study.basic_life)},
               {"L10r_Mrev", number_or_null(kMillion * study.reference_life.bearing)},
@@ -79,6 +92,14 @@ Json static_json(const StaticStudy& study) {
               {"ratings", ratings_json(study.ratings)},
               {"factors", factors_json(study)},
               {"reference_life", lives(study.reference_life)}};
+  object["stiffness"] = Json::array();
+  for (const auto& row : study.stiffness.rowwise())
+    object["stiffness"].push_back(list(row.transpose().array()));
+  if (study.outer_load.size() > 0) {
+    object["outer_contact_loads_N"] = list(study.outer_load);
+    object["outer_contact_angles_deg"] = list(study.outer_angle, kDegree);
+    object["gyroscopic_friction"] = study.friction;
+  }
   if (study.lundberg_palmgren) object["lundberg_palmgren"] = lives(*study.lundberg_palmgren);
   if (study.contact_angle.size() > 0) object["contact_angles_deg"] = list(study.contact_angle, kDegree);
   if (study.lamina_load.size() > 0) object["lamina_loads_N"] = by_roller(study.lamina_load);
@@ -88,11 +109,9 @@ Json static_json(const StaticStudy& study) {
 std::string static_text(const StaticStudy& study) {
   std::string text = fmt::format("displacement: radial {:.5g} um, axial {:.5g} um, tilt {:.5g} mrad\n",
                                  1e6 * study.radial, 1e6 * study.axial, 1e3 * study.tilt);
-  text += fmt::format("largest contact load {:.6g} N, pressure {:.5g} MPa\n\n", study.contact_load.maxCoeff(),
+  text += fmt::format("largest contact load {:.6g} N, pressure {:.5g} MPa\n\n", largest_load(study),
                       1e-6 * study.largest_pressure);
-  text += fmt::format("{:>8} {:>12}\n", "element", "load [N]");
-  for (Eigen::Index j = 0; j < study.contact_load.size(); ++j)
-    text += fmt::format("{:>8} {:>12.6g}\n", j, study.contact_load[j]);
+  text += study.outer_load.size() > 0 ? loads_on_both_races(study) : loads_of_elements(study);
   text += fmt::format("\n{:<22} {:>14}\n", "life", "[Mrev]");
   text += life_row("L10", study.basic_life, "ISO 281");
   text += life_row("L10r", study.reference_life.bearing, "ISO/TS 16281");
@@ -106,20 +125,26 @@ PointContent static_content(const StaticStudy& study) {
   const auto elements = static_cast<std::size_t>(study.contact_load.size());
   PointContent content{.dimensions = {{"element", elements}}, .arrays = {}, .attributes = {}};
   content.arrays = {
-      scalar("radial_displacement", "m", "inner ring along the radial load", study.radial),
-      scalar("axial_displacement", "m", "inner ring along the axis", study.axial),
-      scalar("tilt", "rad", "inner ring in the plane of the load", study.tilt),
-      scalar("moment", "N m", "on the inner ring in the plane of the load", study.moment),
-      scalar("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
-      scalar("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
-      scalar("basic_life", "1", "L10, revolutions", study.basic_life),
-      scalar("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
-      scalar("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
+      single_value("radial_displacement", "m", "inner ring along the radial load", study.radial),
+      single_value("axial_displacement", "m", "inner ring along the axis", study.axial),
+      single_value("tilt", "rad", "inner ring in the plane of the load", study.tilt),
+      single_value("moment", "N m", "on the inner ring in the plane of the load", study.moment),
+      single_value("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
+      single_value("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
+      single_value("basic_life", "1", "L10, revolutions", study.basic_life),
+      single_value("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
+      single_value("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
       {"contact_load",
        {"element"},
        "N",
        "load of each rolling element, the first at bearing.first_element_angle from the load line",
        {study.contact_load.begin(), study.contact_load.end()}}};
+  if (study.outer_load.size() > 0)
+    content.arrays.push_back({"outer_contact_load",
+                              {"element"},
+                              "N",
+                              "load of each ball on the outer race",
+                              {study.outer_load.begin(), study.outer_load.end()}});
   for (NamedArray& array : content.arrays)
     for (double& value : array.values)
       if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();

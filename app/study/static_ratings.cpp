@@ -82,6 +82,13 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
         "bearing.laminae: {} laminae; ISO/TS 16281 asks for at least 30, and its stress riser depends on "
         "their number",
         study.lamina_load.rows()));
+  constexpr double slipping = 0.1;  // of lubricated steel
+  if (study.friction > slipping)
+    study.warnings.push_back(
+        fmt::format("operation: the gyroscopic moment of a ball asks for a friction of {:.2g} on a race; it "
+                    "will slip, which "
+                    "the balance does not know",
+                    study.friction));
   constexpr double permanent = 4000e6;  // [Pa]  of line contacts; 4200 MPa for points
   if (study.largest_pressure > permanent)
     study.warnings.push_back(

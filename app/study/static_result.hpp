@@ -20,12 +20,17 @@ struct FilmState {
 /// Results; lives in revolutions, infinite where nothing is loaded.
 struct StaticStudy {
   std::string model;
-  double radial = 0.0;            // [m]    displacement across the axis, of both planes
-  double axial = 0.0;             // [m]
-  double tilt = 0.0;              // [rad]  of both planes
-  double moment = 0.0;            // [N m]  on the inner ring, in the plane of the radial load
-  Eigen::ArrayXd contact_load;    // [N]    (rolling elements)
-  Eigen::ArrayXd contact_angle;   // [rad]  (balls); empty for rollers
+  double radial = 0.0;           // [m]    displacement across the axis, of both planes
+  double axial = 0.0;            // [m]
+  double tilt = 0.0;             // [rad]  of both planes
+  double moment = 0.0;           // [N m]  on the inner ring, in the plane of the radial load
+  Eigen::ArrayXd contact_load;   // [N]    (rolling elements)  on the inner race
+  Eigen::ArrayXd contact_angle;  // [rad]  (balls)  there; empty for rollers
+  Eigen::ArrayXd outer_load;     // [N]    (balls)  of rings that turn; else empty
+  Eigen::ArrayXd outer_angle;    // [rad]  (balls)  the same
+  double friction = 0.0;         // [-]    traction over load that holds the balls, at most
+  /// Of the inner ring: x along the radial load, y, z, tilts about x and y; [N/m], [N/rad], [N m/rad].
+  Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   Eigen::ArrayXXd lamina_load;    // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]  after Hertz, without what edges add
   bearing::rating::Ratings ratings;

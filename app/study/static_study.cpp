@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/static_ratings.hpp"
+#include "app/units.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
@@ -30,6 +33,15 @@ double resultant(double along, double across, bool mirrored) {
   return mirrored ? along : std::hypot(along, across);
 }
 
+// From tilts in the planes of x and z, of y and z to those about x and y.
+Eigen::Matrix<double, 5, 5> by_axes(const Eigen::Matrix<double, 5, 5>& stiffness) {
+  Eigen::Matrix<double, 5, 5> turned = Eigen::Matrix<double, 5, 5>::Zero();
+  turned.topLeftCorner<3, 3>().setIdentity();
+  turned(3, 4) = 1.0;   // forward where y is positive: about x
+  turned(4, 3) = -1.0;  // forward where x is positive: about -y
+  return turned * stiffness * turned.transpose();
+}
+
 }  // namespace
 
 bool is_static_bearing(const ResolvedCase& resolved) {
@@ -42,7 +54,7 @@ StaticStudy static_study(const ResolvedCase& in) {
                    "; required: roller-bearing or ball-bearing");
   const bearing::Bearing bearing = bearing_of(in);
   const equilibrium::RingLoad load = ring_load_of(in);
-  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, load);
+  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, row_motion_of(in), load);
   require_balance(in, state.report);
   const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
   StaticStudy study{.model = in.choice("model"),
@@ -52,17 +64,28 @@ StaticStudy static_study(const ResolvedCase& in) {
                     .moment = state.moment,
                     .contact_load = state.contact_load,
                     .contact_angle = state.contact_angle,
+                    .outer_load = state.outer_load,
+                    .outer_angle = state.outer_angle,
+                    .friction = state.friction,
+                    .stiffness = by_axes(state.stiffness),
                     .lamina_load = state.lamina_load,
                     .largest_pressure = state.largest_pressure};
   study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
   study.equivalent_load = rating::equivalent_load(bearing, load.radial, load.axial);
-  const rating::ElementLoads loads{state.contact_load, state.lamina_load};
-  study.reference_life = rating::reference_life(bearing, study.ratings.contacts, loads, loads);
+  const bool unlike = state.outer_load.size() > 0;
+  const rating::ElementLoads inner{state.contact_load, state.lamina_load};
+  const rating::ElementLoads outer{unlike ? state.outer_load : state.contact_load, state.lamina_load};
+  study.reference_life = rating::reference_life(bearing, study.ratings.contacts, inner, outer);
   if (bearing.has_rollers())
     study.lundberg_palmgren = bearing::lundberg_palmgren_life(bearing, in.number("life.lambda"),
                                                               study.contact_load, study.contact_load);
   rate(in, rating::rolling_element(bearing), study);
   return study;
+}
+
+double largest_load(const StaticStudy& study) {
+  const double inner = study.contact_load.maxCoeff();
+  return study.outer_load.size() > 0 ? std::max(inner, study.outer_load.maxCoeff()) : inner;
 }
 
 double static_property(const StaticStudy& study, const std::string& quantity) {
@@ -71,13 +94,18 @@ double static_property(const StaticStudy& study, const std::string& quantity) {
   };
   for (const auto& value :
        {among("radial_um", 1e6 * study.radial), among("axial_um", 1e6 * study.axial),
-        among("tilt_mrad", 1e3 * study.tilt), among("contact_load_max_N", study.contact_load.maxCoeff()),
+        among("tilt_mrad", 1e3 * study.tilt), among("contact_load_max_N", largest_load(study)),
         among("f_c", study.ratings.capacity_factor), among("C_r_N", study.ratings.dynamic_capacity),
         among("L10_Mrev", 1e-6 * study.basic_life), among("L10r_Mrev", 1e-6 * study.reference_life.bearing),
         among("life_Mrev", 1e-6 * study.life)})
     if (value) return *value;
   for (Eigen::Index j = 0; j < study.contact_load.size(); ++j)
-    if (quantity == fmt::format("contact_load_{}_N", j)) return study.contact_load[j];
+    for (const auto& [name, values, unit] :
+         {std::tuple("contact_load_{}_N", &study.contact_load, 1.0),
+          std::tuple("outer_contact_load_{}_N", &study.outer_load, 1.0),
+          std::tuple("contact_angle_{}_deg", &study.contact_angle, kDegree),
+          std::tuple("outer_contact_angle_{}_deg", &study.outer_angle, kDegree)})
+      if (j < values->size() && quantity == fmt::format(fmt::runtime(name), j)) return unit * (*values)[j];
   return std::numeric_limits<double>::quiet_NaN();
 }
 

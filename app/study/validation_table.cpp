@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "app/errors.hpp"
+#include "app/study/defect_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_study.hpp"
@@ -141,10 +142,11 @@ ValidationRow judged(ValidationRow row, bool trend) {
 ValidationTable validation_table_of(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs) {
   if (resolved.model() == gear_pair) return study_table(resolved, expected, mesh_study, mesh_property);
   if (is_static_bearing(resolved)) return study_table(resolved, expected, static_study, static_property);
+  if (is_defect(resolved)) return study_table(resolved, expected, defect_study, defect_property);
   if (resolved.model() != planetary_drivetrain)
-    throw BadInput(
-        resolved.origin("model") + ": model: found " + resolved.choice("model") +
-        "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing or ball-bearing");
+    throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
+                   "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing, "
+                   "ball-bearing or raceway-defect");
   if (!resolved.shape().teeth) return study_table(resolved, expected, modes_of, mode_property);
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});

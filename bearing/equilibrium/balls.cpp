@@ -39,14 +39,6 @@ BallRow::BallRow(const Bearing& bearing) : lever_(0.5 * bearing.pitch_diameter) 
   sine_ = angle.sin();
 }
 
-// Where the groove centres of one ball stand to each other.
-struct BallRow::BallPlace {
-  double radial;    // [m]
-  double axial;     // [m]
-  double length;    // [m]
-  double approach;  // [m]  positive in contact
-};
-
 BallRow::BallPlace BallRow::place_of(Eigen::Index ball, const RingPlace& place) const {
   const double radial = radial_distance_ + place[0] * cosine_[ball] + place[1] * sine_[ball];
   const double axial = axial_distance_ + place[2] + place[3] * cosine_[ball] + place[4] * sine_[ball];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
@@ -26,12 +27,21 @@ class BallRow {
   double radial_distance() const { return radial_distance_; }  // [m]  concentric: A cos(alpha) - s/2
   double axial_distance() const { return axial_distance_; }    // [m]  concentric: A sin(alpha)
   double constant() const { return constant_; }                // [N/m^1.5]  of both contacts in series
+  /// Where the groove centres of one ball stand to each other.
+  struct BallPlace {
+    double radial;    // [m]
+    double axial;     // [m]
+    double length;    // [m]
+    double approach;  // [m]  positive in contact
+  };
+  BallPlace place_of(Eigen::Index ball, const RingPlace& place) const;
+  /// Cosine and sine of a ball's angle from the radial load.
+  std::pair<double, double> direction(Eigen::Index ball) const { return {cosine_[ball], sine_[ball]}; }
+  Eigen::Index count() const { return cosine_.size(); }
+
   const PointContact& contact(Race race) const { return race == Race::inner ? inner_ : outer_; }
 
  private:
-  struct BallPlace;
-  BallPlace place_of(Eigen::Index ball, const RingPlace& place) const;
-
   double groove_distance_ = 0.0;
   double radial_distance_ = 0.0;
   double axial_distance_ = 0.0;

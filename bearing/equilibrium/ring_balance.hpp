@@ -14,10 +14,12 @@
 #include <boost/math/constants/constants.hpp>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "bearing/parameters.hpp"
 #include "mechanics/convex_search.hpp"
 #include "mechanics/described.hpp"
+#include "mechanics/root_search.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
@@ -36,16 +38,16 @@ struct RingLoad {
 template <class Visitor>
 void describe(Visitor& visit, RingLoad& m) {
   using namespace described;
-  constexpr unsigned single_bearing = roller_bearing | ball_bearing;
+  constexpr unsigned single_bearing = roller_bearing | lone_balls;
   members(
       visit, m,
       field(m.radial, "load.radial", Felt::lone, "radial load on the bearing",
-            {.models = single_bearing,
-             .required_by = single_bearing,
+            {.models = single_bearing | raceway_defect,
+             .required_by = single_bearing | raceway_defect,
              .dimension = dimension::force,
              .range = {0.0, 1e9}}),
       field(m.axial, "load.axial", Felt::lone, "axial load on the bearing",
-            {.models = ball_bearing,
+            {.models = lone_balls,
              .dimension = dimension::force,
              .range = {0.0, 1e9},
              .reason = "a radial load alone"}),
@@ -74,19 +76,32 @@ struct BalanceReport : mechanics::SearchReport {
 /// both races. Where a nominal contact angle of zero leaves no side preferred, that position is axially
 /// centred.
 struct RingState {
-  double radial = 0.0;            // [m]    along the radial load
-  double lateral = 0.0;           // [m]    across it
-  double axial = 0.0;             // [m]
-  double tilt = 0.0;              // [rad]  in the plane of the radial load
-  double lateral_tilt = 0.0;      // [rad]
-  double moment = 0.0;            // [N m]  on the ring in that plane: given, or holding the given tilt
-  double lateral_moment = 0.0;    // [N m]
-  Eigen::ArrayXd contact_load;    // [N]    (elements)
-  Eigen::ArrayXd contact_angle;   // [rad]  (balls); empty for rollers
-  Eigen::ArrayXXd lamina_load;    // [N]    (laminae, rollers); empty for balls
+  double radial = 0.0;           // [m]    along the radial load
+  double lateral = 0.0;          // [m]    across it
+  double axial = 0.0;            // [m]
+  double tilt = 0.0;             // [rad]  in the plane of the radial load
+  double lateral_tilt = 0.0;     // [rad]
+  double moment = 0.0;           // [N m]  on the ring in that plane: given, or holding the given tilt
+  double lateral_moment = 0.0;   // [N m]
+  Eigen::ArrayXd contact_load;   // [N]    (elements)  on the inner race
+  Eigen::ArrayXd contact_angle;  // [rad]  (balls)  on the inner race; empty for rollers
+  Eigen::ArrayXd outer_load;     // [N]    (balls)  where it differs; else empty
+  Eigen::ArrayXd outer_angle;    // [rad]  (balls)  the same
+  double friction = 0.0;        // [-]    traction over load that holds the balls' gyroscopic moments, at most
+  Eigen::ArrayXXd lamina_load;  // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]   of both races, after Hertz; of rollers that of a lamina
+  /// Of the ring against its displacement and tilt (x, y, z, tilt in the planes of x and z, of y and z):
+  /// [N/m], [N/rad], [N m/m], [N m/rad].
+  Eigen::Matrix<double, 5, 5> stiffness = Eigen::Matrix<double, 5, 5>::Zero();
   BalanceReport report;
 };
+
+/// The place at which a state was found. `lever` [m].
+inline RingPlace place_of(const RingState& state, double lever) {
+  return (RingPlace() << state.radial, state.lateral, state.axial, lever * std::tan(state.tilt),
+          lever * std::tan(state.lateral_tilt))
+      .finished();
+}
 
 /// Angles of the elements from the radial load [rad].
 inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
@@ -98,21 +113,30 @@ inline Eigen::ArrayXd element_angles(const Bearing& bearing) {
 /// What a row adds to the ring's balance: force [N] of the elements on the ring, its stiffness, and as scale
 /// the sum of the contact loads, however they cancel.
 ///
-/// A row is a type with
+/// A row whose forces follow its motion, and so have no energy, says `static constexpr bool follows_motion`;
+/// one whose balance is a start for another, how near it needs be: `static constexpr double near` [-]. A row
+/// is a type with
 ///     double lever() const;                                     // [m]  of the tilts
 ///     double reach(double load) const;                          // [m]  scale of the place under `load` [N]
 ///     void add_forces(const RingPlace&, RingImbalance&) const;
 ///     void put_loads(const RingPlace&, RingState&) const;       // all of the elements, and the pressure
 ///     double stored_energy(const RingPlace&) const;             // [J]
 template <class Row>
-RingImbalance row_forces(const Row& row, const RingPlace& place) {
+RingImbalance row_forces(Row&& row, const RingPlace& place) {
   RingImbalance sum;
   row.add_forces(place, sum);
   return sum;
 }
 
+/// Stiffness by displacement [m] and tilt [rad] of one by places, whose tilts are taken at the lever [m].
+inline Eigen::Matrix<double, 5, 5> by_tilt(const Eigen::Matrix<double, 5, 5>& stiffness, double lever) {
+  const Eigen::Vector<double, 5> arms(1.0, 1.0, 1.0, lever, lever);
+  return arms.asDiagonal() * stiffness * arms.asDiagonal();
+}
+
+/// The search begins at `start`; a tilt that is given stays.
 template <class Row>
-RingState balance_ring(const Row& row, const RingLoad& load) {
+RingState balance_ring(Row&& row, const RingLoad& load, const RingPlace& start = RingPlace::Zero()) {
   const double lever = row.lever();
   const bool tilt_given = load.tilt.has_value();
   const RingPlace outer =
@@ -120,8 +144,11 @@ RingState balance_ring(const Row& row, const RingLoad& load) {
        tilt_given ? 0.0 : load.moment_across / lever)
           .finished();
   const Eigen::Array<bool, 5, 1> held(false, false, false, tilt_given, tilt_given);
-  RingPlace place = RingPlace::Zero();
-  if (tilt_given) place[3] = lever * std::tan(*load.tilt);
+  RingPlace place = start;
+  if (tilt_given) {
+    place[3] = lever * std::tan(*load.tilt);
+    place[4] = 0.0;
+  }
   const double reach = row.reach(outer.norm()) + std::abs(place[3]);
   const auto imbalance_at = [&](const RingPlace& at) {
     RingImbalance sum = row_forces(row, at);
@@ -132,17 +159,25 @@ RingState balance_ring(const Row& row, const RingLoad& load) {
   };
   RingState state;
   RingImbalance now;
-  const mechanics::SearchLimits limits{.reach = reach, .tolerance = 1e-13, .most_iterations = 300};
-  state.report = {mechanics::find_balance<5>(imbalance_at, limits, place, now)};
+  mechanics::SearchLimits limits{.reach = reach, .tolerance = 1e-13, .most_iterations = 300};
+  if constexpr (requires { std::remove_cvref_t<Row>::follows_motion; }) {
+    limits.most_iterations = 60;  // begins near its end, or not at all
+    state.report = {mechanics::find_root<5>(imbalance_at, limits, place, now)};
+  } else {
+    if constexpr (requires { std::remove_cvref_t<Row>::near; })
+      limits.tolerance = limits.acceptable = std::remove_cvref_t<Row>::near;
+    state.report = {mechanics::find_balance<5>(imbalance_at, limits, place, now)};
+  }
   if (!state.report.converged) state.report.message = "the ring found no balance on its rolling elements";
-  const RingPlace forces = -row_forces(row, place).force;
+  const RingImbalance borne = row_forces(row, place);
   state.radial = place[0];
   state.lateral = place[1];
   state.axial = place[2];
   state.tilt = std::atan(place[3] / lever);
   state.lateral_tilt = std::atan(place[4] / lever);
-  state.moment = forces[3] * lever;
-  state.lateral_moment = forces[4] * lever;
+  state.moment = -borne.force[3] * lever;
+  state.lateral_moment = -borne.force[4] * lever;
+  state.stiffness = by_tilt(borne.stiffness, lever);
   row.put_loads(place, state);
   return state;
 }

@@ -21,4 +21,8 @@ RingState balance_bearing(const Bearing& bearing, const RingLoad& load) {
   return std::visit([&](const auto& row) { return balance_ring(row, load); }, row_of(bearing));
 }
 
+RingState balance_bearing(const Bearing& bearing, const RowMotion& motion, const RingLoad& load) {
+  return bearing.has_rollers() ? balance_bearing(bearing, load) : balance_moving(bearing, motion, load);
+}
+
 }  // namespace orbearing::bearing::equilibrium

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/moving_balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/equilibrium/rollers.hpp"
 
@@ -18,5 +19,7 @@ ElementRow row_of(const Bearing& bearing);
 /// Where the inner ring balances under `load`, and what the elements carry. Throws as above; a search that
 /// fails says so in the report.
 RingState balance_bearing(const Bearing& bearing, const RingLoad& load);
+/// The same of rings that turn, which balls feel; rollers do not.
+RingState balance_bearing(const Bearing& bearing, const RowMotion& motion, const RingLoad& load);
 
 }  // namespace orbearing::bearing::equilibrium

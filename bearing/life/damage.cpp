@@ -24,17 +24,18 @@ Eigen::Index uneven_laminae(const LaminaRaces* laminae) {
   return laminae && !laminae->even() ? laminae->inner().laminae() : 0;
 }
 
-RacePassages::RacePassages(Eigen::Index places, Eigen::Index laminae)
+RacePassages::RacePassages(Eigen::Index places, Eigen::Index laminae, DamagePower damage_power)
     : way(Eigen::ArrayXd::Zero(places)),
       load(way),
-      fourth_power(way),
-      lamina_fourth_power(Eigen::ArrayXXd::Zero(laminae, laminae > 0 ? places : 0)) {}
+      power(way),
+      lamina_fourth_power(Eigen::ArrayXXd::Zero(laminae, laminae > 0 ? places : 0)),
+      damage_power_(damage_power) {}
 
 void RacePassages::add(Eigen::Index place, double passed, double force) {
   const double square = force * force;
   way[place] += passed;
   load[place] += passed * force;
-  fourth_power[place] += passed * square * square;
+  power[place] += passed * square * (damage_power_ == DamagePower::of_points ? force : square);
 }
 
 void RacePassages::add_laminae(Eigen::Index place, double passed, double force,
@@ -61,7 +62,7 @@ Eigen::ArrayXd RacePassages::mean_load() const {
 }
 
 Eigen::ArrayXd RacePassages::damage() const {
-  return over_rolling(fourth_power);
+  return over_rolling(power);
 }
 
 Eigen::ArrayXXd RacePassages::lamina_damage() const {

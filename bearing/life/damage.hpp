@@ -42,16 +42,21 @@ struct RollerLoads {
   const double* tip = nullptr;
 };
 
-/// Sums of one race. Places stand in the carrier frame, as loads do.
+/// Power of a load by which its passages count: of lines, rollers; of points, balls. [LundbergPalmgren1947]
+/// [LundbergPalmgren1952]
+enum class DamagePower { of_points = 3, of_lines = 4 };
+
+/// Sums of one race. Places stand in the carrier frame, as loads do. N^p: by the damage power.
 struct RacePassages {
-  Eigen::ArrayXd way;           // [rad]      (places)  that rollers went over the race while at a place
-  Eigen::ArrayXd load;          // [N rad]    (places)
-  Eigen::ArrayXd fourth_power;  // [N^4 rad]  (places)
-  double rolling = 0.0;         // [rad]  way of all rollers at pure rolling
+  Eigen::ArrayXd way;    // [rad]      (places)  that elements went over the race while at a place
+  Eigen::ArrayXd load;   // [N rad]    (places)
+  Eigen::ArrayXd power;  // [N^p rad]  (places)
+  double rolling = 0.0;  // [rad]  way of all elements at pure rolling
   Eigen::ArrayXXd lamina_fourth_power;  // [N^4 rad]  (laminae, places)  no rows: laminae are not counted
   double lamina_largest = 0.0;          // [N]
 
-  explicit RacePassages(Eigen::Index places, Eigen::Index laminae = 0);
+  explicit RacePassages(Eigen::Index places, Eigen::Index laminae = 0,
+                        DamagePower damage_power = DamagePower::of_lines);
   void add(Eigen::Index place, double passed, double force);
   /// `forces` [N] (laminae) are those of the elastic contact, whose sum the damping turns into `force`.
   void add_laminae(Eigen::Index place, double passed, double force,
@@ -61,13 +66,15 @@ struct RacePassages {
   Eigen::ArrayXd passages() const;
   /// Mean over the passages at each place [N]; zero where there were none  (places)
   Eigen::ArrayXd mean_load() const;
-  /// Fourth powers of all passages over the number of passages at pure rolling [N^4]  (places)
+  /// Powers of all passages over the number of passages at pure rolling [N^p]  (places)
   Eigen::ArrayXd damage() const;
-  /// The same of single laminae [N^4]  (laminae, places)
+  /// Fourth powers of single laminae likewise [N^4]  (laminae, places)
   Eigen::ArrayXXd lamina_damage() const;
 
  private:
   Eigen::ArrayXXd over_rolling(const Eigen::Ref<const Eigen::ArrayXXd>& sums) const;
+
+  DamagePower damage_power_;
 };
 
 /// What both races' damage() says, and lamina_damage() where laminae are counted.
@@ -90,8 +97,9 @@ class DamageSums {
   RacePassages outer;
 
   /// `laminae` as uneven_laminae() says.
-  explicit DamageSums(Eigen::Index places, Eigen::Index laminae = 0)
-      : inner(places, laminae), outer(places, laminae), lamina_forces_(laminae) {}
+  explicit DamageSums(Eigen::Index places, Eigen::Index laminae = 0,
+                      DamagePower power = DamagePower::of_lines)
+      : inner(places, laminae, power), outer(places, laminae, power), lamina_forces_(laminae) {}
 
   /// `rollers` rollers whose loads last for `time` [s].
   void add(double time, Eigen::Index rollers, const RollerLoads& loads);
@@ -102,7 +110,7 @@ class DamageSums {
   template <class Visit>
   void each(Visit visit) {
     for (RacePassages* race : {&inner, &outer}) {
-      for (Eigen::ArrayXd* sums : {&race->way, &race->load, &race->fourth_power})
+      for (Eigen::ArrayXd* sums : {&race->way, &race->load, &race->power})
         visit(sums->data(), static_cast<long>(sums->size()));
       visit(&race->rolling, 1);
       visit(race->lamina_fourth_power.data(), static_cast<long>(race->lamina_fourth_power.size()));

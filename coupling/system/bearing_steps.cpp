@@ -8,12 +8,6 @@ namespace orbearing::system {
 
 namespace {
 
-constexpr double kTypicalApproach = 1e-6;  // [m]
-constexpr double kStepOfImpact = 1.05;     // [rad]  of the faster of both vibrations in the longest step
-// Share of the allowed error for the radial speeds of rollers: they open and close the contacts, and life
-// errs with them more than with all other variables together.
-constexpr double kRadialSpeedShare = 0.2;
-
 // Of a roller between its races [rad/s].
 double roller_frequency(const bearing::motion::BearingModel& model) {
   const double stiffness = 2.0 * model.inner.load.load(kTypicalApproach, 1.0) / kTypicalApproach;

@@ -15,6 +15,14 @@ namespace orbearing::system {
 /// by themselves.
 inline constexpr double kLinearlyImplicitErrorFactor = 1000.0;
 
+/// At which a contact's stiffness stands for that of a run [m].
+inline constexpr double kTypicalApproach = 1e-6;
+/// Of the fastest vibration in the longest step [rad].
+inline constexpr double kStepOfImpact = 1.05;
+/// Share of the allowed error for the radial speeds of rolling elements: they open and close the contacts,
+/// and life errs with them more than with all other variables together.
+inline constexpr double kRadialSpeedShare = 0.2;
+
 /// Allowed errors of a bearing's state by kind: no share relative to angles, which grow. `length` [m] sets
 /// all: angles follow by `radius` [m], speeds by `frequency` [rad/s], that of a roller between its races.
 Eigen::VectorXd allowed_errors(const bearing::motion::StateLayout& layout, double length, double radius,

@@ -38,6 +38,15 @@ def read_point(report: Report, speed_rpm: float | None) -> PointFile:
     path = _path(report.folder, speed_rpm, report.record("slice"))
     if path is None:
         return PointFile(problem=f"The file of {where} is not named in manifest.jsonl.")
+    return _read(path, where)
+
+
+def read_only_point(folder: Path | None) -> PointFile:
+    """The file of a result that has but one; never raises."""
+    return _read(folder / "points" / "00000.nc", "the result") if folder else PointFile(problem="This result has no folder.")
+
+
+def _read(path: Path, where: str) -> PointFile:
     try:
         import netCDF4
     except ImportError:

@@ -32,6 +32,8 @@ def build_all(folder: Path) -> dict[str, str]:
     report = read_report(folder)
     if report.record("crown"):
         return _crown_pages(report)
+    if report.record("defect"):
+        return _defect_pages(report)
     pages = dict(animation.pages(report.along_speed()))
     with style.context():
         return {**pages, "report.html": page(report, blocks_of(report), tuple(pages))}
@@ -44,6 +46,16 @@ def _crown_pages(report) -> dict[str, str]:
 
     with style.context():
         return {"report.html": crown_page.page(report, crown.blocks(report))}
+
+
+def _defect_pages(report) -> dict[str, str]:
+    """The page of a bearing with scratches."""
+    from orbearing import defect_page, style
+    from orbearing.figures import defect
+    from orbearing.point_file import read_only_point
+
+    with style.context():
+        return {"report.html": defect_page.page(report, defect.blocks(report, read_only_point(report.folder)))}
 
 
 def write_all(folder: Path, pages: dict[str, str]) -> None:

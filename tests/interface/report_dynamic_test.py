@@ -29,11 +29,12 @@ from orbearing import report as command  # noqa: E402
 from orbearing import effects_table, style  # noqa: E402
 from orbearing.figures import DYNAMIC_BLOCKS, cage_orbit, dynamic_ablation, dynamic_polar, power_loss, slip_traces  # noqa: E402
 from orbearing.page import page  # noqa: E402
-from orbearing.point_file import load_zone, one_roller, read_point  # noqa: E402
+from orbearing.point_file import PointFile, load_zone, one_roller, read_point  # noqa: E402
 from orbearing.result_folder import read_report  # noqa: E402
 from report_test import nulled, outline, poisoned, run_command  # noqa: E402
 
 FROM_FILES = ("dynamic-polar", "roller-history", "roller-orbit", "slip-traces", "cage-orbit")
+OF_ANIMATIONS = {"cage_angle"}  # variables that no figure asks for
 FROM_ROWS = ("slip", "power-loss", "dynamic-ablation")
 PICTURES = {"dynamic-polar": 3, "roller-history": 2, "roller-orbit": 1, "slip-traces": 1, "cage-orbit": 3, "slip": 1, "power-loss": 2,
             "dynamic-ablation": 1}
@@ -51,10 +52,12 @@ def make_page(content=None, change=lambda name, values: values, damage=lambda fo
         return command.build(Path(folder))
 
 
-def make_figures(content=None, change=lambda name, values: values, blocks=(*DYNAMIC_BLOCKS, dynamic_ablation.block)):
+def make_figures(content=None, change=lambda name, values: values, blocks=(*DYNAMIC_BLOCKS, dynamic_ablation.block),
+                 damage=lambda folder: None):
     """The sections that only a dynamic result has, or some of them, without the time that the others take."""
     with tempfile.TemporaryDirectory() as folder:
         dynamic.write_results(folder, dynamic.make_report() if content is None else content, change)
+        damage(Path(folder))
         report = read_report(Path(folder))
         with style.context():
             return page(report, [block(report) for block in blocks])
@@ -64,6 +67,19 @@ def peak_only():
     """One point in place of twelve, and so one picture in place of three."""
     content = dynamic.make_report()
     return {**content, "points": content["points"][5:6]}
+
+
+def asked_of_files(content):
+    """Block -> the names of all variables that it asks for: it cannot feel that another one is missing."""
+    asked, get = {}, PointFile.get
+    with tempfile.TemporaryDirectory() as folder, style.context():
+        dynamic.write_results(folder, content)
+        report = read_report(Path(folder))
+        for block in DYNAMIC_BLOCKS[:len(FROM_FILES)]:
+            names = asked[block] = set()
+            with mock.patch.object(PointFile, "get", lambda point, *more: (names.update(more), get(point, *more))[1]):
+                block(report)
+    return asked
 
 
 class WholeResult(unittest.TestCase):
@@ -126,25 +142,31 @@ class MissingData(unittest.TestCase):
                 path.write_bytes(path.read_bytes()[:900])
 
         self.check_words(make_page(damage=remove), "cannot be read", ".nc")
-        self.check_words(make_page(damage=damage), "cannot be read", ".nc")
-        self.check_words(make_page(damage=lambda folder: (folder / "manifest.jsonl").unlink()), "manifest.jsonl")
+        self.check_words(make_figures(damage=damage), "cannot be read", ".nc")
+        self.check_words(make_figures(damage=lambda folder: (folder / "manifest.jsonl").unlink()), "manifest.jsonl")
 
     def test_missing_module_is_named(self):
         with tempfile.TemporaryDirectory() as folder:
             dynamic.write_results(folder, dynamic.make_report())
-            with mock.patch.dict(sys.modules, {"netCDF4": None}):
-                self.check_words(command.build(Path(folder)), "netCDF4", "python3-netcdf4")
+            with mock.patch.dict(sys.modules, {"netCDF4": None}), style.context():
+                report = read_report(Path(folder))
+                blocks = (*DYNAMIC_BLOCKS, dynamic_ablation.block)
+                self.check_words(page(report, [block(report) for block in blocks]), "netCDF4", "python3-netcdf4")
 
     def test_one_file_less_costs_one_picture(self):
-        text = make_page(damage=lambda folder: (folder / "points" / "00000.nc").unlink())
+        text = make_figures(damage=lambda folder: (folder / "points" / "00000.nc").unlink())
         self.assertEqual(section(text, "dynamic-polar").count("<svg"), 2)
         self.assertEqual(section(text, "roller-history").count("<svg"), PICTURES["roller-history"])
 
     def test_any_variable_may_be_absent_or_unfilled(self):
+        asked = asked_of_files(peak_only())
+        self.assertTrue(all(asked.values()))
         for name in dynamic.variables(6000):
-            for empty in (None, np.nan):
+            blocks = [block for block, names in asked.items() if name in names]
+            self.assertTrue(blocks or name in OF_ANIMATIONS, f"nothing asks for {name}")
+            for empty in (None, np.nan) if blocks else ():
                 with self.subTest(variable=name, value=empty):
-                    text = make_figures(peak_only(), lambda n, values: values if n != name else empty, DYNAMIC_BLOCKS[:len(FROM_FILES)])
+                    text = make_figures(peak_only(), lambda n, values: values if n != name else empty, blocks)
                     self.assertEqual(outline(text).faults, [])
                     self.assertNotRegex(text, r"(?i)>nan<")
 

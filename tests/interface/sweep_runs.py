@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(os.environ.get("ORBEARING_SOURCE_DIR", Path(__file__).resolve().parents[2]))
 PROGRAM = os.environ.get("ORBEARING", str(ROOT / "build" / "release" / "bin" / "orbearing"))
 CASE = ROOT / "cases" / "reducer_150kW" / "case.yaml"
-STEP = os.environ.get("FINE_STEP", "10 rpm")  # tools/test --full: 2 rpm
+STEP = os.environ.get("FINE_STEP", "25 rpm")  # tools/test --full: 2 rpm
 FINE = f"sweep.input.speed={{from: 1000 rpm, to: 12000 rpm, step: {STEP}}}"
 COARSE = "sweep.input.speed={from: 1000 rpm, to: 12000 rpm, step: 500 rpm}"
 WAIT = 600  # [s] far beyond any run here; a program that hangs must not hang the tests

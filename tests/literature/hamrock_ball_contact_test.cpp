@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bearing/contact/point_contact.hpp"
+#include "bearing/contact/point_film.hpp"
 
 namespace orbearing::bearing::hamrock_ball_contact_test {
 namespace {
@@ -40,6 +41,32 @@ TEST(HamrockBall, SemiAxesOnTheInnerRace) {
                                              {.youngs_modulus = 200e9});
   EXPECT_NEAR(point_pressure(contact, kLoad).major * 1e3 / 2.654, 1.0, kFourDigits);
   EXPECT_NEAR(point_pressure(contact, kLoad).minor * 1e3 / 0.2858, 1.0, kFourDigits);
+}
+
+TEST(HamrockBall, FilmsOfBothRaces) {
+  constexpr double ball = 12.7e-3, inner = 52.291e-3, outer = 77.706e-3, speed = 400.0;
+  constexpr double pitch = 0.5 * (inner + outer), half_per_cent = 5e-3;
+  struct Film {
+    Race race;
+    double diameter, least, central;  // [m], [um], [um]
+  };
+  // Half the sum of the surface speeds where the cage goes with half the inner race's centre speed.
+  const double surface = 0.25 * speed * (pitch * pitch - ball * ball) / pitch;
+  for (const Film& row : {Film{Race::inner, inner, 0.5527, 0.6904}, Film{Race::outer, outer, 0.661, 0.828}}) {
+    const PointContact contact =
+        point_contact(ball_race_curvature(row.race, ball, pitch, 6.604e-3, 0.0), {.youngs_modulus = 200e9});
+    const double side = row.race == Race::inner ? 1.0 : -1.0;
+    const OiledPoint oil{.viscosity = 0.04,
+                         .pressure_viscosity = 2.3e-8,
+                         .rolling_radius = 1.0 / (2.0 / ball + side * 2.0 / row.diameter),
+                         .axis_ratio = contact.ellipse.axis_ratio,
+                         .modulus = contact.modulus};
+    const auto film = [&](const PointFilmLaw& law) {
+      return 1e6 * std::exp(law.log_film(std::log(kLoad), std::log(surface)));
+    };
+    EXPECT_NEAR(film(PointFilmLaw::least(oil)) / row.least, 1.0, half_per_cent);
+    EXPECT_NEAR(film(PointFilmLaw::central(oil)) / row.central, 1.0, half_per_cent);
+  }
 }
 
 }  // namespace

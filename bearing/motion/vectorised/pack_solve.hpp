@@ -35,7 +35,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   const double* pin = rhs + layout_.pin();
   const double g = g_, per_mass = 1.0 / c_.roller_mass;
   RingLoads loads;             // changes of force through the shifts of positions
-  Pack sums[kRingUnknowns]{};  // of_ring own^-1 b
+  Pack sums[kRingUnknowns]{};  // of_shared own^-1 b
   for (int p = 0; p < packs_; ++p) {
     const RollerPack& at = linear_[p];
     const RollerBlock& block = block_[p];
@@ -72,7 +72,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
       store(y[i], entry(k, 2 + i, p));
     }
     for (int i = 0; i < block.ring_end(); ++i)
-      sums[i] += block.of_ring[i][0] * y[0] + block.of_ring[i][1] * y[1] + block.of_ring[i][2] * y[2];
+      sums[i] += block.of_shared[i][0] * y[0] + block.of_shared[i][1] * y[1] + block.of_shared[i][2] * y[2];
   }
 
   const auto ring_rhs = [&](int i) { return -sum(sums[i]); };
@@ -120,7 +120,7 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
     Pack rate[3];
     for (int i = 0; i < 3; ++i) {
       rate[i] = load(entry(k, 2 + i, p));
-      for (int m = 0; m < block.ring_end(); ++m) rate[i] -= block.by_ring[i][m] * b[m];
+      for (int m = 0; m < block.ring_end(); ++m) rate[i] -= block.by_shared[i][m] * b[m];
       store(rate[i], entry(k, 2 + i, p));
     }
     store(load(entry(rhs, 0, p)) + g * rate[0], entry(k, 0, p));

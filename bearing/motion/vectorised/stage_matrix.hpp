@@ -49,14 +49,14 @@ inline void add_contact(double g, const Pack (&roller_scale)[3], double body_mas
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) block.own[i][k] += roller_scale[i] * stage.roller[i][k];
     const Pair row = to_plane(at, stage.roller[0][k], stage.roller[1][k]);
-    block.of_ring[first][k] = body_scale * row.x;
-    block.of_ring[first + 1][k] = body_scale * row.y;
+    block.of_shared[first][k] = body_scale * row.x;
+    block.of_shared[first + 1][k] = body_scale * row.y;
   }
   Pair columns[3];
   for (int i = 0; i < 3; ++i) {
     columns[i] = to_plane(at, stage.body[i][0], stage.body[i][1]);
-    block.by_ring[i][first] = roller_scale[i] * columns[i].x;
-    block.by_ring[i][first + 1] = roller_scale[i] * columns[i].y;
+    block.by_shared[i][first] = roller_scale[i] * columns[i].x;
+    block.by_shared[i][first + 1] = roller_scale[i] * columns[i].y;
   }
   const Pair by_x = to_plane(at, columns[0].x, columns[1].x);
   const Pair by_y = to_plane(at, columns[0].y, columns[1].y);
@@ -73,7 +73,7 @@ inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Con
   const PocketSlopes& slopes = at.pocket;
   Pack by_turn[3];
   for (int i = 0; i < 3; ++i) by_turn[i] = g * slopes.by_angle[i] + slopes.by_speed[i];
-  for (int i = 0; i < 3; ++i) block.by_ring[i][kTurn] = roller_scale[i] * by_turn[i];
+  for (int i = 0; i < 3; ++i) block.by_shared[i][kTurn] = roller_scale[i] * by_turn[i];
   const Pair force = to_plane(at, by_turn[0], by_turn[1]);
   block.rings[kCage][kTurn] = (g / c.cage_mass) * force.x;
   block.rings[kCage + 1][kTurn] = (g / c.cage_mass) * force.y;
@@ -82,9 +82,9 @@ inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Con
   Pack radial, orbital;
   by_roller(g, at, slopes.cage_by_position[0], slopes.cage_by_position[1], slopes.cage_by_velocity[0],
             slopes.cage_by_velocity[1], radial, orbital);
-  block.of_ring[kTurn][0] = scale * radial;
-  block.of_ring[kTurn][1] = scale * orbital;
-  block.of_ring[kTurn][2] = scale * slopes.cage_by_spin;
+  block.of_shared[kTurn][0] = scale * radial;
+  block.of_shared[kTurn][1] = scale * orbital;
+  block.of_shared[kTurn][2] = scale * slopes.cage_by_spin;
   const Pair shift = to_plane(at, g * slopes.cage_by_position[0] + slopes.cage_by_velocity[0],
                               g * slopes.cage_by_position[1] + slopes.cage_by_velocity[1]);
   block.rings[kTurn][kCage] = -scale * shift.x;
@@ -152,7 +152,7 @@ void PackEngine::add_rings(double g, RingBlock& rings) const {
 template <int kEnd>
 void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingRow]) {
   eliminate<kEnd>(block);
-  add_schur<kEnd>(block, rings);
+  add_rollers<kEnd>(block, rings);
 }
 
 template <bool OpenBore>

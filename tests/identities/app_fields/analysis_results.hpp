@@ -10,7 +10,10 @@
 
 #include "app/case/field_use.hpp"
 #include "app/results/result_row.hpp"
+#include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
+#include "app/study/defect_output.hpp"
+#include "app/study/defect_study.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
@@ -124,6 +127,10 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return machine_result(gear_numbers(in), false);
     case use::static_load:
       return static_json(static_study(in)).dump();
+    case use::ball_run:
+      return ball_json(ball_study(in)).dump();
+    case use::defect:
+      return defect_json(defect_study(in)).dump();
   }
   return {};
 }

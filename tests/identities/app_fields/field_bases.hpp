@@ -19,13 +19,13 @@ inline const std::string kGears = R"(gearset:
   module: 3 mm
   profile_shift: {sun: 0.2618, ring: 0.4146}
   face_width: 28 mm
-  dynamics: {observed_periods: 20, settling_periods: 100}
+  dynamics: {observed_periods: 8, settling_periods: 100}
 )";
 
 inline const std::string kBearing = R"(bearing:
   type: cylindrical-roller
   per_planet: 1
-  rollers: 10
+  rollers: 8
   roller_diameter: 5.24 mm
   roller_length: 5.7 mm
   pitch_diameter: 35.64 mm
@@ -44,7 +44,7 @@ inline const std::string kBearing = R"(bearing:
 inline const std::string kDrivetrain = R"(name: all fields
 source: none
 model: planetary-drivetrain
-input: {power: 75 kW, speed: 9000 rpm}
+input: {power: 150 kW, speed: 18000 rpm}
 )";
 
 // Coarse steps: what is asked is whether a field counts, not how much.
@@ -99,6 +99,38 @@ load: {radial: 1000 N}
 bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um}
 )";
 
+inline const std::string kBallsInTime = R"(name: a ball bearing in time
+source: none
+model: ball-bearing
+load: {radial: 400 N}
+bearing:
+  balls: 9
+  ball_diameter: 7 mm
+  pitch_diameter: 36 mm
+  radial_clearance: 5 um
+  bore: 25 mm
+  width: 11.9 mm
+  cage:
+    inner_diameter: 33.44 mm
+    outer_diameter: 38.54 mm
+    width: 9 mm
+    density: 1310 kg/m3
+    guide_land_diameter: 38.88 mm
+    largest_eccentricity: 0.2
+operation: {shaft_speed: 6000 rpm}
+simulation: {duration: 0.02 s, samples: 50, length_error: 2e-6 mm}
+)";
+
+inline const std::string kScratch = R"(name: a scratched race
+source: none
+model: raceway-defect
+load: {radial: 1000 N}
+operation: {shaft_speed: 1500 rpm}
+bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um, outer_ring_mass: 0.3 kg}
+defect: {race: inner, width: 0.8 mm, depth: 0.1 mm}
+signal: {sampling_rate: 20 kHz, revolutions: 3, settling_revolutions: 0.5, length_error: 1e-8 mm}
+)";
+
 // Pins off their places: loads at rest then follow from all that gives way under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
@@ -130,7 +162,9 @@ inline const std::vector<Base>& bases() {
                                      {"multi_stage", multi_stage(), "first"},
                                      {"pair_of_gears", kPair},
                                      {"roller_bearing", rollers_case()},
-                                     {"ball_bearing", kBalls}};
+                                     {"ball_bearing", kBalls},
+                                     {"ball_bearing_in_time", kBallsInTime},
+                                     {"raceway_defect", kScratch}};
   return all;
 }
 
@@ -155,6 +189,7 @@ inline const std::map<std::string, Change>& stated_changes() {
   const std::vector<std::string> clean{"life.viscosity_ratio=2", "life.cleanliness=high"};
   const std::vector<std::string> turning{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
                                          "operation.shaft_speed=1000 rpm"};
+  const std::vector<std::string> turning_balls{"operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
@@ -185,6 +220,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.dynamics.ring.torsional_stiffness", {"1e7 N/m"}},
       {"gearset.dynamics.carrier.torsional_stiffness", {"1e7 N/m"}},
       {"bearing.radial_clearance", {"8 um"}},
+      {"bearing.outside_diameter", {"48 mm"}},
+      {"simulation.observed_share", {"0.5"}},
       {"gearset.dynamics.ring.equivalent_mass",
        {"3.3 kg", {"gearset.dynamics.ring.torsional_stiffness=1e9 N/m"}}},
       {"gearset.dynamics.run_up.from", {"0.9", gears_run_up}},
@@ -226,6 +263,11 @@ inline const std::map<std::string, Change>& stated_changes() {
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
       {"simulation.cage_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
+      {"bearing.cage.pocket_straight", {"0.1 mm"}},
+      {"traction.eyring_stress", {"0.004 GPa", {"traction.law=ree-eyring"}}},
+      {"rotor.mass", {"0.3 kg"}},
+      {"rotor.inertia", {"1e-4 kg.m2"}},
+      {"operation.shaft_acceleration", {"2e6 rpm/s"}},
       {"load.tilt", {"1 mrad"}},
       {"load.moment", {"2 N.m"}},
       {"load.moment_across", {"2 N.m"}},
@@ -241,6 +283,13 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"lubricant.kinematic_viscosity", {"30 mm2/s", turning}},
       {"operation.shaft_speed", {"1200 rpm", turning}},
       {"operation.outer_speed", {"-1200 rpm", turning}},
+      {"defect.angle", {"7 deg"}},
+      {"defect.depth", {"5 um"}},  // less than a ball sinks
+      {"defect.more_angles", {"[40 deg]"}},
+      {"signal.band", {"[1 kHz, 4 kHz]"}},
+      {"equilibrium.ball_inertia", {"false", turning_balls}},
+      {"equilibrium.ball_attitude", {"outer-race-control", turning_balls}},
+      {"equilibrium.gyroscopic_moment", {"none", turning_balls}},
       {"pair.teeth", {"[30, 41]"}},
       {"pair.profile_shift", {"[0.1, 0]"}}};
   return all;
@@ -265,6 +314,7 @@ inline Change quantity_change(const std::string& given) {
 inline Change change_of(const Field& field, const ResolvedCase& in, const std::string& path) {
   if (field.path == "gearset.planets" && in.has("gearset.dynamics.pin_error.tangential"))
     return {"4", {}, {"gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]"}};
+  if (field.path == "operation.shaft_speed" && in.model() == raceway_defect) return {"1600 rpm"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
   if (field.path.find("_form.") != std::string::npos) return wave_change(field.path);

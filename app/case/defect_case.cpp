@@ -1,0 +1,86 @@
+#include "app/case/defect_case.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "app/case/described_case.hpp"
+#include "app/case/objection.hpp"
+#include "bearing/geometry.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+void check_scratch(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!in.has("defect.race") || in.choice("defect.race") == "none") return;
+  for (const char* path : {"defect.width", "defect.depth"})
+    if (!in.has(path))
+      object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
+                "width and depth of the scratch, or none, are required", mistakes);
+  if (!has_all(in, {"defect.width", "bearing.ball_diameter", "bearing.balls", "bearing.pitch_diameter"}))
+    return;
+  // A ball on a wider one would fall to where it touches nothing that eq. 4 knows; two balls share none.
+  const double widest = 0.5 * in.quantity("bearing.ball_diameter");
+  if (in.quantity("defect.width") > widest)
+    object_to(in, "defect.width",
+              fmt::format("{} for balls that sink between its edges", in.given("defect.width")),
+              fmt::format("at most half a ball diameter, {:.4g} mm, is required", 1e3 * widest), mistakes);
+}
+
+void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (in.has("operation.shaft_speed") && in.quantity("operation.shaft_speed") == 0.0)
+    object_to(in, "operation.shaft_speed", "a shaft that stands", "a speed is required", mistakes);
+  if (in.has("load.radial") && !(in.quantity("load.radial") > 0.0))
+    object_to(in, "load.radial", "no load", "a radial load greater than 0 N is required", mistakes);
+  if (!has_all(in, {"signal.sampling_rate", "signal.revolutions", "operation.shaft_speed"})) return;
+  const double turns = std::abs(in.quantity("operation.shaft_speed")) / boost::math::double_constants::two_pi;
+  const double rate = in.quantity("signal.sampling_rate");
+  if (turns == 0.0) return;
+  const double samples =
+      rate / turns * (in.number("signal.revolutions") + in.number("signal.settling_revolutions"));
+  constexpr double most = 1e7;
+  if (samples > most)
+    object_to(in, "signal.sampling_rate", fmt::format("{:.3g} samples in all", samples),
+              fmt::format("at most {:.0g}, by a lower rate or fewer revolutions, are required", most),
+              mistakes);
+  if (rate < 100.0 * turns)
+    object_to(in, "signal.sampling_rate",
+              fmt::format("{} at {:.4g} revolutions a second", in.given("signal.sampling_rate"), turns),
+              fmt::format("at least 100 samples a revolution, {:.4g} Hz, are required", 100.0 * turns),
+              mistakes);
+  if (!in.has("signal.band")) return;
+  const std::vector<double> band = in.list("signal.band");
+  if (band.size() != 2 || !(band[0] < band[1]) || band[1] > 0.5 * rate)
+    object_to(in, "signal.band", in.given("signal.band"),
+              fmt::format("its lower and upper end, at most {:.4g} Hz, are required", 0.5 * rate), mistakes);
+}
+
+}  // namespace
+
+bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& in) {
+  return {.bearing = from_case(in, bearing::Bearing{.elements = bearing::Balls{}}),
+          .ring = from_case<bearing::defect::VibratingRing>(in),
+          .load = in.quantity("load.radial"),
+          .shaft_speed = in.quantity("operation.shaft_speed"),
+          .scratch = from_case<bearing::defect::Scratch>(in)};
+}
+
+study::Sampling sampling_of(const ResolvedCase& in) {
+  return from_case<study::Sampling>(in);
+}
+
+std::optional<signals::Band> stated_band_of(const ResolvedCase& in) {
+  if (!in.has("signal.band")) return std::nullopt;
+  const std::vector<double> band = in.list("signal.band");
+  return signals::Band{band.at(0), band.at(1)};
+}
+
+void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (in.model() != raceway_defect) return;
+  check_scratch(in, mistakes);
+  check_signal(in, mistakes);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,24 @@
+// From a resolved case of the model raceway-defect to a bearing with scratches, and what is asked of its
+// signal.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/signals/spectrum.hpp"
+#include "coupling/study/scratch_run.hpp"
+
+namespace orbearing::app {
+
+bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& resolved);
+
+study::Sampling sampling_of(const ResolvedCase& resolved);
+
+/// The band of the envelope that the case gives; none: the one of largest spectral kurtosis.
+std::optional<signals::Band> stated_band_of(const ResolvedCase& resolved);
+
+/// Adds what is wrong to `mistakes`; nothing for cases of other models.
+void check_defect(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
+}  // namespace orbearing::app

@@ -1,0 +1,136 @@
+#include "app/signals/spectrum.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <complex>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+namespace orbearing::app::signals {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Bins = std::vector<Complex>;
+
+Bins transform(const Eigen::ArrayXd& signal) {
+  Eigen::FFT<double> fft;
+  std::vector<double> samples(signal.begin(), signal.end());
+  Bins bins;
+  fft.fwd(bins, samples);
+  return bins;
+}
+
+// Bins of positive frequencies within the band: lines low resolution <= f < high resolution.
+struct Lines {
+  Eigen::Index begin = 0;
+  Eigen::Index end = 0;
+};
+
+Lines lines_in(const Band& band, double resolution, std::size_t samples) {
+  const auto line = [&](double frequency) {
+    return static_cast<Eigen::Index>(std::ceil(frequency / resolution - 1e-9));
+  };
+  const auto last = static_cast<Eigen::Index>(samples / 2);
+  return {std::clamp<Eigen::Index>(line(band.low), 1, last),
+          std::clamp<Eigen::Index>(line(band.high), 1, last)};
+}
+
+// Lengths of small factors transform fast.
+std::size_t easy_length(std::size_t least) {
+  for (std::size_t length = std::max<std::size_t>(least, 2);; ++length) {
+    std::size_t rest = length;
+    for (const std::size_t factor : {2u, 3u, 5u})
+      while (rest % factor == 0) rest /= factor;
+    if (rest == 1) return length;
+  }
+}
+
+// Power and kurtosis of the analytic signal of some lines, at as many samples as it takes.
+struct Moments {
+  double power = 0.0;
+  double kurtosis = 0.0;
+};
+
+Moments moments_of(const Bins& bins, const Lines& lines) {
+  if (lines.end <= lines.begin) return {};
+  // Twice the lines, so that the fourth power is held by the samples too.
+  Bins part(easy_length(2 * static_cast<std::size_t>(lines.end - lines.begin)), Complex(0.0, 0.0));
+  std::copy(bins.begin() + lines.begin, bins.begin() + lines.end, part.begin());
+  Eigen::FFT<double> fft;
+  Bins analytic;
+  fft.inv(analytic, part);
+  double second = 0.0, fourth = 0.0;
+  for (const Complex& sample : analytic) {
+    second += std::norm(sample);
+    fourth += std::norm(sample) * std::norm(sample);
+  }
+  const auto count = static_cast<double>(analytic.size());
+  if (!(second > 0.0)) return {};
+  double power = 0.0;
+  for (Eigen::Index k = lines.begin; k < lines.end; ++k)
+    power += std::norm(bins[static_cast<std::size_t>(k)]);
+  return {power, count * fourth / (second * second) - 2.0};
+}
+
+}  // namespace
+
+Spectrum spectrum_of(const Eigen::ArrayXd& signal, double rate, Window window) {
+  const Eigen::Index samples = signal.size();
+  Eigen::ArrayXd weighted = signal - signal.mean();
+  double gain = static_cast<double>(samples);  // of a constant
+  if (window == Window::hann) {
+    const double step = boost::math::double_constants::two_pi / static_cast<double>(samples);
+    const Eigen::ArrayXd hann =
+        0.5 - 0.5 * (step * Eigen::ArrayXd::LinSpaced(samples, 0.0, static_cast<double>(samples - 1))).cos();
+    weighted *= hann;
+    gain = hann.sum();
+  }
+  const Bins bins = transform(weighted);
+  Spectrum spectrum{.resolution = rate / static_cast<double>(samples),
+                    .amplitude = Eigen::ArrayXd(samples / 2 + 1)};
+  for (Eigen::Index k = 0; k < spectrum.amplitude.size(); ++k) {
+    const bool alone = k == 0 || 2 * k == samples;  // its mirror image is itself
+    spectrum.amplitude[k] = (alone ? 1.0 : 2.0) * std::abs(bins[static_cast<std::size_t>(k)]) / gain;
+  }
+  return spectrum;
+}
+
+Eigen::ArrayXd envelope_of(const Eigen::ArrayXd& signal, double rate, const Band& band) {
+  Bins bins = transform(signal);
+  const Lines lines = lines_in(band, rate / static_cast<double>(signal.size()), bins.size());
+  for (Eigen::Index k = 0; k < signal.size(); ++k)
+    bins[static_cast<std::size_t>(k)] *= k >= lines.begin && k < lines.end ? 2.0 : 0.0;
+  Eigen::FFT<double> fft;
+  Bins analytic;
+  fft.inv(analytic, bins);
+  Eigen::ArrayXd envelope(signal.size());
+  for (Eigen::Index k = 0; k < signal.size(); ++k)
+    envelope[k] = std::abs(analytic[static_cast<std::size_t>(k)]);
+  return envelope;
+}
+
+double kurtosis_of(const Eigen::ArrayXd& signal, double rate, const Band& band) {
+  const Bins bins = transform(signal);
+  return moments_of(bins, lines_in(band, rate / static_cast<double>(signal.size()), bins.size())).kurtosis;
+}
+
+KurtosisOfBand most_impulsive_band(const Eigen::ArrayXd& signal, double rate, double least_width) {
+  constexpr double least_share = 0.01;  // of the power
+  const Bins bins = transform(signal - signal.mean());
+  const double half = 0.5 * rate, resolution = rate / static_cast<double>(signal.size());
+  const double all = moments_of(bins, lines_in({0.0, half}, resolution, bins.size())).power;
+  KurtosisOfBand best{{0.0, half}, moments_of(bins, lines_in({0.0, half}, resolution, bins.size())).kurtosis};
+  for (int parts = 2, next = 3; half / parts >= least_width; std::swap(parts, next), next = 2 * next) {
+    for (int part = 0; part < parts; ++part) {
+      const Band band{half * part / parts, half * (part + 1) / parts};
+      const Moments moments = moments_of(bins, lines_in(band, resolution, bins.size()));
+      if (moments.power >= least_share * all && moments.kurtosis > best.kurtosis)
+        best = {band, moments.kurtosis};
+    }
+  }
+  return best;
+}
+
+}  // namespace orbearing::app::signals

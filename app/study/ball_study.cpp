@@ -1,0 +1,175 @@
+#include "app/study/ball_study.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/case/ball_case.hpp"
+#include "app/case/static_case.hpp"
+#include "app/errors.hpp"
+#include "app/results/json_number.hpp"
+#include "app/units.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/life/lundberg_palmgren.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using bearing::balls::BallPowerLoss;
+
+constexpr double kPerMillion = 1e-6;  // of revolutions
+
+struct CauseOfHeat {
+  const char* name;
+  const char* meaning;
+  double BallPowerLoss::*power;
+};
+
+constexpr CauseOfHeat causes_of_heat[] = {
+    {"sliding", "sliding in the middle of the ellipses of contact", &BallPowerLoss::sliding},
+    {"differential_slip", "because ellipses are curved (Heathcote)", &BallPowerLoss::differential},
+    {"spin", "turning about the normals of the contacts", &BallPowerLoss::spin},
+    {"rolling", "shear of the oil at the inlets", &BallPowerLoss::rolling},
+    {"contact_damping", "in the race contacts", &BallPowerLoss::damping},
+    {"cage", "pockets and lands of the cage", &BallPowerLoss::cage},
+    {"churning", "drag and churning of the oil-air mixture", &BallPowerLoss::churning}};
+
+Json heat_by_cause(const BallPowerLoss& loss) {
+  Json heat{{"total", loss.total()}};
+  for (const CauseOfHeat& cause : causes_of_heat) heat[cause.name] = loss.*cause.power;
+  return heat;
+}
+
+NamedArray over_time(std::string name, std::string units, std::string meaning, std::vector<double> values) {
+  return {std::move(name), {"time"}, std::move(units), std::move(meaning), std::move(values)};
+}
+NamedArray one_number(std::string name, std::string units, std::string meaning, double value) {
+  return {std::move(name),
+          {},
+          std::move(units),
+          std::move(meaning),
+          {std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN()}};
+}
+
+std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing::balls::BallDuty& duty,
+                                     const system::BallRunOptions& options) {
+  std::vector<std::string> warnings;
+  const double observed_from = options.duration * (1.0 - options.observed);
+  if (duty.inner.duration() > observed_from)
+    warnings.push_back(fmt::format("the means are taken while the shaft still speeds up, until {:.4g} s; observed from "
+                                   "{:.4g} s on",
+                                   duty.inner.duration(), observed_from));
+  if (!study.run.slip_settling)
+    warnings.push_back("the slip of the cage does not settle within simulation.duration");
+  return warnings;
+}
+
+}  // namespace
+
+bool is_ball_run(const ResolvedCase& resolved) {
+  return resolved.model() == ball_motion;
+}
+
+BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
+  const bearing::Bearing bearing = bearing_of(in);
+  const bearing::balls::BallDuty duty = ball_duty_of(in);
+  const system::BallRunOptions options = ball_run_options_of(in);
+  const bearing::rating::Ratings ratings = bearing::rating::ratings_of(bearing, stated_ratings_of(in));
+  BallStudy study;
+  study.dynamic_capacity = ratings.dynamic_capacity;
+  study.run = system::run_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options,
+                                [&](double time) { if (progress) progress(time / options.duration); });
+  if (!study.run.completed)
+    throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
+  const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
+  study.rolling_cage_speed = kinematic_cage_speed(geometry_of(bearing), inner, outer);
+  study.life_hours = bearing::hours(study.run.means.life.bearing,
+                                    bearing.motions.inner == bearing::RaceMotion::turning ? inner : outer);
+  study.warnings = warnings_of_balls(study, duty, options);
+  return study;
+}
+
+Json ball_json(const BallStudy& study) {
+  const system::BallMeans& m = study.run.means;
+  const auto race = [](double rms, double most, double angle, double film, double life) {
+    return Json{{"load_rms_N", rms},
+                {"load_max_N", most},
+                {"contact_angle_deg", kDegree * angle},
+                {"central_film_um", 1e6 * film},
+                {"life_Mrev", number_or_null(kPerMillion * life)}};
+  };
+  return {{"life_h", number_or_null(study.life_hours)},
+          {"slip_settling_s", study.run.slip_settling ? Json(*study.run.slip_settling) : Json(nullptr)},
+          {"cage_impact_max_N", study.run.pocket_load_max},
+          {"cage_slip", m.cage_slip},
+          {"heat_W", heat_by_cause(m.loss)},
+          {"friction_torque_N_mm", 1e3 * m.inner_torque},
+          {"cage_speed_rpm", kRpm * m.cage_speed},
+          {"inner", race(m.inner_load_rms, m.inner_load_max, m.inner_angle, m.inner_film, m.life.inner)},
+          {"outer", race(m.outer_load_rms, m.outer_load_max, m.outer_angle, m.outer_film, m.life.outer)},
+          {"life_Mrev", number_or_null(kPerMillion * m.life.bearing)},
+          {"dynamic_capacity_N", study.dynamic_capacity},
+          {"steps", study.run.report.steps}};
+}
+
+std::string ball_text(const BallStudy& study) {
+  const system::BallMeans& m = study.run.means;
+  std::string text = fmt::format("life {:.5g} h ({:.5g} Mrev)\n", study.life_hours, kPerMillion * m.life.bearing);
+  text += fmt::format("cage: slip {:.3g} %, ", 100.0 * m.cage_slip);
+  text += study.run.slip_settling ? fmt::format("settled after {:.3g} s, ", *study.run.slip_settling)
+                                  : "not settled, ";
+  text += fmt::format("largest impact of a ball {:.3g} N\n", study.run.pocket_load_max);
+  text += fmt::format("friction torque {:.4g} N mm\n\n", 1e3 * m.inner_torque);
+  text += fmt::format("{:<8} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "race", "rms load [N]", "largest [N]",
+                      "angle [deg]", "film [um]", "life [Mrev]");
+  text += fmt::format("{:<8} {:>12.5g} {:>12.5g} {:>12.4g} {:>12.3g} {:>12.5g}\n", "inner", m.inner_load_rms,
+                      m.inner_load_max, kDegree * m.inner_angle, 1e6 * m.inner_film, kPerMillion * m.life.inner);
+  text += fmt::format("{:<8} {:>12.5g} {:>12.5g} {:>12.4g} {:>12.3g} {:>12.5g}\n\n", "outer", m.outer_load_rms,
+                      m.outer_load_max, kDegree * m.outer_angle, 1e6 * m.outer_film, kPerMillion * m.life.outer);
+  text += fmt::format("{:<20} {:>12}\n", "heat", "[W]");
+  for (const CauseOfHeat& cause : causes_of_heat)
+    text += fmt::format("{:<20} {:>12.4g}  {}\n", cause.name, m.loss.*cause.power, cause.meaning);
+  text += fmt::format("{:<20} {:>12.4g}\n", "total", m.loss.total());
+  return text;
+}
+
+PointContent ball_content(const BallStudy& study) {
+  const system::BallSeries& s = study.run.series;
+  const system::BallMeans& m = study.run.means;
+  PointContent content{.dimensions = {{"time", s.time.size()}}, .arrays = {}, .attributes = {}};
+  content.arrays = {
+      over_time("time", "s", "from the start of the run", s.time),
+      over_time("cage_slip", "1", "1 - speed of the cage over that of pure rolling", s.cage_slip),
+      over_time("cage_speed", "rad s-1", "about its axis", s.cage_speed),
+      over_time("inner_speed", "rad s-1", "of the inner ring", s.inner_speed),
+      over_time("cage_x", "m", "place of the cage's centre along the radial load", s.cage_x),
+      over_time("cage_y", "m", "place of the cage's centre across the radial load", s.cage_y),
+      over_time("pocket_load", "N", "largest load of a ball on the cage since the sample before", s.pocket_load),
+      over_time("friction_torque", "N m", "that the drive of the inner ring gives", s.torque),
+      over_time("inner_x", "m", "place of the inner ring along the radial load", s.inner_x),
+      over_time("inner_y", "m", "place of the inner ring across the radial load", s.inner_y),
+      over_time("inner_z", "m", "place of the inner ring along the axis", s.inner_z),
+      over_time("first_ball_angle", "rad", "of the first ball from the radial load", s.first_angle),
+      over_time("first_ball_inner_load", "N", "of the first ball on the inner race", s.first_inner),
+      over_time("first_ball_outer_load", "N", "of the first ball on the outer race", s.first_outer)};
+  for (const CauseOfHeat& cause : causes_of_heat) {
+    std::vector<double> power;
+    for (const BallPowerLoss& loss : s.loss) power.push_back(loss.*cause.power);
+    content.arrays.push_back(over_time(std::string("heat_") + cause.name, "W", cause.meaning, std::move(power)));
+  }
+  for (const NamedArray& one :
+       {one_number("life", "h", "of the bearing by Lundberg and Palmgren, from true passages", study.life_hours),
+        one_number("mean_cage_slip", "1", "over the observed time", m.cage_slip),
+        one_number("mean_heat", "W", "over the observed time", m.loss.total()),
+        one_number("slip_settling", "s", "time after which the slip stays near its final value",
+               study.run.slip_settling.value_or(std::numeric_limits<double>::quiet_NaN())),
+        one_number("cage_impact_max", "N", "largest load of a ball on the cage", study.run.pocket_load_max)})
+    content.arrays.push_back(one);
+  return content;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,34 @@
+// A ball bearing run in time: slip, heat, impacts of the cage, life.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/results/point_content.hpp"
+#include "coupling/system/ball_run.hpp"
+
+namespace orbearing::app {
+
+/// Results of a run and what belongs to them.
+struct BallStudy {
+  system::BallRunResult run;
+  double rolling_cage_speed = 0.0;  // [rad/s]  of pure rolling, at the end
+  double life_hours = 0.0;          // [h]      of the bearing at the speed of the end
+  double dynamic_capacity = 0.0;    // [N]
+  std::vector<std::string> warnings;
+};
+
+/// Whether a case is that of a ball bearing in time.
+bool is_ball_run(const ResolvedCase& resolved);
+
+/// `progress` gets the share done [-], if any. Throws ComputationFailed where the run ends early.
+BallStudy ball_study(const ResolvedCase& resolved, const std::function<void(double)>& progress = {});
+
+nlohmann::ordered_json ball_json(const BallStudy& study);
+std::string ball_text(const BallStudy& study);
+PointContent ball_content(const BallStudy& study);
+
+}  // namespace orbearing::app

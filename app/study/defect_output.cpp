@@ -1,0 +1,204 @@
+#include "app/study/defect_output.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "app/results/json_number.hpp"
+#include "app/units.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json peaks_json(const std::vector<NamedPeak>& peaks) {
+  Json list = Json::array();
+  for (const NamedPeak& peak : peaks)
+    list.push_back({{"frequency_Hz", peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
+  return list;
+}
+
+double root_mean_square(const Eigen::ArrayXd& signal) {
+  return std::sqrt((signal - signal.mean()).square().mean());
+}
+
+Eigen::ArrayXd signal_of(const DefectStudy& study) {
+  return study.vibration.acceleration.row(0).transpose();
+}
+
+std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks) {
+  std::string text =
+      fmt::format("\n{}\n{:>14} {:>18}  {}\n", title, "frequency [Hz]", "amplitude [m/s2]", "is");
+  for (const NamedPeak& peak : peaks)
+    text += fmt::format("{:>14.2f} {:>18.4g}  {}\n", peak.frequency, peak.amplitude, peak.is);
+  return text;
+}
+
+template <class Array>
+std::vector<double> values_of(const Array& array) {
+  return {array.begin(), array.end()};
+}
+
+Eigen::ArrayXd evenly_spaced(Eigen::Index count, double step) {
+  return step * Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1));
+}
+
+void add_scalars(const DefectStudy& study, PointContent& content) {
+  for (NamedArray& one : std::vector<NamedArray>{
+           {single_value("sampling_rate", "s-1", "samples a second", study.vibration.rate)},
+           {single_value("shaft_frequency", "s-1", "of the shaft", study.passing.shaft)},
+           {single_value("cage_frequency", "s-1", "of the cage", study.passing.cage)},
+           {single_value("outer_pass_frequency", "s-1", "balls over the outer race",
+                         study.passing.outer_pass)},
+           {single_value("inner_pass_frequency", "s-1", "balls over the inner race",
+                         study.passing.inner_pass)},
+           {single_value("ball_pass_frequency", "s-1", "a place of a ball over either race",
+                         study.passing.element_pass)},
+           {single_value("natural_frequency", "s-1", "outer ring along the load",
+                         study.at_rest.natural_frequency)},
+           {single_value("band_low", "s-1", "lower end of the band of the envelope", study.band.band.low)},
+           {single_value("band_high", "s-1", "upper end of the band of the envelope", study.band.band.high)}})
+    content.arrays.push_back(std::move(one));
+}
+
+void add_spectra(const DefectStudy& study, PointContent& content) {
+  const signals::Spectrum& spectrum = study.spectrum;
+  const Eigen::Index lines = spectrum.amplitude.size();
+  content.dimensions.push_back({"line", static_cast<std::size_t>(lines)});
+  content.arrays.push_back({"frequency",
+                            {"line"},
+                            "s-1",
+                            "lines of both spectra",
+                            values_of(evenly_spaced(lines, spectrum.resolution))});
+  content.arrays.push_back({"acceleration_spectrum",
+                            {"line"},
+                            "m s-2",
+                            "amplitude of the acceleration along the load, Hann window",
+                            values_of(spectrum.amplitude)});
+  content.arrays.push_back({"envelope_spectrum",
+                            {"line"},
+                            "m s-2",
+                            "amplitude of its envelope in the band, Hann window",
+                            values_of(study.envelope_spectrum.amplitude)});
+}
+
+void append_number(std::uint32_t number, int bytes, std::string& text) {
+  for (int i = 0; i < bytes; ++i) text.push_back(static_cast<char>(number >> (8 * i) & 0xffu));
+}
+
+}  // namespace
+
+Json defect_json(const DefectStudy& study) {
+  const Eigen::ArrayXd signal = signal_of(study);
+  return {
+      {"shaft_Hz", study.passing.shaft},
+      {"cage_Hz", study.passing.cage},
+      {"defect_Hz", study.defect_frequency ? Json(*study.defect_frequency) : Json(nullptr)},
+      {"envelope_peaks", peaks_json(study.peaks)},
+      {"amplitude_unit", "m/s2"},
+      {"outer_pass_Hz", study.passing.outer_pass},
+      {"inner_pass_Hz", study.passing.inner_pass},
+      {"ball_pass_Hz", study.passing.element_pass},
+      {"natural_frequency_Hz", study.at_rest.natural_frequency},
+      {"band_Hz", {study.band.band.low, study.band.band.high}},
+      {"band_kurtosis", study.band.kurtosis},
+      {"resolution_Hz", study.envelope_spectrum.resolution},
+      {"spectrum_peaks", peaks_json(study.spectrum_peaks)},
+      {"acceleration", {{"rms_m_s2", root_mean_square(signal)}, {"max_m_s2", signal.abs().maxCoeff()}}},
+      {"at_rest",
+       {{"displacement_um", kMicro * study.at_rest.place[0]},
+        {"contact_load_max_N", study.at_rest.load.maxCoeff()}}},
+      {"contact_load_max_N", study.vibration.largest_load},
+      {"sinking", {{"inner_um", kMicro * study.inner_sinking}, {"outer_um", kMicro * study.outer_sinking}}}};
+}
+
+std::string defect_text(const DefectStudy& study) {
+  const Eigen::ArrayXd signal = signal_of(study);
+  std::string text = fmt::format(
+      "shaft {:.4g} Hz, cage {:.4g} Hz; a place is passed by balls at {:.5g} Hz on the outer and {:.5g} Hz "
+      "on the inner race,\n"
+      "one of a ball by races at {:.5g} Hz; defect: {}\n",
+      study.passing.shaft, study.passing.cage, study.passing.outer_pass, study.passing.inner_pass,
+      study.passing.element_pass,
+      study.defect_frequency ? fmt::format("{:.5g} Hz", *study.defect_frequency) : std::string("none"));
+  text += fmt::format(
+      "at rest: outer ring {:.4g} um along the load, largest contact load {:.4g} N, natural frequency {:.0f} "
+      "Hz\n",
+      kMicro * study.at_rest.place[0], study.at_rest.load.maxCoeff(), study.at_rest.natural_frequency);
+  text += fmt::format(
+      "in motion: acceleration {:.4g} m/s2 rms, at most {:.4g} m/s2; largest contact load {:.4g} N\n",
+      root_mean_square(signal), signal.abs().maxCoeff(), study.vibration.largest_load);
+  text += fmt::format("envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}; lines {:.3g} Hz apart\n",
+                      study.band.band.low, study.band.band.high, study.band.kurtosis,
+                      study.envelope_spectrum.resolution);
+  return text + peaks_text("envelope", study.peaks) +
+         peaks_text("acceleration along the load", study.spectrum_peaks);
+}
+
+PointContent defect_content(const DefectStudy& study) {
+  const study::RingVibration& vibration = study.vibration;
+  const Eigen::Index samples = vibration.ball_load.size();
+  PointContent content{.dimensions = {{"time", static_cast<std::size_t>(samples)}, {"direction", 2}},
+                       .arrays = {},
+                       .attributes = {}};
+  add_scalars(study, content);
+  const auto along_time = [&](const char* name, const char* units, const char* meaning,
+                              const Eigen::ArrayXd& values) {
+    content.arrays.push_back({name, {"time"}, units, meaning, values_of(values)});
+  };
+  const auto both = [&](const char* name, const char* units, const char* meaning,
+                        const Eigen::Array2Xd& values) {
+    NamedArray array{name, {"direction", "time"}, units, meaning, {}};
+    for (Eigen::Index direction = 0; direction < 2; ++direction)
+      for (Eigen::Index k = 0; k < samples; ++k) array.values.push_back(values(direction, k));
+    content.arrays.push_back(std::move(array));
+  };
+  along_time("time", "s", "time since the signal began", evenly_spaced(samples, 1.0 / vibration.rate));
+  both("acceleration", "m s-2", "outer ring, along the load and across it", vibration.acceleration);
+  both("displacement", "m", "outer ring from the concentric place, along the load and across it",
+       vibration.place);
+  along_time("ball_deflection", "m", "approach of both races at the first ball, negative where it is free",
+             vibration.ball_approach);
+  along_time("ball_load", "N", "load of the first ball with damping", vibration.ball_load);
+  along_time("envelope", "m s-2", "of the acceleration along the load in the band", study.envelope);
+  add_spectra(study, content);
+  return content;
+}
+
+std::string signal_csv(const DefectStudy& study) {
+  std::string text = "time_s,acceleration_m_s2\n";
+  const Eigen::ArrayXd signal = signal_of(study);
+  for (Eigen::Index k = 0; k < signal.size(); ++k)
+    text += fmt::format("{:.9g},{:.9g}\n", static_cast<double>(k) / study.vibration.rate, signal[k]);
+  return text;
+}
+
+std::string signal_wav(const DefectStudy& study) {
+  constexpr std::uint32_t bytes_each = 4, floating = 3, one_channel = 1, of_format = 16;
+  const Eigen::ArrayXd signal = signal_of(study);
+  const double largest = signal.abs().maxCoeff();
+  const auto bytes = bytes_each * static_cast<std::uint32_t>(signal.size());
+  const auto rate = static_cast<std::uint32_t>(std::max(1L, std::lround(study.vibration.rate)));
+  std::string text = "RIFF";
+  append_number(36 + bytes, 4, text);
+  text += "WAVEfmt ";
+  append_number(of_format, 4, text);
+  append_number(floating, 2, text);
+  append_number(one_channel, 2, text);
+  append_number(rate, 4, text);
+  append_number(bytes_each * rate, 4, text);
+  append_number(bytes_each, 2, text);
+  append_number(8 * bytes_each, 2, text);
+  text += "data";
+  append_number(bytes, 4, text);
+  for (const double sample : signal)
+    append_number(std::bit_cast<std::uint32_t>(static_cast<float>(largest > 0.0 ? sample / largest : 0.0)), 4,
+                  text);
+  return text;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,172 @@
+#include "app/study/defect_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/case/defect_case.hpp"
+#include "app/errors.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace defect = bearing::defect;
+using defect::Scratched;
+
+constexpr const char* kPassage = "ball passage";  // the compliance that varies as balls pass the load zone
+
+std::string defect_name(Scratched scratched) {
+  switch (scratched) {
+    case Scratched::outer:
+      return "outer race defect";
+    case Scratched::inner:
+      return "inner race defect";
+    case Scratched::ball:
+      return "ball defect";
+    case Scratched::none:
+      break;
+  }
+  return kPassage;
+}
+
+std::optional<double> defect_frequency(Scratched scratched, const defect::PassingFrequencies& passing) {
+  switch (scratched) {
+    case Scratched::outer:
+      return passing.outer_pass;
+    case Scratched::inner:
+      return passing.inner_pass;
+    case Scratched::ball:
+      return passing.element_pass;
+    case Scratched::none:
+      break;
+  }
+  return std::nullopt;
+}
+
+// Up to `highest` [Hz]. A scratch that goes round meets the load zone once in each turn of what carries it.
+std::vector<signals::ExpectedLine> expected_lines(Scratched scratched,
+                                                  const defect::PassingFrequencies& passing, double highest) {
+  constexpr int bands = 6, rare = 3;
+  std::vector<signals::ExpectedLine> lines;
+  const auto add = [&](double frequency, const std::string& name, double spacing, const char* of, int order) {
+    const int harmonics = static_cast<int>(std::ceil(highest / frequency)) + 1;
+    signals::add_lines(frequency, name, harmonics, spacing, of, spacing > 0.0 ? bands : 0, order, lines);
+  };
+  const std::string name = defect_name(scratched);
+  if (scratched == Scratched::outer) add(passing.outer_pass, name, 0.0, "", 0);
+  if (scratched == Scratched::inner) add(passing.inner_pass, name, passing.shaft, "shaft", 0);
+  if (scratched == Scratched::ball) {
+    add(passing.element_pass, name, passing.cage, "cage", 0);
+    // It meets both races, each once a turn, and sinks less on the outer one.
+    add(0.5 * passing.element_pass, "ball spin", passing.cage, "cage", rare);
+  }
+  add(passing.outer_pass, kPassage, 0.0, "", 1);
+  add(passing.shaft, "shaft", 0.0, "", 1);
+  add(passing.cage, "cage", 0.0, "", rare);
+  return lines;
+}
+
+std::vector<NamedPeak> named_peaks(const signals::Spectrum& spectrum, double highest,
+                                   const DefectStudy& study) {
+  const std::vector<signals::ExpectedLine> lines = expected_lines(study.scratched, study.passing, highest);
+  std::vector<NamedPeak> named;
+  for (const signals::Peak& peak : signals::peaks_of(spectrum, {.highest = highest}))
+    named.push_back(
+        {peak.frequency, peak.amplitude, signals::name_of(peak.frequency, lines, 0.5 * spectrum.resolution)});
+  return named;
+}
+
+double highest_pass(const defect::PassingFrequencies& passing) {
+  return std::max({passing.outer_pass, passing.inner_pass, passing.element_pass});
+}
+
+void analyse(const ResolvedCase& in, DefectStudy& study) {
+  constexpr double passes_in_band = 8.0, passes_shown = 8.0;
+  const Eigen::ArrayXd signal = study.vibration.acceleration.row(0).transpose();
+  const double rate = study.vibration.rate, pass = highest_pass(study.passing);
+  study.spectrum = signals::spectrum_of(signal, rate, signals::Window::hann);
+  // Up to beyond the vibration that a scratch strikes.
+  study.spectrum_peaks = named_peaks(study.spectrum, 2.0 * study.at_rest.natural_frequency, study);
+  if (const std::optional<signals::Band> stated = stated_band_of(in))
+    study.band = {*stated, signals::kurtosis_of(signal, rate, *stated)};
+  else
+    study.band = signals::most_impulsive_band(signal, rate, passes_in_band * pass);
+  study.envelope = signals::envelope_of(signal, rate, study.band.band);
+  study.envelope_spectrum = signals::spectrum_of(study.envelope, rate, signals::Window::hann);
+  study.peaks = named_peaks(study.envelope_spectrum, passes_shown * pass, study);
+}
+
+void warn(const ResolvedCase& in, DefectStudy& study) {
+  constexpr double resolved_share = 0.4;  // of the sampling rate
+  if (study.at_rest.natural_frequency > resolved_share * study.vibration.rate)
+    study.warnings.push_back(
+        fmt::format("signal.sampling_rate: {} cannot hold the ring's vibration at {:.4g} Hz",
+                    in.given("signal.sampling_rate"), study.at_rest.natural_frequency));
+}
+
+double peak_frequency(const DefectStudy& study, const std::string& name) {
+  for (const NamedPeak& peak : study.peaks)
+    if (peak.is == name) return peak.frequency;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+bool is_defect(const ResolvedCase& resolved) {
+  return resolved.model() == raceway_defect;
+}
+
+DefectStudy defect_study(const ResolvedCase& in) {
+  const defect::ScratchedBearing scratched = scratched_bearing_of(in);
+  const bearing::BearingGeometry geometry = bearing::geometry_of(scratched.bearing);
+  DefectStudy study{.scratched = scratched.scratch.race,
+                    .passing = defect::passing_frequencies(scratched.bearing, scratched.shaft_speed)};
+  study.defect_frequency = defect_frequency(study.scratched, study.passing);
+  study.at_rest = defect::ScratchedMotion(scratched).static_place();
+  if (study.defect_frequency) {
+    study.inner_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::inner, geometry);
+    study.outer_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::outer, geometry);
+  }
+  study.vibration = study::sample_vibration(scratched, sampling_of(in));
+  if (!study.vibration.report.completed)
+    throw ComputationFailed(in.text("name") + ": " + study.vibration.report.message);
+  analyse(in, study);
+  warn(in, study);
+  return study;
+}
+
+double defect_property(const DefectStudy& study, const std::string& quantity) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const std::string name = defect_name(study.scratched);
+  if (quantity == "shaft_Hz") return study.passing.shaft;
+  if (quantity == "cage_Hz") return study.passing.cage;
+  if (quantity == "defect_Hz") return study.defect_frequency.value_or(nothing);
+  if (quantity == "defect_peak_Hz") return peak_frequency(study, name);
+  if (quantity == "side_band_Hz")
+    return peak_frequency(study, name + " + shaft") - peak_frequency(study, name);
+  if (quantity == "passage_peak_Hz") {  // of the spectrum itself
+    for (const NamedPeak& peak : study.spectrum_peaks)
+      if (peak.is == kPassage) return peak.frequency;
+  }
+  return nothing;
+}
+
+std::vector<Derived> defect_quantities(const ResolvedCase& in) {
+  const defect::ScratchedBearing scratched = scratched_bearing_of(in);
+  const defect::PassingFrequencies passing =
+      defect::passing_frequencies(scratched.bearing, scratched.shaft_speed);
+  const defect::StaticPlace at_rest = defect::ScratchedMotion(scratched).static_place();
+  return {{"defect.shaft_frequency", passing.shaft, "Hz", "turns of the shaft"},
+          {"defect.cage_frequency", passing.cage, "Hz", "turns of the cage at pure rolling"},
+          {"defect.outer_pass_frequency", passing.outer_pass, "Hz", "balls over a place of the outer race"},
+          {"defect.inner_pass_frequency", passing.inner_pass, "Hz", "balls over a place of the inner race"},
+          {"defect.ball_pass_frequency", passing.element_pass, "Hz", "a place of a ball over either race"},
+          {"defect.static_displacement", 1e6 * at_rest.place[0], "um", "outer ring along the load"},
+          {"defect.natural_frequency", at_rest.natural_frequency, "Hz",
+           "outer ring along the load, about its static balance"}};
+}
+
+}  // namespace orbearing::app

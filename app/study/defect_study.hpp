@@ -1,0 +1,56 @@
+// A bearing with scratches: its vibration in time, and what an instrument would make of it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/case/check_table.hpp"
+#include "app/case/resolved_case.hpp"
+#include "app/signals/peaks.hpp"
+#include "app/signals/spectrum.hpp"
+#include "bearing/defect/frequencies.hpp"
+#include "bearing/defect/scratched_bearing.hpp"
+#include "coupling/study/scratch_run.hpp"
+
+namespace orbearing::app {
+
+/// A peak of the envelope's spectrum and what it is: "inner race defect - shaft".
+struct NamedPeak {
+  double frequency = 0.0;  // [Hz]
+  double amplitude = 0.0;  // [m/s^2]
+  std::string is;
+};
+
+/// Accelerations are those of the outer ring along the load.
+struct DefectStudy {
+  bearing::defect::Scratched scratched = bearing::defect::Scratched::none;
+  bearing::defect::PassingFrequencies passing;
+  std::optional<double> defect_frequency;  // [Hz]  none without a scratch
+  bearing::defect::StaticPlace at_rest;
+  double inner_sinking = 0.0;  // [m]  deepest, on a scratch of the inner race
+  double outer_sinking = 0.0;  // [m]
+  study::RingVibration vibration;
+  signals::Spectrum spectrum;  // [m/s^2]
+  std::vector<NamedPeak> spectrum_peaks;
+  signals::KurtosisOfBand band;
+  Eigen::ArrayXd envelope;              // [m/s^2]  of the acceleration in the band
+  signals::Spectrum envelope_spectrum;  // [m/s^2]
+  std::vector<NamedPeak> peaks;         // largest first
+  std::vector<std::string> warnings;
+};
+
+/// Whether a case is that of a bearing with scratches.
+bool is_defect(const ResolvedCase& resolved);
+
+/// Throws ComputationFailed where the motion cannot be followed.
+DefectStudy defect_study(const ResolvedCase& resolved);
+
+/// A number by its name in the validation table: "shaft_Hz", "cage_Hz", "defect_Hz", "defect_peak_Hz",
+/// "side_band_Hz", "passage_peak_Hz"; NaN for a name that is not known or a peak that is not there.
+double defect_property(const DefectStudy& study, const std::string& quantity);
+
+/// What follows from the inputs, for `orbearing check`.
+std::vector<Derived> defect_quantities(const ResolvedCase& resolved);
+
+}  // namespace orbearing::app

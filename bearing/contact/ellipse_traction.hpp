@@ -1,0 +1,126 @@
+// Friction over the ellipse of a point contact: sliding, rolling and spin of both bodies at each point of a
+// quadrature, after Eqs. (7) to (13) of [Chen2026]. Written once for plain numbers and packs. No header of a
+// library here: files compiled for special instruction sets include it.
+//
+//   n: from the ball to the race; along: the direction of rolling; across: n x along, the ellipse's long axis
+//
+//        across ^    .-'''''-.
+//               |  .'    b    '.        along, across, n are right-handed. The surface of contact is curved
+//               | (      +--a---)       across: at X it lies X^2/(2 R_d) nearer to the ball's centre than
+//               |  '.         .'        in the middle, so that the ball cannot roll on all of it (Heathcote).
+//               +----'-.....-'---> along
+//
+#pragma once
+
+#include "bearing/contact/shear_law.hpp"
+
+namespace orbearing::bearing {
+
+/// Points of the ellipse at which friction is taken.
+struct EllipsePoints {
+  static constexpr int kMost = 256;
+
+  int count = 0;
+  double across[kMost];    // [-]  of the half axis across: X/a
+  double along[kMost];     // [-]  of the half axis along: Y/b
+  double share[kMost];     // [-]  of the load; their sum is 1
+  double pressure[kMost];  // [-]  of the largest
+};
+
+/// `slices` across the direction of rolling (Gauss and Legendre), each of `rows` points along it (Gauss and
+/// Chebyshev); with one row spin turns about the middle line alone. Throws std::invalid_argument for less
+/// than one of either, or more than kMost points.
+EllipsePoints ellipse_points(int slices, int rows);
+
+/// One loaded ellipse.
+template <class Number>
+struct LoadedEllipse {
+  Number load;       // [N]   > 0
+  Number across;     // [m]   half axis across the direction of rolling: a
+  Number along;      // [m]   half axis along it: b
+  Number pressure;   // [Pa]  the largest
+  Number per_film;   // [1/m]
+  double curvature;  // [1/m]  of the surface of contact across: 1/R_d
+  double ball;       // [m]    diameter
+};
+
+/// Motion of the race relative to the ball in the middle of the contact.
+template <class Number>
+struct Sliding {
+  Number along, across;      // [m/s]
+  Number turn_along;         // [rad/s]  about the direction of rolling
+  Number turn_across;        // [rad/s]  rolling
+  Number spin;               // [rad/s]  about the normal
+};
+
+/// What friction does to the ball; the race feels the opposite at the same point.
+template <class Number>
+struct Traction {
+  Number along{}, across{};                     // [N]
+  Number turn_along{}, turn_across{}, spin{};   // [N m]
+};
+
+/// Slopes of force along and across, moments of rolling and spin (rows) by sliding along and across, rolling
+/// and spin (columns); symmetric but for the load's own slope.
+template <class Number>
+struct TractionSlopes {
+  Number by[4][4]{};
+};
+
+/// Gives friction at every point with its place: `take(force, sliding)` in all.
+template <bool kSlopes, class Law, class Number>
+void add_traction(const Law&, const ShearParameters& shear, const EllipsePoints& points,
+                  const LoadedEllipse<Number>& ellipse, const Sliding<Number>& motion,
+                  Traction<Number>& sum, TractionSlopes<Number>& slopes) {
+  using mechanics::inverse_root, mechanics::root;
+  constexpr double kRest = 1e-7;  // [m/s]  rounds sliding at rest; far below any creep
+  // The ball's surface at the rim of the ellipse is where it was before it was pressed, Eq. (11).
+  const Number lift = ellipse.across * ellipse.across * (0.5 * ellipse.curvature - 1.0 / ellipse.ball);
+  for (int i = 0; i < points.count; ++i) {
+    const Number x = points.across[i] * ellipse.across, y = points.along[i] * ellipse.along;
+    const Number height = lift - (0.5 * ellipse.curvature) * (x * x);
+    const Number along = motion.along + motion.turn_across * height - motion.spin * x;
+    const Number across = motion.across + motion.spin * y - motion.turn_along * height;
+    const Number square = along * along + across * across + kRest * kRest;
+    const Number per_sliding = inverse_root(square), sliding = square * per_sliding;
+    const Number pressure = points.pressure[i] * ellipse.pressure;
+    const PressedOil<Number> oil{pressure, pressed_viscosity(shear, pressure), ellipse.per_film};
+    const Number load = points.share[i] * ellipse.load;
+    const auto friction = [&] {
+      if constexpr (kSlopes)
+        return Law::friction(shear, oil, mechanics::variable<0>(sliding));
+      else
+        return Law::friction(shear, oil, sliding);
+    }();
+    const Number per_speed = load * mechanics::value_of(friction) * per_sliding;  // [N s/m]
+    const Number f = per_speed * along, t = per_speed * across;
+    sum.along += f;
+    sum.across += t;
+    sum.turn_along -= height * t;
+    sum.turn_across += height * f;
+    sum.spin += y * t - x * f;
+    if constexpr (kSlopes) {
+      const Number bend =
+          (load * friction.template by<0>() - per_speed) * per_sliding * per_sliding;  // of the vector's law
+      const Number k11 = per_speed + bend * along * along, k12 = bend * along * across,
+                   k22 = per_speed + bend * across * across;
+      const Number spin1 = y * k12 - x * k11, spin2 = y * k22 - x * k12;
+      auto& s = slopes.by;
+      s[0][0] += k11;
+      s[0][1] += k12;
+      s[0][2] += height * k11;
+      s[0][3] += spin1;
+      s[1][1] += k22;
+      s[1][2] += height * k12;
+      s[1][3] += spin2;
+      s[2][2] += height * height * k11;
+      s[2][3] += height * spin1;
+      s[3][3] += y * spin2 - x * spin1;
+    }
+  }
+  if constexpr (kSlopes)
+    for (int i = 1; i < 4; ++i)
+      for (int k = 0; k < i; ++k) slopes.by[i][k] = slopes.by[k][i];
+}
+
+}  // namespace orbearing::bearing

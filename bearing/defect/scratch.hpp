@@ -1,0 +1,101 @@
+// A scratch across a race or a rolling element: by how much it takes back the approach of the races while it
+// is in a contact.
+#pragma once
+
+#include <vector>
+
+#include "bearing/geometry.hpp"
+#include "bearing/parameters.hpp"
+#include "mechanics/described.hpp"
+
+namespace orbearing::bearing::defect {
+
+/// What is scratched.
+enum class Scratched { none, outer, inner, ball };
+
+constexpr described::Names<Scratched, 4> names_of(Scratched) {
+  return {{{Scratched::outer, "outer"},
+           {Scratched::inner, "inner"},
+           {Scratched::ball, "ball"},
+           {Scratched::none, "none"}}};
+}
+
+/// How far an element sinks between the edges of a scratch, over where it stands: s from the middle, width w.
+enum class ScratchForm {
+  raised_cosine,  // depth (1 + cos(2 pi s/w))/2: level where it begins and ends
+  half_cosine,    // depth cos(pi s/w): steep edges
+  edges,          // depth (1 - 2|s|/w)^2: a rigid ball that rolls over two sharp edges
+  as_printed      // depth cos(2 pi s/w), eq. 3 of [ScratchVibration]: jumps at both edges
+};
+
+constexpr described::Names<ScratchForm, 4> names_of(ScratchForm) {
+  return {{{ScratchForm::raised_cosine, "raised-cosine"},
+           {ScratchForm::half_cosine, "half-cosine"},
+           {ScratchForm::edges, "edges"},
+           {ScratchForm::as_printed, "as-printed"}}};
+}
+
+/// Scratches that are alike, across the whole width of the track.
+struct Scratch {
+  Scratched race = Scratched::none;
+  double width = 0.0;               // [m]    along the track
+  double depth = 0.0;               // [m]    of its bottom
+  double angle = 0.0;               // [rad]  of its middle when the motion begins
+  std::vector<double> more_angles;  // [rad]  of further ones
+  ScratchForm form = ScratchForm::raised_cosine;
+};
+
+template <class Visitor>
+void describe(Visitor& visit, Scratch& m) {
+  using namespace described;
+  constexpr Where scratched{"defect.race", "outer|inner|ball"};
+  members(
+      visit, m,
+      field(m.race, "defect.race", Felt::defect, "what is scratched: a race, one ball or none",
+            {.models = raceway_defect, .required_by = raceway_defect}),
+      field(m.width, "defect.width", Felt::defect, "width of the scratch along the track",
+            {.models = raceway_defect,
+             .dimension = dimension::length,
+             .range = positive(100.0),
+             .where = scratched}),
+      field(m.depth, "defect.depth", Felt::defect, "depth of the scratch",
+            {.models = raceway_defect,
+             .dimension = dimension::length,
+             .range = positive(100.0),
+             .where = scratched}),
+      field(
+          m.angle, "defect.angle", Felt::defect,
+          "angle of the middle of the scratch from the middle of the load zone when the motion begins; of a "
+          "ball from its contact with the outer race",
+          {.models = raceway_defect,
+           .dimension = dimension::angle,
+           .range = {-360.0, 360.0},
+           .reason = "in the middle of the load zone",
+           .where = scratched}),
+      field(m.more_angles, "defect.more_angles", Felt::defect, "angles of further scratches like the first",
+            {.models = raceway_defect,
+             .dimension = dimension::angle,
+             .range = {-360.0, 360.0},
+             .where = scratched}),
+      field(m.form, "defect.form", Felt::defect, "how a ball sinks between the edges of the scratch",
+            {.models = raceway_defect,
+             .reason = "the printed period of one width, level at both edges",
+             .where = scratched}));
+}
+
+/// By how much an element on a scratch sinks at the most where it does not touch the bottom [m], eq. 4 of
+/// [ScratchVibration]: the height of its own arc over the width, more by that of the convex inner race and
+/// less by that of the concave outer one. For a scratch of the element itself `race` is the one it meets.
+double deepest_sinking(double width, Race race, const BearingGeometry& geometry);
+
+/// Sinking and its slope along the track.
+struct Sinking {
+  double depth = 0.0;  // [m]
+  double slope = 0.0;  // [-]
+};
+
+/// At `from_middle` [m] from the middle; the form goes on beyond the edges, where a caller must not ask it to
+/// count. `deepest` [m] by `deepest_sinking`.
+Sinking sinking(const Scratch& scratch, double deepest, double from_middle);
+
+}  // namespace orbearing::bearing::defect

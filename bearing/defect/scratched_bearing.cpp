@@ -1,0 +1,202 @@
+#include "bearing/defect/scratched_bearing.hpp"
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <limits>
+
+#include "bearing/contact/damping.hpp"
+#include "bearing/contact/line_contact.hpp"
+#include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/ring_balance.hpp"
+#include "mechanics/checks.hpp"
+
+namespace orbearing::bearing::defect {
+
+namespace {
+
+constexpr double kHalfTurn = boost::math::double_constants::pi;
+constexpr double kGravity = 9.80665;  // [m/s^2]
+
+// Q = constant approach^exponent of an element between both races.
+struct PowerLaw {
+  double constant;
+  double exponent;
+};
+
+struct LawOf {
+  const Bearing& bearing;
+
+  PowerLaw operator()(const Balls&) const { return {equilibrium::BallRow(bearing).constant(), 1.5}; }
+  PowerLaw operator()(const CylindricalRollers& rollers) const {
+    const double exponent = 10.0 / 9.0;
+    const LineContact one = roller_race_contact(bearing.contact_law, rollers.length);
+    return {one.constant() * std::pow(2.0, -exponent), exponent};
+  }
+};
+
+// Goes on below zero as a smooth step across the opening asks for it.
+double elastic(double constant, double exponent, double approach) {
+  return std::copysign(constant * std::pow(std::abs(approach), exponent), approach);
+}
+
+}  // namespace
+
+ScratchedMotion::ScratchedMotion(const ScratchedBearing& parameters)
+    : in_(parameters), geometry_(geometry_of(parameters.bearing)) {
+  mechanics::require_positive(in_.ring.mass, "mass of the outer ring [kg]");
+  mechanics::require_positive(in_.load, "radial load [N]");
+  const PowerLaw law = std::visit(LawOf{in_.bearing}, in_.bearing.elements);
+  constant_ = law.constant;
+  exponent_ = law.exponent;
+  cosine_ = std::cos(in_.bearing.contact_angle());
+  cage_speed_ = kinematic_cage_speed(geometry_, in_.shaft_speed, 0.0);
+  first_angle_ = equilibrium::element_angles(in_.bearing);
+  set_scratches();
+  on_.setConstant(switches(), false);
+  static_ = find_static_place();
+  if (!static_.report.converged)
+    mechanics::refuse("radial load [N]", in_.load, "one under which the ring finds a balance");
+  set_damping();
+}
+
+void ScratchedMotion::set_scratches() {
+  const Scratch& scratch = in_.scratch;
+  if (scratch.race == Scratched::none) return;
+  mechanics::require_positive(scratch.width, "width of the scratch [m]");
+  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
+  middle_ = scratch.more_angles;
+  middle_.insert(middle_.begin(), scratch.angle);
+  inner_sinking_ = deepest_sinking(scratch.width, Race::inner, geometry_);
+  outer_sinking_ = deepest_sinking(scratch.width, Race::outer, geometry_);
+  between_ = 2.0 * kHalfTurn;
+  switch (scratch.race) {
+    case Scratched::outer:
+      track_speed_ = cage_speed_;
+      track_radius_ = geometry_.outer_radius;
+      return;
+    case Scratched::inner:
+      track_speed_ = cage_speed_ - in_.shaft_speed;
+      track_radius_ = geometry_.inner_radius;
+      return;
+    case Scratched::ball:  // meets a race every half turn
+      track_speed_ = kinematic_roller_spin(geometry_, in_.shaft_speed, 0.0) - cage_speed_;
+      track_radius_ = geometry_.element_radius;
+      between_ = kHalfTurn;
+      return;
+    case Scratched::none:
+      return;
+  }
+}
+
+// Of a scratched element the first one has it.
+double ScratchedMotion::from_middle(Eigen::Index element, Eigen::Index scratch, double time) const {
+  const bool of_element = in_.scratch.race == Scratched::ball;
+  if (of_element && element != 0) return std::numeric_limits<double>::max();
+  const double start = of_element ? 0.0 : first_angle_[element];
+  const double angle = start - middle_[static_cast<std::size_t>(scratch)] + track_speed_ * time;
+  return track_radius_ * std::remainder(angle, between_);
+}
+
+Sinking ScratchedMotion::sinking_of(Eigen::Index element, double time) const {
+  Sinking sum;
+  const auto scratches = static_cast<Eigen::Index>(middle_.size());
+  for (Eigen::Index i = 0; i < scratches; ++i) {
+    if (!on_[elements() + element * scratches + i]) continue;
+    bool outer = in_.scratch.race == Scratched::outer;
+    if (in_.scratch.race == Scratched::ball) {
+      const double turned = track_speed_ * time - middle_[static_cast<std::size_t>(i)];
+      outer = std::abs(std::remainder(turned, 2.0 * kHalfTurn)) < 0.5 * kHalfTurn;
+    }
+    const Sinking one =
+        sinking(in_.scratch, outer ? outer_sinking_ : inner_sinking_, from_middle(element, i, time));
+    sum.depth += one.depth;
+    sum.slope += one.slope;
+  }
+  return sum;
+}
+
+ScratchedMotion::Contact ScratchedMotion::contact(Eigen::Index element, double time,
+                                                  const ConstState& x) const {
+  Contact now{.angle = first_angle_[element] + cage_speed_ * time};
+  const double cosine = std::cos(now.angle), sine = std::sin(now.angle);
+  const Sinking sunk = sinking_of(element, time);
+  const double along = x[0] * cosine + x[1] * sine, across = x[1] * cosine - x[0] * sine;
+  now.approach = (along - 0.5 * in_.bearing.radial_clearance) * cosine_ - sunk.depth;
+  now.approach_speed = (x[2] * cosine + x[3] * sine + cage_speed_ * across) * cosine_ -
+                       sunk.slope * track_radius_ * track_speed_;
+  if (!on_[element]) return now;
+  now.elastic_load = elastic(constant_, exponent_, now.approach);
+  now.load = in_.ring.damping_law == DampingLaw::viscous
+                 ? now.elastic_load + damping_ * now.approach_speed
+                 : damped_load(now.elastic_load, damping_, now.approach_speed).load;
+  return now;
+}
+
+void ScratchedMotion::rates(double time, const ConstState& x, Eigen::Ref<Eigen::VectorXd> dx) const {
+  Eigen::Vector2d force(in_.load + weight(), 0.0);
+  for (Eigen::Index j = 0; j < elements(); ++j) {
+    if (!on_[j]) continue;
+    const Contact now = contact(j, time, x);
+    force -= now.load * cosine_ * Eigen::Vector2d(std::cos(now.angle), std::sin(now.angle));
+  }
+  dx.head<2>() = x.tail<2>();
+  dx.tail<2>() = force / in_.ring.mass;
+}
+
+void ScratchedMotion::switch_values(double time, const ConstState& x,
+                                    Eigen::Ref<Eigen::ArrayXd> values) const {
+  const auto scratches = static_cast<Eigen::Index>(middle_.size());
+  for (Eigen::Index j = 0; j < elements(); ++j) {
+    values[j] = contact(j, time, x).approach;
+    for (Eigen::Index i = 0; i < scratches; ++i)
+      values[elements() + j * scratches + i] = 0.5 * in_.scratch.width - std::abs(from_middle(j, i, time));
+  }
+}
+
+double ScratchedMotion::passing_time() const {
+  if (middle_.empty()) return std::numeric_limits<double>::infinity();
+  return in_.scratch.width / (track_radius_ * std::abs(track_speed_));
+}
+
+double ScratchedMotion::weight() const {
+  return in_.ring.mass * kGravity;
+}
+
+StaticPlace ScratchedMotion::find_static_place() const {
+  StaticPlace found{.load = Eigen::ArrayXd::Zero(elements())};
+  const double force = in_.load + weight();
+  const auto imbalance_at = [&](const Eigen::Vector2d& place) {
+    mechanics::Imbalance<2> sum{.force = {force, 0.0}, .scale = force};
+    for (Eigen::Index j = 0; j < elements(); ++j) {
+      const Eigen::Vector2d direction(std::cos(first_angle_[j]), std::sin(first_angle_[j]));
+      const double approach = (place.dot(direction) - 0.5 * in_.bearing.radial_clearance) * cosine_;
+      found.load[j] = approach > 0.0 ? elastic(constant_, exponent_, approach) : 0.0;
+      if (approach <= 0.0) continue;
+      sum.force -= found.load[j] * cosine_ * direction;
+      sum.stiffness +=
+          exponent_ * found.load[j] / approach * cosine_ * cosine_ * direction * direction.transpose();
+    }
+    return sum;
+  };
+  const double elastic_length = std::pow(force / constant_, 1.0 / exponent_);
+  const mechanics::SearchLimits limits{.reach = 4.0 * elastic_length + std::abs(in_.bearing.radial_clearance),
+                                       .size = std::abs(in_.bearing.radial_clearance),
+                                       .tolerance = 1e-13};
+  mechanics::Imbalance<2> now;
+  found.report = mechanics::find_balance<2>(imbalance_at, limits, found.place, now);
+  now = imbalance_at(found.place);
+  found.stiffness = now.stiffness(0, 0);
+  found.natural_frequency = std::sqrt(found.stiffness / in_.ring.mass) / (2.0 * kHalfTurn);
+  return found;
+}
+
+// Of all loaded contacts together the wanted share of 2 sqrt(k m) along the load.
+void ScratchedMotion::set_damping() {
+  const double wanted = 2.0 * in_.ring.damping_ratio * std::sqrt(static_.stiffness * in_.ring.mass);
+  const bool viscous = in_.ring.damping_law == DampingLaw::viscous;
+  const Eigen::ArrayXd share = (cosine_ * first_angle_.cos()).square();
+  const double sum = viscous ? (static_.load > 0.0).select(share, 0.0).sum() : (static_.load * share).sum();
+  damping_ = wanted / sum;
+}
+
+}  // namespace orbearing::bearing::defect

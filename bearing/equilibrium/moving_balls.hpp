@@ -1,0 +1,173 @@
+// A row of balls that turns: each ball is thrown outward and turned by its gyroscopic moment, and so touches
+// both races at unlike angles under unlike loads [Jones1960], [Harris2006].
+//
+// At rest the row is that of balls.hpp.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "bearing/equilibrium/ball_motion.hpp"
+#include "bearing/equilibrium/balls.hpp"
+#include "bearing/film/spin_film.hpp"
+#include "mechanics/described.hpp"
+#include "mechanics/root_search.hpp"
+
+namespace orbearing::bearing::equilibrium {
+
+/// What the motion of balls does to their balance.
+struct BallInertia {
+  bool enabled = true;
+  BallAttitude attitude = BallAttitude::minimum_friction;
+  GyroscopicMoment gyroscopic_moment = GyroscopicMoment::balanced;
+};
+
+template <class Visitor>
+void describe(Visitor& visit, BallInertia& m) {
+  using namespace described;
+  members(
+      visit, m,
+      field(m.enabled, "equilibrium.ball_inertia", Felt::turning_balls,
+            "centrifugal force and gyroscopic moment of the balls",
+            {.models = ball_bearing, .reason = "nothing left out"}),
+      field(m.attitude, "equilibrium.ball_attitude", Felt::turning_balls,
+            "what decides how the axes of the balls stand, and which race holds their gyroscopic moment",
+            {.models = ball_bearing,
+             .reason = "traction that grows with slip, as that of an oil film",
+             .where = {"equilibrium.ball_inertia", "true"}}),
+      field(m.gyroscopic_moment, "equilibrium.gyroscopic_moment", Felt::turning_balls,
+            "gyroscopic moment of the balls: the rate of their angular momentum; with its sign turned, as "
+            "textbooks print it; none",
+            {.models = ball_bearing,
+             .reason = "the rate of angular momentum",
+             .where = {"equilibrium.ball_inertia", "true"}}));
+}
+
+/// How a row turns, and what lies in its contacts.
+struct RowMotion {
+  RingSpeeds speeds;
+  BallInertia inertia;
+  std::optional<Lubricant> film{};  // whose film stands for Hertz's approach, film/spin_film.hpp
+};
+
+/// One ball in balance.
+struct MovingBall {
+  ContactNormal<double> inner;
+  ContactNormal<double> outer;
+  double inner_load = 0.0;         // [N]
+  double outer_load = 0.0;         // [N]
+  double inner_traction = 0.0;     // [N]  on the ball along t, which holds its gyroscopic moment
+  double outer_traction = 0.0;     // [N]
+  double centrifugal_force = 0.0;  // [N]
+  double gyroscopic_moment = 0.0;  // [N m]  of the races on the ball
+  BallMotion<double> motion{};
+};
+
+class MovingBallRow {
+ public:
+  static constexpr bool follows_motion = true;  // its forces have no energy
+
+  /// Throws std::invalid_argument as BallRow does.
+  MovingBallRow(const Bearing& bearing, const RowMotion& motion);
+
+  double lever() const { return geometry_.lever(); }
+  double reach(double load) const;
+  /// Remembers where the balls came to rest, to begin there the next time.
+  void add_forces(const RingPlace& place, RingImbalance& sum);
+  void put_loads(const RingPlace& place, RingState& state);
+  /// Whether all balls found their balance the last time.
+  bool settled() const { return settled_; }
+  /// Race control alone: gives each ball the race that resists its spin more, by its loads of the last time.
+  /// Whether a ball changed.
+  bool choose_control();
+  /// From now on all that follows from the motion is as the ring at `place` has it, until `thaw`: what is
+  /// left has a convex energy.
+  void freeze(const RingPlace& place);
+  void thaw();
+  /// Gives the balls this share of their mass, from 0 to 1.
+  void lighten(double share);
+
+  const BallRow& geometry() const { return geometry_; }
+  const std::vector<MovingBall>& balls() const { return balls_; }  // where the loads were put
+
+ private:
+  struct RaceSide {
+    double constant = 0.0;   // [N/m^1.5]
+    double distance = 0.0;   // [m]  of the centres of ball and groove, just touching
+    double ellipse = 0.0;    // [m^2/m]  a^2 + b^2 over approach
+    double pivot = 0.0;      // [m/m^0.5]  a E over root of approach
+    film::ApproachLaw film;  // with a film alone
+  };
+  enum class Control { outer, inner };
+  // What follows from a ball's motion, and acts beside the contact loads.
+  template <class T>
+  struct MotionForces {
+    T centrifugal{}, gyroscopic{};         // [N], [N m]
+    T inner_traction{}, outer_traction{};  // [N]  on the ball along t
+  };
+  template <class T>
+  struct Contacts;
+  struct FrozenForces {
+    Eigen::Vector2d ball = Eigen::Vector2d::Zero();  // [N]    on the ball
+    Eigen::Vector3d ring = Eigen::Vector3d::Zero();  // [N], [N], [N m]  on the ring
+    double inner_share = 1.0, outer_share = 1.0;     // of Hertz's load, by the film
+  };
+  struct BallMemory {
+    Eigen::Vector2d grooves = Eigen::Vector2d::Zero();  // [m]  where it was found
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();    // [m]  from the outer groove centre
+    Eigen::Matrix2d follows = Eigen::Matrix2d::Zero();  // how the ball follows the groove centres
+    Eigen::Vector3d ring = Eigen::Vector3d::Zero();     // [N], [N], [N m]  on the ring
+    Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();  // of it by the groove centres
+    double load = 0.0;                                                        // [N]  on the inner race
+    bool found = false;
+    Control control = Control::outer;
+    bool changed_before = false;
+    FrozenForces frozen;
+  };
+  template <class T>
+  struct Forces {
+    T ball_r, ball_z;  // [N]    on the ball
+    T ring_r, ring_z;  // [N]    on the inner ring
+    T ring_moment;     // [N m]  on it about its groove centre, such that it tilts forward
+    T inner_load, outer_load;
+  };
+
+  template <class T>
+  static T hertz(const RaceSide& side, const T& approach);
+  template <class T>
+  Contacts<T> contacts_of(const T& outer_r, const T& outer_z, const T& inner_r, const T& inner_z) const;
+  template <class T>
+  MotionForces<T> add_motion(Control control, Contacts<T>& at) const;
+  template <class T>
+  Forces<T> forces_of(const T& outer_r, const T& outer_z, const T& inner_r, const T& inner_z,
+                      const BallMemory& ball) const;
+  void settle(const Eigen::Vector2d& grooves, BallMemory& ball) const;
+  void settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& grooves, BallMemory& ball) const;
+  Eigen::Vector2d usual_place(const Eigen::Vector2d& grooves) const;
+  Eigen::Vector2d grooves_at(Eigen::Index ball, const RingPlace& place) const;
+  MovingBall ball_at(const BallMemory& ball) const;
+  RaceSide side_of(const Bearing& bearing, Race race, const std::optional<Lubricant>& oil) const;
+
+  BallRow geometry_;
+  BallInertia inertia_;
+  RingSpeeds speeds_;
+  RaceSide inner_, outer_;
+  double ball_radius_ = 0.0;
+  double pitch_radius_ = 0.0;
+  double groove_radius_ = 0.0;      // [m]  of the inner race
+  double full_mass_ = 0.0;          // [kg]
+  double mass_ = 0.0;               // [kg]
+  double moment_of_inertia_ = 0.0;  // [kg m^2]
+  bool filmed_ = false;
+  bool frozen_ = false;
+  bool settled_ = true;
+  std::optional<RingPlace> known_;  // where the memory holds the forces
+  std::vector<BallMemory> memory_;
+  std::vector<MovingBall> balls_;
+};
+
+/// Where the inner ring balances on a row that turns. At rest and without film the same as the row at rest.
+RingState balance_moving(const Bearing& bearing, const RowMotion& motion, const RingLoad& load);
+
+}  // namespace orbearing::bearing::equilibrium

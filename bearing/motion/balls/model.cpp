@@ -1,0 +1,221 @@
+#include "bearing/motion/balls/model.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "bearing/contact/point_contact.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/motion/oil_drag.hpp"
+#include "bearing/usual_design.hpp"
+#include "mechanics/checks.hpp"
+
+namespace orbearing::bearing::balls {
+
+namespace {
+
+using boost::math::double_constants::pi;
+using boost::math::double_constants::two_pi;
+using mechanics::require;
+
+ShearLaw shear_law(motion::TractionLaw law) {
+  switch (law) {
+    case motion::TractionLaw::limiting_shear:
+      return ShearLaw::limiting_shear;
+    case motion::TractionLaw::ree_eyring:
+      return ShearLaw::ree_eyring;
+    default:
+      return ShearLaw::coulomb;
+  }
+}
+
+ShearParameters shear_parameters(const MotionParameters& given) {
+  const motion::RaceContactParameters& race = given.race;
+  return {.law = shear_law(race.traction),
+          .friction = race.friction,
+          .sliding_scale = race.sliding_scale,
+          .limiting_friction = race.limiting_friction,
+          .eyring_stress = given.ellipse.eyring_stress,
+          .viscosity = given.lubricant.viscosity,
+          .pressure_viscosity = given.lubricant.pressure_viscosity,
+          .largest_exponent = race.largest_barus_exponent};
+}
+
+// Radius of the ball and the race in the direction of rolling, that of the race where it is touched.
+double rolling_radius(const Bearing& bearing, Race race) {
+  const double gamma = slenderness(bearing), diameter = bearing.balls().diameter;
+  return 0.5 * diameter * (race == Race::inner ? 1.0 - gamma : 1.0 + gamma);
+}
+
+// 2 R_x F_R with F_R = 2.86 E' R_x^2 k^0.348 G^0.022 U^0.66 W^0.47 [Houpert1987].
+double rolling_factor(const OiledPoint& oil) {
+  if (oil.viscosity <= 0.0) return 0.0;
+  const double area = oil.modulus * oil.rolling_radius * oil.rolling_radius;
+  return 2.0 * oil.rolling_radius * 2.86 * area * std::pow(oil.axis_ratio, 0.348) *
+         std::pow(oil.pressure_viscosity * oil.modulus, 0.022) *
+         std::pow(oil.viscosity / (oil.modulus * oil.rolling_radius), kRollingSpeed) *
+         std::pow(1.0 / area, kRollingLoad);
+}
+
+GrooveNumbers groove(const Bearing& bearing, Race race, const MotionParameters& given) {
+  const Balls& balls = bearing.balls();
+  const double osculation = bearing.ring(race).osculation;
+  require(osculation > 0.5, "osculation", osculation, "groove radius over ball diameter above 0.5");
+  const double groove_radius = osculation * balls.diameter;
+  const PointContact contact = point_contact(
+      ball_race_curvature(race, balls.diameter, bearing.pitch_diameter, groove_radius, balls.contact_angle),
+      bearing.material);
+  const PointPressure at_one = point_pressure(contact, 1.0);
+  const double play = groove_radius - 0.5 * balls.diameter;
+  const double inward = race == Race::inner ? 1.0 : -1.0;  // from the ball to the groove's centre
+  const OiledPoint oil{.viscosity = given.lubricant.viscosity,
+                       .pressure_viscosity = given.lubricant.pressure_viscosity,
+                       .rolling_radius = rolling_radius(bearing, race),
+                       .axis_ratio = contact.ellipse.axis_ratio,
+                       .modulus = contact.modulus};
+  return {.centre_radius = 0.5 * bearing.pitch_diameter +
+                           inward * (play * std::cos(balls.contact_angle) - 0.25 * bearing.radial_clearance),
+          .centre_axial = inward * play * std::sin(balls.contact_angle),
+          .play = play,
+          .stiffness = contact.constant,
+          .damping = given.race.damping,
+          .across = at_one.major,
+          .along = at_one.minor,
+          .pressure = at_one.pressure,
+          .curvature = (2.0 * osculation + 1.0) / (2.0 * osculation * balls.diameter),
+          .rolling_radius = oil.rolling_radius,
+          .rolling_factor = given.race.rolling_resistance ? rolling_factor(oil) : 0.0,
+          .central_film = PointFilmLaw::central(oil),
+          .least_film = PointFilmLaw::least(oil)};
+}
+
+// Ball in a hole of the cage: Hertz between unlike materials, the hole hollow about its axis and straight
+// along it.
+double pocket_stiffness(const Bearing& bearing, double play) {
+  const double ball = bearing.balls().diameter, hole = ball + 2.0 * play;
+  const double sum = 4.0 / ball - 2.0 / hole;
+  const PointCurvature curvature{.sum = sum, .difference = (2.0 / hole) / sum};
+  constexpr double cage_poisson_ratio = 0.35;
+  const CageMaterial& cage = usual_cage_material(bearing.cage.density);
+  const double of_cage = cage.youngs_modulus / (1.0 - cage_poisson_ratio * cage_poisson_ratio);
+  const double both = 2.0 / (1.0 / bearing.material.plane_strain_modulus() + 1.0 / of_cage);
+  return point_contact(curvature, {.youngs_modulus = both, .poisson_ratio = 0.0}).constant;
+}
+
+PocketNumbers pocket(const Bearing& bearing, const MotionParameters& given) {
+  const double play = 0.5 * given.cage.pocket_clearance;
+  require(play > 0.0, "pocket clearance [m]", given.cage.pocket_clearance, "more than 0");
+  require(given.pocket.straight >= 0.0, "straight part of a pocket [m]", given.pocket.straight, "0 or more");
+  return {.play = play,
+          .half_straight = 0.5 * given.pocket.straight,
+          .stiffness = pocket_stiffness(bearing, play),
+          .damping = given.cage.pocket_damping,
+          .friction = given.cage.pocket_friction,
+          .sliding_scale = given.race.sliding_scale};
+}
+
+LandNumbers lands(const Bearing& bearing, const MotionParameters& given) {
+  const motion::CageParameters& cage = given.cage;
+  LandNumbers land;
+  land.present = cage.guide_diameter > 0.0;
+  if (!land.present) return land;
+  land.on_outer = bearing.cage.guidance == Race::outer;
+  const double side = land.on_outer ? 1.0 : -1.0;
+  const double diameter = land.on_outer ? bearing.cage.outer_diameter : bearing.cage.inner_diameter;
+  const double clearance = 0.5 * side * (cage.guide_diameter - diameter), radius = 0.5 * diameter;
+  const double width =
+      cage.land_width > 0.0 ? cage.land_width : 0.5 * (bearing.cage.width - bearing.balls().diameter);
+  require(clearance > 0.0, "radial clearance of cage and land [m]", clearance,
+          "more than 0; the guide diameter lies outside an outer-guided cage and inside an inner-guided one");
+  require(width > 0.0, "width of the cage's land [m]", width,
+          "more than 0; give it, or a cage wider than the balls");
+  const double viscosity = given.lubricant.viscosity;
+  const double printed = viscosity * std::pow(width, 3) / (clearance * clearance);
+  land.offset = 0.5 * (bearing.cage.width - width);
+  land.law = {.side = side,
+              .clearance = clearance,
+              .cage_radius = radius,
+              .largest_eccentricity = cage.largest_eccentricity,
+              .as_printed = false,
+              .film_scale = printed * radius / clearance,
+              .printed_scale = printed,
+              .shear_scale = two_pi * viscosity * std::pow(radius, 3) * width / clearance,
+              .stiffness = 0.5 * cage.touch_down_stiffness,
+              .damping = cage.touch_down_damping,
+              .friction = {cage.touch_down_friction, given.race.sliding_scale}};
+  return land;
+}
+
+// [-]  of a sphere in a stream of Reynolds numbers from 1e3 to 1e5 [Schlichting2000].
+constexpr double kSphereDrag = 0.45;
+
+// A ball shows the mixture its section, and turns in it with its fifth power, Eqs. (29) and (30) of
+// [Chen2026], the latter with the square of the ball's own turning.
+DragNumbers drag(const Bearing& bearing, const motion::OilDragParameters& given) {
+  if (!given.on) return {};
+  const double density = given.oil_share * given.oil_density, diameter = bearing.balls().diameter;
+  // What the cage does not hide of the ball, Eq. (29).
+  const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
+  const double section = std::max(0.0, 0.25 * pi * diameter * diameter - height * diameter);
+  const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);
+  return {.translation = 0.5 * kSphereDrag * density * section,
+          .churning = 0.5 * given.churning_coefficient * density * std::pow(0.5 * diameter, 5),
+          .cage_churning =
+              motion::churning_drag(density, given.churning_coefficient, cage_radius, bearing.cage.width)
+                  .coefficient};
+}
+
+// A hollow cylinder about its own middle.
+BodyNumbers hollow(double mass, double inner_radius, double outer_radius, double width) {
+  const double squares = inner_radius * inner_radius + outer_radius * outer_radius;
+  return {.mass = mass, .across = mass * (squares / 4.0 + width * width / 12.0), .polar = 0.5 * mass * squares};
+}
+
+BodyNumbers ring_body(const BodyNumbers& own, const RingBodyParameters& given, const char* what) {
+  BodyNumbers body = own;
+  if (given.held) return {.mass = 0.0, .across = own.across, .polar = own.polar};
+  if (given.mass > 0.0) body.mass = given.mass;
+  if (given.across > 0.0) body.across = given.across;
+  require(body.mass > 0.0 && body.across > 0.0, what, body.mass,
+          "more than 0; give its mass, or bore, outside diameter and width of the rings");
+  return body;
+}
+
+}  // namespace
+
+BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& given) {
+  const Balls& balls = bearing.balls();
+  const BearingGeometry geometry = geometry_of(bearing);
+  require(balls.count >= 2, "balls", balls.count, "at least 2");
+  require(geometry.element_mass > 0.0, "mass of a ball [kg]", geometry.element_mass, "more than 0");
+  require(geometry.cage_mass > 0.0, "mass of the cage [kg]", geometry.cage_mass,
+          "more than 0; give the cage's diameters, width and density");
+  require(given.race.traction == motion::TractionLaw::regularised_coulomb || given.lubricant.viscosity > 0.0,
+          "viscosity of the oil [Pa s]", given.lubricant.viscosity, "more than 0 for a law of sheared oil");
+  BallNumbers c;
+  c.balls = balls.count;
+  c.radius = geometry.element_radius;
+  c.mass = geometry.element_mass;
+  c.inertia = geometry.element_inertia;
+  c.pitch_radius = geometry.pitch_radius;
+  c.entrainment_scale = given.race.entrainment_scale;
+  c.inner = groove(bearing, Race::inner, given);
+  c.outer = groove(bearing, Race::outer, given);
+  c.shear = shear_parameters(given);
+  c.points = ellipse_points(given.ellipse.slices, given.ellipse.rows);
+  c.pocket = pocket(bearing, given);
+  c.land = lands(bearing, given);
+  c.drag = drag(bearing, given.drag);
+  c.cage = hollow(geometry.cage_mass, 0.5 * bearing.cage.inner_diameter, 0.5 * bearing.cage.outer_diameter,
+                  bearing.cage.width);
+  c.cage.polar = geometry.cage_inertia;
+  c.inner_ring = ring_body(hollow(geometry.inner_ring_mass, 0.5 * bearing.inner.seat_diameter,
+                                  geometry.inner_radius, bearing.width),
+                           given.inner, "mass of the inner ring [kg]");
+  c.outer_ring = ring_body(hollow(geometry.outer_ring_mass, geometry.outer_radius,
+                                  0.5 * bearing.outer.seat_diameter, bearing.width),
+                           given.outer, "mass of the outer ring [kg]");
+  return c;
+}
+
+}  // namespace orbearing::bearing::balls

@@ -1,0 +1,86 @@
+// All constants of a ball bearing in motion as plain numbers. No header of a library here, since files
+// compiled for special instruction sets include it.
+#pragma once
+
+#include "bearing/contact/ellipse_traction.hpp"
+#include "bearing/contact/land_law.hpp"
+#include "bearing/contact/point_film.hpp"
+
+namespace orbearing::bearing::balls {
+
+/// Lanes to which the arrays over balls are padded, whatever the instruction set.
+inline constexpr int kPadding = 16;
+
+/// One grooved race with its contact.
+struct GrooveNumbers {
+  double centre_radius = 0.0;  // [m]        of the circle on which the groove's centre lies, in the ring's axes
+  double centre_axial = 0.0;   // [m]        along the ring's axis from its centre
+  double play = 0.0;           // [m]        groove radius less ball radius: contact begins at this distance
+  double stiffness = 0.0;      // [N/m^1.5]
+  double damping = 0.0;        // [s/m]      share by which the load grows per speed of approach
+  double across = 0.0;         // [m/N^(1/3)]   half axis of the ellipse across the direction of rolling
+  double along = 0.0;          // [m/N^(1/3)]   along it
+  double pressure = 0.0;       // [Pa/N^(1/3)]  largest pressure
+  double curvature = 0.0;      // [1/m]      of the surface of contact across
+  double rolling_radius = 0.0; // [m]        equivalent radius along: R_x
+  double rolling_factor = 0.0; // [N m]      couple against rolling at 1 m/s and 1 N; 0: none
+  PointFilmLaw central_film;
+  PointFilmLaw least_film;
+};
+
+/// Couple against rolling ~ u^0.66 Q^0.47 [Houpert1987].
+inline constexpr double kRollingSpeed = 0.66;
+inline constexpr double kRollingLoad = 0.47;
+
+/// Pockets of the cage: cylinders along its radii, drawn out by a straight part along the pitch circle.
+struct PocketNumbers {
+  double play = 0.0;           // [m]       pocket radius less ball radius
+  double half_straight = 0.0;  // [m]       half the length of the straight part
+  double stiffness = 0.0;      // [N/m^1.5]
+  double damping = 0.0;        // [s/m]
+  double friction = 0.0;       // [-]
+  double sliding_scale = 0.0;  // [m/s]
+};
+
+/// A ring or the cage as a rigid body.
+struct BodyNumbers {
+  double mass = 0.0;     // [kg]      0: held, its place is given
+  double across = 0.0;   // [kg m^2]  about a diameter
+  double polar = 0.0;    // [kg m^2]  about its axis
+};
+
+/// Cage on the lands of one ring, half its width at either side.
+struct LandNumbers {
+  bool present = false;
+  bool on_outer = true;
+  double offset = 0.0;  // [m]  of each land from the middle plane
+  LandLaw law;          // of one land
+};
+
+/// How a body stands in the oil: forces -coefficient speed |speed|.
+struct DragNumbers {
+  double translation = 0.0;    // [N s^2/m^2]       of a ball
+  double churning = 0.0;       // [N m s^2/rad^2]   of a ball
+  double cage_churning = 0.0;  // [N m s^2/rad^2]
+};
+
+struct BallNumbers {
+  int balls = 0;
+  double radius = 0.0;   // [m]
+  double mass = 0.0;     // [kg]
+  double inertia = 0.0;  // [kg m^2]
+  double pitch_radius = 0.0;       // [m]
+  double entrainment_scale = 0.0;  // [m/s]  rounds entrainment at zero
+  GrooveNumbers inner;
+  GrooveNumbers outer;
+  ShearParameters shear;
+  EllipsePoints points;
+  PocketNumbers pocket;
+  LandNumbers land;
+  DragNumbers drag;
+  BodyNumbers inner_ring;
+  BodyNumbers outer_ring;
+  BodyNumbers cage;
+};
+
+}  // namespace orbearing::bearing::balls

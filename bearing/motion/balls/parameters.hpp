@@ -1,0 +1,91 @@
+// What the motion of a ball bearing needs beyond that of a roller bearing. Every default is an assumption; its
+// reason stands in the row beneath.
+#pragma once
+
+#include "bearing/motion/parameters.hpp"
+
+namespace orbearing::bearing::balls {
+
+/// Friction over the ellipses of contact.
+struct EllipseParameters {
+  double eyring_stress = 5e6;  // [Pa]  at which the oil begins to thin by shear
+  int slices = 9;              // [-]   of an ellipse across the direction of rolling
+  int rows = 1;                // [-]   points of each along it
+};
+
+template <class Visitor>
+void describe(Visitor& visit, EllipseParameters& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.eyring_stress, "traction.eyring_stress", Felt::motion,
+                "shear stress at which the oil begins to thin",
+                {.models = ball_motion,
+                 .dimension = dimension::stress,
+                 .range = positive(1.0),
+                 .reason = "mineral oil",
+                 .where = {"traction.law", "ree-eyring"}}),
+          field(m.slices, "traction.slices", Felt::motion,
+                "slices of an ellipse of contact across the direction of rolling",
+                {.models = ball_motion, .range = {1, 32}, .reason = "friction within a per cent"}),
+          field(m.rows, "traction.rows", Felt::motion, "points of each slice along the direction of rolling",
+                {.models = ball_motion, .range = {1, 8}, .reason = "ellipses are slender"}));
+}
+
+/// Pockets of a ball bearing's cage.
+struct PocketParameters {
+  double straight = 0.0;  // [m]  of an oblong pocket, along the pitch circle
+};
+
+template <class Visitor>
+void describe(Visitor& visit, PocketParameters& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.straight, "bearing.cage.pocket_straight", Felt::motion,
+                "length of the straight part of an oblong pocket along the pitch circle",
+                {.models = ball_motion,
+                 .dimension = dimension::length,
+                 .range = {0.0, 100.0},
+                 .reason = "round pockets"}));
+}
+
+/// A ring and what it carries along.
+struct RingBodyParameters {
+  double mass = 0.0;    // [kg]      0: that of the ring
+  double across = 0.0;  // [kg m^2]  about a diameter; 0: that of the ring
+  bool held = false;    // its place is given
+};
+
+/// All that the motion of balls adds to Bearing.
+struct MotionParameters {
+  motion::RaceContactParameters race;
+  motion::CageParameters cage;
+  motion::OilDragParameters drag;
+  Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
+  EllipseParameters ellipse;
+  PocketParameters pocket;
+  RingBodyParameters inner;
+  RingBodyParameters outer{.held = true};
+};
+
+template <class Visitor>
+void describe(Visitor& visit, MotionParameters& m) {
+  using namespace described;
+  const std::string_view ring_alone = "the ring alone: a light shaft";
+  members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.lubricant), part(m.ellipse),
+          part(m.pocket),
+          together(field(m.inner.mass, "rotor.mass", Felt::motion,
+                         "mass that moves with the inner ring, its own in it; 0: the ring's own",
+                         {.models = ball_motion,
+                          .dimension = dimension::mass,
+                          .range = {0.0, 1e6},
+                          .reason = ring_alone}),
+                   field(m.inner.across, "rotor.inertia", Felt::motion,
+                         "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
+                         {.models = ball_motion,
+                          .dimension = dimension::inertia,
+                          .range = {0.0, 1e6},
+                          .reason = ring_alone})),
+          apart(m.outer));
+}
+
+}  // namespace orbearing::bearing::balls

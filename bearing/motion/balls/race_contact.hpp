@@ -1,0 +1,157 @@
+// A ball in the groove of a ring: load, friction over the ellipse, couple against rolling. Written once for
+// plain numbers and packs.
+//
+//         groove centre  o - - - - - -> n        The groove's centre lies on a circle about the ring's axis.
+//          (ring)         \   d                  The ball is in contact where its own centre is further from
+//                          o ball centre         it than the play; n then points on, to the contact.
+//
+// Outer ring: the circle is smaller than the pitch circle and n points outward; inner ring: the other way
+// round. One expression serves both.
+#pragma once
+
+#include "bearing/contact/damping.hpp"
+#include "bearing/motion/balls/bodies.hpp"
+
+namespace orbearing::bearing::balls {
+
+/// What passes in one contact.
+template <class Number>
+struct RaceTouch {
+  BallWrench<Number> on_ball;
+  Number load{};         // [N]  with damping, >= 0
+  Number approach{};     // [m]  negative where they part
+  Number contact_angle{};// sine: axial part of n
+  Number sliding_along{};   // [m/s]  race less ball, in the middle
+  Number sliding_across{};  // [m/s]
+  Number spin{};         // [rad/s]  race less ball about n
+  Number entrainment{};  // [m/s]
+  Number film{};         // [m]  central
+  Number damping_power{}, sliding_power{}, spin_power{}, differential_power{}, rolling_power{};  // [W]
+};
+
+namespace detail {
+/// Cube root of x > 0.
+template <class Number>
+Number cube_root(const Number& x) {
+  return mechanics::exponential((1.0 / 3.0) * mechanics::logarithm(x));
+}
+using mechanics::exponential, mechanics::logarithm;
+}  // namespace detail
+
+/// `slopes` are written where kSlopes.
+template <bool kSlopes, class Law, class Number>
+RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveNumbers& groove,
+                             const Ball<Number>& ball, const SeenBody<Number>& ring,
+                             ContactSlopes<Number>& slopes) {
+  using namespace mechanics;
+  constexpr double kLeastLoad = 1e-6;   // [N]  keeps logarithms finite where there is none
+  constexpr double kAtCentre = 1e-30;   // [m^2]  keeps the normal finite in the groove's centre
+  RaceTouch<Number> touch;
+  // Along the ring's axis and away from it.
+  const Number along_axis = dot(ring.from_centre, ring.axis);
+  const Triple<Number> away = ring.from_centre - scaled(along_axis, ring.axis);
+  const Number per_away = inverse_root(dot(away, away));
+  const Triple<Number> outward = scaled(per_away, away);
+  const Number off_axis = 1.0 / per_away - groove.centre_radius;
+  const Number off_plane = along_axis - groove.centre_axial;
+  const Number square = off_axis * off_axis + off_plane * off_plane + kAtCentre;
+  const Number per_distance = inverse_root(square);
+  const Number distance = square * per_distance;
+  ContactAxes<Number> axes;
+  axes.normal = scaled(off_axis * per_distance, outward) + scaled(off_plane * per_distance, ring.axis);
+  axes.along = cross(ring.axis, outward);
+  axes.across = cross(axes.normal, axes.along);
+
+  const Number approach = distance - groove.play;
+  const auto touching = approach > Number{};
+  touch.approach = approach;
+  touch.contact_angle = axes.normal.z;
+  const Number pressed = only(touching, approach);
+  const Number root_approach = root(pressed);
+  const Number elastic = groove.stiffness * pressed * root_approach;
+
+  // The race relative to the ball at the contact, which lies by a ball's radius off its centre.
+  const Triple<Number> turn = ring.turning - ball.spin;
+  const Triple<Number> slip =
+      ring.velocity - ball.velocity + scaled(Number{} + c.radius, cross(turn, axes.normal));
+  const Number closing = -dot(slip, axes.normal);
+  const auto normal = damped_load(elastic, groove.damping, closing);
+  const Number load = only(touching, normal.load);
+  const auto loaded = load > Number{};
+  const Number felt = load + kLeastLoad;
+
+  const Sliding<Number> sliding{dot(slip, axes.along), dot(slip, axes.across), dot(turn, axes.along),
+                                dot(turn, axes.across), dot(turn, axes.normal)};
+  // Both surfaces relative to the contact, which goes round with the ball.
+  const Number arm_out = c.radius * axes.normal.x;
+  const Number carried = ball.orbital * (ball.radius + arm_out);
+  const Triple<Number> on_ball = ball.velocity + scaled(Number{} + c.radius, cross(ball.spin, axes.normal));
+  const Number rolling = on_ball.y + 0.5 * sliding.along * axes.along.y - carried;
+  const Number entrainment = root(rolling * rolling + c.entrainment_scale * c.entrainment_scale);
+  const Number log_load = logarithm(felt), log_speed = logarithm(entrainment);
+  const Number third = exponential((1.0 / 3.0) * log_load);
+  const Number log_film = groove.central_film.log_film(log_load, log_speed);
+  const LoadedEllipse<Number> ellipse{felt,
+                                      groove.across * third,
+                                      groove.along * third,
+                                      groove.pressure * third,
+                                      exponential(-log_film),
+                                      groove.curvature,
+                                      2.0 * c.radius};
+  Traction<Number> traction;
+  TractionSlopes<Number> friction;
+  add_traction<kSlopes>(law, c.shear, c.points, ellipse, sliding, traction, friction);
+
+  // Against rolling: as fast as the surfaces roll on each other.
+  const Number turned = sliding.turn_across * groove.rolling_radius;
+  const Number rolled = root(turned * turned + c.entrainment_scale * c.entrainment_scale);
+  const Number couple = groove.rolling_factor *
+                        exponential((kRollingSpeed - 1.0) * logarithm(rolled) + kRollingLoad * log_load);
+  const Number rolling_moment = couple * turned;
+
+  touch.load = load;
+  touch.sliding_along = sliding.along;
+  touch.sliding_across = sliding.across;
+  touch.spin = sliding.spin;
+  touch.entrainment = entrainment;
+  touch.film = exponential(log_film);
+  const Number force[3] = {-load, only(loaded, traction.along), only(loaded, traction.across)};
+  const Number moment[3] = {only(loaded, traction.spin), only(loaded, traction.turn_along),
+                            only(loaded, traction.turn_across + rolling_moment)};
+  touch.on_ball.force =
+      scaled(force[0], axes.normal) + scaled(force[1], axes.along) + scaled(force[2], axes.across);
+  // n x along = across, n x across = -along.
+  touch.on_ball.moment = scaled(moment[0], axes.normal) +
+                         scaled(moment[1] - c.radius * force[2], axes.along) +
+                         scaled(moment[2] + c.radius * force[1], axes.across);
+  touch.damping_power = only(touching, normal.power);
+  touch.sliding_power = force[1] * sliding.along + force[2] * sliding.across;
+  touch.spin_power = moment[0] * sliding.spin;
+  touch.rolling_power = only(loaded, rolling_moment * sliding.turn_across);
+  touch.differential_power =
+      moment[1] * sliding.turn_along + moment[2] * sliding.turn_across - touch.rolling_power;
+  if constexpr (kSlopes) {
+    const Number per_load = only(loaded, 1.0 / felt);
+    slopes.axes = axes;
+    slopes.arm = Number{} + c.radius;
+    for (int i = 0; i < 3; ++i) {
+      slopes.per_load[i] = i == 0 ? Number{} - 1.0 : force[i] * per_load;
+      slopes.per_load[3 + i] = moment[i] * per_load;
+    }
+    const Number grown = only(loaded, damping_factor(groove.damping, closing));
+    slopes.load_by_approach = 1.5 * groove.stiffness * root_approach * grown;
+    slopes.load_by_speed = only(loaded, elastic * groove.damping);
+    slopes.turning_stiffness = load * per_distance;
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 4; ++k) slopes.friction.by[i][k] = only(loaded, friction.by[i][k]);
+    slopes.friction.by[2][2] += only(loaded, couple * groove.rolling_radius);
+  }
+  return touch;
+}
+
+/// Energy stored in the contact [J].
+inline double race_energy(const GrooveNumbers& groove, double approach) {
+  return approach > 0.0 ? 0.4 * groove.stiffness * approach * approach * __builtin_sqrt(approach) : 0.0;
+}
+
+}  // namespace orbearing::bearing::balls

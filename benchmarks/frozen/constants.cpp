@@ -1,0 +1,115 @@
+#include "benchmarks/frozen/constants.hpp"
+
+#include <random>
+#include <stdexcept>
+
+#include "bearing/motion/equations.hpp"
+
+namespace orbearing::bench::frozen {
+
+namespace {
+
+void require_within(bool holds, const char* what) {
+  if (!holds) throw std::invalid_argument(std::string("the frozen equations have no ") + what);
+}
+
+void check(const bearing::motion::BearingModel& model) {
+  using namespace bearing;
+  require_within(model.plain, "waves, unequal or crowned rollers, mixed lubrication or pocket film");
+  require_within(model.inner.load.with_film(), "dry contacts");
+  require_within(!model.inner.friction.limiting_shear && model.inner.friction.rolling_resistance,
+                 "limiting shear, and not rolling resistance off");
+  require_within(model.guidance.present && model.guiding_race == bearing::Race::outer &&
+                     model.guidance.film == motion::GuidanceFilm::short_bearing,
+                 "other guidance than a short film on the outer ring");
+  require_within(model.excitation.harmonics.empty() && model.driving.ramp == 0.0,
+                 "loads that change in time");
+}
+
+Race race_of(const bearing::motion::RaceModel& race, const bearing::FilmContact& film) {
+  const OiledLine line{.stiffness = race.load.elastic().constant(),
+                       .equivalent_radius = film.equivalent_radius,
+                       .length = film.length,
+                       .reduced_modulus = film.reduced_modulus,
+                       .viscosity = film.lubricant.viscosity,
+                       .pressure_viscosity = film.lubricant.pressure_viscosity};
+  return {.side = race.side.side,
+          .radius = race.side.radius,
+          .roller_radius = race.roller_radius,
+          .damping = race.damping,
+          .entrainment_scale = race.entrainment_scale,
+          .friction = race.friction.coulomb.friction,
+          .sliding_scale = race.friction.coulomb.sliding_scale,
+          .load = RaceLoadLaw(line),
+          .rolling = RollingResistance(line)};
+}
+
+}  // namespace
+
+Model constants_of(const bearing::motion::BearingModel& model) {
+  check(model);
+  const auto& frame = model.frame;
+  const auto& pocket = model.pocket;
+  const auto& land = model.guidance;
+  return {
+      .rollers = model.layout.rollers,
+      .frame = {frame.coriolis_speed, frame.centrifugal, frame.euler, frame.own_orbit, frame.orbit_radius},
+      .roller_mass = model.roller.mass,
+      .roller_inertia = model.roller.inertia,
+      .cage_mass = model.cage.mass,
+      .cage_inertia = model.cage.inertia,
+      .bore_mass = model.bore_mass,
+      .pin_mass = model.pin_mass,
+      .outer_speed = model.point.outer_speed,
+      .inner_speed = model.point.inner_speed,
+      .bore_load = model.point.bore_load,
+      .inner = race_of(model.inner, model.inner_film),
+      .outer = race_of(model.outer, model.outer_film),
+      .pocket = {pocket.half_clearance, pocket.stiffness, pocket.damping, pocket.friction,
+                 pocket.sliding_scale, pocket.roller_radius},
+      .pocket_direction = model.pocket_direction,
+      .guidance = {land.side, land.clearance, land.cage_radius, land.land_width, land.lands, land.viscosity,
+                   land.largest_eccentricity, land.stiffness, land.damping, land.friction,
+                   land.sliding_scale},
+      .support_stiffness = model.support.stiffness,
+      .support_damping = model.support.damping,
+      .orbit_drag = {model.orbit_drag.coefficient},
+      .spin_drag = {model.spin_drag.coefficient},
+      .cage_drag = {model.cage_drag.coefficient}};
+}
+
+double largest_difference(const bearing::motion::BearingModel& model, const Eigen::VectorXd& x, int states) {
+  constexpr double kLength = 2e-6, kSpeed = 0.05, kTurning = 0.01;  // [m], [m/s], [-] of an angular speed
+  const Equations frozen(constants_of(model));
+  const bearing::motion::PlanetBearingEquations today(model);
+  const auto kinds = bearing::motion::variable_kinds(model.layout);
+  std::mt19937 chance(1);
+  std::uniform_real_distribution<double> some(-1.0, 1.0);
+  double largest = 0.0;
+  for (int i = 0; i < states; ++i) {
+    Eigen::VectorXd moved = x;
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      using enum bearing::motion::VariableKind;
+      const auto kind = kinds[static_cast<std::size_t>(k)];
+      moved[k] += some(chance) * (kind == length          ? kLength
+                                  : kind == velocity      ? kSpeed
+                                  : kind == angular_speed ? kTurning * std::abs(x[k])
+                                                          : kLength / model.geometry.pitch_radius);
+    }
+    Eigen::VectorXd then(x.size()), now(x.size());
+    frozen.derivative(moved, then);
+    today.derivative(0.0, moved, now);
+    for (const auto kind : kinds) {
+      double difference = 0.0, size = 0.0;
+      for (Eigen::Index k = 0; k < x.size(); ++k) {
+        if (kinds[static_cast<std::size_t>(k)] != kind) continue;
+        difference = std::max(difference, std::abs(then[k] - now[k]));
+        size = std::max(size, std::abs(now[k]));
+      }
+      largest = std::max(largest, difference / size);
+    }
+  }
+  return largest;
+}
+
+}  // namespace orbearing::bench::frozen

@@ -1,0 +1,66 @@
+// The vibration of a bearing with scratches, sampled as an instrument would.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/defect/scratched_bearing.hpp"
+#include "coupling/integration/integration_options.hpp"
+#include "mechanics/described.hpp"
+
+namespace orbearing::study {
+
+/// How the motion is sampled.
+struct Sampling {
+  double rate = 51200.0;              // [Hz]
+  double revolutions = 50.0;          // [-]  of the shaft
+  double settling_revolutions = 2.0;  // [-]  left out before
+  double length_error = 1e-14;        // [m]  of a step
+};
+
+template <class Visitor>
+void describe(Visitor& visit, Sampling& m) {
+  using namespace described;
+  members(
+      visit, m,
+      field(m.rate, "signal.sampling_rate", Felt::defect, "samples of the vibration a second",
+            {.models = raceway_defect,
+             .dimension = dimension::frequency,
+             .range = {1e-3, 1e5},
+             .reason = "a usual rate of instruments, far above the vibration of the ring"}),
+      field(m.revolutions, "signal.revolutions", Felt::defect,
+            "revolutions of the shaft that are sampled; lines as close as its speed over them are told apart",
+            {.models = raceway_defect,
+             .range = {2.0, 1e5},
+             .reason = "lines a fiftieth of the shaft's frequency apart"}),
+      field(m.settling_revolutions, "signal.settling_revolutions", Felt::defect,
+            "revolutions of the shaft before, in which the start dies away",
+            {.models = raceway_defect,
+             .range = {0.0, 1e5},
+             .reason = "hundreds of periods of the ring's vibration"}),
+      field(
+          m.length_error, "signal.length_error", Felt::defect,
+          "allowed error of the ring's place in one step",
+          {.models = raceway_defect,
+           .dimension = dimension::length,
+           .range = {1e-16, 1e-3},
+           .reason = "the vibration of a sound bearing stands clear of the error of its sampled acceleration",
+           .written = "mm"}));
+}
+
+/// The ring's motion at even times; place and acceleration along the load and across it. The acceleration has
+/// passed the low-pass of an instrument, which takes off what lies above a third of the rate.
+struct RingVibration {
+  double rate = 0.0;             // [Hz]
+  double begin = 0.0;            // [s]  of the first sample, since the motion began
+  Eigen::Array2Xd place;         // [m]      (directions, samples)
+  Eigen::Array2Xd acceleration;  // [m/s^2]  (directions, samples)
+  Eigen::ArrayXd ball_approach;  // [m]      of the first element, negative where it is free
+  Eigen::ArrayXd ball_load;      // [N]      of the first element, with damping
+  double largest_load = 0.0;     // [N]      of any element at any sample
+  integration::IntegrationReport report;
+};
+
+/// From the static balance on. A run that ends early says so in the report and has no samples.
+RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched, const Sampling& sampling);
+
+}  // namespace orbearing::study

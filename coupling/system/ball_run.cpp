@@ -1,0 +1,341 @@
+#include "coupling/system/ball_run.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "bearing/geometry.hpp"
+#include "bearing/life/damage.hpp"
+#include "bearing/life/reference_life.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/run.hpp"
+#include "coupling/integration/window.hpp"
+#include "coupling/system/bearing_steps.hpp"
+#include "mechanics/checks.hpp"
+
+namespace orbearing::system {
+
+namespace {
+
+using boost::math::double_constants::two_pi;
+using bearing::balls::BallBearing;
+using bearing::balls::BallNumbers;
+using bearing::balls::BallPowerLoss;
+using bearing::balls::BallSnapshot;
+using bearing::balls::StateLayout;
+
+// Of a ball between its races [rad/s].
+double ball_frequency(const BallNumbers& c) {
+  const double slope = 1.5 * (c.inner.stiffness + c.outer.stiffness) * std::sqrt(kTypicalApproach);
+  return std::sqrt(slope / c.mass);
+}
+
+void add_loss(BallPowerLoss& sum, const BallPowerLoss& other, double weight) {
+  sum.sliding += weight * other.sliding;
+  sum.differential += weight * other.differential;
+  sum.spin += weight * other.spin;
+  sum.rolling += weight * other.rolling;
+  sum.damping += weight * other.damping;
+  sum.cage += weight * other.cage;
+  sum.churning += weight * other.churning;
+}
+
+// What is summed step by step while observed.
+struct ObservedSteps {
+  double weight = 0.0;  // [s]
+  double inner_square = 0.0, outer_square = 0.0;
+  double inner_max = 0.0, outer_max = 0.0;
+  bearing::motion::DamageSums damage;
+};
+
+// What is summed sample by sample while observed.
+struct ObservedSamples {
+  long samples = 0;
+  double inner_torque = 0.0, outer_torque = 0.0;
+  double inner_load = 0.0, outer_load = 0.0;          // [N]
+  double inner_angle = 0.0, outer_angle = 0.0;        // [N rad]
+  double inner_film = 0.0, outer_film = 0.0;          // [m]
+  long inner_loaded = 0, outer_loaded = 0;
+  BallPowerLoss loss;
+};
+
+double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty, double time) {
+  return kinematic_cage_speed(geometry, duty.inner.speed_at(time), duty.outer.speed_at(time));
+}
+
+// The bearing as the stepper and its windows see it.
+class BallSystem {
+ public:
+  BallSystem(BallBearing& bearing, const bearing::BearingGeometry& geometry, double observe_from, long places)
+      : bearing_(bearing),
+        geometry_(geometry),
+        observe_from_(observe_from),
+        sums_{.damage = bearing::motion::DamageSums(places, 0, bearing::motion::DamagePower::of_points)} {}
+
+  void linearise(double time, const double* x, double* dx) { bearing_.linearise(time, x, dx); }
+  void derivative(double time, const double* x, double* dx) { bearing_.derivative(time, x, dx); }
+  void time_slope(double time, double* rate) { bearing_.time_slope(time, rate); }
+  bool factor(double g) { return bearing_.factor(g); }
+  void solve(const double* rhs, double* k) const { bearing_.solve(rhs, k); }
+
+  // The loads of the linearisation are those of the step's beginning; they count until its end.
+  void begun(const std::vector<double>& x) {
+    const StateLayout& layout = bearing_.layout();
+    const bearing::balls::ContactLoads loads = bearing_.loads();
+    const auto count = static_cast<std::size_t>(layout.balls);
+    inner_.assign(loads.inner, loads.inner + count);
+    outer_.assign(loads.outer, loads.outer + count);
+    for (std::size_t j = 0; j < count; ++j) pocket_ = std::max(pocket_, loads.pocket[j]);
+    const double* angle = x.data() + layout.lanes();
+    angle_.assign(angle, angle + count);
+    orbital_.assign(x.data() + 4 * layout.lanes(), x.data() + 4 * layout.lanes() + count);
+    cage_speed_ = x[static_cast<std::size_t>(layout.inner() - 1)];
+  }
+  void stepped(double time, double length) {
+    const double rolling = rolling_cage_speed(geometry_, bearing_.duty(), time);
+    if (rolling != 0.0) {
+      history_.time.push_back(time);
+      history_.slip.push_back(1.0 - cage_speed_ / rolling);
+    }
+    if (time < observe_from_) return;
+    sums_.weight += length;
+    for (std::size_t j = 0; j < inner_.size(); ++j) {
+      sums_.inner_square += length * inner_[j] * inner_[j];
+      sums_.outer_square += length * outer_[j] * outer_[j];
+      sums_.inner_max = std::max(sums_.inner_max, inner_[j]);
+      sums_.outer_max = std::max(sums_.outer_max, outer_[j]);
+    }
+    const bearing::balls::BallDuty& duty = bearing_.duty();
+    sums_.damage.add(length, bearing_.layout().balls,
+                     {.angle = angle_.data(),
+                      .orbital_speed = orbital_.data(),
+                      .inner = inner_.data(),
+                      .outer = outer_.data(),
+                      .races = bearing::motion::race_speeds(geometry_, duty.inner.speed_at(time),
+                                                            duty.outer.speed_at(time))});
+  }
+  void settle(double, std::vector<double>&) const {}
+
+  const ObservedSteps& sums() const { return sums_; }
+  /// Largest load of a pocket since the last call [N].
+  double take_pocket_load() { return std::exchange(pocket_, 0.0); }
+  /// Slip of every step.
+  SlipHistory take_history() { return std::move(history_); }
+
+ private:
+  BallBearing& bearing_;
+  const bearing::BearingGeometry& geometry_;
+  double observe_from_;
+  ObservedSteps sums_;
+  std::vector<double> inner_, outer_, angle_, orbital_;
+  double pocket_ = 0.0;      // [N]
+  double cage_speed_ = 0.0;  // [rad/s]
+  SlipHistory history_;
+};
+
+void sum_sample(const BallSnapshot& s, ObservedSamples& sums) {
+  ++sums.samples;
+  sums.inner_torque += s.inner_torque;
+  sums.outer_torque += s.outer_torque;
+  add_loss(sums.loss, s.loss, 1.0);
+  for (std::size_t j = 0; j < s.inner.size(); ++j) {
+    sums.inner_load += s.inner[j].load;
+    sums.outer_load += s.outer[j].load;
+    sums.inner_angle += s.inner[j].load * s.inner[j].contact_angle;
+    sums.outer_angle += s.outer[j].load * s.outer[j].contact_angle;
+    if (s.inner[j].load > 0.0) sums.inner_film += s.inner[j].central_film, ++sums.inner_loaded;
+    if (s.outer[j].load > 0.0) sums.outer_film += s.outer[j].central_film, ++sums.outer_loaded;
+  }
+}
+
+double mean_of(double sum, double count) {
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+BallMeans means_of_balls(const ObservedSteps& steps, const ObservedSamples& samples, int balls) {
+  BallMeans m;
+  const double contacts = steps.weight * balls, n = static_cast<double>(samples.samples);
+  m.inner_load_rms = std::sqrt(mean_of(steps.inner_square, contacts));
+  m.outer_load_rms = std::sqrt(mean_of(steps.outer_square, contacts));
+  m.inner_load_max = steps.inner_max;
+  m.outer_load_max = steps.outer_max;
+  m.inner_torque = mean_of(samples.inner_torque, n);
+  m.outer_torque = mean_of(samples.outer_torque, n);
+  m.inner_angle = mean_of(samples.inner_angle, samples.inner_load);
+  m.outer_angle = mean_of(samples.outer_angle, samples.outer_load);
+  m.inner_film = mean_of(samples.inner_film, static_cast<double>(samples.inner_loaded));
+  m.outer_film = mean_of(samples.outer_film, static_cast<double>(samples.outer_loaded));
+  add_loss(m.loss, samples.loss, mean_of(1.0, n));
+  return m;
+}
+
+// Balls between the races and in their pockets; else what has come out.
+std::string balls_out_of_place(const BallNumbers& c, const StateLayout& layout, const double* x) {
+  for (int j = 0; j < c.balls; ++j)
+    if (!(std::abs(x[j] - c.pitch_radius) < c.radius) || !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
+      return "a ball came out: it stands more than its radius off its circle";
+  const double* cage = x + layout.cage();
+  if (!(std::hypot(cage[0], cage[1]) < c.radius) || !(std::hypot(cage[3], cage[4]) < 0.5))
+    return "the cage came out of its place";
+  return {};
+}
+
+
+void sample_series(const BallBearing& model, const bearing::BearingGeometry& geometry, double time,
+                   const double* x, const BallSnapshot& s, double pocket_load, BallSeries& series) {
+  const StateLayout& layout = model.layout();
+  const double rolling = rolling_cage_speed(geometry, model.duty(), time);
+  const double* inner = x + layout.inner();
+  series.time.push_back(time);
+  series.cage_speed.push_back(s.cage_speed);
+  series.cage_slip.push_back(rolling != 0.0 ? 1.0 - s.cage_speed / rolling : 0.0);
+  series.inner_speed.push_back(model.duty().inner.speed_at(time));
+  series.cage_x.push_back(s.cage_place.x());
+  series.cage_y.push_back(s.cage_place.y());
+  series.pocket_load.push_back(pocket_load);
+  series.torque.push_back(s.inner_torque);
+  series.inner_x.push_back(inner[0]);
+  series.inner_y.push_back(inner[1]);
+  series.inner_z.push_back(inner[2]);
+  series.first_angle.push_back(x[layout.lanes()]);
+  series.first_inner.push_back(s.inner.front().load);
+  series.first_outer.push_back(s.outer.front().load);
+  series.loss.push_back(s.loss);
+}
+
+}  // namespace
+
+std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
+  const StateLayout layout{c.balls};
+  const double frequency = ball_frequency(c);
+  std::vector<double> allowed(static_cast<std::size_t>(layout.size()), 0.0);
+  const double per_radius = 1.0 / c.pitch_radius;
+  const double by_group[StateLayout::kGroups] = {
+      length, length * per_radius, length, kRadialSpeedShare * length * frequency,
+      length * frequency * per_radius, length * frequency, length * frequency / c.radius,
+      length * frequency / c.radius, length * frequency / c.radius};
+  for (int group = 0; group < StateLayout::kGroups; ++group)
+    std::fill_n(allowed.begin() + group * layout.lanes(), c.balls, by_group[group]);
+  const auto put = [&](int first, int unknowns) {
+    for (int i = 0; i < unknowns; ++i) {
+      const double place = i < 3 ? length : length * per_radius;
+      allowed[static_cast<std::size_t>(first + i)] = place;
+      allowed[static_cast<std::size_t>(first + unknowns + i)] = place * frequency;
+    }
+  };
+  put(layout.cage(), bearing::balls::kCageUnknowns);
+  put(layout.inner(), bearing::balls::kRingUnknowns);
+  put(layout.outer(), bearing::balls::kRingUnknowns);
+  return allowed;
+}
+
+std::optional<double> settling_time(const SlipHistory& h) {
+  constexpr double kShare = 0.05, kPoints = 0.005;
+  double band = std::max(kShare * std::abs(h.final_slip), kPoints);
+  for (std::size_t i = 0; i < h.time.size(); ++i)
+    if (h.time[i] >= h.observed_from) band = std::max(band, std::abs(h.slip[i] - h.final_slip));
+  std::optional<double> since;
+  for (std::size_t i = 0; i < h.time.size() && h.time[i] < h.observed_from; ++i) {
+    if (std::abs(h.slip[i] - h.final_slip) > band)
+      since.reset();
+    else if (!since)
+      since = h.time[i];
+    if (since && h.time[i] - *since >= h.revolution) return since;
+  }
+  return since;
+}
+
+BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+                        const bearing::balls::BallDuty& duty,
+                        const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
+                        const std::function<void(double)>& progress) {
+  mechanics::require(options.duration > 0.0, "duration of the run [s]", options.duration, "more than 0");
+  mechanics::require(options.observed > 0.0 && options.observed <= 1.0, "observed share of the run [-]",
+                     options.observed, "more than 0 and at most 1");
+  mechanics::require(options.samples >= 2, "samples", options.samples, "at least 2");
+  const BallNumbers numbers = bearing::balls::ball_numbers(bearing, parameters);
+  const bearing::BearingGeometry geometry = geometry_of(bearing);
+  BallBearing model(numbers, duty);
+  std::vector<double> x = start_state(bearing, model, options.first_ball, options.start == Start::rest ? 0.0 : 1.0);
+  // Observed from a sample on.
+  const long first_observed =
+      std::min<long>(options.samples - 1, std::lround(options.samples * (1.0 - options.observed)));
+  const auto sample_time = [&](long i) {
+    return options.duration * static_cast<double>(i) / options.samples;
+  };
+  const double observe_from = sample_time(first_observed);
+  BallSystem system(model, geometry, observe_from, options.places);
+  integration::Rosenbrock2 stepper(ball_allowed_errors(numbers, kLinearlyImplicitErrorFactor * options.length_error),
+                                   kStepOfImpact / ball_frequency(numbers));
+  BallRunResult result;
+  result.report.smallest_step = std::numeric_limits<double>::infinity();
+  integration::IntegrationOptions limits;
+  limits.most_seconds = options.most_seconds;
+  integration::Run budget(limits, result.report);
+  ObservedSamples samples;
+  const int cage_turn = model.layout().cage() + 5;
+  double time = 0.0, step = 1e-7, observed_since = 0.0, angle_then = 0.0, rolled = 0.0;
+  bool observing = false;
+  const auto sample = [&] {
+    const BallSnapshot s = model.snapshot(time, x.data());
+    const double pocket = system.take_pocket_load();
+    result.pocket_load_max = std::max(result.pocket_load_max, pocket);
+    sample_series(model, geometry, time, x.data(), s, pocket, result.series);
+    if (time < observe_from) return;
+    if (!std::exchange(observing, true)) {
+      observed_since = time;
+      angle_then = x[static_cast<std::size_t>(cage_turn)];
+    } else {
+      sum_sample(s, samples);
+    }
+  };
+  try {
+    sample();
+    for (long i = 1; i <= options.samples; ++i) {
+      const double end = sample_time(i);
+      while (time < end) {
+        const double before = time;
+        long attempts = 0;
+        step_within_window(stepper, system, x, time, end, {}, step, attempts);
+        result.report.rejected += attempts - 1;
+        if (!budget.accept(time, time - before)) throw std::runtime_error(result.report.message);
+        if (before >= observe_from)
+          rolled += (time - before) * rolling_cage_speed(geometry, duty, 0.5 * (before + time));
+      }
+      const std::string reason = balls_out_of_place(numbers, model.layout(), x.data());
+      if (!reason.empty()) throw std::runtime_error(reason);
+      sample();
+      if (progress) progress(time);
+    }
+    result.completed = true;
+  } catch (const std::runtime_error& error) {
+    result.message = error.what();
+  }
+  result.report.completed = result.completed;
+  result.report.reached = time;
+  result.report.wall_seconds = budget.seconds();
+  result.means = means_of_balls(system.sums(), samples, numbers.balls);
+  const double span = time - observed_since;
+  if (observing && span > 0.0) {
+    const double turned = x[static_cast<std::size_t>(cage_turn)] - angle_then;
+    result.means.cage_speed = turned / span;
+    result.means.cage_slip = rolled != 0.0 ? 1.0 - turned / rolled : 0.0;
+  }
+  const bearing::motion::DamageSums& damage = system.sums().damage;
+  const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0), outer = damage.outer.damage().pow(1.0 / 3.0);
+  result.means.life = bearing::rating::ball_reference_life(capacities, inner, outer, bearing.motions);
+  if (result.completed) {
+    SlipHistory history = system.take_history();
+    history.final_slip = result.means.cage_slip;
+    history.observed_from = observe_from;
+    history.revolution = two_pi / std::max(1e-9, std::abs(result.means.cage_speed));
+    result.slip_settling = settling_time(history);
+  }
+  result.final_state = std::move(x);
+  return result;
+}
+
+}  // namespace orbearing::system

@@ -1,0 +1,124 @@
+// A ball bearing by itself, run in time under given speeds and loads: run-up, settling, then what is observed.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bearing/life/standard_life.hpp"
+#include "bearing/motion/balls/ball_bearing.hpp"
+#include "coupling/integration/integration_options.hpp"
+#include "coupling/system/steady_state.hpp"
+
+namespace orbearing::system {
+
+/// How balls and cage move at the start.
+enum class Start { rolling, rest };
+
+constexpr described::Names<Start, 2> names_of(Start) {
+  return {{{Start::rolling, "rolling"}, {Start::rest, "rest"}}};
+}
+
+/// What belongs to the method and to the start.
+struct BallRunOptions {
+  double duration = 1.0;           // [s]  of the whole run
+  double observed = 0.2;           // [-]  share of it at its end, over which means are taken
+  Start start = Start::rolling;
+  int samples = 4000;              // [-]  of the whole run
+  double length_error = 2e-10;     // [m]  as SteadyStateOptions::allowed_length_error
+  double first_ball = 0.0;         // [rad]  angle of the first ball at the start
+  int places = 72;                 // [-]  bins on the races
+  double most_seconds = 3600.0;    // [s]  of wall time
+};
+
+template <class Visitor>
+void describe(Visitor& visit, BallRunOptions& m) {
+  using namespace described;
+  rows(visit,
+       field(m.duration, "simulation.duration", Felt::lone_run, "time that is simulated",
+             {.models = ball_motion,
+              .required_by = ball_motion,
+              .dimension = dimension::time,
+              .range = positive(1e5)}),
+       field(m.observed, "simulation.observed_share", Felt::lone_run,
+             "share of the time, at its end, over which means are taken",
+             {.models = ball_motion,
+              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
+              .reason = "what lies before it is for settling"}),
+       field(m.start, "simulation.start", Felt::lone_run, "how balls and cage move at the start",
+             {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
+       field(m.samples, "simulation.samples", Felt::lone_run, "states that are shown, evenly over the time",
+             {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
+       length_error_row(m.length_error));
+}
+
+/// The run over time; entries are samples.
+struct BallSeries {
+  std::vector<double> time;            // [s]
+  std::vector<double> cage_slip;       // [-]  1 - cage speed / that of pure rolling; 0 at rest
+  std::vector<double> cage_speed;      // [rad/s]
+  std::vector<double> inner_speed;     // [rad/s]
+  std::vector<double> cage_x, cage_y;  // [m]
+  std::vector<double> pocket_load;     // [N]  largest of all balls since the sample before
+  std::vector<double> torque;          // [N m]  of the drive of the inner ring
+  std::vector<double> inner_x, inner_y, inner_z;                 // [m]  place of the inner ring
+  std::vector<double> first_angle;     // [rad]  of the first ball
+  std::vector<double> first_inner, first_outer;                  // [N]  loads of the first ball
+  std::vector<bearing::balls::BallPowerLoss> loss;               // [W]
+};
+
+/// Means over the observed time.
+struct BallMeans {
+  double cage_slip = 0.0;       // [-]  from the angle that the cage turned
+  double cage_speed = 0.0;      // [rad/s]
+  double inner_load_rms = 0.0;  // [N]  over all balls, unloaded time included
+  double outer_load_rms = 0.0;  // [N]
+  double inner_load_max = 0.0;  // [N]
+  double outer_load_max = 0.0;  // [N]
+  double inner_torque = 0.0;    // [N m]
+  double outer_torque = 0.0;    // [N m]
+  double inner_angle = 0.0;     // [rad]  mean contact angle, weighed by load
+  double outer_angle = 0.0;     // [rad]
+  double inner_film = 0.0;      // [m]  mean central film of loaded balls
+  double outer_film = 0.0;      // [m]
+  bearing::balls::BallPowerLoss loss;   // [W]
+  bearing::BearingLife life;            // [rev]  of the turning race, from true passages
+};
+
+struct BallRunResult {
+  bool completed = false;
+  std::string message;
+  BallSeries series;
+  BallMeans means;
+  std::optional<double> slip_settling;  // [s]  from the start; none where the slip does not settle
+  double pocket_load_max = 0.0;         // [N]  of the whole run
+  std::vector<double> final_state;      // padded
+  integration::IntegrationReport report;
+};
+
+/// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
+std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
+
+/// A slip over time and what it comes to.
+struct SlipHistory {
+  std::vector<double> time;    // [s]  rising
+  std::vector<double> slip;    // [-]
+  double final_slip = 0.0;     // [-]
+  double observed_from = 0.0;  // [s]
+  double revolution = 0.0;     // [s]  of the cage
+};
+
+/// First time from which the slip stays, for a revolution of the cage, within 5 % of its final value or half a
+/// percentage point, whichever is larger, or within what it strays by while observed: a cage that rattles
+/// never rests. None where that is not before it is observed.
+std::optional<double> settling_time(const SlipHistory& history);
+
+/// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time
+/// reached [s], if any. What goes wrong on the way is in the result; throws std::invalid_argument for input
+/// that ball_numbers() refuses, and where nothing is left to observe.
+BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+                        const bearing::balls::BallDuty& duty, const bearing::rating::ContactCapacities& capacities,
+                        const BallRunOptions& options, const std::function<void(double)>& progress = {});
+
+}  // namespace orbearing::system

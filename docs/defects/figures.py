@@ -1,0 +1,70 @@
+"""`python3 figures.py PROGRAM CASE`: figures.png beside this file, the vibration of the case without a scratch, with one on the outer and on the inner race.
+
+Needs numpy, matplotlib and netCDF4, as the reports do.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import matplotlib
+import netCDF4
+import numpy as np
+
+matplotlib.use("agg")
+from matplotlib.figure import Figure  # noqa: E402
+
+TIME = 0.2  # [s]  that the source shows
+HIGHEST = 600.0  # [Hz]
+RACES = {"none": "no scratch", "outer": "outer race", "inner": "inner race"}
+
+
+def run(program, case, race):
+    """Variables of the run's file, and its JSON."""
+    with tempfile.TemporaryDirectory() as folder:
+        target = pathlib.Path(folder) / "out"
+        command = [program, "run", case, "-o", target, "--set", f"defect.race={race}", "--json"]
+        result = json.loads(subprocess.run([str(part) for part in command], check=True, capture_output=True, text=True).stdout)
+        with netCDF4.Dataset(target / "points" / "00000.nc") as data:
+            return {name: np.asarray(variable[...]) for name, variable in data.variables.items()}, result
+
+
+def over_time(axes, data, values, label):
+    brief = data["time"] <= TIME
+    axes.plot(1e3 * data["time"][brief], values[brief], linewidth=0.6)
+    axes.set_xlabel("time (ms)")
+    axes.set_ylabel(label)
+
+
+def envelope(axes, data, result):
+    shown = data["frequency"] <= HIGHEST
+    axes.plot(data["frequency"][shown], data["envelope_spectrum"][shown], linewidth=0.8)
+    for peak in [p for p in result["envelope_peaks"] if p["frequency_Hz"] <= HIGHEST][:5]:
+        axes.annotate(f"{peak['frequency_Hz']:.1f}", (peak["frequency_Hz"], peak["amplitude"]), fontsize=7)
+    axes.set_xlabel("frequency (Hz)")
+    axes.set_ylabel("envelope (m/s²)")
+
+
+def main(program, case):
+    figure = Figure(figsize=(12, 9), layout="constrained")
+    axes = figure.subplots(3, 3)
+    results = {race: run(program, case, race) for race in RACES}
+    sound, _ = results["none"]
+    over_time(axes[0][0], sound, 1e6 * np.maximum(sound["ball_deflection"], 0.0), "deflection of one ball (µm)")
+    over_time(axes[0][1], sound, sound["ball_load"], "load of one ball (N)")
+    over_time(axes[0][2], sound, sound["acceleration"][0], "acceleration (m/s²)")
+    for row, race in ((1, "outer"), (2, "inner")):
+        data, result = results[race]
+        over_time(axes[row][0], data, data["acceleration"][0], "acceleration (m/s²)")
+        over_time(axes[row][1], data, data["ball_load"], "load of one ball (N)")
+        envelope(axes[row][2], data, result)
+    for row, race in enumerate(RACES):
+        for one in axes[row]:
+            one.set_title(RACES[race], fontsize=9)
+    figure.savefig(pathlib.Path(__file__).with_name("figures.png"), dpi=80)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:3])

@@ -1,0 +1,59 @@
+"""The page of a bearing with scratches."""
+
+from __future__ import annotations
+
+from html import escape
+from typing import Sequence
+
+from orbearing import page as pages
+from orbearing.blocks import FigureBlock, Table, format_number, format_quantity
+from orbearing.result_folder import Report, numbers
+
+
+def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
+    """The whole document."""
+    study = Report(report.record("defect"), report.folder)
+    name = escape(str(study.content.get("case") or "unnamed case"))
+    answer = f'<header><p class="case">{name}</p>\n<h1>{escape(headline(study))}</h1></header>\n{pages.table(_summary(study))}'
+    sections = [answer, *(pages._figure(index, block) for index, block in enumerate(blocks, start=1)), pages._assumptions(study),
+                pages._warnings(study), pages._versions(study), _reproduce()]
+    return "\n".join([
+        "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">', f"<title>{name}: vibration of a bearing with scratches</title>",
+        f"<style>\n{pages.STYLE_SHEET.read_text(encoding='utf-8')}</style>", "</head>", "<body>", "<main>", *sections, "</main>", "</body>",
+        "</html>", "",
+    ])
+
+
+def headline(study: Report) -> str:
+    """The strongest line of the envelope in one sentence."""
+    peaks = study.records("envelope_peaks")
+    if not peaks:
+        return "The envelope of the vibration has no line that stands out."
+    most = peaks[0]
+    return f"The strongest line of the envelope stands at {format_quantity(most.get('frequency_Hz'), 'Hz', 4)}: {most.get('is')}."
+
+
+def _summary(study: Report) -> Table:
+    get = study.content.get
+    moving, resting, band = study.record("acceleration"), study.record("at_rest"), numbers(get("band_Hz"))
+    rows = [("Shaft, cage", f"{format_quantity(get('shaft_Hz'), 'Hz')}, {format_quantity(get('cage_Hz'), 'Hz')}"),
+            ("Balls over a place of the outer race", format_quantity(get("outer_pass_Hz"), "Hz")),
+            ("Balls over a place of the inner race", format_quantity(get("inner_pass_Hz"), "Hz")),
+            ("A place of a ball over either race", format_quantity(get("ball_pass_Hz"), "Hz")),
+            ("Passings of the defect", format_quantity(get("defect_Hz"), "Hz") if get("defect_Hz") is not None else "no defect"),
+            ("Outer ring at rest", f"{format_quantity(resting.get('displacement_um'), 'µm', 4)} along the load; it would vibrate at "
+                                   f"{format_quantity(get('natural_frequency_Hz'), 'Hz', 4)}"),
+            ("Acceleration of the outer ring", f"{format_quantity(moving.get('rms_m_s2'), 'm/s²', 3)} rms, at most "
+                                               f"{format_quantity(moving.get('max_m_s2'), 'm/s²', 3)}"),
+            ("Largest contact load", f"{format_quantity(get('contact_load_max_N'), 'N', 4)}; at rest "
+                                     f"{format_quantity(resting.get('contact_load_max_N'), 'N', 4)}")]
+    if len(band) == 2:
+        rows.append(("Band of the envelope", f"{format_number(band[0], 4)} to {format_number(band[1], 4)} Hz, spectral kurtosis "
+                                             f"{format_number(get('band_kurtosis'), 3)}"))
+    return Table(("Quantity", "Value"), rows)
+
+
+def _reproduce() -> str:
+    text = "orbearing run case.resolved.yaml -o again\norbearing report again"
+    return pages._section("How to reproduce", f"<p>In the folder of this page:</p>\n<pre>{escape(text)}</pre>")

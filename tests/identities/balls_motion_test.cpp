@@ -1,0 +1,223 @@
+// Issue 14, Build 2 and 3: what must hold for every ball bearing in motion: power balance, slopes, equal
+// results of all instruction sets, order of the steps, the static bearing as the limit of slow turning.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/geometry.hpp"
+#include "bearing/life/standard_life.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/system/ball_run.hpp"
+#include "tests/random_balls.hpp"
+
+namespace orbearing::bearing::balls::balls_motion_test {
+namespace {
+
+struct Started {
+  DrawnBalls drawn;
+  BallNumbers numbers;
+  std::vector<double> x;
+};
+
+Started started(RandomBalls& random, double size) {
+  Started s{random.next(), {}, {}};
+  s.numbers = ball_numbers(s.drawn.bearing, s.drawn.parameters);
+  const BallBearing model(s.numbers, s.drawn.duty);
+  s.x = start_state(s.drawn.bearing, model, random.between(0.0, 6.0));
+  random.disturb(s.numbers, size, s.x);
+  return s;
+}
+
+// d(energy)/dt along the motion is what comes in less what is lost: every force is the gradient of its
+// energy, or does the work that is called a loss.
+TEST(BallMotion, PowerBalances) {
+  RandomBalls random;
+  for (int draw = 0; draw < 300; ++draw) {
+    SCOPED_TRACE(draw);
+    const Started s = started(random, draw % 3 == 0 ? 0.2 : 1.5);
+    BallBearing model(s.numbers, s.drawn.duty);
+    std::vector<double> rate(s.x.size());
+    model.derivative(0.0, s.x.data(), rate.data());
+    const auto energy = [&](double time) {
+      std::vector<double> x = s.x;
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += time * rate[i];
+      return model.energy(x.data()).total();
+    };
+    constexpr double h = 2e-9;  // [s]
+    const double growth = (8.0 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12.0 * h);
+    const BallSnapshot now = model.snapshot(0.0, s.x.data());
+    const double balance = model.power_input(0.0, s.x.data()) - now.loss.total();
+    const double scale = now.loss.total() + std::abs(model.power_input(0.0, s.x.data())) + std::abs(growth) + 1.0;
+    EXPECT_NEAR(growth, balance, 3e-5 * scale);
+    EXPECT_GE(now.loss.rolling, 0.0);
+    EXPECT_GE(now.loss.damping, 0.0);
+    EXPECT_GE(now.loss.cage, -1e-9);
+    EXPECT_GE(now.loss.churning, 0.0);
+    EXPECT_GE(now.loss.sliding + now.loss.differential + now.loss.spin, 0.0);
+  }
+}
+
+TEST(BallMotion, StagesAreSolvedByTheStiffSlopes) {
+  RandomBalls random(7);
+  for (int draw = 0; draw < 12; ++draw) {
+    SCOPED_TRACE(draw);
+    const Started s = started(random, 1.0);
+    BallBearing model(s.numbers, s.drawn.duty);
+    const StateLayout layout = model.layout();
+    const auto n = static_cast<Eigen::Index>(s.x.size());
+    std::vector<double> rate(s.x.size()), above(s.x.size()), below(s.x.size()), k(s.x.size());
+    Eigen::MatrixXd jacobian(n, n);
+    const auto is_place = [&](int i) {
+      const auto in = [&](int first, int unknowns) { return i >= first && i < first + unknowns; };
+      return i < 3 * layout.lanes() || in(layout.cage(), kCageUnknowns) || in(layout.inner(), kRingUnknowns) ||
+             in(layout.outer(), kRingUnknowns);
+    };
+    for (int i = 0; i < n; ++i) {
+      const double step = is_place(i) ? 1e-10 : 1e-6;
+      std::vector<double> x = s.x;
+      x[static_cast<std::size_t>(i)] += step;
+      model.derivative(0.0, x.data(), above.data());
+      x[static_cast<std::size_t>(i)] -= 2.0 * step;
+      model.derivative(0.0, x.data(), below.data());
+      for (int m = 0; m < n; ++m)
+        jacobian(m, i) = (above[static_cast<std::size_t>(m)] - below[static_cast<std::size_t>(m)]) / (2.0 * step);
+    }
+    model.linearise(0.0, s.x.data(), rate.data());
+    constexpr double g = 1e-6;  // [s]
+    ASSERT_TRUE(model.factor(g));
+    model.solve(rate.data(), k.data());
+    const Eigen::Map<Eigen::VectorXd> right(rate.data(), n), ours(k.data(), n);
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(n, n) - g * jacobian;
+    const Eigen::VectorXd exact = matrix.partialPivLu().solve(right);
+    // By kinds: what is left out of the slopes is slow, so that it changes the stage by little.
+    const auto expect_kind = [&](int first, int count, double share) {
+      const double most = exact.segment(first, count).cwiseAbs().maxCoeff() +
+                          1e-3 * right.segment(first, count).cwiseAbs().maxCoeff();
+      EXPECT_LE((ours - exact).segment(first, count).cwiseAbs().maxCoeff(), share * most) << first;
+    };
+    expect_kind(3 * layout.lanes(), s.numbers.balls, 0.02);
+    expect_kind(4 * layout.lanes(), s.numbers.balls, 0.1);
+    expect_kind(layout.inner() + kRingUnknowns, 3, 0.02);
+    expect_kind(layout.cage() + kCageUnknowns, 3, 0.05);
+  }
+}
+
+TEST(BallMotion, InstructionSetsAgree) {
+  RandomBalls random(11);
+  for (int draw = 0; draw < 20; ++draw) {
+    const Started s = started(random, 1.5);
+    std::vector<double> first;
+    for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
+      BallBearing model(s.numbers, s.drawn.duty, set);
+      std::vector<double> rate(s.x.size()), k(s.x.size());
+      model.linearise(0.0, s.x.data(), rate.data());
+      ASSERT_TRUE(model.factor(2e-6));
+      model.solve(rate.data(), k.data());
+      k.insert(k.end(), rate.begin(), rate.end());
+      if (first.empty()) first = k;
+      const double scale = *std::max_element(first.begin(), first.end());
+      for (std::size_t i = 0; i < k.size(); ++i) EXPECT_NEAR(k[i], first[i], 1e-7 * std::abs(first[i]) + 1e-9 * scale);
+    }
+  }
+}
+
+// Fixed steps of the linearly implicit method: errors fall with the square of the step, although the matrix
+// leaves slow terms out.
+TEST(BallMotion, StepsAreOfSecondOrder) {
+  RandomBalls random(5);
+  DrawnBalls drawn = random.next();
+  drawn.parameters.race.traction = motion::TractionLaw::regularised_coulomb;
+  drawn.parameters.cage.guide_diameter = 0.0;
+  const BallNumbers numbers = ball_numbers(drawn.bearing, drawn.parameters);
+  BallBearing model(numbers, drawn.duty);
+  const std::vector<double> start = start_state(drawn.bearing, model, 0.2);
+  const std::vector<double> loose = system::ball_allowed_errors(numbers, 1.0);
+  const auto after = [&](int steps) {
+    integration::Rosenbrock2 stepper(loose, 1.0);
+    std::vector<double> x = start;
+    constexpr double span = 4e-5;  // [s]  no pocket is touched
+    for (int i = 0; i < steps; ++i) {
+      const double h = span / steps, t = i * h;
+      stepper.begin(model, x, t);
+      stepper.attempt(model, x, t, h);
+      stepper.accept(x);
+    }
+    return x;
+  };
+  const std::vector<double> exact = after(1600);
+  const auto error = [&](int steps) {
+    const std::vector<double> x = after(steps);
+    double most = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (loose[i] > 0.0) most = std::max(most, std::abs(x[i] - exact[i]) / loose[i]);
+    return most;
+  };
+  const double coarse = error(50), fine = error(100), finest = error(200);
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.35);
+  EXPECT_NEAR(std::log2(fine / finest), 2.0, 0.25);
+}
+
+// Turning slowly, the balls carry in the mean over their places what the static bearing says.
+TEST(BallMotion, SlowTurningIsTheStaticBearing) {
+  Bearing b;
+  b.elements = Balls{8, 11.509e-3, 0.0};
+  b.pitch_diameter = 48.5e-3;
+  b.radial_clearance = 8e-6;
+  b.width = 18e-3;
+  b.inner.seat_diameter = 30e-3;
+  b.outer.seat_diameter = 72e-3;
+  b.cage = {46e-3, 51e-3, 15e-3, 1310.0, Race::outer};
+  b.motions = {RaceMotion::turning, RaceMotion::standing};
+  MotionParameters p;
+  p.cage.pocket_clearance = 0.2e-3;
+  p.race.friction = 0.01;
+  p.drag.on = false;
+  p.race.rolling_resistance = false;
+  p.race.damping = 1.0;
+  p.inner.mass = 0.3;
+  p.inner.across = 5e-5;
+  const BallDuty duty{RingDrive::steady(30.0), RingDrive::steady(0.0), {{1500.0, 0.0, 0.0, 0.0, 0.0}}, {}};
+  system::BallRunOptions options;
+  options.duration = 0.25;
+  options.observed = 0.8;
+  options.samples = 200;
+  const rating::Ratings ratings = rating::ratings_of(b, {});
+  const system::BallRunResult run = system::run_balls(b, p, duty, ratings.contacts, options);
+  ASSERT_TRUE(run.completed) << run.message;
+  double square = 0.0, most = 0.0;
+  constexpr int places = 90;
+  for (int i = 0; i < places; ++i) {
+    Bearing turned = b;
+    turned.first_element = 6.283185307179586 / 8.0 * i / places;
+    const equilibrium::RingState state = equilibrium::balance_bearing(turned, {.radial = 1500.0});
+    square += state.contact_load.square().mean() / places;
+    most = std::max(most, state.contact_load.maxCoeff());
+  }
+  EXPECT_NEAR(run.means.inner_load_rms / std::sqrt(square), 1.0, 0.01);
+  EXPECT_NEAR(run.means.inner_load_max / most, 1.0, 0.03);
+  EXPECT_LT(std::abs(run.means.cage_slip), 0.02);
+}
+
+// At the start balls roll, where all of them meet the races at one angle.
+TEST(BallMotion, StartsRolling) {
+  RandomBalls random(3);
+  for (int draw = 0; draw < 60; ++draw) {
+    SCOPED_TRACE(draw);
+    DrawnBalls drawn = random.next();
+    drawn.duty.on_inner.by[drawn.bearing.contact_angle() > 0.0 ? 0 : 2] = 0.0;
+    const BallNumbers numbers = ball_numbers(drawn.bearing, drawn.parameters);
+    const BallBearing model(numbers, drawn.duty);
+    const std::vector<double> x = start_state(drawn.bearing, model, 0.1);
+    const BallSnapshot start = model.snapshot(0.0, x.data());
+    for (const auto* race : {&start.inner, &start.outer})
+      for (const ContactSnapshot& contact : *race) {
+        if (!(contact.load > 1.0)) continue;
+        EXPECT_LT(std::abs(contact.sliding), 0.02 * contact.entrainment);
+      }
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::balls::balls_motion_test

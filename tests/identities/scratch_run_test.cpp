@@ -1,0 +1,118 @@
+// What holds for every bearing with scratches.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "bearing/defect/frequencies.hpp"
+#include "coupling/study/scratch_run.hpp"
+#include "tests/unit/defect/scratched_bearings.hpp"
+
+namespace orbearing::study::scratch_run_test {
+namespace {
+
+using namespace bearing::defect;
+
+Sampling brief(double length_error = 1e-14) {
+  return {.rate = 20000.0, .revolutions = 3.0, .settling_revolutions = 0.5, .length_error = length_error};
+}
+
+double largest_difference(const RingVibration& one, const RingVibration& other) {
+  return (one.place - other.place).abs().maxCoeff();
+}
+
+// A scratch of an inner race so deep in its effect that contacts open: the error follows what is allowed in a
+// step, however often contacts open and balls meet edges.
+TEST(ScratchRun, ErrorFollowsTheAllowedOne) {
+  for (const auto& law : names_of(DampingLaw{})) {
+    ScratchedBearing in = scratched(Scratched::inner);
+    in.ring.damping_law = law.value;
+    const RingVibration reference = sample_vibration(in, brief(1e-16));
+    ASSERT_LT(reference.ball_approach.minCoeff(), 0.0);
+    const double coarse = largest_difference(sample_vibration(in, brief(1e-11)), reference);
+    const double fine = largest_difference(sample_vibration(in, brief(1e-13)), reference);
+    EXPECT_LT(coarse, 1e-8) << law.text;
+    EXPECT_GT(coarse / fine, 20.0) << law.text;  // a hundredth is allowed
+  }
+}
+
+// Twice the speed, half the time; what only turns with it is the same, up to the ring's inertia.
+TEST(ScratchRun, SlowlyItFollowsTheStaticBalance) {
+  ScratchedBearing in = nine_balls();
+  in.shaft_speed = 2.0;
+  Sampling slow{.rate = 400.0, .revolutions = 2.0, .settling_revolutions = 0.0, .length_error = 1e-12};
+  const RingVibration vibration = sample_vibration(in, slow);
+  ASSERT_TRUE(vibration.report.completed) << vibration.report.message;
+  const double cage = passing_frequencies(in.bearing, in.shaft_speed).cage;
+  for (const Eigen::Index sample : {Eigen::Index{100}, Eigen::Index{333}, Eigen::Index{1200}}) {
+    ScratchedBearing there = in;
+    const double time = vibration.begin + static_cast<double>(sample) / slow.rate;
+    there.bearing.first_element = 2.0 * 3.14159265358979324 * cage * time;
+    const Eigen::Vector2d place = ScratchedMotion(there).static_place().place;
+    EXPECT_NEAR(vibration.place(0, sample), place[0], 2e-4 * place[0]);
+    EXPECT_NEAR(vibration.place(1, sample), place[1], 2e-4 * place[0]);
+  }
+}
+
+// The mean force of the balls bears the load: the mean acceleration over whole passages vanishes.
+TEST(ScratchRun, MeanForcesBalance) {
+  for (const Scratched race : {Scratched::none, Scratched::outer}) {
+    ScratchedBearing in = scratched(race);
+    if (race == Scratched::none) in.scratch = {};
+    Sampling sampling = brief();
+    const double pass = passing_frequencies(in.bearing, in.shaft_speed).outer_pass;
+    sampling.rate = 400.0 * pass;  // whole passages
+    sampling.settling_revolutions = 3.0;
+    const RingVibration vibration = sample_vibration(in, sampling);
+    const Eigen::Index whole = vibration.ball_load.size() / 400 * 400;
+    const Eigen::ArrayXd along = vibration.acceleration.row(0).head(whole).transpose();
+    EXPECT_LT(std::abs(along.mean()) * in.ring.mass, 2e-3 * in.load);
+  }
+}
+
+TEST(ScratchRun, OneScratchMoreIsMetAsOften) {
+  ScratchedBearing in = scratched(Scratched::outer);
+  in.scratch.more_angles = {0.3};
+  const RingVibration two = sample_vibration(in, brief());
+  in.scratch.more_angles.clear();
+  const RingVibration one = sample_vibration(in, brief());
+  ASSERT_TRUE(two.report.completed);
+  EXPECT_GT(two.acceleration.row(0).square().mean(), 1.3 * one.acceleration.row(0).square().mean());
+}
+
+TEST(ScratchRun, RandomBearingsEndWithNumbers) {
+  constexpr unsigned seed = 20251122;
+  std::mt19937 random(seed);
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>()(random));
+  };
+  for (int number = 0; number < 40; ++number) {
+    ScratchedBearing in;
+    const int balls = std::uniform_int_distribution<int>(5, 20)(random);
+    const double diameter = between(2e-3, 50e-3);
+    in.bearing.elements = bearing::Balls{.count = balls, .diameter = diameter};
+    in.bearing.pitch_diameter = diameter * balls * between(0.4, 0.8);
+    in.bearing.radial_clearance = std::uniform_real_distribution<double>(-1e-3, 2e-3)(random) * diameter;
+    in.ring.mass = 7800.0 * std::pow(in.bearing.pitch_diameter, 2) * diameter * between(0.2, 2.0);
+    in.ring.damping_ratio = between(0.005, 0.5);
+    in.ring.damping_law = number % 2 == 0 ? DampingLaw::viscous : DampingLaw::hunt_crossley;
+    in.load = 1e6 * diameter * diameter * between(0.5, 30.0);
+    in.shaft_speed = between(1.0, 10.0) / in.bearing.pitch_diameter;  // [rad/s]
+    in.scratch = {.race = names_of(Scratched{})[static_cast<std::size_t>(number) % 4].value,
+                  .width = diameter * between(0.01, 0.2),
+                  .depth = diameter * between(0.001, 0.1),
+                  .form = names_of(ScratchForm{})[static_cast<std::size_t>(number / 4) % 4].value};
+    Sampling sampling{.rate = 200.0 * in.shaft_speed / 6.28,
+                      .revolutions = 2.0,
+                      .settling_revolutions = 0.5,
+                      .length_error = 1e-9 * diameter};
+    const RingVibration vibration = sample_vibration(in, sampling);
+    ASSERT_TRUE(vibration.report.completed)
+        << "seed " << seed << ", number " << number << ": " << vibration.report.message;
+    EXPECT_TRUE(vibration.acceleration.allFinite()) << number;
+    EXPECT_GT(vibration.largest_load, 0.0) << number;
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::study::scratch_run_test

@@ -1,0 +1,70 @@
+"""Ball bearings in time by the command line: keys, files, refusals."""
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = os.environ["ORBEARING"]
+CASES = Path(os.environ["ORBEARING_SOURCE_DIR"]) / "cases"
+MOTOR = CASES / "deep_groove_motor" / "case.yaml"
+SHORT = ["--set", "simulation.duration=0.05 s", "--set", "simulation.samples=100", "--set", "simulation.start=rolling"]
+
+
+def run(*arguments):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+
+
+class BallRun(unittest.TestCase):
+    def test_json_has_the_keys_that_scripts_read(self):
+        done = run("run", MOTOR, "--json", *SHORT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = json.loads(done.stdout)
+        for key in ("life_h", "slip_settling_s", "cage_impact_max_N", "cage_slip", "heat_W"):
+            self.assertIn(key, result)
+        heat = result["heat_W"]
+        self.assertAlmostEqual(heat["total"], sum(value for key, value in heat.items() if key != "total"), places=9)
+        self.assertLess(abs(result["cage_slip"]), 0.1)
+        self.assertIn("bearing.cage.width", {entry["key"] for entry in result["assumptions"]})
+
+    def test_folder_holds_the_run_over_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            done = run("run", MOTOR, "-o", out, *SHORT)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("friction torque", done.stdout)
+            again = run("run", out / "case.resolved.yaml", "--json")
+            self.assertEqual(again.returncode, 0, again.stderr)
+            try:
+                import netCDF4
+            except ImportError:
+                return
+            with netCDF4.Dataset(next((out / "points").glob("*.nc"))) as file:
+                self.assertEqual(file["cage_slip"].shape, (101,))
+                self.assertEqual(file["heat_rolling"].units, "W")
+                self.assertEqual(file.status, "ok")
+                self.assertAlmostEqual(json.loads(again.stdout)["life_h"] / float(file["life"][:]), 1.0, places=9)
+
+    def test_refusals_name_the_field(self):
+        without_cage = run("run", CASES / "ball_6305_iso16281" / "case.yaml", "--json",
+                           "--set", "simulation.duration=0.1 s")
+        self.assertEqual(without_cage.returncode, 2)
+        for path in ("bearing.cage.width", "bearing.cage.density", "simulation.duration"):
+            self.assertIn(path, without_cage.stderr)
+        tilt = run("run", MOTOR, "--json", "--set", "load.tilt=1 mrad", *SHORT)
+        self.assertEqual(tilt.returncode, 2)
+        self.assertIn("load.tilt", tilt.stderr)
+        missing = run("run", MOTOR, "--json", "--set", "simulation.start=rolling", "--set", "simulation.duration=-1 s")
+        self.assertEqual(missing.returncode, 2)
+
+    def test_static_case_is_not_touched(self):
+        static = run("run", CASES / "ball_6305_iso16281" / "case.yaml", "--json")
+        self.assertEqual(static.returncode, 0, static.stderr)
+        self.assertIn("L10r_Mrev", json.loads(static.stdout))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v"])

@@ -1,0 +1,344 @@
+#include "tests/reference/inertial_balls.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace orbearing::reference::inertial_balls {
+
+using bearing::balls::BallNumbers;
+using bearing::balls::BodyNumbers;
+using bearing::balls::GrooveNumbers;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kLeastLoad = 1e-6;      // [N]    added to what ellipse, film and friction see
+constexpr double kLeastSliding = 1e-7;   // [m/s]  rounds the size of the sliding at a point
+constexpr double kLeastTurning = 1e-12;  // [rad^2/s^2]
+
+Vector axis_of(const Body& body) {
+  return body.attitude.col(2);
+}
+
+Vector velocity_at(const Body& body, const Vector& point) {
+  return body.velocity + body.turning.cross(point - body.place);
+}
+
+Matrix cross_matrix(const Vector& v) {
+  Matrix m;
+  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
+  return m;
+}
+
+Matrix inertia_of(const BodyNumbers& numbers, const Body& body) {
+  const Vector principal(numbers.across, numbers.across, numbers.polar);
+  return body.attitude * principal.asDiagonal() * body.attitude.transpose();
+}
+
+void act_and_react(Wrench& on_one, const Body& one, Wrench& on_other, const Body& other, const Vector& point,
+                   const Vector& force_on_one) {
+  on_one.add(one, point, force_on_one);
+  on_other.add(other, point, -force_on_one);
+}
+
+struct Load {
+  double elastic, damped;
+};
+
+Load load_of(double stiffness, double damping, double approach, double closing) {
+  const double elastic = stiffness * approach * std::sqrt(approach);
+  return {elastic, elastic * std::max(0.0, 1.0 + damping * closing)};
+}
+
+// Coefficient of friction at one point, by the size of the sliding there.
+double friction_coefficient(const bearing::ShearParameters& law, double sliding, double pressure,
+                            double film) {
+  if (law.law == bearing::ShearLaw::coulomb)
+    return law.friction * sliding / std::hypot(sliding, law.sliding_scale);
+  const double viscosity =
+      law.viscosity * std::exp(std::min(law.pressure_viscosity * pressure, law.largest_exponent));
+  const double limit = law.limiting_friction * pressure;  // [Pa]
+  double stress = viscosity * sliding / film;
+  if (law.law == bearing::ShearLaw::ree_eyring)
+    stress = law.eyring_stress * std::asinh(stress / law.eyring_stress);
+  return law.limiting_friction * -std::expm1(-stress / limit);
+}
+
+// Axes of a ball's place about the bearing's axis.
+struct Place {
+  explicit Place(const Body& ball)
+      : radius(std::hypot(ball.place.x(), ball.place.y())),
+        outward(ball.place.x() / radius, ball.place.y() / radius, 0.0),
+        ahead(Vector::UnitZ().cross(outward)) {}
+
+  double radius;
+  Vector outward, ahead;
+};
+
+Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball, const Body& ring,
+             Wrench& on_ball, Wrench& on_ring, Outcome& total) {
+  Contact contact;
+  const Vector axis = axis_of(ring), arm = ball.place - ring.place;
+  const Vector outward = inertial_balls::across(axis, arm).normalized();
+  const Vector groove_centre = ring.place + groove.centre_radius * outward + groove.centre_axial * axis;
+  const Vector line = ball.place - groove_centre, n = line.normalized();
+  contact.approach = line.norm() - groove.play;
+  if (contact.approach <= 0.0) return contact;
+
+  const Vector point = ball.place + b.radius * n;
+  const Vector passing = velocity_at(ring, point) - velocity_at(ball, point);
+  const Vector turning = ring.turning - ball.turning;
+  const double closing = -passing.dot(n);
+  const Load load = load_of(groove.stiffness, groove.damping, contact.approach, closing);
+  total.elastic_power += load.elastic * closing;
+  total.loss.damping += (load.damped - load.elastic) * closing;
+  contact.load = load.damped;
+  if (load.damped <= 0.0) return contact;
+  act_and_react(on_ball, ball, on_ring, ring, point, -load.damped * n);
+
+  const double seen = load.damped + kLeastLoad, scale = std::cbrt(seen);
+  const Vector along = axis.cross(outward), across = n.cross(along);
+  const Place place(ball);
+  // Speed with which the surfaces, on the average, run through the contact, which goes round with the ball.
+  const double orbital = ball.velocity.dot(place.ahead) / place.radius;  // [rad/s]
+  const double mean = velocity_at(ball, point).dot(place.ahead) +
+                      0.5 * passing.dot(along) * along.dot(place.ahead) -
+                      orbital * (place.radius + b.radius * n.dot(place.outward));
+  const double drawn = std::hypot(mean, b.entrainment_scale);
+  const auto& film = groove.central_film;
+  contact.film = std::exp(film.log_factor) * std::pow(drawn, film.speed) * std::pow(seen, -film.load);
+  contact.contact_angle = std::asin(n.z());
+  contact.sliding = passing.dot(along);
+  contact.spin = turning.dot(n);
+  contact.entrainment = drawn;
+
+  const double half_across = groove.across * scale, half_along = groove.along * scale;
+  for (int i = 0; i < b.points.count; ++i) {
+    const double x = half_across * b.points.across[i], y = half_along * b.points.along[i];
+    const double height = half_across * half_across * (0.5 * groove.curvature - 0.5 / b.radius) -
+                          0.5 * groove.curvature * x * x;
+    const Vector there = point + x * across + y * along + height * n;
+    const auto in_plane = [&](const Vector& v) { return inertial_balls::across(n, v); };
+    const Vector sliding = in_plane(velocity_at(ring, there) - velocity_at(ball, there));
+    const double size = std::hypot(sliding.norm(), kLeastSliding);
+    const double pressure = b.points.pressure[i] * groove.pressure * scale;
+    const double limit = friction_coefficient(b.shear, size, pressure, contact.film);
+    const Vector force = b.points.share[i] * seen * limit / size * sliding;
+    act_and_react(on_ball, ball, on_ring, ring, there, force);
+    total.loss.friction += force.dot(sliding);
+    total.loss.sliding += force.dot(in_plane(passing));
+    total.loss.spin += force.dot(in_plane(turning.dot(n) * n.cross(there - point)));
+  }
+
+  const double rolling = turning.dot(across) * groove.rolling_radius;
+  const double couple = groove.rolling_factor *
+                        std::pow(std::hypot(rolling, b.entrainment_scale), 0.66 - 1.0) *
+                        std::pow(seen, 0.47) * rolling;
+  on_ball.moment += couple * across;
+  on_ring.moment -= couple * across;
+  total.loss.rolling += couple * turning.dot(across);
+  return contact;
+}
+
+Contact guide_ball(const BallNumbers& b, int pocket, const Body& ball, const Body& cage, Wrench& on_ball,
+                   Wrench& on_cage, Outcome& total) {
+  Contact contact;
+  const double angle = 2.0 * kPi * pocket / b.balls;
+  const Vector direction = cage.attitude * Vector(std::cos(angle), std::sin(angle), 0.0);
+  const Vector axis = axis_of(cage), ahead = axis.cross(direction), arm = ball.place - cage.place;
+  // Nearest point of the middle plane of the slot: along the pocket it lies where the ball does.
+  const double straight = std::clamp(arm.dot(ahead), -b.pocket.half_straight, b.pocket.half_straight);
+  const Vector off = arm - arm.dot(direction) * direction - straight * ahead;
+  contact.approach = off.norm() - b.pocket.play;
+  if (contact.approach <= 0.0) return contact;
+  const Vector n = off.normalized(), point = ball.place + b.radius * n;
+  const Vector passing = velocity_at(cage, point) - velocity_at(ball, point);
+  const double closing = -passing.dot(n);
+  const Load load = load_of(b.pocket.stiffness, b.pocket.damping, contact.approach, closing);
+  contact.load = load.damped;
+  const Vector sliding = passing + closing * n;
+  const Vector friction =
+      b.pocket.friction * load.damped / std::hypot(sliding.norm(), b.pocket.sliding_scale) * sliding;
+  act_and_react(on_ball, ball, on_cage, cage, point, friction - load.damped * n);
+  total.elastic_power += load.elastic * closing;
+  total.loss.pockets += friction.dot(sliding) + (load.damped - load.elastic) * closing;
+  return contact;
+}
+
+void guide_cage(const BallNumbers& b, const Body& cage, const Body& ring, Wrench& on_cage, Wrench& on_ring,
+                Outcome& total) {
+  const bearing::LandLaw& law = b.land.law;
+  const Vector cage_axis = axis_of(cage), ring_axis = axis_of(ring);
+  for (const double place : {-b.land.offset, b.land.offset}) {
+    const Vector at_cage = cage.place + place * cage_axis, at_ring = ring.place + place * ring_axis;
+    const Vector offset = at_cage - at_ring;
+    const Vector velocity = cage.velocity - ring.velocity +
+                            place * (cage.turning.cross(cage_axis) - ring.turning.cross(ring_axis));
+    const double cage_spin = cage.turning.dot(cage_axis), ring_spin = ring.turning.dot(ring_axis);
+    const auto found = law.forces<double>({.offset_x = offset.x(),
+                                           .offset_y = offset.y(),
+                                           .velocity_x = velocity.x(),
+                                           .velocity_y = velocity.y(),
+                                           .cage_speed = cage_spin},
+                                          ring_spin);
+    const Vector film(found.film_x, found.film_y, 0.0), touch(found.touch_x, found.touch_y, 0.0);
+    const double couple = 0.5 * (offset.x() * film.y() - offset.y() * film.x());
+    const double arm = law.side * law.cage_radius, distance = std::hypot(offset.x(), offset.y());
+    const double about_cage = found.shear - couple + arm * found.touch_friction;
+    const double about_ring = -found.shear - couple - (arm + distance) * found.touch_friction;
+    on_cage.add(cage, at_cage, film + touch);
+    on_ring.add(ring, at_ring, -film - touch);
+    on_cage.moment += about_cage * cage_axis;
+    on_ring.moment += about_ring * ring_axis;
+    const double depth = distance - law.largest_eccentricity * law.clearance;
+    const double springs =
+        depth > 0.0
+            ? law.stiffness * depth * (velocity.x() * offset.x() + velocity.y() * offset.y()) / distance
+            : 0.0;
+    total.touching_lands += depth > 0.0 ? 1 : 0;
+    total.elastic_power += springs;
+    total.loss.lands -=
+        (film + touch).dot(velocity) + about_cage * cage_spin + about_ring * ring_spin + springs;
+  }
+}
+
+void drag(const BallNumbers& b, const Body& ball, Wrench& on_ball, Outcome& total) {
+  const Place place(ball);
+  const double speed = ball.velocity.dot(place.ahead);
+  const double size = std::sqrt(ball.turning.squaredNorm() + kLeastTurning);
+  const Vector force = -b.drag.translation * speed * std::abs(speed) * place.ahead;
+  const Vector moment = -b.drag.churning * size * ball.turning;
+  on_ball.force += force;
+  on_ball.moment += moment;
+  total.loss.churning -= force.dot(ball.velocity) + moment.dot(ball.turning);
+}
+
+// J w' = M - w x J w.
+Body rate_of(const BodyNumbers& numbers, const Body& body, const Wrench& load) {
+  Body rate;
+  rate.place = body.velocity;
+  rate.velocity = load.force / numbers.mass;
+  rate.attitude = cross_matrix(body.turning) * body.attitude;
+  const Matrix inertia = inertia_of(numbers, body);
+  rate.turning = inertia.inverse() * (load.moment - body.turning.cross(inertia * body.turning));
+  return rate;
+}
+
+// A ring is turned by its drive, whose moment acts about the axis. A held one stays.
+Body ring_rate(const BodyNumbers& numbers, const Body& ring, const Wrench& load, double acceleration,
+               double& torque) {
+  const Vector axis = axis_of(ring);
+  torque = -load.moment.dot(axis);
+  Body rate;
+  rate.attitude = cross_matrix(axis * ring.turning.dot(axis)) * ring.attitude;
+  rate.turning = acceleration * axis;
+  if (numbers.mass == 0.0) return rate;
+  Wrench driven = load;
+  driven.moment += (torque + numbers.polar * acceleration) * axis;
+  return rate_of(numbers, ring, driven);
+}
+
+template <class Take>
+void for_each_body(const BallNumbers& b, const Bodies& bodies, const Bodies& rate, const Take& take) {
+  const BodyNumbers ball{.mass = b.mass, .across = b.inertia, .polar = b.inertia};
+  for (std::size_t j = 0; j < bodies.balls.size(); ++j) take(ball, bodies.balls[j], rate.balls[j]);
+  take(b.cage, bodies.cage, rate.cage);
+  take(b.inner_ring, bodies.inner, rate.inner);
+  take(b.outer_ring, bodies.outer, rate.outer);
+}
+
+}  // namespace
+
+Vector across(const Vector& axis, const Vector& v) {
+  return v - v.dot(axis) * axis;
+}
+
+void Wrench::add(const Body& body, const Vector& point, const Vector& force_there) {
+  force += force_there;
+  moment += (point - body.place).cross(force_there);
+}
+
+Bodies Bodies::after(double time, const Bodies& rate) const {
+  Bodies then = *this;
+  const auto move = [&](Body& body, const Body& by) {
+    body.place += time * by.place;
+    body.velocity += time * by.velocity;
+    body.attitude += time * by.attitude;
+    body.turning += time * by.turning;
+  };
+  for (std::size_t j = 0; j < balls.size(); ++j) move(then.balls[j], rate.balls[j]);
+  move(then.cage, rate.cage);
+  move(then.inner, rate.inner);
+  move(then.outer, rate.outer);
+  return then;
+}
+
+Outcome outcome(const BallNumbers& b, const Surroundings& around, const Bodies& bodies) {
+  Outcome result;
+  Wrench on_cage, on_inner = around.on_inner, on_outer = around.on_outer;
+  on_inner.moment = across(axis_of(bodies.inner), on_inner.moment);
+  on_outer.moment = across(axis_of(bodies.outer), on_outer.moment);
+  for (std::size_t j = 0; j < bodies.balls.size(); ++j) {
+    const Body& ball = bodies.balls[j];
+    Wrench on_ball;
+    result.inner.push_back(roll(b, b.inner, ball, bodies.inner, on_ball, on_inner, result));
+    result.outer.push_back(roll(b, b.outer, ball, bodies.outer, on_ball, on_outer, result));
+    result.pocket.push_back(guide_ball(b, static_cast<int>(j), ball, bodies.cage, on_ball, on_cage, result));
+    drag(b, ball, on_ball, result);
+    Body rate;
+    rate.place = ball.velocity;
+    rate.velocity = on_ball.force / b.mass;
+    rate.attitude.setZero();
+    rate.turning = on_ball.moment / b.inertia;
+    result.rate.balls.push_back(rate);
+  }
+  if (b.land.present) {
+    if (b.land.on_outer)
+      guide_cage(b, bodies.cage, bodies.outer, on_cage, on_outer, result);
+    else
+      guide_cage(b, bodies.cage, bodies.inner, on_cage, on_inner, result);
+  }
+  const Vector cage_axis = axis_of(bodies.cage);
+  const double cage_spin = bodies.cage.turning.dot(cage_axis);
+  on_cage.moment -= b.drag.cage_churning * cage_spin * std::abs(cage_spin) * cage_axis;
+  result.loss.churning += b.drag.cage_churning * std::pow(std::abs(cage_spin), 3.0);
+  result.rate.cage = rate_of(b.cage, bodies.cage, on_cage);
+  result.rate.inner =
+      ring_rate(b.inner_ring, bodies.inner, on_inner, around.inner_acceleration, result.inner_torque);
+  result.rate.outer =
+      ring_rate(b.outer_ring, bodies.outer, on_outer, around.outer_acceleration, result.outer_torque);
+  return result;
+}
+
+Momenta momentum_rate(const BallNumbers& b, const Bodies& bodies, const Bodies& rate) {
+  Momenta sum;
+  for_each_body(b, bodies, rate, [&](const BodyNumbers& numbers, const Body& body, const Body& by) {
+    const Matrix inertia = inertia_of(numbers, body);
+    sum.linear += numbers.mass * by.velocity;
+    sum.angular += numbers.mass * body.place.cross(by.velocity) + inertia * by.turning +
+                   body.turning.cross(inertia * body.turning);
+  });
+  return sum;
+}
+
+Momenta momentum_scale(const BallNumbers& b, const Bodies& bodies, const Bodies& rate) {
+  Momenta sum;
+  for_each_body(b, bodies, rate, [&](const BodyNumbers& numbers, const Body& body, const Body& by) {
+    sum.linear += numbers.mass * by.velocity.cwiseAbs();
+    sum.angular.array() += numbers.mass * body.place.norm() * by.velocity.norm();
+  });
+  return sum;
+}
+
+double kinetic_power(const BallNumbers& b, const Bodies& bodies, const Bodies& rate) {
+  double sum = 0.0;
+  for_each_body(b, bodies, rate, [&](const BodyNumbers& numbers, const Body& body, const Body& by) {
+    const Matrix inertia = inertia_of(numbers, body);
+    sum += numbers.mass * body.velocity.dot(by.velocity) + body.turning.dot(inertia * by.turning);
+  });
+  return sum;
+}
+
+}  // namespace orbearing::reference::inertial_balls

@@ -1,0 +1,230 @@
+// Balls at speed: bearing 218 of [Harris2006], slopes against differences, limits, and the moment that a
+// turning ball asks for.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "bearing/equilibrium/static_bearing.hpp"
+#include "bearing/geometry.hpp"
+
+namespace orbearing::bearing::equilibrium::moving_balls_test {
+namespace {
+
+constexpr double kDegree = boost::math::double_constants::degree;
+constexpr double kRpm = boost::math::double_constants::pi / 30.0;
+
+Bearing bearing_218() {
+  return {.inner = {.osculation = 0.5232},
+          .outer = {.osculation = 0.5232},
+          .elements = Balls{.count = 16, .diameter = 22.23e-3, .contact_angle = 40.0 * kDegree},
+          .pitch_diameter = 125.26e-3,
+          .material = {.youngs_modulus = 207e9, .poisson_ratio = 0.3, .density = 7800.0}};
+}
+
+RowMotion turning(double rpm, BallAttitude attitude = BallAttitude::minimum_friction,
+                  GyroscopicMoment moment = GyroscopicMoment::balanced) {
+  return {.speeds = {.inner = rpm * kRpm}, .inertia = {.attitude = attitude, .gyroscopic_moment = moment}};
+}
+
+constexpr BallAttitude attitudes[] = {BallAttitude::minimum_friction, BallAttitude::hybrid,
+                                      BallAttitude::race_control, BallAttitude::outer_race_control};
+
+// Computed by a separate program from the printed equations.
+TEST(MovingBalls, Bearing218AsPrinted) {
+  const RingState state = balance_moving(
+      bearing_218(), turning(10000.0, BallAttitude::outer_race_control, GyroscopicMoment::as_printed),
+      {.axial = 17800.0});
+  ASSERT_TRUE(state.report.converged) << state.report.message;
+  constexpr double kDigits = 1e-6;  // of the other program's solution
+  EXPECT_NEAR(state.contact_angle[0] / kDegree / 45.40239358170123, 1.0, kDigits);
+  EXPECT_NEAR(state.outer_angle[0] / kDegree / 37.4083522674167, 1.0, kDigits);
+  EXPECT_NEAR(state.contact_load[0] / 1562.3784802371226, 1.0, kDigits);
+  EXPECT_NEAR(state.outer_load[0] / 2020.7041249210247, 1.0, kDigits);
+  EXPECT_NEAR(1e3 * state.axial / 0.03356346023339357, 1.0, kDigits);
+}
+
+// The races' moment on a ball is the rate of its angular momentum, here by differences in a frame at rest.
+TEST(MovingBalls, TheMomentIsTheRateOfAngularMomentum) {
+  const Bearing bearing = bearing_218();
+  const BearingGeometry geometry = geometry_of(bearing);
+  for (const RingSpeeds speeds :
+       {RingSpeeds{1000.0, 0.0}, RingSpeeds{0.0, 700.0}, RingSpeeds{900.0, -500.0}}) {
+    MovingBallRow row(bearing, {.speeds = speeds});
+    RingState state = balance_ring(row, {.axial = 17800.0});
+    ASSERT_TRUE(state.report.converged);
+    const MovingBall& ball = row.balls().front();
+    // x outward at the start, z along the axis, y where the ball goes.
+    const auto momentum = [&](double time) {
+      const Eigen::Vector3d spin(ball.motion.radial_spin, 0.0, ball.motion.axial_spin + ball.motion.orbit);
+      const Eigen::AngleAxisd orbit(ball.motion.orbit * time, Eigen::Vector3d::UnitZ());
+      return Eigen::Vector3d(geometry.element_inertia * (orbit * spin));
+    };
+    constexpr double step = 1e-6;  // [s]
+    const Eigen::Vector3d rate = (momentum(step) - momentum(-step)) / (2.0 * step);
+    const double radius = geometry.element_radius;
+    const auto force = [](const ContactNormal<double>& normal, double along) {
+      return Eigen::Vector3d(-along * normal.sine, 0.0, along * normal.cosine);
+    };
+    const auto arm = [&](const ContactNormal<double>& normal) {
+      return Eigen::Vector3d(radius * normal.cosine, 0.0, radius * normal.sine);
+    };
+    const Eigen::Vector3d moment = arm(ball.outer).cross(force(ball.outer, ball.outer_traction)) -
+                                   arm(ball.inner).cross(force(ball.inner, ball.inner_traction));
+    EXPECT_NEAR((moment - rate).norm() / rate.norm(), 0.0, 1e-6);
+  }
+}
+
+// Both centres of contact roll: ball and race have one speed there.
+TEST(MovingBalls, BallsRollOnBothRaces) {
+  const ContactNormal<double> inner{std::cos(0.8), std::sin(0.8)}, outer{std::cos(0.6), std::sin(0.6)};
+  const RingSpeeds speeds{900.0, -200.0};
+  constexpr double ball = 0.01, pitch = 0.06;
+  for (const SpinWeights<double> weights : {SpinWeights<double>{0.0, 1.0}, {1.0, 0.0}, {2.0, 3.0}}) {
+    const BallMotion<double> motion = ball_motion(inner, outer, weights, ball, pitch, speeds);
+    const auto surface = [&](const ContactNormal<double>& n, double side) {
+      return side * ball * (motion.axial_spin * n.cosine - motion.radial_spin * n.sine);
+    };
+    EXPECT_NEAR(surface(outer, 1.0), (speeds.outer - motion.orbit) * (pitch + ball * outer.cosine), 1e-12);
+    EXPECT_NEAR(surface(inner, -1.0), (speeds.inner - motion.orbit) * (pitch - ball * inner.cosine), 1e-12);
+    EXPECT_NEAR(motion.outer_spin,
+                motion.radial_spin * outer.cosine + motion.axial_spin * outer.sine -
+                    (speeds.outer - motion.orbit) * outer.sine,
+                1e-9);
+    EXPECT_NEAR(motion.inner_spin,
+                motion.radial_spin * inner.cosine + motion.axial_spin * inner.sine -
+                    (speeds.inner - motion.orbit) * inner.sine,
+                1e-9);
+    if (weights.inner == 0.0) {
+      EXPECT_NEAR(motion.outer_spin, 0.0, 1e-12);
+    }
+    if (weights.outer == 0.0) {
+      EXPECT_NEAR(motion.inner_spin, 0.0, 1e-12);
+    }
+  }
+}
+
+// Each entry of the stiffness against differences of the forces, all closures, with unloaded balls among
+// them.
+TEST(MovingBalls, StiffnessIsTheSlopeOfTheForces) {
+  const Bearing bearing = bearing_218();
+  for (const BallAttitude attitude : attitudes)
+    for (const auto& load :
+         {RingLoad{.radial = 9000.0, .axial = 17800.0, .moment = 60.0, .moment_across = 30.0},
+          RingLoad{.radial = 15000.0, .axial = 9000.0}}) {
+      const RowMotion motion = turning(9000.0, attitude);
+      const RingState state = balance_moving(bearing, motion, load);
+      ASSERT_TRUE(state.report.converged);
+      MovingBallRow row(bearing, motion);
+      const RingPlace place = place_of(state, row.lever());
+      RingState unused;
+      row.put_loads(place, unused);
+      row.choose_control();
+      const RingImbalance here = row_forces(row, place);
+      constexpr double step = 2e-9;  // [m]
+      for (int i = 0; i < 5; ++i) {
+        const RingPlace aside = step * RingPlace::Unit(i);
+        const RingPlace slope =
+            (row_forces(row, place - aside).force - row_forces(row, place + aside).force) / (2.0 * step);
+        EXPECT_NEAR((slope - here.stiffness.col(i)).norm() / here.stiffness.norm(), 0.0, 1e-6) << i;
+      }
+    }
+}
+
+// Nearly at rest the moving row, through all of its own equations, is the row at rest.
+TEST(MovingBalls, AtRestItIsTheStaticRow) {
+  const Bearing bearing = bearing_218();
+  const RingLoad load{.radial = 4000.0, .axial = 17800.0, .moment = 50.0};
+  const RingState still = balance_ring(BallRow(bearing), load);
+  for (const BallAttitude attitude : attitudes) {
+    const RingState state = balance_moving(bearing, turning(1e-4, attitude), load);
+    ASSERT_TRUE(state.report.converged);
+    EXPECT_NEAR(state.axial / still.axial, 1.0, 1e-12);
+    EXPECT_NEAR(state.radial / still.radial, 1.0, 1e-12);
+    EXPECT_LT((state.contact_load - still.contact_load).matrix().norm() / still.contact_load.matrix().norm(),
+              1e-12);
+    EXPECT_LT((state.stiffness - still.stiffness).norm() / still.stiffness.norm(), 1e-9);
+    EXPECT_LT((state.stiffness - state.stiffness.transpose()).norm() / state.stiffness.norm(), 1e-10);
+  }
+  EXPECT_EQ(balance_moving(bearing, turning(0.0), load).axial, still.axial);
+}
+
+// Centrifugal force alone leaves an energy: stiffness is symmetric at all speeds but for what the orbit owes
+// to the contact angles; with it frozen, exactly.
+TEST(MovingBalls, WithoutMassSpeedsAreNotFelt) {
+  const Bearing bearing = bearing_218();
+  RowMotion motion = turning(12000.0);
+  motion.inertia.enabled = false;
+  const RingState state = balance_moving(bearing, motion, {.axial = 17800.0});
+  EXPECT_EQ(state.axial, balance_ring(BallRow(bearing), {.axial = 17800.0}).axial);
+}
+
+// An axial load that the inner ring carries is carried by the outer one, and the balls' forces close.
+TEST(MovingBalls, ForcesOfEachBallClose) {
+  const Bearing bearing = bearing_218();
+  for (const BallAttitude attitude : attitudes) {
+    MovingBallRow row(bearing, turning(11000.0, attitude));
+    const RingState state = balance_ring(row, {.radial = 3000.0, .axial = 17800.0});
+    ASSERT_TRUE(state.report.converged);
+    for (const MovingBall& ball : row.balls()) {
+      const double along = ball.inner_load * ball.inner.sine + ball.inner_traction * ball.inner.cosine -
+                           ball.outer_load * ball.outer.sine + ball.outer_traction * ball.outer.cosine;
+      const double outward = ball.inner_load * ball.inner.cosine - ball.inner_traction * ball.inner.sine -
+                             ball.outer_load * ball.outer.cosine - ball.outer_traction * ball.outer.sine +
+                             ball.centrifugal_force;
+      EXPECT_NEAR(along / ball.outer_load, 0.0, 1e-9);
+      EXPECT_NEAR(outward / ball.outer_load, 0.0, 1e-9);
+    }
+  }
+}
+
+// Forces at the points of contact, with their arms in space, hold the moments on the ring: those of traction
+// too.
+TEST(MovingBalls, ForcesAtTheContactsHoldTheMoments) {
+  const Bearing bearing = bearing_218();
+  const RingLoad load{.radial = 3000.0, .axial = 17800.0, .moment = 40.0, .moment_across = -25.0};
+  for (const BallAttitude attitude : attitudes) {
+    MovingBallRow row(bearing, turning(11000.0, attitude));
+    ASSERT_TRUE(balance_ring(row, load).report.converged);
+    const double groove = 0.5232 * 22.23e-3;  // [m]
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    for (Eigen::Index j = 0; j < 16; ++j) {
+      const MovingBall& ball = row.balls()[static_cast<std::size_t>(j)];
+      const auto [cosine, sine] = row.geometry().direction(j);
+      const Eigen::Vector3d outward(cosine, sine, 0.0), along = Eigen::Vector3d::UnitZ();
+      const Eigen::Vector3d normal = ball.inner.cosine * outward + ball.inner.sine * along;
+      const Eigen::Vector3d across = ball.inner.cosine * along - ball.inner.sine * outward;
+      const Eigen::Vector3d place = row.lever() * outward - groove * normal;
+      moment += place.cross(-ball.inner_load * normal - ball.inner_traction * across);
+    }
+    EXPECT_NEAR(moment.x(), -load.moment_across, 1e-7);
+    EXPECT_NEAR(moment.y(), load.moment, 1e-7);
+  }
+}
+
+// A bearing turned about its axis carries a turned load alike: one ball pitch further nothing has changed.
+TEST(MovingBalls, OnePitchFurtherNothingChanges) {
+  Bearing bearing = bearing_218();
+  const RingLoad load{.radial = 5000.0, .axial = 12000.0, .moment = 20.0};
+  const RingState one = balance_moving(bearing, turning(8000.0), load);
+  bearing.first_element = 2.0 * boost::math::double_constants::pi / 16.0;
+  const RingState other = balance_moving(bearing, turning(8000.0), load);
+  EXPECT_NEAR(one.radial / other.radial, 1.0, 1e-9);
+  EXPECT_NEAR((one.stiffness - other.stiffness).norm() / one.stiffness.norm(), 0.0, 1e-7);
+}
+
+TEST(MovingBalls, EitherRingMayTurn) {
+  const Bearing bearing = bearing_218();
+  RowMotion motion;
+  motion.speeds.outer = 6000.0 * kRpm;
+  const RingState outer = balance_moving(bearing, motion, {.axial = 17800.0});
+  ASSERT_TRUE(outer.report.converged);
+  motion.speeds = {.inner = 6000.0 * kRpm};
+  const RingState inner = balance_moving(bearing, motion, {.axial = 17800.0});
+  // The outer race is further out, so balls orbit faster where it turns.
+  EXPECT_GT(outer.outer_load[0], inner.outer_load[0]);
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::equilibrium::moving_balls_test

@@ -1,0 +1,117 @@
+// Issue 14, Build 2 and 5: drives of the rings, when a slip has settled, what a run of balls refuses and keeps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bearing/life/standard_life.hpp"
+#include "coupling/system/ball_run.hpp"
+
+namespace orbearing::system::ball_run_test {
+namespace {
+
+using bearing::balls::BallDuty;
+using bearing::balls::RingDrive;
+
+TEST(RingDrive, SpeedsUpThenKeepsItsSpeed) {
+  const RingDrive drive{0.0, 500.0, 200.0};
+  EXPECT_DOUBLE_EQ(drive.duration(), 0.4);
+  EXPECT_DOUBLE_EQ(drive.speed_at(0.1), 50.0);
+  EXPECT_DOUBLE_EQ(drive.speed_at(0.5), 200.0);
+  EXPECT_DOUBLE_EQ(drive.angle_at(0.4), 40.0);
+  EXPECT_DOUBLE_EQ(drive.angle_at(1.4), 240.0);
+  EXPECT_DOUBLE_EQ(drive.acceleration_at(0.39), 500.0);
+  EXPECT_DOUBLE_EQ(drive.acceleration_at(0.41), 0.0);
+  EXPECT_DOUBLE_EQ(RingDrive::steady(-3.0).angle_at(2.0), -6.0);
+}
+
+TEST(SettlingTime, IsWhereTheSlipLastEntersItsBand) {
+  // Half a point about 0.001, five per cent about 0.4; a cage that strays by two points while observed.
+  const auto settled = [](std::vector<double> slip, double final_slip) {
+    return settling_time({{0, 1, 2, 3, 4, 5}, std::move(slip), final_slip, 5.0, 1.0});
+  };
+  EXPECT_DOUBLE_EQ(*settled({1.0, 0.2, 0.005, 0.002, 0.0, 0.0}, 0.001), 2.0);
+  EXPECT_DOUBLE_EQ(*settled({0.4, 0.45, 0.41, 0.39, 0.4, 0.4}, 0.4), 2.0);
+  EXPECT_DOUBLE_EQ(*settled({1.0, 0.1, 0.015, -0.01, 0.03, 0.02}, 0.0), 2.0);
+  EXPECT_DOUBLE_EQ(*settled({0.4, 0.4, 0.4, 0.4, 0.4, 0.4}, 0.4), 0.0);
+  EXPECT_FALSE(settled({0.4, 0.5, 0.6, 0.5, 0.6, 0.4}, 0.4).has_value());
+}
+
+bearing::Bearing small_bearing() {
+  bearing::Bearing b;
+  b.elements = bearing::Balls{7, 9.52e-3, 0.0};
+  b.pitch_diameter = 36e-3;
+  b.radial_clearance = 20e-6;
+  b.width = 15e-3;
+  b.inner.seat_diameter = 20e-3;
+  b.outer.seat_diameter = 52e-3;
+  b.cage = {33e-3, 39e-3, 13e-3, 1310.0, bearing::Race::outer};
+  b.motions = {bearing::RaceMotion::turning, bearing::RaceMotion::standing};
+  return b;
+}
+
+bearing::balls::MotionParameters parameters() {
+  bearing::balls::MotionParameters p;
+  p.cage.pocket_clearance = 0.2e-3;
+  return p;
+}
+
+BallRunResult run(double load, double speed, const BallRunOptions& options, double clearance = 20e-6) {
+  bearing::Bearing b = small_bearing();
+  b.radial_clearance = clearance;
+  BallDuty duty;
+  duty.inner = RingDrive::steady(speed);
+  duty.on_inner = {{load, 0.0, 0.0, 0.0, 0.0}};
+  return run_balls(b, parameters(), duty, bearing::rating::ratings_of(b, {}).contacts, options);
+}
+
+BallRunOptions short_run() {
+  BallRunOptions options;
+  options.duration = 0.02;
+  options.observed = 0.5;
+  options.samples = 40;
+  return options;
+}
+
+TEST(BallRun, SamplesWhereItSaysAndBalancesTheLoad) {
+  BallRunOptions options = short_run();
+  options.duration = 0.2;
+  options.samples = 4000;
+  const BallRunResult result = run(500.0, 300.0, options);
+  ASSERT_TRUE(result.completed) << result.message;
+  ASSERT_EQ(result.series.time.size(), 4001u);
+  EXPECT_NEAR(result.series.time[1000], 0.05, 1e-12);
+  EXPECT_NEAR(result.means.cage_slip, 0.0, 0.05);
+  EXPECT_GT(result.means.loss.total(), 0.0);
+  // The drive gives what is lost.
+  EXPECT_NEAR(result.means.inner_torque * 300.0 / result.means.loss.total(), 1.0, 0.2);
+  EXPECT_GT(result.means.life.bearing, 0.0);
+}
+
+TEST(BallRun, MoreLoadIsLessLifeByItsCube) {
+  BallRunOptions options = short_run();
+  options.duration = 0.1;
+  const double light = run(1000.0, 200.0, options, 0.0).means.life.bearing;
+  const double heavy = run(2000.0, 200.0, options, 0.0).means.life.bearing;
+  EXPECT_NEAR(std::log2(light / heavy), 3.0, 0.1);
+}
+
+TEST(BallRun, AFinerErrorChangesLittle) {
+  BallRunOptions options = short_run(), finer = options;
+  finer.length_error = 0.1 * options.length_error;
+  const BallRunResult coarse = run(800.0, 400.0, options), fine = run(800.0, 400.0, finer);
+  EXPECT_GT(fine.report.steps, coarse.report.steps);
+  EXPECT_NEAR(coarse.means.inner_load_rms / fine.means.inner_load_rms, 1.0, 0.01);
+}
+
+TEST(BallRun, RefusesWhatHasNoMeaning) {
+  BallRunOptions options = short_run();
+  options.duration = 0.0;
+  EXPECT_THROW(run(500.0, 300.0, options), std::invalid_argument);
+  options = short_run();
+  options.observed = 1.5;
+  EXPECT_THROW(run(500.0, 300.0, options), std::invalid_argument);
+  EXPECT_THROW(bearing::balls::ball_numbers(bearing::Bearing{}, parameters()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace orbearing::system::ball_run_test
