@@ -8,9 +8,11 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/commands/defect_run.hpp"
+#include "app/commands/static_run.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/result_folder.hpp"
+#include "app/study/ball_study.hpp"
 #include "app/study/branches.hpp"
 #include "app/study/crown/crown_figures.hpp"
 #include "app/study/crown/crown_files.hpp"
@@ -85,11 +87,11 @@ nlohmann::ordered_json crown_data(const ResolvedCase& resolved, const fs::path& 
   return {{"crown", stored.object}, {"figures", crown_figures(resolved, request, stored.object)}};
 }
 
-// Of a bearing with scratches: what its run printed; what is drawn over time stands in its file of results.
-nlohmann::ordered_json defect_data(const fs::path& folder) {
-  const fs::path file = folder / defect_file_name;
+// Of a single bearing in motion: what its run printed, as `name`; what is drawn over time stands in its file
+// of results.
+nlohmann::ordered_json printed_data(const fs::path& file, const char* name) {
   try {
-    return {{"defect", nlohmann::ordered_json::parse(read_file(file))}};
+    return {{name, nlohmann::ordered_json::parse(read_file(file))}};
   } catch (const nlohmann::json::exception& error) {
     throw BadInput(file.string() + ": is not a result of this program (" + error.what() +
                    "); required: an untouched one. Run it again into another folder");
@@ -120,9 +122,10 @@ int report_command(const Options& options) {
   require_writable(folder);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
   const fs::path page = folder / page_name;
-  const nlohmann::ordered_json data = is_defect(resolved)   ? defect_data(folder)
-                                      : holds_crown(folder) ? crown_data(resolved, folder)
-                                                            : sweep_data(resolved, manifest, options);
+  const nlohmann::ordered_json data = is_defect(resolved)     ? printed_data(folder / defect_file_name, "defect")
+                                      : is_ball_run(resolved) ? printed_data(folder / ball_file_name, "balls")
+                                      : holds_crown(folder)   ? crown_data(resolved, folder)
+                                                              : sweep_data(resolved, manifest, options);
   write_data(folder / data_name, data);
   draw_page(folder);
   if (options.json)

@@ -10,6 +10,7 @@
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
+#include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/ball_study.hpp"
@@ -69,18 +70,23 @@ std::string file_of(const ManifestHeader& header, const char* what, PointContent
   return netcdf_bytes(content);
 }
 
-void present(const ResolvedCase& resolved, const nlohmann::ordered_json& results, const std::string& text,
-             const std::vector<std::string>& warnings, const Options& options) {
+nlohmann::ordered_json result_of_one(const ResolvedCase& resolved, const nlohmann::ordered_json& results,
+                                     const std::vector<std::string>& warnings) {
+  nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
+  object.update(results);
+  object["assumptions"] = assumptions_json(resolved);
+  object["warnings"] = warnings;
+  object["versions"] = versions_json();
+  return object;
+}
+
+void present(const nlohmann::ordered_json& object, const std::string& text, const Options& options) {
   if (options.json) {
-    nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
-    object.update(results);
-    object["assumptions"] = assumptions_json(resolved);
-    object["warnings"] = warnings;
-    object["versions"] = versions_json();
     fmt::print("{}\n", object.dump(2));
   } else if (!options.quiet) {
     fmt::print("{}", text);
-    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+    for (const nlohmann::ordered_json& warning : object.at("warnings"))
+      fmt::print("warning: {}\n", warning.get<std::string>());
   }
 }
 
@@ -99,9 +105,13 @@ int run_ball_case(const ResolvedCase& resolved, const Options& options) {
     return ball_study(resolved, [&](double share) { progress.show(static_cast<std::size_t>(share * parts)); });
   }();
   study.warnings.insert(study.warnings.begin(), unused.begin(), unused.end());
-  if (!folder.finished().contains(0))
+  const nlohmann::ordered_json object = result_of_one(resolved, ball_json(study), study.warnings);
+  if (!folder.finished().contains(0)) {
+    if (!folder.path().empty())
+      write_aside_and_rename(folder.path() / ball_file_name, object.dump(2) + "\n");
     folder.keep({{0, file_of(header, "ball bearing in time", ball_content(study)), row_of(folder.head(), study)}});
-  present(resolved, ball_json(study), ball_text(study), study.warnings, options);
+  }
+  present(object, ball_text(study), options);
   return 0;
 }
 
@@ -117,7 +127,7 @@ int run_static_case(const ResolvedCase& resolved, const Options& options) {
   study.warnings.insert(study.warnings.begin(), unused.begin(), unused.end());
   if (!folder.finished().contains(0))
     folder.keep({{0, file_of(header, "bearing under a static load", static_content(study)), row_of(folder.head(), study)}});
-  present(resolved, static_json(study), static_text(study), study.warnings, options);
+  present(result_of_one(resolved, static_json(study), study.warnings), static_text(study), options);
   return 0;
 }
 

@@ -7,6 +7,9 @@
 
 namespace orbearing::app {
 
+/// Name of the file of a result folder that holds what `run --json` prints of a ball bearing in time.
+inline constexpr const char* ball_file_name = "ball.json";
+
 /// Run, write the folder, print. Return the exit code. Throw BadInput and ComputationFailed.
 int run_static_case(const ResolvedCase& resolved, const Options& options);
 int run_ball_case(const ResolvedCase& resolved, const Options& options);

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from html import escape
 from typing import Sequence
 
-from orbearing import page as pages
+from orbearing import run_page
 from orbearing.blocks import FigureBlock, Table, format_number, format_quantity
 from orbearing.result_folder import Report, numbers
 
@@ -13,16 +12,7 @@ from orbearing.result_folder import Report, numbers
 def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
     """The whole document."""
     study = Report(report.record("defect"), report.folder)
-    name = escape(str(study.content.get("case") or "unnamed case"))
-    answer = f'<header><p class="case">{name}</p>\n<h1>{escape(headline(study))}</h1></header>\n{pages.table(_summary(study))}'
-    sections = [answer, *(pages._figure(index, block) for index, block in enumerate(blocks, start=1)), pages._assumptions(study),
-                pages._warnings(study), pages._versions(study), _reproduce()]
-    return "\n".join([
-        "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
-        '<meta name="viewport" content="width=device-width, initial-scale=1">', f"<title>{name}: vibration of a bearing with scratches</title>",
-        f"<style>\n{pages.STYLE_SHEET.read_text(encoding='utf-8')}</style>", "</head>", "<body>", "<main>", *sections, "</main>", "</body>",
-        "</html>", "",
-    ])
+    return run_page.page(study, "vibration of a bearing with scratches", headline(study), _summary(study), blocks)
 
 
 def headline(study: Report) -> str:
@@ -53,7 +43,3 @@ def _summary(study: Report) -> Table:
                                              f"{format_number(get('band_kurtosis'), 3)}"))
     return Table(("Quantity", "Value"), rows)
 
-
-def _reproduce() -> str:
-    text = "orbearing run case.resolved.yaml -o again\norbearing report again"
-    return pages._section("How to reproduce", f"<p>In the folder of this page:</p>\n<pre>{escape(text)}</pre>")

@@ -34,6 +34,8 @@ def build_all(folder: Path) -> dict[str, str]:
         return _crown_pages(report)
     if report.record("defect"):
         return _defect_pages(report)
+    if report.record("balls"):
+        return _ball_pages(report)
     pages = dict(animation.pages(report.along_speed()))
     with style.context():
         return {**pages, "report.html": page(report, blocks_of(report), tuple(pages))}
@@ -46,6 +48,16 @@ def _crown_pages(report) -> dict[str, str]:
 
     with style.context():
         return {"report.html": crown_page.page(report, crown.blocks(report))}
+
+
+def _ball_pages(report) -> dict[str, str]:
+    """The page of a ball bearing in time."""
+    from orbearing import ball_page, style
+    from orbearing.figures import ball_motion
+    from orbearing.point_file import read_only_point
+
+    with style.context():
+        return {"report.html": ball_page.page(report, ball_motion.blocks(report, read_only_point(report.folder)))}
 
 
 def _defect_pages(report) -> dict[str, str]:

@@ -48,6 +48,18 @@ class BallRun(unittest.TestCase):
                 self.assertEqual(file.status, "ok")
                 self.assertAlmostEqual(json.loads(again.stdout)["life_h"] / float(file["life"][:]), 1.0, places=9)
 
+    def test_report_draws_the_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            self.assertEqual(run("run", MOTOR, "-o", out, "--quiet", *SHORT).returncode, 0)
+            done = run("report", out)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            page = (out / "report.html").read_text(encoding="utf-8")
+            for title in ("Slip of the cage", "Heat by cause", "Loads of balls on the cage", "One ball", "Place of the cage"):
+                self.assertIn(title, page)
+            self.assertEqual(page.count("<svg"), 5)
+            self.assertIn("its cage slips", page)
+
     def test_refusals_name_the_field(self):
         without_cage = run("run", CASES / "ball_6305_iso16281" / "case.yaml", "--json",
                            "--set", "simulation.duration=0.1 s")
