@@ -30,14 +30,14 @@ void describe(Visitor& visit, Lubricant& m) {
   members(visit, m,
           field(m.viscosity, "lubricant.viscosity", Felt::carrier,
                 "dynamic viscosity at the inlet, at running temperature",
-                {.models = with_rollers | ball_motion,
+                {.models = with_rollers | balls_in_time,
                  .dimension = dimension::viscosity,
                  .range = {1e-5, 100.0},
                  .reason = "a gear oil when warm",
                  .fmu = InFmu::parameter}),
           field(m.pressure_viscosity, "lubricant.pressure_viscosity", Felt::carrier,
                 "pressure-viscosity coefficient at running temperature",
-                {.models = with_rollers | ball_motion,
+                {.models = with_rollers | balls_in_time,
                  .dimension = dimension::pressure_viscosity,
                  .range = {0.1, 100.0},
                  .reason = "a mineral oil when warm",
@@ -66,7 +66,7 @@ void describe(Visitor& visit, Cage& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning) {
     return field(member, std::move(path), Felt::carrier, std::move(meaning),
-                 {.models = with_rollers | ball_motion,
+                 {.models = with_rollers | balls_in_time,
                   .required_by = in_motion,
                   .dimension = dimension::length,
                   .range = positive(1e4),
@@ -76,13 +76,13 @@ void describe(Visitor& visit, Cage& m) {
           length(m.outer_diameter, "bearing.cage.outer_diameter", "outer diameter of the cage"),
           length(m.width, "bearing.cage.width", "axial width of the cage"),
           field(m.density, "bearing.cage.density", Felt::carrier, "density of the cage",
-                {.models = with_rollers | ball_motion,
+                {.models = with_rollers | balls_in_time,
                  .required_by = in_motion,
                  .dimension = dimension::density,
                  .range = positive(25000.0),
                  .fmu = InFmu::parameter}),
           field(m.guidance, "bearing.cage.guidance", Felt::carrier, "ring that guides the cage",
-                {.models = in_motion,
+                {.models = in_time,
                  .reason = "inertia of the carrier frame throws the cage outward"}));
 }
 
@@ -275,7 +275,7 @@ void describe(Visitor& visit, Bearing& m) {
   constexpr unsigned any_bearing = with_rollers | with_balls;
   const auto of_rings = [](double& member, std::string path, Felt felt, std::string meaning) {
     return field(member, std::move(path), felt, std::move(meaning),
-                 {.models = with_rollers | ball_motion,
+                 {.models = with_rollers | balls_in_time,
                   .required_by = planetary_drivetrain,
                   .dimension = dimension::length,
                   .range = positive(1e4),

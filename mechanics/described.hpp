@@ -79,6 +79,9 @@ inline constexpr unsigned lone_balls = ball_bearing | ball_motion;
 inline constexpr unsigned with_balls = lone_balls | raceway_defect;
 /// Bearings in motion over time.
 inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
+/// Those and what can be followed so, if asked for: all bodies of a bearing with scratches.
+inline constexpr unsigned balls_in_time = ball_motion | raceway_defect;
+inline constexpr unsigned in_time = in_motion | raceway_defect;
 inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.

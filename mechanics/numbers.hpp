@@ -36,6 +36,12 @@ ORBEARING_INLINE double inverse_root(double x) {
 ORBEARING_INLINE double absolute(double x) {
   return __builtin_fabs(x);
 }
+struct PlainSineCosine {
+  double sine, cosine;
+};
+ORBEARING_INLINE PlainSineCosine sine_cosine(double x) {
+  return {__builtin_sin(x), __builtin_cos(x)};
+}
 /// Angle of the vector (x, y).
 ORBEARING_INLINE double angle_of(double y, double x) {
   return __builtin_atan2(y, x);

@@ -1,12 +1,14 @@
 #include "app/case/defect_case.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "app/case/described_case.hpp"
 #include "app/case/objection.hpp"
+#include "app/errors.hpp"
 #include "bearing/geometry.hpp"
 
 namespace orbearing::app {
@@ -65,6 +67,26 @@ bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& in) {
           .load = in.quantity("load.radial"),
           .shaft_speed = in.quantity("operation.shaft_speed"),
           .scratch = from_case<bearing::defect::Scratch>(in)};
+}
+
+bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& in) {
+  std::vector<std::string> missing;
+  for (const char* path : {"bearing.cage.inner_diameter", "bearing.cage.outer_diameter", "bearing.cage.width",
+                           "bearing.cage.density"})
+    if (!in.has(path)) missing.emplace_back(path);
+  if (!missing.empty())
+    throw BadInput(fmt::format("--fidelity: found dynamic for a case without {}; required: all of them, since "
+                               "the cage moves too, or no --fidelity",
+                               fmt::join(missing, ", ")));
+  if (in.choice("defect.race") == "ball")
+    throw BadInput(
+        "--fidelity: found dynamic for a scratched ball; required: defect.race outer, inner or none, since how "
+        "far each ball has turned is no variable of this motion, or no --fidelity");
+  return from_case<bearing::balls::MotionParameters>(in);
+}
+
+double scratched_length_error_of(const ResolvedCase& in) {
+  return in.quantity("simulation.length_error");
 }
 
 study::Sampling sampling_of(const ResolvedCase& in) {

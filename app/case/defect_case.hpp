@@ -13,6 +13,13 @@ namespace orbearing::app {
 
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& resolved);
 
+/// Of the balls, the cage and the oil of such a case, for run --fidelity dynamic. Throws BadInput where it lacks
+/// what only that asks for, or where a ball is scratched.
+bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& resolved);
+
+/// [m]  error of a position that one step of that run may make
+double scratched_length_error_of(const ResolvedCase& resolved);
+
 study::Sampling sampling_of(const ResolvedCase& resolved);
 
 /// The band of the envelope that the case gives; none: the one of largest spectral kurtosis.

@@ -15,7 +15,7 @@ void add_defect_fields(std::vector<Field>& fields) {
                     .meaning =
                         "lower and upper end of the band whose envelope is taken; left out: the band of "
                         "largest spectral kurtosis",
-                    .use = Use(use::defect, 0),
+                    .use = Use(use::defect | use::moving_defect, 0),
                     .models = raceway_defect,
                     .dimension = dimension::frequency,
                     .range = {.least = 0.0, .most = 1e5, .least_allowed = false},

@@ -166,7 +166,7 @@ void fill_derived_defaults(CaseData& data) {
   const Model model = model_of(found->second.value.given) == ball_bearing && data.values.contains("simulation.duration")
                           ? ball_motion
                           : model_of(found->second.value.given);
-  if ((model & described::in_motion) == 0) return;
+  if ((model & described::in_time) == 0) return;
   std::vector<std::string> prefixes{""};
   if (data.shape.several) {
     prefixes.clear();

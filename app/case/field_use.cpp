@@ -22,20 +22,20 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load | use::ball_run |
-             use::defect;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load |
+             use::balls_in_motion | use::defect;
     case carrier:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::ball_run;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion;
     case walls:
       return use::gears_in_motion | use::natural | use::rollers_in_motion;
     case pin:
-      return use::rollers_in_motion | use::bearings_as_springs | use::ball_run;
+      return use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion;
     case load_sharing:
       return use::gears_in_motion | use::quasi_static;
     case at_rest:
       return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
     case motion:
-      return use::rollers_in_motion | use::ball_run;
+      return use::rollers_in_motion | use::balls_in_motion;
     case euler:
       return use::dynamic | use::dynamic_of_sets | use::gears | use::fmu_gearset | use::fmu_bearing;
     case life:
@@ -45,13 +45,13 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
-      return use::static_load | use::ball_run | use::defect;
+      return use::static_load | use::balls_in_motion | use::defect;
     case turning_balls:
       return use::static_load;
     case lone_run:
       return use::ball_run;
     case defect:
-      return use::defect;
+      return use::defect | use::moving_defect;
     case exchange:
       return use::co_simulated;
   }
@@ -91,6 +91,10 @@ constexpr Exception exceptions[] = {
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
     {"load.tilt", use::ball_run},
+    // Contacts and oil of the whole motion have damping and steps of their own.
+    {"contact.damping_ratio", 0, use::moving_defect},
+    {"contact.damping_model", 0, use::moving_defect},
+    {"signal.length_error", 0, use::moving_defect},
     {"simulation.integrator", other_rungs | use::fmu_bearing}};
 
 // What gives way under the planets, with its ends: felt at rest too where pins stand off their places, since
@@ -192,7 +196,8 @@ const std::vector<use::Analysis>& analyses() {
   static const std::vector<use::Analysis> every{
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect};
+      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect,
+      use::moving_defect};
   return every;
 }
 
@@ -228,6 +233,8 @@ std::string analysis_name(use::Analysis analysis) {
       return "run of a ball bearing in time";
     case use::defect:
       return "run of a bearing with scratches";
+    case use::moving_defect:
+      return "run --fidelity dynamic of a bearing with scratches";
   }
   return "";
 }

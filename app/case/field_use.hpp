@@ -27,8 +27,9 @@ enum Analysis : unsigned {
   fmu_bearing = 1u << 10,
   fmu_gearset = 1u << 11,
   static_load = 1u << 12,  // run of a single bearing
-  defect = 1u << 13,       // run of a bearing with scratches
-  ball_run = 1u << 16      // run of a ball bearing in time
+  defect = 1u << 13,       // run of a bearing with scratches, on balls without mass
+  ball_run = 1u << 16,     // run of a ball bearing in time
+  moving_defect = 1u << 17  // run of a bearing with scratches, all of it in motion
 };
 
 /// Analyses that share their physics.
@@ -41,7 +42,9 @@ inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
 inline constexpr unsigned rollers_at_rest = quasi_static | crown;
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
 inline constexpr unsigned of_a_drivetrain = lives | gears | natural | mesh | fmu_bearing | fmu_gearset;
-inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect;
+inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect | moving_defect;
+/// Balls that roll and slip by themselves.
+inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 }  // namespace use
 
 /// What one of `paths` must be for a field to count: one of `values`; without values, given and not zero. A

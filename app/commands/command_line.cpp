@@ -140,6 +140,29 @@ void add_fmu(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"bearing", "gearset"}));
 }
 
+void add_signals(CLI::App& command, Options& options) {
+  add_case(command, options);
+  add_output_or_json(command, options);
+  command
+      .add_option("--vary", options.varied,
+                  "path=[value, value]: what differs from signal to signal; repeatable, all combinations; "
+                  "default: defect.race, all that can be scratched")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("PATH=[...]");
+  command
+      .add_option("--fidelity", options.fidelity,
+                  "quasi-static (default): the ring on balls without mass; dynamic: all of the bearing in motion")
+      ->check(CLI::IsMember({"quasi-static", "dynamic"}));
+  command.add_option("--noise", options.noise, "noise of the instrument, root mean square in m/s2; default: none")
+      ->check(CLI::Range(0.0, 1e9));
+  command.add_option("--seed", options.seed, "of the noise; default: 1");
+  command.add_option("--jobs", options.jobs, "threads; default: one for each core")
+      ->check(CLI::Range(1, 4096));
+  command.add_flag("--resume", options.resume, "go on in DIR with the signals that are missing");
+}
+
 // Subcommands in the order in which they are shown.
 struct CommandTable {
   CLI::App& program;
@@ -181,6 +204,7 @@ void add_commands(CommandTable table) {
       "default: at rest");
   add_fmu(table.add("fmu", "the planet bearing or the gear set for other simulation tools", fmu_command),
           options);
+  add_signals(table.add("signals", "labelled vibration signals of scratched bearings", signals_command), options);
   CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
   add_settings(validate, options);
   validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
@@ -214,7 +238,7 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(fmt::format(
       "orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, fmu, "
-      "validate or report",
+      "signals, validate or report",
       word));
 }
 

@@ -1,6 +1,7 @@
 // The command line: which command, with which options, and how it ended.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct Options {
   bool gears = false;                    // run: without the dynamics of bearings
   std::string fmi = "2";                 // fmu: version of the interface
   std::string model = "bearing";         // fmu: "bearing" or "gearset"
+  std::vector<std::string> varied;       // signals: path=[value, value]
+  double noise = 0.0;                    // signals: root mean square [m/s^2]
+  std::uint64_t seed = 1;                // signals: of the noise
   CrownOptions crown;
   bool resume = false;
   bool json = false;
@@ -45,6 +49,7 @@ int mesh_command(const Options& options);
 int modes_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
+int signals_command(const Options& options);
 
 /// Throws BadInput where the result would go nowhere: neither --output nor --json; where there is nothing to
 /// resume.

@@ -9,16 +9,14 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
 #include "app/results/point_file.hpp"
+#include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/defect_output.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
 
-namespace {
-
-// The table's columns are of lives: all but the largest load stay empty.
-ResultRow row_of(const TableHead& head, const DefectStudy& study) {
+ResultRow defect_row(const TableHead& head, const DefectStudy& study) {
   ResultRow row{std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
   for (std::size_t i = 0; i < head.names.size(); ++i)
     if (head.names[i] == "inner_load_max_N" || head.names[i] == "outer_load_max_N")
@@ -26,7 +24,7 @@ ResultRow row_of(const TableHead& head, const DefectStudy& study) {
   return row;
 }
 
-std::string file_of(const ManifestHeader& header, const DefectStudy& study) {
+std::string defect_file(const ManifestHeader& header, const DefectStudy& study) {
   PointContent content = defect_content(study);
   content.attributes = {{"Conventions", "CF-1.10"},
                         {"title", header.case_name + ", vibration of a bearing with scratches"},
@@ -39,6 +37,8 @@ std::string file_of(const ManifestHeader& header, const DefectStudy& study) {
                         {"status", "ok"}};
   return netcdf_bytes(content);
 }
+
+namespace {
 
 nlohmann::ordered_json result_of(const ResolvedCase& resolved, const DefectStudy& study) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
@@ -58,20 +58,31 @@ void keep(const ManifestHeader& header, const nlohmann::ordered_json& result, co
                             {folder.path() / "signal.csv", csv},
                             {folder.path() / "signal.wav", wav}});
   }
-  folder.keep({{0, file_of(header, study), row_of(folder.head(), study)}});
+  folder.keep({{0, defect_file(header, study), defect_row(folder.head(), study)}});
+}
+
+DefectStudy study_of(const ResolvedCase& resolved, bool moving, const Options& options) {
+  if (!moving) return defect_study(resolved);
+  constexpr std::size_t parts = 100;
+  Progress progress(0, parts, !options.quiet, "signal, in hundredths: ");
+  return defect_study(resolved, DefectRung::all,
+                      [&](double share) { progress.show(static_cast<std::size_t>(share * parts)); });
 }
 
 }  // namespace
 
 int run_defect_case(const ResolvedCase& resolved, const Options& options) {
-  if (options.fidelity != "quasi-static")
+  const bool moving = options.fidelity == "dynamic";
+  if (!moving && options.fidelity != "quasi-static")
     throw BadInput("--fidelity: found " + options.fidelity +
-                   "; required: none for the model raceway-defect, whose ring moves on balls without mass");
-  const std::vector<std::string> unused = require_used(resolved, use::defect);
-  const ManifestHeader header = manifest_header(resolved, "defect");
+                   "; required: none for the model raceway-defect, whose ring moves on balls without mass, or "
+                   "dynamic, for all of the bearing in motion");
+  const std::vector<std::string> unused =
+      require_used(resolved, moving ? use::moving_defect : use::defect);
+  const ManifestHeader header = manifest_header(resolved, moving ? "defect, all in motion" : "defect");
   ResultFolder folder =
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
-  DefectStudy study = defect_study(resolved);
+  DefectStudy study = study_of(resolved, moving, options);
   study.warnings.insert(study.warnings.begin(), unused.begin(), unused.end());
   const nlohmann::ordered_json result = result_of(resolved, study);
   keep(header, result, study, folder);

@@ -3,11 +3,19 @@
 
 #include "app/case/resolved_case.hpp"
 #include "app/commands/command_line.hpp"
+#include "app/results/manifest.hpp"
+#include "app/study/defect_study.hpp"
 
 namespace orbearing::app {
 
 /// Name of the file of a result folder that holds what `run --json` prints.
 inline constexpr const char* defect_file_name = "defect.json";
+
+/// The netCDF file of a signal.
+std::string defect_file(const ManifestHeader& header, const DefectStudy& study);
+
+/// Its row in the table of a folder, whose columns are of lives: all but the largest load stay empty.
+ResultRow defect_row(const TableHead& head, const DefectStudy& study);
 
 /// Runs, writes the folder, prints. Returns the exit code. Throws BadInput and ComputationFailed.
 int run_defect_case(const ResolvedCase& resolved, const Options& options);

@@ -94,7 +94,7 @@ void append_number(std::uint32_t number, int bytes, std::string& text) {
 
 Json defect_json(const DefectStudy& study) {
   const Eigen::ArrayXd signal = signal_of(study);
-  return {
+  Json object{
       {"shaft_Hz", study.passing.shaft},
       {"cage_Hz", study.passing.cage},
       {"defect_Hz", study.defect_frequency ? Json(*study.defect_frequency) : Json(nullptr)},
@@ -114,6 +114,12 @@ Json defect_json(const DefectStudy& study) {
         {"contact_load_max_N", study.at_rest.load.maxCoeff()}}},
       {"contact_load_max_N", study.vibration.largest_load},
       {"sinking", {{"inner_um", kMicro * study.inner_sinking}, {"outer_um", kMicro * study.outer_sinking}}}};
+  if (study.moving)
+    object["turned"] = {{"cage_Hz", study.turned.cage},
+                        {"cage_slip", 1.0 - study.turned.cage / study.passing.cage},
+                        {"outer_pass_Hz", study.turned.outer_pass},
+                        {"inner_pass_Hz", study.turned.inner_pass}};
+  return object;
 }
 
 std::string defect_text(const DefectStudy& study) {
@@ -132,6 +138,10 @@ std::string defect_text(const DefectStudy& study) {
   text += fmt::format(
       "in motion: acceleration {:.4g} m/s2 rms, at most {:.4g} m/s2; largest contact load {:.4g} N\n",
       root_mean_square(signal), signal.abs().maxCoeff(), study.vibration.largest_load);
+  if (study.moving)
+    text += fmt::format("as turned: cage {:.5g} Hz, slip {:.3g} %; passes {:.5g} Hz (outer), {:.5g} Hz (inner)\n",
+                        study.turned.cage, 100.0 * (1.0 - study.turned.cage / study.passing.cage),
+                        study.turned.outer_pass, study.turned.inner_pass);
   text += fmt::format("envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}; lines {:.3g} Hz apart\n",
                       study.band.band.low, study.band.band.high, study.band.kurtosis,
                       study.envelope_spectrum.resolution);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 
@@ -71,7 +72,7 @@ std::vector<signals::ExpectedLine> expected_lines(Scratched scratched,
 
 std::vector<NamedPeak> named_peaks(const signals::Spectrum& spectrum, double highest,
                                    const DefectStudy& study) {
-  const std::vector<signals::ExpectedLine> lines = expected_lines(study.scratched, study.passing, highest);
+  const std::vector<signals::ExpectedLine> lines = expected_lines(study.scratched, study.turned, highest);
   std::vector<NamedPeak> named;
   for (const signals::Peak& peak : signals::peaks_of(spectrum, {.highest = highest}))
     named.push_back(
@@ -107,6 +108,16 @@ void warn(const ResolvedCase& in, DefectStudy& study) {
                     in.given("signal.sampling_rate"), study.at_rest.natural_frequency));
 }
 
+// Balls pass where the cage takes them, whatever its slip.
+defect::PassingFrequencies as_turned(const defect::ScratchedBearing& scratched, const DefectStudy& study) {
+  const double balls = scratched.bearing.balls().count;
+  defect::PassingFrequencies turned = study.passing;
+  turned.cage = std::abs(study.vibration.cage_speed) / boost::math::double_constants::two_pi;
+  turned.outer_pass = balls * turned.cage;
+  turned.inner_pass = balls * (turned.shaft - turned.cage);
+  return turned;
+}
+
 double peak_frequency(const DefectStudy& study, const std::string& name) {
   for (const NamedPeak& peak : study.peaks)
     if (peak.is == name) return peak.frequency;
@@ -119,7 +130,8 @@ bool is_defect(const ResolvedCase& resolved) {
   return resolved.model() == raceway_defect;
 }
 
-DefectStudy defect_study(const ResolvedCase& in) {
+DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::function<void(double)>& progress,
+                         const std::function<void(study::RingVibration&)>& disturb) {
   const defect::ScratchedBearing scratched = scratched_bearing_of(in);
   const bearing::BearingGeometry geometry = bearing::geometry_of(scratched.bearing);
   DefectStudy study{.scratched = scratched.scratch.race,
@@ -130,9 +142,14 @@ DefectStudy defect_study(const ResolvedCase& in) {
     study.inner_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::inner, geometry);
     study.outer_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::outer, geometry);
   }
-  study.vibration = study::sample_vibration(scratched, sampling_of(in));
+  study.moving = rung == DefectRung::all;
+  study.vibration = study.moving ? study::sample_vibration(scratched, scratched_motion_of(in),
+                                                           scratched_length_error_of(in), sampling_of(in), progress)
+                                 : study::sample_vibration(scratched, sampling_of(in));
   if (!study.vibration.report.completed)
     throw ComputationFailed(in.text("name") + ": " + study.vibration.report.message);
+  if (disturb) disturb(study.vibration);
+  study.turned = study.moving ? as_turned(scratched, study) : study.passing;
   analyse(in, study);
   warn(in, study);
   return study;

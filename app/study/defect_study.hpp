@@ -1,6 +1,7 @@
 // A bearing with scratches: its vibration in time, and what an instrument would make of it.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,9 @@ struct NamedPeak {
 /// Accelerations are those of the outer ring along the load.
 struct DefectStudy {
   bearing::defect::Scratched scratched = bearing::defect::Scratched::none;
-  bearing::defect::PassingFrequencies passing;
+  bool moving = false;                         // all bodies, balls and cage too
+  bearing::defect::PassingFrequencies passing;  // at pure rolling
+  bearing::defect::PassingFrequencies turned;   // as the cage turned: those of pure rolling unless moving
   std::optional<double> defect_frequency;  // [Hz]  none without a scratch
   bearing::defect::StaticPlace at_rest;
   double inner_sinking = 0.0;  // [m]  deepest, on a scratch of the inner race
@@ -43,8 +46,15 @@ struct DefectStudy {
 /// Whether a case is that of a bearing with scratches.
 bool is_defect(const ResolvedCase& resolved);
 
-/// Throws ComputationFailed where the motion cannot be followed.
-DefectStudy defect_study(const ResolvedCase& resolved);
+/// How much of the bearing moves: the outer ring alone on balls without mass, or all of it.
+enum class DefectRung { ring, all };
+
+/// `progress` gets the share done, if any; of the ring alone it is not asked. `disturb` may add to what the
+/// instrument records before it is analysed. Throws ComputationFailed where the motion cannot be followed,
+/// BadInput as scratched_motion_of().
+DefectStudy defect_study(const ResolvedCase& resolved, DefectRung rung = DefectRung::ring,
+                         const std::function<void(double)>& progress = {},
+                         const std::function<void(study::RingVibration&)>& disturb = {});
 
 /// A number by its name in the validation table: "shaft_Hz", "cage_Hz", "defect_Hz", "defect_peak_Hz",
 /// "side_band_Hz", "passage_peak_Hz"; NaN for a name that is not known or a peak that is not there.

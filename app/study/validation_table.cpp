@@ -142,7 +142,9 @@ ValidationRow judged(ValidationRow row, bool trend) {
 ValidationTable validation_table_of(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs) {
   if (resolved.model() == gear_pair) return study_table(resolved, expected, mesh_study, mesh_property);
   if (is_static_bearing(resolved)) return study_table(resolved, expected, static_study, static_property);
-  if (is_defect(resolved)) return study_table(resolved, expected, defect_study, defect_property);
+  if (is_defect(resolved))
+    return study_table(
+        resolved, expected, [](const ResolvedCase& in) { return defect_study(in); }, defect_property);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing, "

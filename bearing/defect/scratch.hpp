@@ -4,9 +4,21 @@
 
 #include <vector>
 
+#include "bearing/contact/scratch_law.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/parameters.hpp"
 #include "mechanics/described.hpp"
+
+namespace orbearing::bearing {
+
+constexpr described::Names<ScratchForm, 4> names_of(ScratchForm) {
+  return {{{ScratchForm::raised_cosine, "raised-cosine"},
+           {ScratchForm::half_cosine, "half-cosine"},
+           {ScratchForm::edges, "edges"},
+           {ScratchForm::as_printed, "as-printed"}}};
+}
+
+}  // namespace orbearing::bearing
 
 namespace orbearing::bearing::defect {
 
@@ -18,21 +30,6 @@ constexpr described::Names<Scratched, 4> names_of(Scratched) {
            {Scratched::inner, "inner"},
            {Scratched::ball, "ball"},
            {Scratched::none, "none"}}};
-}
-
-/// How far an element sinks between the edges of a scratch, over where it stands: s from the middle, width w.
-enum class ScratchForm {
-  raised_cosine,  // depth (1 + cos(2 pi s/w))/2: level where it begins and ends
-  half_cosine,    // depth cos(pi s/w): steep edges
-  edges,          // depth (1 - 2|s|/w)^2: a rigid ball that rolls over two sharp edges
-  as_printed      // depth cos(2 pi s/w), eq. 3 of [ScratchVibration]: jumps at both edges
-};
-
-constexpr described::Names<ScratchForm, 4> names_of(ScratchForm) {
-  return {{{ScratchForm::raised_cosine, "raised-cosine"},
-           {ScratchForm::half_cosine, "half-cosine"},
-           {ScratchForm::edges, "edges"},
-           {ScratchForm::as_printed, "as-printed"}}};
 }
 
 /// Scratches that are alike, across the whole width of the track.
@@ -88,14 +85,7 @@ void describe(Visitor& visit, Scratch& m) {
 /// less by that of the concave outer one. For a scratch of the element itself `race` is the one it meets.
 double deepest_sinking(double width, Race race, const BearingGeometry& geometry);
 
-/// Sinking and its slope along the track.
-struct Sinking {
-  double depth = 0.0;  // [m]
-  double slope = 0.0;  // [-]
-};
-
-/// At `from_middle` [m] from the middle; the form goes on beyond the edges, where a caller must not ask it to
-/// count. `deepest` [m] by `deepest_sinking`.
-Sinking sinking(const Scratch& scratch, double deepest, double from_middle);
+/// Of an element that meets `race` of a bearing of this geometry on the scratch.
+ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry& geometry);
 
 }  // namespace orbearing::bearing::defect

@@ -15,7 +15,6 @@ namespace orbearing::bearing::defect {
 namespace {
 
 constexpr double kHalfTurn = boost::math::double_constants::pi;
-constexpr double kGravity = 9.80665;  // [m/s^2]
 
 // Q = constant approach^exponent of an element between both races.
 struct PowerLaw {
@@ -40,6 +39,11 @@ double elastic(double constant, double exponent, double approach) {
 }
 
 }  // namespace
+
+double weight_of(const VibratingRing& ring) {
+  constexpr double kGravity = 9.80665;  // [m/s^2]
+  return ring.mass * kGravity;
+}
 
 ScratchedMotion::ScratchedMotion(const ScratchedBearing& parameters)
     : in_(parameters), geometry_(geometry_of(parameters.bearing)) {
@@ -66,8 +70,8 @@ void ScratchedMotion::set_scratches() {
   mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
   middle_ = scratch.more_angles;
   middle_.insert(middle_.begin(), scratch.angle);
-  inner_sinking_ = deepest_sinking(scratch.width, Race::inner, geometry_);
-  outer_sinking_ = deepest_sinking(scratch.width, Race::outer, geometry_);
+  on_inner_ = scratch_law(scratch, Race::inner, geometry_);
+  on_outer_ = scratch_law(scratch, Race::outer, geometry_);
   between_ = 2.0 * kHalfTurn;
   switch (scratch.race) {
     case Scratched::outer:
@@ -97,8 +101,8 @@ double ScratchedMotion::from_middle(Eigen::Index element, Eigen::Index scratch, 
   return track_radius_ * std::remainder(angle, between_);
 }
 
-Sinking ScratchedMotion::sinking_of(Eigen::Index element, double time) const {
-  Sinking sum;
+Sinking<double> ScratchedMotion::sinking_of(Eigen::Index element, double time) const {
+  Sinking<double> sum;
   const auto scratches = static_cast<Eigen::Index>(middle_.size());
   for (Eigen::Index i = 0; i < scratches; ++i) {
     if (!on_[elements() + element * scratches + i]) continue;
@@ -107,8 +111,7 @@ Sinking ScratchedMotion::sinking_of(Eigen::Index element, double time) const {
       const double turned = track_speed_ * time - middle_[static_cast<std::size_t>(i)];
       outer = std::abs(std::remainder(turned, 2.0 * kHalfTurn)) < 0.5 * kHalfTurn;
     }
-    const Sinking one =
-        sinking(in_.scratch, outer ? outer_sinking_ : inner_sinking_, from_middle(element, i, time));
+    const Sinking<double> one = sinking(outer ? on_outer_ : on_inner_, from_middle(element, i, time));
     sum.depth += one.depth;
     sum.slope += one.slope;
   }
@@ -119,7 +122,7 @@ ScratchedMotion::Contact ScratchedMotion::contact(Eigen::Index element, double t
                                                   const ConstState& x) const {
   Contact now{.angle = first_angle_[element] + cage_speed_ * time};
   const double cosine = std::cos(now.angle), sine = std::sin(now.angle);
-  const Sinking sunk = sinking_of(element, time);
+  const Sinking<double> sunk = sinking_of(element, time);
   const double along = x[0] * cosine + x[1] * sine, across = x[1] * cosine - x[0] * sine;
   now.approach = (along - 0.5 * in_.bearing.radial_clearance) * cosine_ - sunk.depth;
   now.approach_speed = (x[2] * cosine + x[3] * sine + cage_speed_ * across) * cosine_ -
@@ -159,7 +162,7 @@ double ScratchedMotion::passing_time() const {
 }
 
 double ScratchedMotion::weight() const {
-  return in_.ring.mass * kGravity;
+  return weight_of(in_.ring);
 }
 
 StaticPlace ScratchedMotion::find_static_place() const {

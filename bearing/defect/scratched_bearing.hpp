@@ -65,6 +65,9 @@ void describe(Visitor& visit, VibratingRing& m) {
                 {.models = raceway_defect, .reason = "as the source writes it"}));
 }
 
+/// [N]
+double weight_of(const VibratingRing& ring);
+
 /// What does not change in time. Scratches are of one kind.
 struct ScratchedBearing {
   Bearing bearing;
@@ -124,7 +127,7 @@ class ScratchedMotion {
   void set_scratches();
   void set_damping();
   double from_middle(Eigen::Index element, Eigen::Index scratch, double time) const;
-  Sinking sinking_of(Eigen::Index element, double time) const;
+  Sinking<double> sinking_of(Eigen::Index element, double time) const;
 
   ScratchedBearing in_;
   BearingGeometry geometry_;
@@ -138,8 +141,7 @@ class ScratchedMotion {
   double damping_ = 0.0;        // [N s/m] or [s/m], by the law
   Eigen::ArrayXd first_angle_;  // [rad]  (elements)   at time 0
   std::vector<double> middle_;  // [rad]  (scratches)  at time 0
-  double inner_sinking_ = 0.0;  // [m]  deepest, of an element that meets the inner race scratched
-  double outer_sinking_ = 0.0;  // [m]
+  ScratchLaw on_inner_, on_outer_;  // of an element that meets this race on a scratch
   Eigen::Array<bool, Eigen::Dynamic, 1> on_;  // (switches)
   StaticPlace static_;
 };

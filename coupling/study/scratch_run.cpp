@@ -4,13 +4,23 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "bearing/geometry.hpp"
 #include "coupling/integration/integrate_switches.hpp"
+#include "coupling/integration/run.hpp"
+#include "coupling/integration/window.hpp"
+#include "coupling/system/ball_run.hpp"
 
 namespace orbearing::study {
 
 namespace {
 
+using bearing::balls::BallBearing;
 using bearing::defect::ScratchedMotion;
 using ConstState = Eigen::Ref<const Eigen::VectorXd>;
 
@@ -73,66 +83,167 @@ class LowPass {
   Eigen::Index next_ = 0;
 };
 
+// What one instant adds to the signal.
+struct Instant {
+  Eigen::Vector2d place, acceleration;
+  double ball_approach = 0.0, ball_load = 0.0, largest_load = 0.0;
+};
+
+// Counts instants, kOversampling to a sample, and keeps what falls into the signal.
 class Recorder {
  public:
-  Recorder(const ScratchedMotion& motion, long settling, RingVibration& into)
-      : motion_(motion), settling_(settling), into_(into), rates_(4) {}
+  Recorder(long settling, long samples, double rate, RingVibration& into) : settling_(settling), into_(into) {
+    into_.rate = rate;
+    into_.begin = static_cast<double>(settling + LowPass::kReach) / rate;
+    into_.place.resize(2, samples);
+    into_.acceleration.resize(2, samples);
+    into_.ball_approach.resize(samples);
+    into_.ball_load.resize(samples);
+  }
 
-  void operator()(double time, const ConstState& x) {
-    motion_.rates(time, x, rates_);
-    low_pass_.take(rates_.tail<2>());
+  long instants() const {
+    return LowPass::kOversampling * (settling_ + into_.ball_load.size() + 2 * LowPass::kReach);
+  }
+  double interval() const { return 1.0 / (static_cast<double>(LowPass::kOversampling) * into_.rate); }
+
+  /// `state` gives all of the Instant but its acceleration and is asked for what is kept alone.
+  template <class State>
+  void take(const Eigen::Vector2d& acceleration, const State& state) {
+    low_pass_.take(acceleration);
     if (++taken_ % LowPass::kOversampling != 0) return;
     const Eigen::Index now = taken_ / LowPass::kOversampling - settling_ - LowPass::kReach;
-    if (now >= 0 && now < into_.ball_load.size()) put_state(now, time, x);
+    if (now >= 0 && now < into_.ball_load.size()) keep(now, state());
     const Eigen::Index before = now - LowPass::kReach;
     if (before >= 0 && before < into_.ball_load.size()) into_.acceleration.col(before) = low_pass_.value();
   }
 
  private:
-  void put_state(Eigen::Index sample, double time, const ConstState& x) {
-    into_.place.col(sample) = x.head<2>().array();
-    const ScratchedMotion::Contact first = motion_.contact(0, time, x);
-    into_.ball_approach[sample] = first.approach;
-    into_.ball_load[sample] = first.load;
-    for (Eigen::Index j = 0; j < motion_.elements(); ++j)
-      into_.largest_load = std::max(into_.largest_load, motion_.contact(j, time, x).load);
+  void keep(Eigen::Index sample, const Instant& now) {
+    into_.place.col(sample) = now.place.array();
+    into_.ball_approach[sample] = now.ball_approach;
+    into_.ball_load[sample] = now.ball_load;
+    into_.largest_load = std::max(into_.largest_load, now.largest_load);
   }
 
-  const ScratchedMotion& motion_;
   long settling_;
   RingVibration& into_;
-  Eigen::VectorXd rates_;
   LowPass low_pass_;
   long taken_ = 0;
 };
+
+Recorder recorder_of(double shaft_speed, const Sampling& sampling, RingVibration& into) {
+  const double revolution = 2.0 * kHalfTurn / std::abs(shaft_speed);  // [s]
+  const long settling = std::lround(sampling.settling_revolutions * revolution * sampling.rate);
+  const long samples = std::max(2L, std::lround(sampling.revolutions * revolution * sampling.rate));
+  return {settling, samples, sampling.rate, into};
+}
+
+Instant state_of(const ScratchedMotion& motion, double time, const ConstState& x) {
+  const ScratchedMotion::Contact first = motion.contact(0, time, x);
+  Instant now{.place = x.head<2>(), .ball_approach = first.approach, .ball_load = first.load};
+  for (Eigen::Index j = 0; j < motion.elements(); ++j)
+    now.largest_load = std::max(now.largest_load, motion.contact(j, time, x).load);
+  return now;
+}
+
+// The ball bearing as the stepper sees it; nothing is summed from step to step.
+class SteppedBalls {
+ public:
+  explicit SteppedBalls(BallBearing& bearing) : bearing_(bearing) {}
+  void linearise(double time, const double* x, double* dx) { bearing_.linearise(time, x, dx); }
+  void derivative(double time, const double* x, double* dx) { bearing_.derivative(time, x, dx); }
+  void time_slope(double time, double* rate) { bearing_.time_slope(time, rate); }
+  bool factor(double g) { return bearing_.factor(g); }
+  void solve(const double* rhs, double* k) const { bearing_.solve(rhs, k); }
+  void begun(const std::vector<double>&) const {}
+  void stepped(double, double) const {}
+  void settle(double, std::vector<double>&) const {}
+
+ private:
+  BallBearing& bearing_;
+};
+
+Eigen::Vector2d along_load(const double* outer) {
+  return {-outer[0], -outer[1]};
+}
+
+Instant state_of(const BallBearing& model, double time, const double* x) {
+  const bearing::balls::BallSnapshot shown = model.snapshot(time, x);
+  Instant now{.place = along_load(x + model.layout().outer()),
+              .ball_approach = shown.inner.front().approach + shown.outer.front().approach,
+              .ball_load = shown.inner.front().load};
+  for (const bearing::balls::ContactSnapshot& contact : shown.inner)
+    now.largest_load = std::max(now.largest_load, contact.load);
+  return now;
+}
 
 }  // namespace
 
 RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched, const Sampling& sampling) {
   ScratchedMotion motion(scratched);
-  const double revolution = 2.0 * kHalfTurn / std::abs(scratched.shaft_speed);  // [s]
-  const long settling = std::lround(sampling.settling_revolutions * revolution * sampling.rate);
-  const long samples = std::max(2L, std::lround(sampling.revolutions * revolution * sampling.rate));
-  RingVibration vibration{.rate = sampling.rate,
-                          .begin = static_cast<double>(settling + LowPass::kReach) / sampling.rate};
-  vibration.place.resize(2, samples);
-  vibration.acceleration.resize(2, samples);
-  vibration.ball_approach.resize(samples);
-  vibration.ball_load.resize(samples);
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(4);
+  RingVibration vibration;
+  Recorder record = recorder_of(scratched.shaft_speed, sampling, vibration);
+  vibration.cage_speed =
+      bearing::kinematic_cage_speed(geometry_of(scratched.bearing), scratched.shaft_speed, 0.0);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(4), now(4);
   x.head<2>() = motion.static_place().place;
   const auto rates = [&motion](double time, const ConstState& at, Eigen::Ref<Eigen::VectorXd> dx) {
     motion.rates(time, at, dx);
   };
-  Recorder record(motion, settling, vibration);
   vibration.report = integration::integrate_switches(
-      rates, x,
-      {.interval = 1.0 / (LowPass::kOversampling * sampling.rate),
-       .samples = LowPass::kOversampling * (settling + samples + 2 * LowPass::kReach)},
-      switches_of(motion), options_for(motion, sampling),
-      [&record](double time, const ConstState& at) { record(time, at); });
+      rates, x, {.interval = record.interval(), .samples = record.instants()}, switches_of(motion),
+      options_for(motion, sampling), [&](double time, const ConstState& at) {
+        motion.rates(time, at, now);
+        record.take(now.tail<2>(), [&] { return state_of(motion, time, at); });
+      });
   if (vibration.report.completed) return vibration;
   return {.rate = sampling.rate, .report = vibration.report};
+}
+
+RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched,
+                               const bearing::balls::MotionParameters& parameters, double length_error,
+                               const Sampling& sampling, const std::function<void(double)>& progress) {
+  constexpr long kShown = 100;  // times that progress is told
+  BallBearing model(scratched_numbers(scratched, parameters), scratched_duty(scratched));
+  const bearing::balls::StateLayout layout = model.layout();
+  RingVibration vibration;
+  Recorder record = recorder_of(scratched.shaft_speed, sampling, vibration);
+  std::vector<double> x = start_state(scratched.bearing, model, scratched.bearing.first_element), now(x.size());
+  SteppedBalls system(model);
+  integration::Rosenbrock2 stepper = system::ball_stepper(model.numbers(), length_error);
+  integration::IntegrationOptions limits;
+  limits.most_seconds = std::numeric_limits<double>::infinity();
+  integration::Run budget(limits, vibration.report);
+  const auto cage_turn = static_cast<std::size_t>(layout.cage() + 5);
+  const long instants = record.instants(), shown = std::max(1L, instants / kShown);
+  double time = 0.0, step = 1e-7, sampled_from = 0.0, turned_then = 0.0;
+  bool sampled = false;
+  try {
+    for (long i = 1; i <= instants; ++i) {
+      const double end = static_cast<double>(i) * record.interval();
+      while (time < end) {
+        const double before = time;
+        long attempts = 0;
+        step_within_window(stepper, system, x, time, end, {}, step, attempts);
+        vibration.report.rejected += attempts - 1;
+        if (!budget.accept(time, time - before)) throw std::runtime_error(vibration.report.message);
+      }
+      if (const std::string reason = system::balls_out_of_place(model.numbers(), x.data()); !reason.empty())
+        throw std::runtime_error(reason);
+      model.derivative(time, x.data(), now.data());
+      record.take(along_load(now.data() + layout.outer() + bearing::balls::kRingUnknowns), [&] {
+        if (!std::exchange(sampled, true)) sampled_from = time, turned_then = x[cage_turn];
+        return state_of(model, time, x.data());
+      });
+      if (progress && i % shown == 0) progress(static_cast<double>(i) / static_cast<double>(instants));
+    }
+    vibration.report.completed = true;
+  } catch (const std::runtime_error& error) {
+    return {.rate = sampling.rate, .report = {.message = error.what()}};
+  }
+  vibration.report.wall_seconds = budget.seconds();
+  vibration.cage_speed = (x[cage_turn] - turned_then) / (time - sampled_from);
+  return vibration;
 }
 
 }  // namespace orbearing::study

@@ -3,6 +3,9 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
+#include "bearing/defect/scratched_balls.hpp"
 #include "bearing/defect/scratched_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
 #include "mechanics/described.hpp"
@@ -56,11 +59,20 @@ struct RingVibration {
   Eigen::Array2Xd acceleration;  // [m/s^2]  (directions, samples)
   Eigen::ArrayXd ball_approach;  // [m]      of the first element, negative where it is free
   Eigen::ArrayXd ball_load;      // [N]      of the first element, with damping
-  double largest_load = 0.0;     // [N]      of any element at any sample
+  double largest_load = 0.0;     // [N]      of any element at any sample; on the inner race
+  double cage_speed = 0.0;       // [rad/s]  mean while sampled
   integration::IntegrationReport report;
 };
 
 /// From the static balance on. A run that ends early says so in the report and has no samples.
 RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched, const Sampling& sampling);
+
+/// The same with all that moves in a ball bearing: the balls roll and slip by themselves, the cage turns as
+/// they push it. `length_error` [m] may be made in one step; `progress` gets the share done, if any. Damping
+/// of the ring and the allowed error of `sampling` are not felt: contacts and oil have their own.
+RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched,
+                               const bearing::balls::MotionParameters& motion, double length_error,
+                               const Sampling& sampling,
+                               const std::function<void(double)>& progress = {});
 
 }  // namespace orbearing::study

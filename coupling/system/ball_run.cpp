@@ -10,7 +10,6 @@
 #include "bearing/geometry.hpp"
 #include "bearing/life/damage.hpp"
 #include "bearing/life/reference_life.hpp"
-#include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/integration/run.hpp"
 #include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"
@@ -172,17 +171,6 @@ BallMeans means_of_balls(const ObservedSteps& steps, const ObservedSamples& samp
   return m;
 }
 
-// Balls between the races and in their pockets; else what has come out.
-std::string balls_out_of_place(const BallNumbers& c, const StateLayout& layout, const double* x) {
-  for (int j = 0; j < c.balls; ++j)
-    if (!(std::abs(x[j] - c.pitch_radius) < c.radius) || !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
-      return "a ball came out: it stands more than its radius off its circle";
-  const double* cage = x + layout.cage();
-  if (!(std::hypot(cage[0], cage[1]) < c.radius) || !(std::hypot(cage[3], cage[4]) < 0.5))
-    return "the cage came out of its place";
-  return {};
-}
-
 
 void sample_series(const BallBearing& model, const bearing::BearingGeometry& geometry, double time,
                    const double* x, const BallSnapshot& s, double pocket_load, BallSeries& series) {
@@ -232,6 +220,22 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
   return allowed;
 }
 
+integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length) {
+  return integration::Rosenbrock2(ball_allowed_errors(numbers, kLinearlyImplicitErrorFactor * length),
+                                  kStepOfImpact / ball_frequency(numbers));
+}
+
+std::string balls_out_of_place(const BallNumbers& c, const double* x) {
+  const StateLayout layout{c.balls};
+  for (int j = 0; j < c.balls; ++j)
+    if (!(std::abs(x[j] - c.pitch_radius) < c.radius) || !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
+      return "a ball came out: it stands more than its radius off its circle";
+  const double* cage = x + layout.cage();
+  if (!(std::hypot(cage[0], cage[1]) < c.radius) || !(std::hypot(cage[3], cage[4]) < 0.5))
+    return "the cage came out of its place";
+  return {};
+}
+
 std::optional<double> settling_time(const SlipHistory& h) {
   constexpr double kShare = 0.05, kPoints = 0.005;
   double band = std::max(kShare * std::abs(h.final_slip), kPoints);
@@ -268,8 +272,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   };
   const double observe_from = sample_time(first_observed);
   BallSystem system(model, geometry, observe_from, options.places);
-  integration::Rosenbrock2 stepper(ball_allowed_errors(numbers, kLinearlyImplicitErrorFactor * options.length_error),
-                                   kStepOfImpact / ball_frequency(numbers));
+  integration::Rosenbrock2 stepper = ball_stepper(numbers, options.length_error);
   BallRunResult result;
   result.report.smallest_step = std::numeric_limits<double>::infinity();
   integration::IntegrationOptions limits;
@@ -305,7 +308,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
         if (before >= observe_from)
           rolled += (time - before) * rolling_cage_speed(geometry, duty, 0.5 * (before + time));
       }
-      const std::string reason = balls_out_of_place(numbers, model.layout(), x.data());
+      const std::string reason = balls_out_of_place(numbers, x.data());
       if (!reason.empty()) throw std::runtime_error(reason);
       sample();
       if (progress) progress(time);

@@ -9,6 +9,7 @@
 #include "bearing/life/standard_life.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
+#include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/system/steady_state.hpp"
 
 namespace orbearing::system {
@@ -99,6 +100,12 @@ struct BallRunResult {
 
 /// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
 std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
+
+/// The linearly implicit stepper for balls whose lengths may err by `length` [m] in one step.
+integration::Rosenbrock2 ball_stepper(const bearing::balls::BallNumbers& numbers, double length);
+
+/// Empty where balls are between the races and in their pockets in the padded state `x`; else what came out.
+std::string balls_out_of_place(const bearing::balls::BallNumbers& numbers, const double* x);
 
 /// A slip over time and what it comes to.
 struct SlipHistory {

@@ -31,7 +31,7 @@ inline described::Row<double> length_error_row(double& allowed_length_error) {
   using namespace described;
   return field(allowed_length_error, "simulation.length_error", Felt::motion,
                "error of a position allowed in one step",
-               {.models = in_motion,
+               {.models = in_time,
                 .dimension = dimension::length,
                 .range = positive(0.1),
                 .reason = "coarser steps ring at contacts that close and then take longer",

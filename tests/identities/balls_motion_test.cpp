@@ -30,23 +30,28 @@ Started started(RandomBalls& random, double size) {
   return s;
 }
 
-// d(energy)/dt along the motion is what comes in less what is lost: every force is the gradient of its
-// energy, or does the work that is called a loss.
+// d(energy)/dt along the motion; rings turn on.
+double growth_of_energy(BallBearing& model, const std::vector<double>& x) {
+  std::vector<double> rate(x.size());
+  model.derivative(0.0, x.data(), rate.data());
+  const auto energy = [&](double time) {
+    std::vector<double> then = x;
+    for (std::size_t i = 0; i < x.size(); ++i) then[i] += time * rate[i];
+    return model.energy(then.data(), time).total();
+  };
+  constexpr double h = 2e-9;  // [s]
+  return (8.0 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12.0 * h);
+}
+
+// It is what comes in less what is lost: every force is the gradient of its energy, or does the work that is
+// called a loss.
 TEST(BallMotion, PowerBalances) {
   RandomBalls random;
   for (int draw = 0; draw < 300; ++draw) {
     SCOPED_TRACE(draw);
     const Started s = started(random, draw % 3 == 0 ? 0.2 : 1.5);
     BallBearing model(s.numbers, s.drawn.duty);
-    std::vector<double> rate(s.x.size());
-    model.derivative(0.0, s.x.data(), rate.data());
-    const auto energy = [&](double time) {
-      std::vector<double> x = s.x;
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] += time * rate[i];
-      return model.energy(x.data()).total();
-    };
-    constexpr double h = 2e-9;  // [s]
-    const double growth = (8.0 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12.0 * h);
+    const double growth = growth_of_energy(model, s.x);
     const BallSnapshot now = model.snapshot(0.0, s.x.data());
     const double balance = model.power_input(0.0, s.x.data()) - now.loss.total();
     const double scale = now.loss.total() + std::abs(model.power_input(0.0, s.x.data())) + std::abs(growth) + 1.0;
@@ -57,6 +62,50 @@ TEST(BallMotion, PowerBalances) {
     EXPECT_GE(now.loss.churning, 0.0);
     EXPECT_GE(now.loss.sliding + now.loss.differential + now.loss.spin, 0.0);
   }
+}
+
+// A scratch of each race under every ball, somewhere between its edges.
+void scratch_under_balls(RandomBalls& random, const Started& s, GrooveNumbers& groove, double radius) {
+  const int lanes = StateLayout{s.numbers.balls}.lanes();
+  ScratchNumbers& scratch = groove.scratch;
+  scratch.law.form = static_cast<ScratchForm>(static_cast<int>(random.between(0.0, 3.0)));
+  scratch.law.width = random.between(0.02, 0.2) * s.numbers.radius;
+  scratch.law.deepest = random.between(0.01, 0.1) * scratch.law.width;
+  scratch.law.bottom = random.between(0.5, 3.0) * scratch.law.deepest;
+  scratch.track_radius = radius;
+  scratch.count = std::min(s.numbers.balls, ScratchNumbers::kMost);
+  for (int j = 0; j < scratch.count; ++j)
+    scratch.angle[j] = s.x[static_cast<std::size_t>(lanes + j)] +
+                       random.between(-0.45, 0.45) * scratch.law.width / radius;
+}
+
+// Scratches are turned about the bearing's axis: by a tilt times its rate they would lag.
+void straighten(const StateLayout& layout, std::vector<double>& x) {
+  for (const int ring : {layout.inner(), layout.outer()})
+    for (const int i : {3, 4}) x[static_cast<std::size_t>(ring + i)] = x[static_cast<std::size_t>(ring + kRingUnknowns + i)] = 0.0;
+}
+
+// Issue 14, Build 7: forces on a scratch are those of its energy, and a ring that carries one along pays for
+// it with torque.
+TEST(BallMotion, PowerBalancesOnScratches) {
+  RandomBalls random(11);
+  double felt = 0.0;
+  for (int draw = 0; draw < 200; ++draw) {
+    SCOPED_TRACE(draw);
+    Started s = started(random, 1.5);
+    straighten(StateLayout{s.numbers.balls}, s.x);
+    BallBearing sound(s.numbers, s.drawn.duty);
+    const double before = sound.snapshot(0.0, s.x.data()).inner_torque;
+    scratch_under_balls(random, s, s.numbers.inner, s.numbers.pitch_radius - s.numbers.radius);
+    scratch_under_balls(random, s, s.numbers.outer, s.numbers.pitch_radius + s.numbers.radius);
+    BallBearing model(s.numbers, s.drawn.duty);
+    const double growth = growth_of_energy(model, s.x);
+    const BallSnapshot now = model.snapshot(0.0, s.x.data());
+    const double input = model.power_input(0.0, s.x.data()), balance = input - now.loss.total();
+    EXPECT_NEAR(growth, balance, 3e-5 * (now.loss.total() + std::abs(input) + std::abs(growth) + 1.0));
+    felt = std::max(felt, std::abs(now.inner_torque - before) / (1.0 + std::abs(before)));
+  }
+  EXPECT_GT(felt, 1.0);
 }
 
 TEST(BallMotion, StagesAreSolvedByTheStiffSlopes) {

@@ -101,7 +101,7 @@ TEST(ScratchRun, RandomBearingsEndWithNumbers) {
     in.scratch = {.race = names_of(Scratched{})[static_cast<std::size_t>(number) % 4].value,
                   .width = diameter * between(0.01, 0.2),
                   .depth = diameter * between(0.001, 0.1),
-                  .form = names_of(ScratchForm{})[static_cast<std::size_t>(number / 4) % 4].value};
+                  .form = names_of(bearing::ScratchForm{})[static_cast<std::size_t>(number / 4) % 4].value};
     Sampling sampling{.rate = 200.0 * in.shaft_speed / 6.28,
                       .revolutions = 2.0,
                       .settling_revolutions = 0.5,

@@ -149,8 +149,27 @@ class Refusals(unittest.TestCase):
             self.assertIn("defect.race: 'outer' without defect.width", result.stderr)
 
     def test_other_rungs(self):
-        self.assertEqual(call("run", CASE, "--json", "--fidelity", "dynamic").returncode, 2)
+        self.assertEqual(call("run", CASE, "--json", "--fidelity", "monolithic").returncode, 2)
         self.assertEqual(call("sweep", CASE, "--json").returncode, 2)
+
+    def test_all_in_motion(self):
+        """--fidelity dynamic: the same keys, and what the cage really turned."""
+        short = ("--set", "signal.revolutions=4", "--set", "signal.sampling_rate=25.6 kHz")
+        result = call("run", CASE, "--json", "--fidelity", "dynamic", *short)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        found = json.loads(result.stdout)
+        self.assertEqual(found["warnings"], [])
+        self.assertAlmostEqual(found["defect_Hz"], 76.27, delta=0.01)
+        turned = found["turned"]
+        self.assertAlmostEqual(turned["outer_pass_Hz"], 8 * turned["cage_Hz"], delta=1e-9)
+        self.assertAlmostEqual(turned["cage_Hz"], (1 - turned["cage_slip"]) * found["cage_Hz"], delta=1e-9)
+        ball = call("run", CASE, "--json", "--fidelity", "dynamic", "--set", "defect.race=ball")
+        self.assertEqual(ball.returncode, 2)
+        self.assertIn("--fidelity: found dynamic for a scratched ball", ball.stderr)
+        unfelt = call("run", CASE, "--json", "--fidelity", "dynamic", *short, "--set", "contact.damping_ratio=0.1")
+        self.assertIn("contact.damping_ratio", json.loads(unfelt.stdout)["warnings"][0])
+        cage = call("run", CASE, "--json", *short, "--set", "bearing.cage.density=1400 kg/m3")
+        self.assertIn("bearing.cage.density", json.loads(cage.stdout)["warnings"][0])
 
 
 if __name__ == "__main__":

@@ -32,11 +32,12 @@ struct Bodies {
 };
 
 Bodies bodies_of(const StateLayout& layout, const Surroundings& now, const double* x) {
-  const auto at = [&](int first, int unknowns, double spin) {
-    return body_at(x + first, x + first + unknowns, spin);
+  const auto at = [&](int first, int unknowns, double spin, double turn) {
+    return body_at(x + first, x + first + unknowns, spin, turn);
   };
-  return {at(layout.inner(), kRingUnknowns, now.inner_spin), at(layout.outer(), kRingUnknowns, now.outer_spin),
-          at(layout.cage(), kCageUnknowns, x[layout.cage() + 2 * kCageUnknowns - 1]), x[layout.cage() + 5]};
+  return {at(layout.inner(), kRingUnknowns, now.inner_spin, now.inner_turn),
+          at(layout.outer(), kRingUnknowns, now.outer_spin, now.outer_turn),
+          at(layout.cage(), kCageUnknowns, x[layout.cage() + 2 * kCageUnknowns - 1], 0.0), x[layout.cage() + 5]};
 }
 
 Ball<double> ball_of(const StateLayout& layout, const double* x, int j) {
@@ -88,7 +89,7 @@ std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& lay
 }
 
 ContactSnapshot shown(const RaceTouch<double>& touch) {
-  return {touch.load, std::asin(std::clamp(touch.contact_angle, -1.0, 1.0)),
+  return {touch.load, touch.approach, std::asin(std::clamp(touch.contact_angle, -1.0, 1.0)),
           touch.sliding_along, touch.spin, touch.entrainment, touch.film};
 }
 
@@ -144,8 +145,11 @@ void BallBearing::linearise(double time, const double* x, double* dx) {
 
 void BallBearing::time_slope(double time, double* rate) {
   std::fill(rate, rate + layout_.size(), 0.0);
-  if (duty_.inner.acceleration_at(time) == 0.0 && duty_.outer.acceleration_at(time) == 0.0) return;
-  constexpr double kStep = 1e-6;  // [s]  the speeds are linear in time; friction is smooth in them
+  const auto changes = [&](const RingDrive& drive, const GrooveNumbers& groove) {
+    return drive.acceleration_at(time) != 0.0 || (groove.scratch.count > 0 && drive.speed_at(time) != 0.0);
+  };
+  if (!changes(duty_.inner, numbers_.inner) && !changes(duty_.outer, numbers_.outer)) return;
+  constexpr double kStep = 1e-6;  // [s]  speeds are linear in time; friction and scratches are smooth
   derivative(time + kStep, last_x_.data(), rate);
   for (std::size_t i = 0; i < last_rate_.size(); ++i) rate[i] = (rate[i] - last_rate_[i]) / kStep;
 }
@@ -183,8 +187,8 @@ BallSnapshot BallBearing::snapshot(double time, const double* x) const {
   return s;
 }
 
-BallEnergy BallBearing::energy(const double* x) const {
-  const Bodies bodies = bodies_of(layout_, surroundings(0.0), x);
+BallEnergy BallBearing::energy(const double* x, double time) const {
+  const Bodies bodies = bodies_of(layout_, surroundings(time), x);
   const BallNumbers& c = numbers_;
   BallEnergy energy;
   for (const BallTouches& now : touches_of(c, layout_, bodies, x)) {
@@ -230,7 +234,11 @@ double BallBearing::power_input(double time, const double* x) const {
 std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first, double share) {
   const BallNumbers& c = model.numbers();
   const StateLayout layout = model.layout();
-  const RingLoad& load = model.duty().on_inner;
+  // What the inner ring carries; a free outer one carries the opposite and goes the opposite way.
+  const bool outer_moves = c.outer_ring.mass > 0.0 && !(c.inner_ring.mass > 0.0);
+  RingLoad load = outer_moves ? model.duty().on_outer : model.duty().on_inner;
+  if (outer_moves)
+    for (double& part : load.by) part = -part;
   equilibrium::RingLoad static_load;
   static_load.radial = std::hypot(load.by[0], load.by[1]);
   static_load.axial = load.by[2];
@@ -247,12 +255,12 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
   const double cosine = std::cos(direction), sine = std::sin(direction);
   const double tilts[2] = {-state.tilt * cosine + state.lateral_tilt * sine,
                            -state.tilt * sine - state.lateral_tilt * cosine};
-  double* inner = x.data() + layout.inner();
-  inner[0] = state.radial * cosine - state.lateral * sine;
-  inner[1] = state.radial * sine + state.lateral * cosine;
-  inner[2] = state.axial;
-  inner[3] = tilts[0];
-  inner[4] = tilts[1];
+  const double displaced[kRingUnknowns] = {state.radial * cosine - state.lateral * sine,
+                                           state.radial * sine + state.lateral * cosine, state.axial,
+                                           tilts[0], tilts[1]};
+  for (int i = 0; i < kRingUnknowns; ++i)
+    x[static_cast<std::size_t>((outer_moves ? layout.outer() : layout.inner()) + i)] =
+        outer_moves ? -displaced[i] : displaced[i];
   const double inner_speed = model.duty().inner.speed, outer_speed = model.duty().outer.speed;
   // Balls and cage go round together, as the mean of the loaded contact angles has it.
   const double carried = std::max(1e-300, state.contact_load.sum());
@@ -272,10 +280,14 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
     // On the line of both groove centres, with the approach that its load needs on the outer race; an unloaded
     // ball midway.
     const Ball<double> axes{0.0, 0.0, std::cos(angle), std::sin(angle), {}, {}, 0.0};
-    const Triple<double> centre = in_axes_of(axes, bodies.inner.centre), axis = in_axes_of(axes, bodies.inner.axis);
-    const double inner_r = c.inner.centre_radius + centre.x + c.inner.centre_axial * axis.x, inner_z = centre.z + c.inner.centre_axial -
-                                                                   c.inner.centre_radius * axis.x;
-    const double outer_r = c.outer.centre_radius, outer_z = c.outer.centre_axial;
+    const auto groove_centre = [&](const Body& ring, const GrooveNumbers& groove) {
+      const Triple<double> centre = in_axes_of(axes, ring.centre), axis = in_axes_of(axes, ring.axis);
+      return Eigen::Vector2d(groove.centre_radius + centre.x + groove.centre_axial * axis.x,
+                             centre.z + groove.centre_axial - groove.centre_radius * axis.x);
+    };
+    const Eigen::Vector2d at_inner = groove_centre(bodies.inner, c.inner);
+    const Eigen::Vector2d at_outer = groove_centre(bodies.outer, c.outer);
+    const double inner_r = at_inner.x(), inner_z = at_inner.y(), outer_r = at_outer.x(), outer_z = at_outer.y();
     const double length = std::hypot(inner_r - outer_r, inner_z - outer_z);
     const double load_here = state.contact_load[j];
     const double from_outer = load_here > 0.0

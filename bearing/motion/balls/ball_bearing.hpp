@@ -37,6 +37,7 @@ struct BallDuty {
 /// One contact of one ball at an instant.
 struct ContactSnapshot {
   double load = 0.0;           // [N]
+  double approach = 0.0;       // [m]  negative where they part
   double contact_angle = 0.0;  // [rad]  of n to the bearing's middle plane
   double sliding = 0.0;        // [m/s]  in the middle, along the direction of rolling: race less ball
   double spin = 0.0;           // [rad/s]  race less ball about n
@@ -98,7 +99,8 @@ class BallBearing {
 
   Surroundings surroundings(double time) const;
   BallSnapshot snapshot(double time, const double* x) const;
-  BallEnergy energy(const double* x) const;
+  /// `time` [s] says how far the rings have turned their scratches.
+  BallEnergy energy(const double* x, double time = 0.0) const;
   /// Power that loads, and drives against friction, put in at `time` in the state `x` [W].
   double power_input(double time, const double* x) const;
 
@@ -111,7 +113,7 @@ class BallBearing {
 };
 
 /// Where a run begins: the inner ring displaced as the static bearing under its load is, the outer one in
-/// place, balls between them, the first at the angle `first` [rad]; balls and cage turn as at pure rolling,
+/// place (the other way round where the inner ring is held and the outer one free), balls between them, the first at the angle `first` [rad]; balls and cage turn as at pure rolling,
 /// times `share` of it. Throws std::invalid_argument as balance_bearing().
 std::vector<double> start_state(const Bearing& bearing, const BallBearing& model, double first,
                                 double share = 1.0);

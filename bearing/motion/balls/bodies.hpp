@@ -21,16 +21,18 @@ struct Body {
   Triple<double> velocity;   // [m/s]    of the centre
   Triple<double> axis_rate;  // [1/s]
   double spin = 0.0;         // [rad/s]  about the axis
+  double turn = 0.0;         // [rad]    since the start: where its scratches are
 };
 
 /// From `x`: centre x y z, axis x y; and `v`: their rates.
-[[gnu::always_inline]] inline Body body_at(const double* x, const double* v, double spin) {
+[[gnu::always_inline]] inline Body body_at(const double* x, const double* v, double spin, double turn = 0.0) {
   const double z = __builtin_sqrt(1.0 - x[3] * x[3] - x[4] * x[4]);
   return {{x[0], x[1], x[2]},
           {x[3], x[4], z},
           {v[0], v[1], v[2]},
           {v[3], v[4], -(x[3] * v[3] + x[4] * v[4]) / z},
-          spin};
+          spin,
+          turn};
 }
 
 /// What turns how fast [rad/s].
@@ -66,6 +68,7 @@ struct SeenBody {
   Triple<Number> axis;         // [-]
   Triple<Number> velocity;     // [m/s]    of the body's material where the ball's centre is
   Triple<Number> turning;      // [rad/s]
+  double turn = 0.0;           // [rad]    since the start
 };
 
 template <class Number>
@@ -76,6 +79,7 @@ SeenBody<Number> seen(const Ball<Number>& ball, const Body& body) {
   s.axis = in_axes_of(ball, body.axis);
   s.turning = in_axes_of(ball, turning(body));
   s.velocity = in_axes_of(ball, body.velocity) + cross(s.turning, s.from_centre);
+  s.turn = body.turn;
   return s;
 }
 

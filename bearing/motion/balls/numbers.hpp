@@ -5,11 +5,22 @@
 #include "bearing/contact/ellipse_traction.hpp"
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/point_film.hpp"
+#include "bearing/contact/scratch_law.hpp"
 
 namespace orbearing::bearing::balls {
 
 /// Lanes to which the arrays over balls are padded, whatever the instruction set.
 inline constexpr int kPadding = 16;
+
+/// Scratches across a race, all alike.
+struct ScratchNumbers {
+  static constexpr int kMost = 32;
+
+  int count = 0;
+  double angle[kMost]{};      // [rad]  of their middles when the motion begins
+  double track_radius = 0.0;  // [m]    of the race where balls run
+  ScratchLaw law;
+};
 
 /// One grooved race with its contact.
 struct GrooveNumbers {
@@ -26,6 +37,7 @@ struct GrooveNumbers {
   double rolling_factor = 0.0; // [N m]      couple against rolling at 1 m/s and 1 N; 0: none
   PointFilmLaw central_film;
   PointFilmLaw least_film;
+  ScratchNumbers scratch;
 };
 
 /// Couple against rolling ~ u^0.66 Q^0.47 [Houpert1987].

@@ -262,8 +262,8 @@ void PackEngine::evaluate(const Law& law, const double* x, const Surroundings& n
   const double* at_inner = x + layout_.inner();
   const double* at_outer = x + layout_.outer();
   const Body cage = body_at(at_cage, at_cage + kCageUnknowns, at_cage[2 * kCageUnknowns - 1]);
-  const Body inner = body_at(at_inner, at_inner + kRingUnknowns, now.inner_spin);
-  const Body outer = body_at(at_outer, at_outer + kRingUnknowns, now.outer_spin);
+  const Body inner = body_at(at_inner, at_inner + kRingUnknowns, now.inner_spin, now.inner_turn);
+  const Body outer = body_at(at_outer, at_outer + kRingUnknowns, now.outer_spin, now.outer_turn);
   BodySums inner_sum, outer_sum, cage_sum;
   for (int p = 0; p < packs_; ++p)
     evaluate_balls<kSlopes>(law, p, x, inner, outer, cage, at_cage[5], inner_sum, outer_sum, cage_sum, dx);

@@ -19,16 +19,16 @@ void describe(Visitor& visit, EllipseParameters& m) {
   members(visit, m,
           field(m.eyring_stress, "traction.eyring_stress", Felt::motion,
                 "shear stress at which the oil begins to thin",
-                {.models = ball_motion,
+                {.models = balls_in_time,
                  .dimension = dimension::stress,
                  .range = positive(1.0),
                  .reason = "mineral oil",
                  .where = {"traction.law", "ree-eyring"}}),
           field(m.slices, "traction.slices", Felt::motion,
                 "slices of an ellipse of contact across the direction of rolling",
-                {.models = ball_motion, .range = {1, 32}, .reason = "friction within a per cent"}),
+                {.models = balls_in_time, .range = {1, 32}, .reason = "friction within a per cent"}),
           field(m.rows, "traction.rows", Felt::motion, "points of each slice along the direction of rolling",
-                {.models = ball_motion, .range = {1, 8}, .reason = "ellipses are slender"}));
+                {.models = balls_in_time, .range = {1, 8}, .reason = "ellipses are slender"}));
 }
 
 /// Pockets of a ball bearing's cage.
@@ -42,7 +42,7 @@ void describe(Visitor& visit, PocketParameters& m) {
   members(visit, m,
           field(m.straight, "bearing.cage.pocket_straight", Felt::motion,
                 "length of the straight part of an oblong pocket along the pitch circle",
-                {.models = ball_motion,
+                {.models = balls_in_time,
                  .dimension = dimension::length,
                  .range = {0.0, 100.0},
                  .reason = "round pockets"}));

@@ -38,7 +38,37 @@ Number cube_root(const Number& x) {
 using mechanics::exponential, mechanics::logarithm;
 }  // namespace detail
 
-/// `slopes` are written where kSlopes.
+/// What scratches of the race do to a contact.
+template <class Number>
+struct Sunk {
+  Number depth{};     // [m]
+  Number by_angle{};  // [m/rad]  its slope by the ball's angle about the ring's axis
+};
+
+/// `outward` and `along` from the ring's axis, in the ball's axes. The sine stands for the angle from a
+/// scratch.
+template <class Number>
+Sunk<Number> sunk(const ScratchNumbers& c, const Ball<Number>& ball, double turn,
+                  const Triple<Number>& outward, const Triple<Number>& along) {
+  using namespace mechanics;
+  Sunk<Number> sum;
+  for (int i = 0; i < c.count; ++i) {
+    const double angle = c.angle[i] + turn;
+    const Triple<Number> scratch =
+        in_axes_of(ball, Triple<double>{__builtin_cos(angle), __builtin_sin(angle), 0.0});
+    const Number ahead = -dot(scratch, along), towards = dot(scratch, outward);
+    const Number from_middle = c.track_radius * ahead;
+    const auto inside =
+        (towards > Number{}) & (absolute(from_middle) < Number{} + 0.5 * c.law.width);
+    if (!any(inside)) continue;
+    const Sinking<Number> one = sinking(c.law, from_middle);
+    sum.depth += only(inside, one.depth);
+    sum.by_angle += only(inside, c.track_radius * towards * one.slope);
+  }
+  return sum;
+}
+
+/// `slopes` are written where kSlopes; those of scratches are left out.
 template <bool kSlopes, class Law, class Number>
 RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveNumbers& groove,
                              const Ball<Number>& ball, const SeenBody<Number>& ring,
@@ -62,7 +92,9 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   axes.along = cross(ring.axis, outward);
   axes.across = cross(axes.normal, axes.along);
 
-  const Number approach = distance - groove.play;
+  Sunk<Number> scratched;
+  if (groove.scratch.count > 0) scratched = sunk(groove.scratch, ball, ring.turn, outward, axes.along);
+  const Number approach = distance - groove.play - scratched.depth;
   const auto touching = approach > Number{};
   touch.approach = approach;
   touch.contact_angle = axes.normal.z;
@@ -74,7 +106,8 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   const Triple<Number> turn = ring.turning - ball.spin;
   const Triple<Number> slip =
       ring.velocity - ball.velocity + scaled(Number{} + c.radius, cross(turn, axes.normal));
-  const Number closing = -dot(slip, axes.normal);
+  const Number past = dot(ball.velocity - ring.velocity, axes.along) * per_away;  // [rad/s] over the race
+  const Number closing = -dot(slip, axes.normal) - scratched.by_angle * past;
   const auto normal = damped_load(elastic, groove.damping, closing);
   const Number load = only(touching, normal.load);
   const auto loaded = load > Number{};
@@ -120,6 +153,9 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
                             only(loaded, traction.turn_across + rolling_moment)};
   touch.on_ball.force =
       scaled(force[0], axes.normal) + scaled(force[1], axes.along) + scaled(force[2], axes.across);
+  // Where the floor slopes the load pushes the ball along.
+  if (groove.scratch.count > 0)
+    touch.on_ball.force += scaled(load * scratched.by_angle * per_away, axes.along);
   // n x along = across, n x across = -along.
   touch.on_ball.moment = scaled(moment[0], axes.normal) +
                          scaled(moment[1] - c.radius * force[2], axes.along) +

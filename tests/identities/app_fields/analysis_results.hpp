@@ -131,6 +131,8 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return ball_json(ball_study(in)).dump();
     case use::defect:
       return defect_json(defect_study(in)).dump();
+    case use::moving_defect:
+      return defect_json(defect_study(in, DefectRung::all)).dump();
   }
   return {};
 }

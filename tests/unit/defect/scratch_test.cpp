@@ -12,8 +12,8 @@ namespace {
 constexpr double kWidth = 0.5e-3, kDeepest = 8e-6;  // [m]
 constexpr double kRoundOff = 1e-12;                 // relative
 
-Scratch of_form(ScratchForm form, double depth = 1e-3) {
-  return {.race = Scratched::outer, .width = kWidth, .depth = depth, .form = form};
+ScratchLaw of_form(ScratchForm form, double depth = 1e-3) {
+  return {.form = form, .width = kWidth, .bottom = depth, .deepest = kDeepest};
 }
 
 // Radius less the distance of a chord from the centre; chord and arc differ by parts of the square of w/R.
@@ -33,16 +33,16 @@ TEST(Scratch, ABallSinksByItsArcMoreOnAConvexRaceAndLessOnAConcaveOne) {
 
 TEST(Scratch, IsDeepestInTheMiddle) {
   for (const auto& form : names_of(ScratchForm{}))
-    EXPECT_DOUBLE_EQ(sinking(of_form(form.value), kDeepest, 0.0).depth, kDeepest) << form.text;
+    EXPECT_DOUBLE_EQ(sinking(of_form(form.value), 0.0).depth, kDeepest) << form.text;
 }
 
 TEST(Scratch, EntryAndExitAreContinuousButInThePrintedForm) {
   for (const double edge : {-0.5 * kWidth, 0.5 * kWidth}) {
     for (const ScratchForm form : {ScratchForm::raised_cosine, ScratchForm::half_cosine, ScratchForm::edges})
-      EXPECT_NEAR(sinking(of_form(form), kDeepest, edge).depth, 0.0, kRoundOff * kDeepest);
+      EXPECT_NEAR(sinking(of_form(form), edge).depth, 0.0, kRoundOff * kDeepest);
     for (const ScratchForm form : {ScratchForm::raised_cosine, ScratchForm::edges})
-      EXPECT_NEAR(sinking(of_form(form), kDeepest, edge).slope, 0.0, kRoundOff * kDeepest / kWidth);
-    EXPECT_NEAR(sinking(of_form(ScratchForm::as_printed), kDeepest, edge).depth, -kDeepest,
+      EXPECT_NEAR(sinking(of_form(form), edge).slope, 0.0, kRoundOff * kDeepest / kWidth);
+    EXPECT_NEAR(sinking(of_form(ScratchForm::as_printed), edge).depth, -kDeepest,
                 kRoundOff * kDeepest);
   }
 }
@@ -51,7 +51,7 @@ TEST(Scratch, EntryAndExitAreContinuousButInThePrintedForm) {
 TEST(Scratch, EdgesAreThoseOfARigidBall) {
   const double radius = 0.25 * kWidth * kWidth / (2.0 * kDeepest);  // to which this sinking belongs
   const double from_edge = 0.3 * kWidth;
-  EXPECT_NEAR(sinking(of_form(ScratchForm::edges), kDeepest, 0.5 * kWidth - from_edge).depth,
+  EXPECT_NEAR(sinking(of_form(ScratchForm::edges), 0.5 * kWidth - from_edge).depth,
               from_edge * from_edge / (2.0 * radius), kRoundOff * kDeepest);
 }
 
@@ -61,20 +61,20 @@ TEST(Scratch, SlopesAreThoseOfDepths) {
   for (const auto& form : names_of(ScratchForm{}))
     for (const double share : {-0.45, -0.2, 0.13, 0.37}) {
       const double at = share * kWidth;
-      const double difference = (sinking(of_form(form.value), kDeepest, at + step).depth -
-                                 sinking(of_form(form.value), kDeepest, at - step).depth) /
+      const double difference = (sinking(of_form(form.value), at + step).depth -
+                                 sinking(of_form(form.value), at - step).depth) /
                                 (2.0 * step);
-      EXPECT_NEAR(sinking(of_form(form.value), kDeepest, at).slope, difference,
+      EXPECT_NEAR(sinking(of_form(form.value), at).slope, difference,
                   cubic * 10.0 * kDeepest / kWidth)
           << form.text << " " << share;
     }
 }
 
 TEST(Scratch, AShallowOneHasABottom) {
-  const Scratch shallow = of_form(ScratchForm::raised_cosine, 0.4 * kDeepest);
-  EXPECT_DOUBLE_EQ(sinking(shallow, kDeepest, 0.0).depth, 0.4 * kDeepest);
-  EXPECT_EQ(sinking(shallow, kDeepest, 0.01 * kWidth).slope, 0.0);
-  EXPECT_LT(sinking(shallow, kDeepest, 0.45 * kWidth).depth, 0.4 * kDeepest);
+  const ScratchLaw shallow = of_form(ScratchForm::raised_cosine, 0.4 * kDeepest);
+  EXPECT_DOUBLE_EQ(sinking(shallow, 0.0).depth, 0.4 * kDeepest);
+  EXPECT_EQ(sinking(shallow, 0.01 * kWidth).slope, 0.0);
+  EXPECT_LT(sinking(shallow, 0.45 * kWidth).depth, 0.4 * kDeepest);
 }
 
 }  // namespace

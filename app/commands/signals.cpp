@@ -1,0 +1,157 @@
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "app/case/case_file.hpp"
+#include "app/case/resolved_writer.hpp"
+#include "app/case/unused_inputs.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/commands/defect_run.hpp"
+#include "app/errors.hpp"
+#include "app/results/interruption.hpp"
+#include "app/results/progress.hpp"
+#include "app/results/result_folder.hpp"
+#include "app/study/defect_output.hpp"
+#include "app/study/signal_grid.hpp"
+#include "app/study/sweep_study.hpp"
+#include "coupling/study/parallel.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::filesystem::path signal_file(const ResultFolder& folder, std::size_t number, const char* ending) {
+  return folder.path() / "signals" / fmt::format("{:05}{}", number, ending);
+}
+
+// What varies and the noise decide the signals as much as the case does.
+std::string grid_text(const Options& options, const std::vector<SignalAxis>& axes) {
+  std::string text = "signals";
+  if (options.fidelity == "dynamic") text += ", all in motion";
+  for (const SignalAxis& axis : axes) text += fmt::format("; {}=[{}]", axis.path, fmt::join(axis.values, ", "));
+  if (options.noise > 0.0) text += fmt::format("; noise {} m/s2, seed {}", options.noise, options.seed);
+  return text;
+}
+
+class SignalSet {
+ public:
+  SignalSet(const ResolvedCase& resolved, const Options& options, const ManifestHeader& header,
+            ResultFolder& folder, std::vector<SignalVariant> variants)
+      : resolved_(resolved),
+        options_(options),
+        header_(header),
+        folder_(folder),
+        variants_(std::move(variants)),
+        labels_(variants_.size()) {}
+
+  // Those of an earlier run are read back; an interrupted one ends between two signals.
+  void compute() {
+    std::vector<std::size_t> missing;
+    for (std::size_t number = 0; number < variants_.size(); ++number)
+      if (folder_.finished().contains(number))
+        labels_[number] = Json::parse(std::ifstream(signal_file(folder_, number, ".json")));
+      else
+        missing.push_back(number);
+    if (!folder_.path().empty()) std::filesystem::create_directories(folder_.path() / "signals");
+    Interruption interruption;
+    Progress progress(variants_.size() - missing.size(), variants_.size(), !options_.quiet, "signals: ");
+    std::size_t done = variants_.size() - missing.size();
+    std::mutex one_writer;
+    study::in_parallel(missing.size(), options_.jobs, [&](std::size_t place) {
+      if (Interruption::requested()) return;
+      const std::size_t number = missing[place];
+      const ResolvedCase changed = resolved_.with(variants_[number].settings);
+      const SignalNoise noise{options_.noise, options_.seed};
+      const DefectStudy study = defect_study(
+          changed, rung(), {},
+          [&](study::RingVibration& vibration) { add_noise(noise, number, vibration); });
+      const std::scoped_lock lock(one_writer);
+      labels_[number] = labelled(number, changed, study, noise);
+      if (!folder_.path().empty()) keep(number, study);
+      progress.show(++done);
+    });
+    if (Interruption::requested())
+      throw ComputationFailed("signals: interrupted; what is done stays, --resume goes on");
+  }
+
+  const std::vector<Json>& labels() const { return labels_; }
+
+ private:
+  DefectRung rung() const { return options_.fidelity == "dynamic" ? DefectRung::all : DefectRung::ring; }
+
+  Json labelled(std::size_t number, const ResolvedCase& changed, const DefectStudy& study,
+                const SignalNoise& noise) const {
+    Json labels{{"signal", number}};
+    if (!folder_.path().empty()) labels["file"] = fmt::format("signals/{:05}.csv", number);
+    for (const Setting& setting : variants_[number].settings)
+      if (setting.first != "defect.race") labels[setting.first] = setting.second;
+    labels.update(signal_labels(changed, study, noise));
+    return labels;
+  }
+
+  void keep(std::size_t number, const DefectStudy& study) {
+    write_aside_and_rename({{signal_file(folder_, number, ".csv"), signal_csv(study)},
+                            {signal_file(folder_, number, ".wav"), signal_wav(study)},
+                            {signal_file(folder_, number, ".json"), labels_[number].dump(2) + "\n"}});
+    folder_.keep({{number, defect_file(header_, study), defect_row(folder_.head(), study)}});
+  }
+
+  const ResolvedCase& resolved_;
+  const Options& options_;
+  const ManifestHeader& header_;
+  ResultFolder& folder_;
+  std::vector<SignalVariant> variants_;
+  std::vector<Json> labels_;
+};
+
+void print_labels(const std::vector<Json>& labels) {
+  fmt::print("{:>6} {:>8} {:>10} {:>10} {:>12} {:>12}\n", "signal", "defect", "shaft [Hz]", "defect [Hz]",
+             "rms [m/s2]", "max [m/s2]");
+  for (const Json& one : labels)
+    fmt::print("{:>6} {:>8} {:>10.4g} {:>11} {:>12.4g} {:>12.4g}\n", one["signal"].get<std::size_t>(),
+               one["defect"].get<std::string>(), one["shaft_Hz"].get<double>(),
+               one["defect_Hz"].is_null() ? "none" : fmt::format("{:.5g}", one["defect_Hz"].get<double>()),
+               one["rms_m_s2"].get<double>(), one["max_m_s2"].get<double>());
+}
+
+}  // namespace
+
+int signals_command(const Options& options) {
+  require_place_of_results(options);
+  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  if (!is_defect(resolved))
+    throw BadInput(fmt::format("signals: found a case of the model {}; required: raceway-defect",
+                               resolved.choice("model")));
+  const bool moving = options.fidelity == "dynamic";
+  const std::vector<std::string> warnings =
+      require_used(resolved, moving ? use::moving_defect : use::defect);
+  const std::vector<SignalAxis> axes =
+      signal_axes(options.varied, moving ? DefectRung::all : DefectRung::ring);
+  std::vector<SignalVariant> variants = signal_variants(resolved, axes);
+  const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());
+  ResultFolder folder =
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
+  SignalSet set(resolved, options, header, folder, std::move(variants));
+  set.compute();
+  if (!folder.path().empty())
+    write_aside_and_rename(folder.path() / "labels.csv", labels_csv(set.labels()));
+  if (options.json) {
+    const Json object{{"case", resolved.text("name")},
+                      {"signals", set.labels()},
+                      {"assumptions", assumptions_json(resolved)},
+                      {"warnings", warnings},
+                      {"versions", versions_json()}};
+    fmt::print("{}\n", object.dump(2));
+  } else if (!options.quiet) {
+    print_labels(set.labels());
+    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+  }
+  return 0;
+}
+
+}  // namespace orbearing::app

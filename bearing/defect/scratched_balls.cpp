@@ -1,0 +1,59 @@
+#include "bearing/defect/scratched_balls.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "mechanics/checks.hpp"
+
+namespace orbearing::bearing::defect {
+
+namespace {
+
+balls::ScratchNumbers scratch_numbers(const Scratch& scratch, Race race, const BearingGeometry& geometry) {
+  mechanics::require_positive(scratch.width, "width of the scratch [m]");
+  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
+  std::vector<double> angles = scratch.more_angles;
+  angles.insert(angles.begin(), scratch.angle);
+  if (angles.size() > balls::ScratchNumbers::kMost)
+    mechanics::refuse("scratches", static_cast<double>(angles.size()), "at most 32 in this motion");
+  balls::ScratchNumbers numbers{
+      .count = static_cast<int>(angles.size()),
+      .track_radius = race == Race::inner ? geometry.inner_radius : geometry.outer_radius,
+      .law = scratch_law(scratch, race, geometry)};
+  std::copy(angles.begin(), angles.end(), numbers.angle);
+  return numbers;
+}
+
+}  // namespace
+
+balls::BallNumbers scratched_numbers(const ScratchedBearing& scratched, balls::MotionParameters motion) {
+  mechanics::require_positive(scratched.ring.mass, "mass of the outer ring [kg]");
+  const BearingGeometry geometry = geometry_of(scratched.bearing);
+  const double radius = geometry.outer_radius;
+  motion.inner = {.held = true};
+  motion.outer = {.mass = scratched.ring.mass, .across = 0.5 * scratched.ring.mass * radius * radius};
+  balls::BallNumbers numbers = ball_numbers(scratched.bearing, motion);
+  switch (scratched.scratch.race) {
+    case Scratched::outer:
+      numbers.outer.scratch = scratch_numbers(scratched.scratch, Race::outer, geometry);
+      break;
+    case Scratched::inner:
+      numbers.inner.scratch = scratch_numbers(scratched.scratch, Race::inner, geometry);
+      break;
+    case Scratched::ball:
+      throw std::invalid_argument("a scratched ball was found; a race is required where balls turn freely");
+    case Scratched::none:
+      break;
+  }
+  return numbers;
+}
+
+balls::BallDuty scratched_duty(const ScratchedBearing& scratched) {
+  mechanics::require_positive(scratched.load, "radial load [N]");
+  balls::BallDuty duty;
+  duty.inner = balls::RingDrive::steady(scratched.shaft_speed);
+  duty.on_outer = {{-(scratched.load + weight_of(scratched.ring)), 0.0, 0.0, 0.0, 0.0}};
+  return duty;
+}
+
+}  // namespace orbearing::bearing::defect
