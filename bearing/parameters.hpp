@@ -275,7 +275,7 @@ void describe(Visitor& visit, Bearing& m) {
   constexpr unsigned any_bearing = with_rollers | with_balls;
   const auto of_rings = [](double& member, std::string path, Felt felt, std::string meaning) {
     return field(member, std::move(path), felt, std::move(meaning),
-                 {.models = with_rollers | balls_in_time,
+                 {.models = with_rollers | ball_motion,
                   .required_by = planetary_drivetrain,
                   .dimension = dimension::length,
                   .range = positive(1e4),

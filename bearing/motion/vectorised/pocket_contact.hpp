@@ -61,7 +61,6 @@ PocketForce pocket_contact(const PocketLaw& law, double stated_radius, const Pac
     result.on_roller.f_r = ahead * a_r + rubbed * e_r;
     result.on_roller.f_t = ahead * a_t + rubbed * e_t;
     result.on_roller.moment = only(touching, value_of(touch.roller_moment));
-    result.on_roller.load = -ahead;
     result.cage_moment = only(touching, value_of(touch.cage_moment));
   };
   if constexpr (!WithSlopes) {

@@ -131,6 +131,29 @@ defect: {race: inner, width: 0.8 mm, depth: 0.1 mm}
 signal: {sampling_rate: 20 kHz, revolutions: 3, settling_revolutions: 0.5, length_error: 1e-8 mm}
 )";
 
+inline const std::string kScratchInMotion = R"(name: a scratched race, all in motion
+source: none
+model: raceway-defect
+load: {radial: 1000 N}
+operation: {shaft_speed: 6000 rpm}
+bearing:
+  balls: 7
+  ball_diameter: 11.5 mm
+  pitch_diameter: 43.5 mm
+  radial_clearance: 0 um
+  outer_ring_mass: 0.3 kg
+  cage:
+    inner_diameter: 39.9 mm
+    outer_diameter: 50.3 mm
+    width: 15.7 mm
+    density: 1310 kg/m3
+    guide_land_diameter: 50.5 mm
+    largest_eccentricity: 0.2
+defect: {race: inner, width: 0.8 mm, depth: 0.1 mm}
+signal: {sampling_rate: 30 kHz, revolutions: 2, settling_revolutions: 0.5}
+simulation: {length_error: 2e-6 mm}
+)";
+
 // Pins off their places: loads at rest then follow from all that gives way under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
@@ -164,7 +187,8 @@ inline const std::vector<Base>& bases() {
                                      {"roller_bearing", rollers_case()},
                                      {"ball_bearing", kBalls},
                                      {"ball_bearing_in_time", kBallsInTime},
-                                     {"raceway_defect", kScratch}};
+                                     {"raceway_defect", kScratch, "", use::moving_defect},
+                                     {"raceway_defect_in_motion", kScratchInMotion, "", use::defect}};
   return all;
 }
 
@@ -314,7 +338,7 @@ inline Change quantity_change(const std::string& given) {
 inline Change change_of(const Field& field, const ResolvedCase& in, const std::string& path) {
   if (field.path == "gearset.planets" && in.has("gearset.dynamics.pin_error.tangential"))
     return {"4", {}, {"gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]"}};
-  if (field.path == "operation.shaft_speed" && in.model() == raceway_defect) return {"1600 rpm"};
+  if (field.path == "operation.shaft_speed" && in.model() == raceway_defect) return {"6400 rpm"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
   if (field.path.find("_form.") != std::string::npos) return wave_change(field.path);
