@@ -12,7 +12,7 @@ namespace orbearing::cosim {
 
 struct Iteration {
   int most_passes = 1;           // [-]  1: explicit exchange
-  double allowed_change = 1e-6;  // [-]  between expectation and answer, over the largest value of its kind
+  double allowed_change = 1e-6;  // [-]  between input and output, over the largest value of its kind
   int windows = 4;               // [-]  before, whose differences the iteration goes on using
 };
 
