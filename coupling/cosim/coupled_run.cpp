@@ -48,6 +48,20 @@ struct CoupledRun::Solution {
   bool converged = true;
 };
 
+CoupledReport& CoupledReport::operator+=(const CoupledReport& later) {
+  completed = later.completed;
+  reached = later.reached;
+  windows += later.windows;
+  passes += later.passes;
+  not_converged += later.not_converged;
+  residual += later.residual;
+  absolute_residual += later.absolute_residual;
+  passed += later.passed;
+  wall_seconds += later.wall_seconds;
+  message = later.message;
+  return *this;
+}
+
 CoupledRun::CoupledRun(const Sides& sides, const CoupledOptions& options)
     : options_(options), exchange_(sides, options.order), iteration_(options.iteration.windows) {
   require_sound(options);
