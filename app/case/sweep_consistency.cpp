@@ -27,7 +27,7 @@ struct AxisObjections {
   std::vector<Objection> objections;
 };
 
-std::string told(const Mistake& mistake) {
+std::string mistake_text(const Mistake& mistake) {
   return mistake.path + ": " + mistake.complaint.found + "; " + mistake.complaint.required;
 }
 
@@ -75,7 +75,7 @@ Mistake at_axis(const SweepAxis& axis, const Objection& objection) {
 void tell(const AxisObjections& found, std::set<std::string>& known, std::vector<Mistake>& mistakes) {
   std::size_t count = 0;
   for (const Objection& objection : found.objections) {
-    const bool fresh = known.insert(told(objection.mistake)).second;
+    const bool fresh = known.insert(mistake_text(objection.mistake)).second;
     if (!fresh && objection.mistake.path != found.axis->path) continue;
     if (++count <= most_told) mistakes.push_back(at_axis(*found.axis, objection));
   }
@@ -97,11 +97,11 @@ void check_sweep_consistency(const ResolvedCase& resolved, std::vector<Mistake>&
   const ResolvedCase reference = at_reference(resolved, axes);
   std::vector<AxisObjections> all;
   std::set<std::string> known;
-  for (const Mistake& mistake : mistakes) known.insert(told(mistake));
+  for (const Mistake& mistake : mistakes) known.insert(mistake_text(mistake));
   for (const SweepAxis* axis : axes) {
     all.push_back(objections_to(*axis, reference));
     for (const Objection& objection : all.back().objections)
-      if (objection.mistake.path == axis->path) known.insert(told(objection.mistake));
+      if (objection.mistake.path == axis->path) known.insert(mistake_text(objection.mistake));
   }
   for (const AxisObjections& found : all) tell(found, known, mistakes);
 }

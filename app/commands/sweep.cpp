@@ -14,7 +14,7 @@ void require_sequential(const Options& options) {
   std::vector<std::string> mistakes;
   if (options.shard)
     mistakes.push_back(
-        "--continue: found with --shard; required: one of both, since a chain of points cannot be "
+        "--continue: found with --shard; required: one of both, since a path of points cannot be "
         "shared out");
   if (options.jobs > 1)
     mistakes.push_back("--continue: found with --jobs " + std::to_string(options.jobs) +

@@ -1,7 +1,7 @@
 # Sources of app/results, relative to app/. They need netcdf, fmt, nlohmann_json and, through coupling, TBB.
 set(ORBEARING_RESULTS_SOURCES
   results/canvas.cpp
-  results/chains.cpp
+  results/continuation_paths.cpp
   results/durable_file.cpp
   results/interruption.cpp
   results/manifest.cpp

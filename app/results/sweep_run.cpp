@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/errors.hpp"
-#include "app/results/chains.hpp"
+#include "app/results/continuation_paths.hpp"
 #include "app/results/interruption.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
@@ -136,10 +136,10 @@ bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
   return true;
 }
 
-/// A chain in progress: where the next point starts.
-class Chain {
+/// A path in progress: where the next point starts.
+class ContinuationPath {
  public:
-  Chain(const SweepRequest& request, ResultFolder& folder) : request_(request), folder_(folder) {}
+  ContinuationPath(const SweepRequest& request, ResultFolder& folder) : request_(request), folder_(folder) {}
 
   void take(std::size_t point) {
     const auto finished = folder_.finished().find(point);
@@ -176,13 +176,13 @@ class Chain {
   Eigen::VectorXd state_;       // empty: the next point starts from its own quasi-static state
 };
 
-void compute_chains(const SweepRequest& request, ResultFolder& folder) {
+void compute_paths(const SweepRequest& request, ResultFolder& folder) {
   Progress progress(folder.finished().size(), request.header.own_points(), !request.quiet);
-  for (const std::vector<std::size_t>& points : chains_of(request.points, *request.header.continued)) {
-    Chain chain(request, folder);
+  for (const std::vector<std::size_t>& points : continuation_paths(request.points, *request.header.continued)) {
+    ContinuationPath path(request, folder);
     for (const std::size_t point : points) {
       if (Interruption::requested()) return;
-      chain.take(point);
+      path.take(point);
       progress.show(folder.finished().size());
     }
   }
@@ -214,7 +214,7 @@ SweepOutcome run_sweep(const SweepRequest& request) {
       open_results(request.folder, request.header, request.resolved_case, request.resume, request.quiet);
   const std::size_t kept = folder.finished().size();
   if (request.header.continued)
-    compute_chains(request, folder);
+    compute_paths(request, folder);
   else
     compute_missing(request, folder);
   if (const std::size_t missing = missing_points(request, folder).size(); missing > 0)

@@ -56,8 +56,8 @@ struct SweepOutcome {
 
 /// Computes what is missing in the folder, or damaged, then the points that refine the peak round by round,
 /// and writes points/*.nc, manifest.jsonl, case.resolved.yaml and sweep.csv. A continued sweep takes its
-/// chains one after the other; a point goes on from the last one before it in its chain that was computed,
-/// and a resumed chain from the state stored with that point, so that the results are those of an undisturbed
+/// paths one after the other; a point goes on from the last one before it on its path that was computed,
+/// and a resumed path from the state stored with that point, so that the results are those of an undisturbed
 /// run to the last bit. Throws BadInput (folder not to be used, no state stored to go on from) and
 /// ComputationFailed (disk full, or SIGINT or SIGTERM, after which the points computed so far are kept and
 /// `resume` goes on).

@@ -12,20 +12,20 @@ void QuasiNewton::begin() {
   residual_.resize(0);
 }
 
-VectorXd QuasiNewton::next(const VectorXd& expected, const VectorXd& answer, const VectorXd& weight) {
-  const VectorXd residual = answer - expected;
+VectorXd QuasiNewton::next(const VectorXd& expected, const VectorXd& output, const VectorXd& weight) {
+  const VectorXd residual = output - expected;
   if (residual_.size() == residual.size())
-    columns_.front().insert(columns_.front().begin(), {residual - residual_, answer - answer_});
+    columns_.front().insert(columns_.front().begin(), {residual - residual_, output - output_});
   residual_ = residual;
-  answer_ = answer;
-  return answer + correction(residual, weight);
+  output_ = output;
+  return output + correction(residual, weight);
 }
 
 // The newest differences first, no more than unknowns.
 VectorXd QuasiNewton::correction(const VectorXd& residual, const VectorXd& weight) const {
   constexpr double kLeastPivot = 1e-6;  // differences that are nearly dependent are left out
   const Eigen::Index n = residual.size();
-  Eigen::MatrixXd differences(n, n), answers(n, n);
+  Eigen::MatrixXd differences(n, n), outputs(n, n);
   Eigen::Index count = 0;
   for (const std::vector<Column>& window : columns_)
     for (const Column& column : window) {
@@ -33,13 +33,13 @@ VectorXd QuasiNewton::correction(const VectorXd& residual, const VectorXd& weigh
       const double size = difference.norm();
       if (count == n || !(size > 0.0)) continue;
       differences.col(count) = difference / size;
-      answers.col(count++) = column.answer / size;
+      outputs.col(count++) = column.output / size;
     }
   if (count == 0) return VectorXd::Zero(n);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors;
   factors.setThreshold(kLeastPivot);
   factors.compute(differences.leftCols(count));
-  return -answers.leftCols(count) * factors.solve(weight.cwiseProduct(residual));
+  return -outputs.leftCols(count) * factors.solve(weight.cwiseProduct(residual));
 }
 
 }  // namespace orbearing::cosim

@@ -25,12 +25,12 @@ void require_sound(const CoupledOptions& options) {
   if (options.iteration.most_passes < 1) refuse("passes", options.iteration.most_passes, "at least 1");
 }
 
-// Power [W] that the interface makes out of nothing: what is told to one side and what the other has given.
-double false_power(const InterfaceValues& told, const InterfaceValues& given) {
+// Power [W] that the interface makes out of nothing: the input of one side and the output of the other.
+double false_power(const InterfaceValues& input, const InterfaceValues& output) {
   double power = 0.0;
-  for (std::size_t joint = 0; joint < given.joints.size(); ++joint)
-    power += told.joints[joint].force * given.joints[joint].velocity -
-             given.joints[joint].force * told.joints[joint].velocity;
+  for (std::size_t joint = 0; joint < output.joints.size(); ++joint)
+    power += input.joints[joint].force * output.joints[joint].velocity -
+             output.joints[joint].force * input.joints[joint].velocity;
   return power;
 }
 
@@ -47,6 +47,20 @@ struct CoupledRun::Solution {
   WindowRecord record;
   bool converged = true;
 };
+
+CoupledReport& CoupledReport::operator+=(const CoupledReport& later) {
+  completed = later.completed;
+  reached = later.reached;
+  windows += later.windows;
+  passes += later.passes;
+  not_converged += later.not_converged;
+  residual += later.residual;
+  absolute_residual += later.absolute_residual;
+  passed += later.passed;
+  wall_seconds += later.wall_seconds;
+  message = later.message;
+  return *this;
+}
 
 CoupledRun::CoupledRun(const Sides& sides, const CoupledOptions& options)
     : options_(options), exchange_(sides, options.order), iteration_(options.iteration.windows) {
@@ -66,7 +80,7 @@ void CoupledRun::start_from(const InterfaceHistory& history) {
 }
 
 // With nothing to extrapolate from, the first window would spoil the order of all others. A second pass mends
-// what was expected of the state, a third the forces that answered an expected velocity.
+// what was expected of the state, a third the forces that an expected velocity gave.
 int CoupledRun::most_passes() const {
   constexpr int passes_at_start = 3;
   const bool first = history_.size() == 1 && options_.extrapolation == kHighestOrder;
@@ -92,13 +106,13 @@ CoupledRun::Solution CoupledRun::solve(const Window& window) {
     if (most == 1) return solution;
     const Eigen::VectorXd weight =
         weights(exchange_, scales_of(exchange_, solution.result.end, history_.back(), window.length()));
-    const Eigen::VectorXd told = packed(exchange_, expected);
-    const Eigen::VectorXd answer = packed(exchange_, solution.result.end);
+    const Eigen::VectorXd input = packed(exchange_, expected);
+    const Eigen::VectorXd output = packed(exchange_, solution.result.end);
     solution.record.change =
-        told.size() == 0 ? 0.0 : weight.cwiseProduct(answer - told).cwiseAbs().maxCoeff();
+        input.size() == 0 ? 0.0 : weight.cwiseProduct(output - input).cwiseAbs().maxCoeff();
     solution.converged = solution.record.change <= options_.iteration.allowed_change;
     if (solution.converged || solution.record.passes == most) return solution;
-    unpack(exchange_, iteration_.next(told, answer, weight), expected);
+    unpack(exchange_, iteration_.next(input, output, weight), expected);
     restore();
   }
 }
@@ -135,7 +149,7 @@ bool CoupledRun::step(CoupledReport& report, const WindowObserver& observer) {
   save();
   try {
     Solution solution = solve(next_window());
-    // At the window's beginning all are told what the others give.
+    // At the window's beginning the input of each is the others' output.
     solution.record.residual =
         0.5 * solution.record.window.length() * false_power(solution.result.input, solution.result.end);
     accept(solution, report, observer);

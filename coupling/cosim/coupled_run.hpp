@@ -12,7 +12,7 @@ namespace orbearing::cosim {
 
 struct Iteration {
   int most_passes = 1;           // [-]  1: explicit exchange
-  double allowed_change = 1e-6;  // [-]  between expectation and answer, over the largest value of its kind
+  double allowed_change = 1e-6;  // [-]  between input and output, over the largest value of its kind
   int windows = 4;               // [-]  before, whose differences the iteration goes on using
 };
 
@@ -72,6 +72,9 @@ struct CoupledReport {
   double passed = 0.0;             // [J]  sum of |work| at all joints, by the values at the ends of windows
   double wall_seconds = 0.0;       // [s]
   std::string message;             // empty when completed
+
+  /// Goes on with a later part of the run: sums add up, the rest is the later part's.
+  CoupledReport& operator+=(const CoupledReport& later);
 };
 
 /// Goes on from where it stands with each call of advance().

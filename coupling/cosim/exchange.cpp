@@ -143,7 +143,7 @@ void Exchange::advance(std::size_t side, const InterfaceHistory& history, const 
   read(side, window.end, values_at(inputs, window.length()));
 }
 
-// What `side` has answered, into what those after it are told; the force of a joint once all of its givers
+// The output of `side`, into the input of those after it; the force of a joint once all of its givers
 // have moved.
 void Exchange::learn(std::size_t side, std::vector<std::size_t>& still_to_come,
                      InterfaceValues& known) const {
@@ -153,12 +153,12 @@ void Exchange::learn(std::size_t side, std::vector<std::size_t>& still_to_come,
       if (place.side == side && --still_to_come[joint] == 0) known.joints[joint].force = force_of(joint);
 }
 
-InterfaceValues Exchange::told(const InterfaceValues& expected, const InterfaceValues& answered) const {
+InterfaceValues Exchange::input(const InterfaceValues& expected, const InterfaceValues& output) const {
   InterfaceValues values = expected;
   for (std::size_t joint = 0; joint < connections_.size(); ++joint) {
     JointValue& value = values.joints[joint];
-    const double force = force_is_expected(joint) ? value.force : answered.joints[joint].force;
-    if (!motion_is_expected(joint)) value = answered.joints[joint];
+    const double force = force_is_expected(joint) ? value.force : output.joints[joint].force;
+    if (!motion_is_expected(joint)) value = output.joints[joint];
     value.force = force;
   }
   return values;
@@ -166,16 +166,16 @@ InterfaceValues Exchange::told(const InterfaceValues& expected, const InterfaceV
 
 PassResult Exchange::pass(const InterfaceHistory& history, const InterfaceValues& expected, int force_order,
                           const Window& window) {
-  InterfaceValues known = expected, answered = expected;
+  InterfaceValues known = expected, output = expected;
   std::vector<std::size_t> still_to_come;  // (joints)  givers of force that have not moved yet
   for (const Connection& connection : connections_) still_to_come.push_back(connection.forces.size());
   for (std::size_t side = 0; side < sides_.size(); ++side) {
     advance(side, history, known, force_order, window);
-    read_motion(side, answered);
+    read_motion(side, output);
     if (order_ != ExchangeOrder::jacobi) learn(side, still_to_come, known);
   }
-  read_forces(answered);
-  return {answered, told(expected, answered)};
+  read_forces(output);
+  return {output, input(expected, output)};
 }
 
 void Exchange::renew_forces(InterfaceValues& values) {

@@ -9,7 +9,7 @@ namespace orbearing::cosim {
 
 enum class ExchangeOrder {
   jacobi,        // all at once, each under what is expected of the others
-  gauss_seidel,  // in the order of the sides, each under what those before it have answered
+  gauss_seidel,  // in the order of the sides, each under the output of those before it
 };
 
 /// Those that a case may choose.
@@ -19,8 +19,8 @@ constexpr described::Names<ExchangeOrder, 2> names_of(ExchangeOrder) {
 
 /// What a pass gave.
 struct PassResult {
-  InterfaceValues end;    // what the sides answered
-  InterfaceValues input;  // what they had been told for the end of the window
+  InterfaceValues end;    // the sides' output
+  InterfaceValues input;  // their input for the end of the window
 };
 
 /// The sides at their joints, which are their ports of one name.
@@ -29,7 +29,7 @@ class Exchange {
   /// Throws std::invalid_argument as connect_by_name().
   Exchange(const Sides& sides, ExchangeOrder order);
 
-  /// All sides to the balance in which each is under the others' answers: `rounds` times in turn, less where
+  /// All sides to the balance in which each is under the others' output: `rounds` times in turn, less where
   /// forces change by less than `allowed_change` of the largest of their kind. Returns the values there.
   InterfaceValues initialize(double time, int rounds, double allowed_change);
 
@@ -38,11 +38,11 @@ class Exchange {
   PassResult pass(const InterfaceHistory& history, const InterfaceValues& expected, int force_order,
                   const Window& window);
 
-  /// Forces that belong to the motion in `values`, into `values`: what was answered under expected motion is
+  /// Forces that belong to the motion in `values`, into `values`: an output under expected motion is
   /// taken anew under the true one. Changes no state.
   void renew_forces(InterfaceValues& values);
 
-  /// Whether the motion, or the force, of a joint is used in a pass before it is answered.
+  /// Whether the motion, or the force, of a joint is used in a pass before it is computed.
   bool motion_is_expected(std::size_t joint) const;
   bool force_is_expected(std::size_t joint) const;
 
@@ -62,7 +62,7 @@ class Exchange {
   double force_of(std::size_t joint) const;
   void read_forces(InterfaceValues& values) const;
   void learn(std::size_t side, std::vector<std::size_t>& still_to_come, InterfaceValues& known) const;
-  InterfaceValues told(const InterfaceValues& expected, const InterfaceValues& answered) const;
+  InterfaceValues input(const InterfaceValues& expected, const InterfaceValues& output) const;
   void advance(std::size_t side, const InterfaceHistory& history, const InterfaceValues& known,
                int force_order, const Window& window);
 

@@ -1,4 +1,4 @@
-// What an iteration works on: all that is expected of the end of a window before it is answered, in one
+// What an iteration works on: all that is expected of the end of a window before it is computed, in one
 // vector.
 #pragma once
 

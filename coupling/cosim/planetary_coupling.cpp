@@ -107,12 +107,7 @@ void CoSimulatedMotion::advance(const integration::OutputTimes& times,
     const long until = std::lround(times.time(sample) / window_);
     const CoupledReport part = run_.advance(until - done_);
     done_ = until;
-    exchange_.reached = part.reached;
-    exchange_.windows += part.windows;
-    exchange_.passes += part.passes;
-    exchange_.absolute_residual += part.absolute_residual;
-    exchange_.passed += part.passed;
-    exchange_.wall_seconds += part.wall_seconds;
+    exchange_ += part;
     if (!part.completed) throw std::runtime_error(part.message);
     observe(times.time(sample));
   }

@@ -31,7 +31,7 @@ constexpr int kMostRounds = 30;
 constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good enough
 
 // Bearings under the motion of the gears at rest; what they do to each planet.
-std::vector<double> answer(const CoupledModel& model, const DrivenGearsOutput& gears,
+std::vector<double> forces_under(const CoupledModel& model, const DrivenGearsOutput& gears,
                            std::vector<DrivenBearing>& bearings) {
   std::vector<double> forces(3 * model.ports.size(), 0.0);  // x, y, moment of each planet
   for (std::size_t b = 0; b < bearings.size(); ++b) {
@@ -112,11 +112,11 @@ CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model,
   for (int b = 0; b < model.bearings(); ++b)
     bearings.emplace_back(bearing_of_planet(setup, b / model.per_planet, b % model.per_planet));
   gears.initialize(time);
-  std::vector<double> forces = answer(model, gears.output(), bearings);
+  std::vector<double> forces = forces_under(model, gears.output(), bearings);
   for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<double> before = forces;
     gears.balance(time, forces);
-    forces = answer(model, gears.output(), bearings);
+    forces = forces_under(model, gears.output(), bearings);
     if (change(before, forces) <= kBalancedChange) break;
   }
   CoupledStart start{gears.state(), {}};

@@ -62,7 +62,7 @@ class DrivenGears final : public Participant {
   /// To the static state under mean loads on bearings of the stated stiffness, whatever the forces.
   void initialize(double time, const std::vector<double>& forces = {}) override;
   /// To the static state on bearings that give `forces` at the present displacement and the stated stiffness
-  /// about it. Called in turn with the bearings' own answers it leads to the state in which both are in
+  /// about it. Called in turn with the bearings' own output it leads to the state in which both are in
   /// balance. Moments are left to the motion.
   void balance(double time, const std::vector<double>& forces) override;
   void advance(const Window& window, const std::vector<InputPolynomial>& forces) override;

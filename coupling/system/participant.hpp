@@ -44,7 +44,7 @@ class Participant {
 
   /// To the state at `time` [s] under the inputs of that instant.
   virtual void initialize(double time, const std::vector<double>& inputs) = 0;
-  /// Then, before the first window, with what others have answered: nearer to the state in which all are in
+  /// Then, before the first window, with the others' output: nearer to the state in which all are in
   /// balance.
   virtual void balance(double time, const std::vector<double>& inputs) { initialize(time, inputs); }
   /// From `window.begin`, where it stands, to its end; polynomials count from the beginning.

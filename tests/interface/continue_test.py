@@ -54,7 +54,7 @@ class Continued(unittest.TestCase):
         self.assertEqual(manifest_points(self.place / "up"), [0, 1, 2, 3, 4])
         self.assertEqual(manifest_points(self.place / "down"), [4, 3, 2, 1, 0])
         up, down, own = (rows(self.place / name) for name in ("up", "down", "own"))
-        # The first of a chain has no neighbour and starts as every point of a plain sweep does.
+        # The first of a path has no neighbour and starts as every point of a plain sweep does.
         self.assertEqual(up[0], own[0])
         self.assertEqual(down[4], own[4])
         for point in range(1, 5):
@@ -131,7 +131,7 @@ class Continued(unittest.TestCase):
             result = sweep(Path(place) / "one", "--continue", "up", "--jobs", "1", grid="sweep.input.speed=[5000 rpm, 6000 rpm]")
             self.assertEqual(result.returncode, 0, result.stderr)
 
-    def test_one_chain_for_each_value_of_another_axis(self):
+    def test_one_path_for_each_value_of_another_axis(self):
         with tempfile.TemporaryDirectory() as place:
             folder = Path(place) / "grid"
             powers = ("--set", "sweep.input.power=[100 kW, 150 kW]")

@@ -6,6 +6,7 @@
 
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/geometry.hpp"
+#include "bearing/motion/cage_guidance.hpp"
 #include "bearing/motion/oil_drag.hpp"
 #include "bearing/usual_design.hpp"
 #include "mechanics/checks.hpp"
@@ -129,20 +130,19 @@ LandNumbers lands(const Bearing& bearing, const MotionParameters& given) {
           "more than 0; the guide diameter lies outside an outer-guided cage and inside an inner-guided one");
   require(width > 0.0, "width of the cage's land [m]", width,
           "more than 0; give it, or a cage wider than the balls");
-  const double viscosity = given.lubricant.viscosity;
-  const double printed = viscosity * std::pow(width, 3) / (clearance * clearance);
   land.offset = 0.5 * (bearing.cage.width - width);
-  land.law = {.side = side,
-              .clearance = clearance,
-              .cage_radius = radius,
-              .largest_eccentricity = cage.largest_eccentricity,
-              .as_printed = false,
-              .film_scale = printed * radius / clearance,
-              .printed_scale = printed,
-              .shear_scale = two_pi * viscosity * std::pow(radius, 3) * width / clearance,
-              .stiffness = 0.5 * cage.touch_down_stiffness,
-              .damping = cage.touch_down_damping,
-              .friction = {cage.touch_down_friction, given.race.sliding_scale}};
+  land.law = motion::land_law({.present = true,
+                               .side = side,
+                               .clearance = clearance,
+                               .cage_radius = radius,
+                               .land_width = width,
+                               .lands = 1,
+                               .viscosity = given.lubricant.viscosity,
+                               .largest_eccentricity = cage.largest_eccentricity,
+                               .stiffness = 0.5 * cage.touch_down_stiffness,
+                               .damping = cage.touch_down_damping,
+                               .friction = cage.touch_down_friction,
+                               .sliding_scale = given.race.sliding_scale});
   return land;
 }
 

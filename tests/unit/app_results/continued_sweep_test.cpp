@@ -1,11 +1,11 @@
-// A continued sweep: chains in order, every point from the final state before it, cut and resumed alike.
+// A continued sweep: paths in order, every point from the final state before it, cut and resumed alike.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
 
 #include "app/errors.hpp"
-#include "app/results/chains.hpp"
+#include "app/results/continuation_paths.hpp"
 #include "app/results/point_file.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
@@ -56,18 +56,18 @@ void run_until(SweepRequest request, std::size_t point) {
   EXPECT_THROW(run_sweep(request), ComputationFailed);
 }
 
-TEST(Chains, FollowTheSpeedWhateverTheOrderOfThePoints) {
+TEST(ContinuationPaths, FollowTheSpeedWhateverTheOrderOfThePoints) {
   const std::vector<SweepPoint> list{{"", 300.0, {}}, {"", 100.0, {}}, {"", 200.0, {}}};
-  EXPECT_EQ(chains_of(list, Direction::up), (std::vector<Numbers>{{1, 2, 0}}));
-  EXPECT_EQ(chains_of(list, Direction::down), (std::vector<Numbers>{{0, 2, 1}}));
+  EXPECT_EQ(continuation_paths(list, Direction::up), (std::vector<Numbers>{{1, 2, 0}}));
+  EXPECT_EQ(continuation_paths(list, Direction::down), (std::vector<Numbers>{{0, 2, 1}}));
 }
 
-TEST(Chains, OneForEachCombinationOfTheOtherAxes) {
+TEST(ContinuationPaths, OneForEachCombinationOfTheOtherAxes) {
   std::vector<SweepPoint> list;
   for (const double speed : {100.0, 200.0})
     for (const double power : {50.0, 150.0}) list.push_back({"", speed, {power}});
-  EXPECT_EQ(chains_of(list, Direction::up), (std::vector<Numbers>{{0, 2}, {1, 3}}));
-  EXPECT_EQ(chains_of(list, Direction::down), (std::vector<Numbers>{{2, 0}, {3, 1}}));
+  EXPECT_EQ(continuation_paths(list, Direction::up), (std::vector<Numbers>{{0, 2}, {1, 3}}));
+  EXPECT_EQ(continuation_paths(list, Direction::down), (std::vector<Numbers>{{2, 0}, {3, 1}}));
 }
 
 TEST(ContinuedSweep, EveryPointStartsWhereItsNeighbourEnded) {
