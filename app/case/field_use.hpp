@@ -28,7 +28,9 @@ enum Analysis : unsigned {
   fmu_gearset = 1u << 11,
   static_load = 1u << 12,  // run of a single bearing
   defect = 1u << 13,       // run of a bearing with scratches
-  ball_run = 1u << 16      // run of a ball bearing in time
+  ball_run = 1u << 16,     // run of a ball bearing in time
+  duplex_modes = 1u << 17,
+  duplex_run = 1u << 18
 };
 
 /// Analyses that share their physics.
@@ -41,7 +43,8 @@ inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
 inline constexpr unsigned rollers_at_rest = quasi_static | crown;
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
 inline constexpr unsigned of_a_drivetrain = lives | gears | natural | mesh | fmu_bearing | fmu_gearset;
-inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect;
+inline constexpr unsigned duplex = duplex_modes | duplex_run;
+inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect | duplex;
 }  // namespace use
 
 /// What one of `paths` must be for a field to count: one of `values`; without values, given and not zero. A
