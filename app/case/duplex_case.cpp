@@ -153,9 +153,11 @@ void check_duplex(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_measured(in, mistakes);
   check_identification(in, mistakes);
   if (has_all(in, {"stiffness", "arrangement"}) && is_linear_pair(in) &&
-      arrangement_of_pair(in) != duplex::Arrangement::face_to_face)
-    object_to(in, "stiffness", fmt::format("'linear' for a pair in {}", in.choice("arrangement")),
-              "nonlinear is required: the linear formulas are printed for face-to-face alone", mistakes);
+      arrangement_of_pair(in) == duplex::Arrangement::back_to_back)
+    object_to(
+        in, "stiffness", "'linear' for a pair back to back",
+        "nonlinear is required: the linear formulas are printed for face-to-face, and are those of a tandem",
+        mistakes);
 }
 
 }  // namespace orbearing::app

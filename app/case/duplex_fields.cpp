@@ -92,7 +92,7 @@ void add_linear(std::vector<Field>& fields) {
   const Range above_zero = positive(1e6);
   const auto add = [&](const Dimension& dimension, const char* name, const char* meaning, Range range) {
     fields.push_back(under(
-        where("arrangement", {"face-to-face"}),
+        where("arrangement", {"face-to-face", "tandem"}),
         pair_quantity(dimension, std::string("linear.") + name,
                       std::string(meaning) + " for the linear formulas; left out: the shaft's", range)));
   };

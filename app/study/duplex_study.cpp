@@ -1,5 +1,7 @@
 #include "app/study/duplex_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,8 +25,8 @@ PairColumn column_of(const duplex::Shaft& shaft, const duplex::Stiffness& stiffn
   return {shaft, stiffness, duplex::modes_of(stiffness, shaft, housing, planes)};
 }
 
-void warn(PairPoint& point) {
-  if (point.linear)
+void warn(duplex::Arrangement arrangement, PairPoint& point) {
+  if (point.linear && arrangement == duplex::Arrangement::face_to_face)
     point.warnings.push_back(
         "stiffness: linear is the source's calculation as printed: both rows approach with one axial sign, "
         "where "
@@ -121,7 +123,7 @@ Identification identification_of(const ResolvedCase& in) {
               [&](const std::vector<duplex::Observation>& chosen) {
                 return duplex::identify_cylinder(chosen, *cylinder_of(in), least_lever, housing);
               });
-  if (arrangement_of_pair(in) == duplex::Arrangement::face_to_face)
+  if (arrangement_of_pair(in) != duplex::Arrangement::back_to_back)
     found.linear = predict(in, found.pairs, &PredictedPair::linear, kPrinted, observed_linear,
                            [&](const std::vector<duplex::Observation>& chosen) {
                              return duplex::identify_all(chosen, linear_shaft_of(in), kPrinted, housing);
@@ -131,6 +133,17 @@ Identification identification_of(const ResolvedCase& in) {
   found.linear_fit = errors_of(found.pairs, true, &PredictedPair::linear);
   found.linear_prediction = errors_of(found.pairs, false, &PredictedPair::linear);
   return found;
+}
+
+// A fit at its bound, or one that does not end, says little of the shaft.
+void warn(const Identification& found, std::vector<std::string>& warnings) {
+  constexpr double vague = 0.2;  // of frequencies
+  if (!found.nonlinear.converged)
+    warnings.push_back(
+        "identification: the search for mass and lever did not end; its last values are given");
+  if (found.nonlinear_fit.worst > vague)
+    warnings.push_back(fmt::format("identification: the frequencies it is from are missed by up to {:.0f} %",
+                                   100.0 * found.nonlinear_fit.worst));
 }
 
 Response response_of(const ResolvedCase& in, const PairPoint& point) {
@@ -160,13 +173,13 @@ PairPoint balanced(const ResolvedCase& in) {
     throw ComputationFailed(in.text("name") + ": " + state.ring.report.message);
   point.nonlinear = column_of(shaft, state.ring.stiffness, housing_of(in), kPhysical);
   point.state = std::move(state.ring);
-  if (arrangement == duplex::Arrangement::face_to_face) {
+  if (arrangement != duplex::Arrangement::back_to_back) {
     const duplex::Shaft other = linear_shaft_of(in);
     point.printed =
         column_of(other, duplex::linear_stiffness(duplex::pressed_row(bearing, point.approach), other.levers),
                   housing_of(in), kPrinted);
   }
-  warn(point);
+  warn(arrangement, point);
   return point;
 }
 
@@ -188,6 +201,7 @@ DuplexStudy duplex_study(const ResolvedCase& in) {
   DuplexStudy study{.point = pair_point(in)};
   study.warnings = study.point.warnings;
   if (in.has("measured.preload")) study.identification = identification_of(in);
+  if (study.identification) warn(*study.identification, study.warnings);
   study.response = response_of(in, study.point);
   return study;
 }

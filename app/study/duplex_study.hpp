@@ -23,7 +23,7 @@ struct PairColumn {
 struct PairPoint {
   bool linear = false;  // what the case asks for
   PairColumn nonlinear;
-  std::optional<PairColumn> printed;  // linear formulas; of face-to-face alone
+  std::optional<PairColumn> printed;  // linear formulas; of face-to-face and tandem
   bearing::equilibrium::RingState state;
   double approach = 0.0;  // [m]  of each row
   std::vector<std::string> warnings;
@@ -36,7 +36,7 @@ struct PredictedPair {
   MeasuredPair measured;
   bool identified_from = false;
   std::array<double, 5> nonlinear{};
-  std::array<double, 5> linear{};  // NaN but for face-to-face
+  std::array<double, 5> linear{};  // NaN back to back
 };
 
 /// Errors of frequencies against measured ones [-].

@@ -44,7 +44,7 @@ struct Fit {
 // Levenberg's method with slopes by differences; `least` bounds the unknowns from below.
 Fit least_squares(const FrequencyFit& problem, const Vector& start, const Vector& least) {
   constexpr int most_iterations = 300;
-  constexpr double step = 1e-6, nothing = 1e-13;
+  constexpr double step = 1e-6, nothing = 1e-13;  // of the squares, that a step gains
   Fit fit{.at = start.cwiseMax(least)};
   Vector residuals = problem.residuals(fit.at);
   fit.squares = residuals.squaredNorm();
@@ -57,8 +57,15 @@ Fit least_squares(const FrequencyFit& problem, const Vector& start, const Vector
       below[k] -= step;
       slopes.col(k) = (problem.residuals(above) - problem.residuals(below)) / (2.0 * step);
     }
-    const Vector downhill = -slopes.transpose() * residuals;
+    Vector downhill = -slopes.transpose() * residuals;
+    // What would leave its bound stays there.
+    for (Eigen::Index k = 0; k < fit.at.size(); ++k)
+      if (fit.at[k] <= least[k] && downhill[k] < 0.0) {
+        downhill[k] = 0.0;
+        slopes.col(k).setZero();
+      }
     bool better = false;
+    double gain = 0.0;
     while (!better && damping < 1e12) {
       Eigen::MatrixXd normal = slopes.transpose() * slopes;
       normal.diagonal().array() += damping;
@@ -69,15 +76,13 @@ Fit least_squares(const FrequencyFit& problem, const Vector& start, const Vector
         damping *= 4.0;
         continue;
       }
-      const double gain = fit.squares - trial.squaredNorm();
+      gain = fit.squares - trial.squaredNorm();
       fit.at = next;
       residuals = trial;
       fit.squares = trial.squaredNorm();
       damping = std::max(1e-12, damping / 8.0);
-      if (gain <= nothing * (fit.squares + nothing)) better = false;
-      if (!better) break;
     }
-    if (!better) {
+    if (!better || gain <= nothing * (fit.squares + nothing)) {
       fit.converged = true;
       break;
     }

@@ -112,7 +112,7 @@ def shapes_and_response(program, work):
         value = file[f"accelerance_{direction}_real"][:] + 1j * file[f"accelerance_{direction}_imaginary"][:]
         response.semilogy(file["frequency"][:], np.abs(value), label=direction, lw=1.2,
                           ls="--" if direction == "y" else "-")
-    response.set(xlabel="frequency (Hz)", ylabel="acceleration over force (1/kg)")
+    response.set(xlim=(20, None), ylim=(1e-4, 50), xlabel="frequency (Hz)", ylabel="acceleration over force (1/kg)")
     response.legend()
     figure.savefig(HERE / "shapes.png", dpi=90)
 
@@ -123,7 +123,7 @@ def table(program):
                ("cylinder of 110 mm", ["shaft.diameter=110 mm"]),
                ("outer osculation 0.515, as Table 1 prints", ["bearing.outer_osculation=0.515"]),
                ("free housing of 30 kg, 0.25 kg m2", ["housing.mass=30 kg", "housing.inertia=0.25 kg.m2"]),
-               ("without light preload", "light")]
+               ("without light preload", "light"), ("rows in tandem", ["arrangement=tandem"])]
     case = yaml.safe_load((CASE / "case.yaml").read_text())
     for name, settings in choices:
         if settings == "light":
