@@ -136,7 +136,7 @@ source: none
 model: duplex-pair
 arrangement: face-to-face
 preload: 540 N
-bearing: {balls: 20, ball_diameter: 14.288 mm, pitch_diameter: 125.25 mm, contact_angle: 15 deg, radial_clearance: 0 um}
+bearing: {balls: 20, ball_diameter: 14.288 mm, pitch_diameter: 125.25 mm, contact_angle: 20 deg, radial_clearance: 0 um}
 shaft: {mass: 10 kg, first_lever: 29 mm, second_lever: 28 mm, diameter: 100 mm}
 housing: {mass: 30 kg, inertia: 0.2 kg.m2}
 linear: {mass: 9 kg, first_lever: 15 mm, second_lever: 17 mm, inertia_x: 0.047 kg.m2, inertia_y: 0.045 kg.m2}
