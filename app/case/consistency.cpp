@@ -296,9 +296,9 @@ void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mist
 bool takes_part_in_consistency(std::string_view path) {
   return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("sets.") ||
          path.starts_with("shafts.") || path.starts_with("pair.") || path.starts_with("load.") ||
-         path.starts_with("shaft.") || path.starts_with("housing.") ||
-         path.starts_with("measured.") || path.starts_with("identification.") || path == "stiffness" ||
-         path == "arrangement" || path.starts_with("defect.") || path.starts_with("signal.") || path == "operation.shaft_speed" ||
+         path.starts_with("spindle.") || path.starts_with("housing.") || path.starts_with("measured.") ||
+         path.starts_with("identification.") || path == "stiffness" || path == "arrangement" ||
+         path.starts_with("defect.") || path.starts_with("signal.") || path == "operation.shaft_speed" ||
          path.starts_with("life.") || path.starts_with("lubricant.kinematic") || path == "input.member";
 }
 

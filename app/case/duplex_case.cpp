@@ -24,14 +24,14 @@ void check_both(const ResolvedCase& in, const char* one, const char* other, std:
 }
 
 void check_shaft(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  check_both(in, "shaft.inertia_x", "shaft.inertia_y", mistakes);
+  check_both(in, "spindle.inertia_x", "spindle.inertia_y", mistakes);
   check_both(in, "housing.mass", "housing.inertia", mistakes);
-  if (!in.has("shaft.diameter") && !in.has("shaft.inertia_x") && in.has("shaft.mass"))
-    object_to(in, "shaft.mass", "a shaft without inertia",
-              "shaft.inertia_x and shaft.inertia_y, or shaft.diameter of a solid cylinder, are required",
+  if (!in.has("spindle.diameter") && !in.has("spindle.inertia_x") && in.has("spindle.mass"))
+    object_to(in, "spindle.mass", "a shaft without inertia",
+              "spindle.inertia_x and spindle.inertia_y, or spindle.diameter of a solid cylinder, are required",
               mistakes);
-  if (in.has("shaft.diameter") && in.has("shaft.inertia_x") && !in.has("measured.preload"))
-    object_to(in, "shaft.diameter", "a cylinder beside the inertias of the shaft",
+  if (in.has("spindle.diameter") && in.has("spindle.inertia_x") && !in.has("measured.preload"))
+    object_to(in, "spindle.diameter", "a cylinder beside the inertias of the shaft",
               "one of the two is required where nothing is identified", mistakes);
 }
 
@@ -56,7 +56,8 @@ void check_measured(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   };
   check_length("measured.contact_angle");
   for (const char* path : kMeasured) check_length(path);
-  for (const char* path : {"identification.contact_angle", "identification.least_distance", "shaft.diameter"})
+  for (const char* path :
+       {"identification.contact_angle", "identification.least_distance", "spindle.diameter"})
     if (!in.has(path))
       object_to(in, "measured.preload", fmt::format("measured frequencies without {}", path),
                 "it is required to identify the shaft", mistakes);
@@ -100,11 +101,11 @@ double pair_approach_of(const ResolvedCase& in, const bearing::Bearing& bearing,
 }
 
 duplex::Shaft duplex_shaft_of(const ResolvedCase& in) {
-  duplex::Shaft shaft{.mass = in.quantity("shaft.mass"),
-                      .levers = {in.quantity("shaft.first_lever"), in.quantity("shaft.second_lever")}};
-  if (in.has("shaft.inertia_x")) {
-    shaft.inertia_x = in.quantity("shaft.inertia_x");
-    shaft.inertia_y = in.quantity("shaft.inertia_y");
+  duplex::Shaft shaft{.mass = in.quantity("spindle.mass"),
+                      .levers = {in.quantity("spindle.first_lever"), in.quantity("spindle.second_lever")}};
+  if (in.has("spindle.inertia_x")) {
+    shaft.inertia_x = in.quantity("spindle.inertia_x");
+    shaft.inertia_y = in.quantity("spindle.inertia_y");
   } else {
     const duplex::Cylinder cylinder = *cylinder_of(in);
     shaft.inertia_x = shaft.inertia_y =
@@ -132,8 +133,8 @@ std::optional<duplex::Housing> housing_of(const ResolvedCase& in) {
 }
 
 std::optional<duplex::Cylinder> cylinder_of(const ResolvedCase& in) {
-  if (!in.has("shaft.diameter")) return std::nullopt;
-  return duplex::Cylinder{in.quantity("shaft.diameter"), in.quantity("shaft.density")};
+  if (!in.has("spindle.diameter")) return std::nullopt;
+  return duplex::Cylinder{in.quantity("spindle.diameter"), in.quantity("spindle.density")};
 }
 
 std::vector<MeasuredPair> measured_pairs_of(const ResolvedCase& in) {

@@ -65,22 +65,22 @@ void add_preload(std::vector<Field>& fields) {
 
 void add_shaft(std::vector<Field>& fields) {
   const Range above_zero = positive(1e6);
-  fields.push_back(required(pair_quantity(dimension::mass, "shaft.mass", "mass of the shaft", above_zero)));
+  fields.push_back(required(pair_quantity(dimension::mass, "spindle.mass", "mass of the shaft", above_zero)));
   for (const char* row : {"first", "second"})
     fields.push_back(required(pair_quantity(
-        dimension::length, std::string("shaft.") + row + "_lever",
+        dimension::length, std::string("spindle.") + row + "_lever",
         std::string("distance of the ") + row + " row from the shaft's mass centre", {-1e4, 1e4})));
   for (const char* axis : {"x", "y"})
     fields.push_back(
-        pair_quantity(dimension::inertia, std::string("shaft.inertia_") + axis,
+        pair_quantity(dimension::inertia, std::string("spindle.inertia_") + axis,
                       std::string("inertia of the shaft about ") + axis +
-                          " through its mass centre; left out: that of a cylinder of shaft.diameter",
+                          " through its mass centre; left out: that of a cylinder of spindle.diameter",
                       above_zero));
-  fields.push_back(pair_quantity(dimension::length, "shaft.diameter",
+  fields.push_back(pair_quantity(dimension::length, "spindle.diameter",
                                  "diameter of a solid cylinder that stands for the shaft", above_zero));
   fields.push_back(with_default(
-      under(where_given({"shaft.diameter"}),
-            pair_quantity(dimension::density, "shaft.density", "density of that cylinder", {100.0, 25000.0})),
+      under(where_given({"spindle.diameter"}), pair_quantity(dimension::density, "spindle.density",
+                                                             "density of that cylinder", {100.0, 25000.0})),
       "7850 kg/m3", "steel"));
   fields.push_back(pair_quantity(dimension::mass, "housing.mass",
                                  "mass of a housing that is free to move; left out: it stands", above_zero));

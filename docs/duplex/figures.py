@@ -119,8 +119,8 @@ def shapes_and_response(program, work):
 
 def table(program):
     print("| choice | m [kg] | L [mm] | J [kg m2] | fit 7020C mean, worst [%] | 7020A mean, worst [%] |\n|---|---|---|---|---|---|")
-    choices = [("as the case has it", []), ("cylinder of 90 mm", ["shaft.diameter=90 mm"]),
-               ("cylinder of 110 mm", ["shaft.diameter=110 mm"]),
+    choices = [("as the case has it", []), ("cylinder of 90 mm", ["spindle.diameter=90 mm"]),
+               ("cylinder of 110 mm", ["spindle.diameter=110 mm"]),
                ("outer osculation 0.515, as Table 1 prints", ["bearing.outer_osculation=0.515"]),
                ("free housing of 30 kg, 0.25 kg m2", ["housing.mass=30 kg", "housing.inertia=0.25 kg.m2"]),
                ("without light preload", "light"), ("rows in tandem", ["arrangement=tandem"])]

@@ -137,7 +137,7 @@ model: duplex-pair
 arrangement: face-to-face
 preload: 540 N
 bearing: {balls: 20, ball_diameter: 14.288 mm, pitch_diameter: 125.25 mm, contact_angle: 20 deg, radial_clearance: 0 um}
-shaft: {mass: 10 kg, first_lever: 29 mm, second_lever: 28 mm, diameter: 100 mm}
+spindle: {mass: 10 kg, first_lever: 29 mm, second_lever: 28 mm, diameter: 100 mm}
 housing: {mass: 30 kg, inertia: 0.2 kg.m2}
 linear: {mass: 9 kg, first_lever: 15 mm, second_lever: 17 mm, inertia_x: 0.047 kg.m2, inertia_y: 0.045 kg.m2}
 measured:
@@ -313,8 +313,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"equilibrium.gyroscopic_moment", {"none", turning_balls}},
       {"arrangement", {"back-to-back"}},
       {"spacer_difference", {"2 um"}},
-      {"shaft.inertia_x", {"0.03 kg.m2", {}, {"shaft.inertia_y=0.03 kg.m2"}}},
-      {"shaft.inertia_y", {"0.03 kg.m2", {}, {"shaft.inertia_x=0.03 kg.m2"}}},
+      {"spindle.inertia_x", {"0.03 kg.m2", {}, {"spindle.inertia_y=0.03 kg.m2"}}},
+      {"spindle.inertia_y", {"0.03 kg.m2", {}, {"spindle.inertia_x=0.03 kg.m2"}}},
       {"measured.contact_angle", {"[15 deg, 15 deg, 25 deg]"}},
       {"measured.preload", {"[540 N, 2550 N, 900 N]"}},
       {"measured.tilt_x", {"[236 Hz, 326 Hz, 215 Hz]"}},
