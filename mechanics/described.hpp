@@ -71,12 +71,13 @@ enum Model : unsigned {
   gear_pair = 4,
   ball_bearing = 8,
   raceway_defect = 16,
-  ball_motion = 1u << 12  // a ball bearing whose case has a block `simulation`: in time
+  duplex_pair = 1u << 11,  // two rows of balls on one shaft
+  ball_motion = 1u << 12   // a ball bearing whose case has a block `simulation`: in time
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
 /// A ball bearing under a load of its own, at rest or in time.
 inline constexpr unsigned lone_balls = ball_bearing | ball_motion;
-inline constexpr unsigned with_balls = lone_balls | raceway_defect;
+inline constexpr unsigned with_balls = lone_balls | raceway_defect | duplex_pair;
 /// Bearings in motion over time.
 inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
 /// Those and what can be followed so, if asked for: all bodies of a bearing with scratches.

@@ -8,6 +8,7 @@
 
 #include "app/case/arrangement_case.hpp"
 #include "app/case/defect_case.hpp"
+#include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
@@ -273,6 +274,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_profile(resolved, mistakes);
   check_static_bearing(resolved, mistakes);
   check_defect(resolved, mistakes);
+  check_duplex(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }
 
@@ -294,6 +296,8 @@ void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mist
 bool takes_part_in_consistency(std::string_view path) {
   return path.starts_with("gearset.") || path.starts_with("bearing.") || path.starts_with("sets.") ||
          path.starts_with("shafts.") || path.starts_with("pair.") || path.starts_with("load.") ||
+         path.starts_with("spindle.") || path.starts_with("housing.") || path.starts_with("measured.") ||
+         path.starts_with("identification.") || path == "stiffness" || path == "arrangement" ||
          path.starts_with("defect.") || path.starts_with("signal.") || path == "operation.shaft_speed" ||
          path.starts_with("life.") || path.starts_with("lubricant.kinematic") || path == "input.member";
 }

@@ -23,7 +23,7 @@ unsigned holding(described::Felt felt) {
       return use::gears_in_motion;
     case balance:
       return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load |
-             use::balls_in_motion | use::defect;
+             use::balls_in_motion | use::defect | use::duplex;
     case carrier:
       return use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion;
     case walls:
@@ -45,7 +45,7 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
-      return use::static_load | use::balls_in_motion | use::defect;
+      return use::static_load | use::balls_in_motion | use::defect | use::duplex;
     case turning_balls:
       return use::static_load;
     case lone_run:
@@ -197,7 +197,7 @@ const std::vector<use::Analysis>& analyses() {
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
       use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect,
-      use::moving_defect};
+      use::moving_defect,  use::duplex_modes, use::duplex_run};
   return every;
 }
 
@@ -235,6 +235,10 @@ std::string analysis_name(use::Analysis analysis) {
       return "run of a bearing with scratches";
     case use::moving_defect:
       return "run --fidelity dynamic of a bearing with scratches";
+    case use::duplex_modes:
+      return "modes of a duplex pair";
+    case use::duplex_run:
+      return "run of a duplex pair";
   }
   return "";
 }

@@ -29,7 +29,9 @@ enum Analysis : unsigned {
   static_load = 1u << 12,  // run of a single bearing
   defect = 1u << 13,       // run of a bearing with scratches, on balls without mass
   ball_run = 1u << 16,     // run of a ball bearing in time
-  moving_defect = 1u << 17  // run of a bearing with scratches, all of it in motion
+  moving_defect = 1u << 17,  // run of a bearing with scratches, all of it in motion
+  duplex_modes = 1u << 18,
+  duplex_run = 1u << 19
 };
 
 /// Analyses that share their physics.
@@ -42,7 +44,8 @@ inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
 inline constexpr unsigned rollers_at_rest = quasi_static | crown;
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
 inline constexpr unsigned of_a_drivetrain = lives | gears | natural | mesh | fmu_bearing | fmu_gearset;
-inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect | moving_defect;
+inline constexpr unsigned duplex = duplex_modes | duplex_run;
+inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect | moving_defect | duplex;
 /// Balls that roll and slip by themselves.
 inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 }  // namespace use

@@ -11,6 +11,8 @@ set(ORBEARING_CASE_SOURCES
   case/defect_case.cpp
   case/defect_fields.cpp
   case/derived_defaults.cpp
+  case/duplex_case.cpp
+  case/duplex_fields.cpp
   case/described_fields.cpp
   case/drivetrain_fields.cpp
   case/field.cpp

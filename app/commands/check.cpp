@@ -8,6 +8,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/defect_study.hpp"
+#include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/planetary_case.hpp"
@@ -32,6 +33,7 @@ Checked check(const ResolvedCase& resolved) {
   }
   if (is_static_bearing(resolved)) return {static_quantities(resolved), {}, {}};
   if (is_defect(resolved)) return {defect_quantities(resolved), {}, {}};
+  if (is_duplex(resolved)) return {duplex_quantities(resolved), {}, {}};
   if (resolved.model() != planetary_drivetrain) return {};
   Checked checked{derived_quantities(resolved), gear_warnings(resolved), {}};
   if (resolved.shape().several || resolved.shape().teeth) checked.power = power_table(resolved);

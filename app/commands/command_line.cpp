@@ -195,8 +195,9 @@ void add_commands(CommandTable table) {
   add_crown(table.add("crown", "roller profile trade study and optimum", crown_command), options);
   add_case(table.add("mesh", "mesh stiffness over a mesh period, contact ratio, phases", mesh_command),
            options);
-  CLI::App& modes =
-      table.add("modes", "natural frequencies of the gears, and what each mode is", modes_command);
+  CLI::App& modes = table.add(
+      "modes", "natural frequencies of gears, or of a shaft on a pair of bearings, and what each mode is",
+      modes_command);
   add_case(modes, options);
   modes.add_option(
       "--speed", options.speed,

@@ -5,7 +5,9 @@
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
+#include "app/commands/duplex_run.hpp"
 #include "app/errors.hpp"
+#include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 
@@ -42,6 +44,7 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
 
 int modes_command(const Options& options) {
   const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  if (is_duplex(resolved)) return duplex_modes(resolved, options);
   const double speed = options.speed ? speed_option(*options.speed) : 0.0;
   const gearset::dynamics::SetModel model = model_at(resolved, options);
   std::vector<std::string> warnings = gear_dynamics_warnings(resolved);

@@ -19,12 +19,15 @@ PointContact groove_contact(const Bearing& bearing, Race race) {
 
 }  // namespace
 
-BallRow::BallRow(const Bearing& bearing) : lever_(0.5 * bearing.pitch_diameter) {
+BallRow::BallRow(const Bearing& bearing) {
   const Balls& balls = bearing.balls();
   const double openness = bearing.inner.osculation + bearing.outer.osculation - 1.0;
   for (const double osculation : {bearing.inner.osculation, bearing.outer.osculation})
     if (!(osculation > 0.5))
       mechanics::refuse("osculation", osculation, "groove radius over ball diameter above 0.5");
+  // A tilt acts where the centres of the inner groove lie: R_i of [ISO16281].
+  lever_ = 0.5 * bearing.pitch_diameter +
+           (bearing.inner.osculation - 0.5) * balls.diameter * std::cos(balls.contact_angle);
   groove_distance_ = openness * balls.diameter;
   radial_distance_ = groove_distance_ * std::cos(balls.contact_angle) - 0.5 * bearing.radial_clearance;
   axial_distance_ = groove_distance_ * std::sin(balls.contact_angle);

@@ -14,6 +14,7 @@
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/defect_output.hpp"
 #include "app/study/defect_study.hpp"
+#include "app/study/duplex_output.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
@@ -133,6 +134,10 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return defect_json(defect_study(in)).dump();
     case use::moving_defect:
       return defect_json(defect_study(in, DefectRung::all)).dump();
+    case use::duplex_modes:
+      return pair_modes_json(pair_point(in)).dump();
+    case use::duplex_run:
+      return duplex_json(duplex_study(in)).dump();
   }
   return {};
 }

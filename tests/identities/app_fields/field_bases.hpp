@@ -154,6 +154,26 @@ signal: {sampling_rate: 30 kHz, revolutions: 2, settling_revolutions: 0.5}
 simulation: {length_error: 2e-6 mm}
 )";
 
+inline const std::string kDuplex = R"(name: a pair of ball bearings
+source: none
+model: duplex-pair
+arrangement: face-to-face
+preload: 540 N
+bearing: {balls: 20, ball_diameter: 14.288 mm, pitch_diameter: 125.25 mm, contact_angle: 20 deg, radial_clearance: 0 um}
+spindle: {mass: 10 kg, first_lever: 29 mm, second_lever: 28 mm, diameter: 100 mm}
+housing: {mass: 30 kg, inertia: 0.2 kg.m2}
+linear: {mass: 9 kg, first_lever: 15 mm, second_lever: 17 mm, inertia_x: 0.047 kg.m2, inertia_y: 0.045 kg.m2}
+measured:
+  contact_angle: [15 deg, 15 deg, 30 deg]
+  preload: [540 N, 2550 N, 840 N]
+  tilt_x: [235 Hz, 326 Hz, 215 Hz]
+  tilt_y: [242 Hz, 349 Hz, 221 Hz]
+  axial_z: [454 Hz, 806 Hz, 784 Hz]
+  radial_x: [1175 Hz, 1618 Hz, 1144 Hz]
+  radial_y: [1226 Hz, 1647 Hz, 1248 Hz]
+identification: {contact_angle: 15 deg, least_distance: 80 mm}
+)";
+
 // Pins off their places: loads at rest then follow from all that gives way under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
@@ -188,7 +208,8 @@ inline const std::vector<Base>& bases() {
                                      {"ball_bearing", kBalls},
                                      {"ball_bearing_in_time", kBallsInTime},
                                      {"raceway_defect", kScratch, "", use::moving_defect},
-                                     {"raceway_defect_in_motion", kScratchInMotion, "", use::defect}};
+                                     {"raceway_defect_in_motion", kScratchInMotion, "", use::defect},
+                                     {"duplex_pair", kDuplex}};
   return all;
 }
 
@@ -314,6 +335,19 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"equilibrium.ball_inertia", {"false", turning_balls}},
       {"equilibrium.ball_attitude", {"outer-race-control", turning_balls}},
       {"equilibrium.gyroscopic_moment", {"none", turning_balls}},
+      {"arrangement", {"back-to-back"}},
+      {"spacer_difference", {"2 um"}},
+      {"spindle.inertia_x", {"0.03 kg.m2", {}, {"spindle.inertia_y=0.03 kg.m2"}}},
+      {"spindle.inertia_y", {"0.03 kg.m2", {}, {"spindle.inertia_x=0.03 kg.m2"}}},
+      {"measured.contact_angle", {"[15 deg, 15 deg, 25 deg]"}},
+      {"measured.preload", {"[540 N, 2550 N, 900 N]"}},
+      {"measured.tilt_x", {"[236 Hz, 326 Hz, 215 Hz]"}},
+      {"measured.tilt_y", {"[243 Hz, 349 Hz, 221 Hz]"}},
+      {"measured.axial_z", {"[455 Hz, 806 Hz, 784 Hz]"}},
+      {"measured.radial_x", {"[1176 Hz, 1618 Hz, 1144 Hz]"}},
+      {"measured.radial_y", {"[1227 Hz, 1647 Hz, 1248 Hz]"}},
+      {"identification.contact_angle", {"30 deg"}},
+      {"response.position", {"40 mm"}},
       {"pair.teeth", {"[30, 41]"}},
       {"pair.profile_shift", {"[0.1, 0]"}}};
   return all;

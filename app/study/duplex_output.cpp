@@ -1,0 +1,278 @@
+#include "app/study/duplex_output.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/results/json_number.hpp"
+#include "app/units.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace duplex = bearing::duplex;
+using Json = nlohmann::ordered_json;
+
+Json matrix_json(const duplex::Stiffness& matrix) {
+  Json rows = Json::array();
+  for (const auto& row : matrix.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
+  return rows;
+}
+
+template <class Vector>
+Json freedoms_json(const Vector& v) {
+  return {{"x", v[0]}, {"y", v[1]}, {"z", v[2]}, {"tilt_in_xz", v[3]}, {"tilt_in_yz", v[4]}};
+}
+
+Json modes_list(const duplex::PairModes& modes) {
+  Json list = Json::array();
+  for (const duplex::PairMode& mode : modes)
+    list.push_back({{"frequency_Hz", mode.frequency},
+                    {"kind", duplex::name_of(mode.kind)},
+                    {"multiplicity", 1},
+                    {"shape", freedoms_json(mode.shape)},
+                    {"energy_share", freedoms_json(mode.energy_share)}});
+  return list;
+}
+
+Json shaft_json(const duplex::Shaft& shaft) {
+  return {{"mass_kg", shaft.mass},
+          {"first_lever_mm", kMilli * shaft.levers.first},
+          {"second_lever_mm", kMilli * shaft.levers.second},
+          {"inertia_x_kg_m2", shaft.inertia_x},
+          {"inertia_y_kg_m2", shaft.inertia_y}};
+}
+
+const char* stiffness_name(bool linear) {
+  return linear ? "linear" : "nonlinear";
+}
+
+Json identified_json(const duplex::Identified& identified, const FrequencyErrors& fit,
+                     const FrequencyErrors& prediction) {
+  Json object = shaft_json(identified.shaft);
+  object["converged"] = identified.converged;
+  object["iterations"] = identified.iterations;
+  const auto percent = [](const FrequencyErrors& errors) -> Json {
+    return {{"mean_percent", number_or_null(100.0 * errors.mean)},
+            {"worst_percent", number_or_null(100.0 * errors.worst)}};
+  };
+  object["fit"] = percent(fit);
+  object["prediction"] = percent(prediction);
+  return object;
+}
+
+Json identification_json(const Identification& found) {
+  Json object{
+      {"nonlinear", identified_json(found.nonlinear, found.nonlinear_fit, found.nonlinear_prediction)}};
+  object["linear"] = found.linear ? identified_json(*found.linear, found.linear_fit, found.linear_prediction)
+                                  : Json(nullptr);
+  return object;
+}
+
+Json predictions_json(const Identification& found) {
+  Json rows = Json::array();
+  for (const PredictedPair& pair : found.pairs)
+    for (std::size_t i = 0; i < 5; ++i)
+      rows.push_back({{"contact_angle_deg", kDegree * pair.measured.contact_angle},
+                      {"preload_N", pair.measured.preload},
+                      {"kind", duplex::name_of(duplex::mode_kinds[i])},
+                      {"measured_Hz", pair.measured.frequency[i]},
+                      {"nonlinear_Hz", pair.nonlinear[i]},
+                      {"linear_Hz", number_or_null(pair.linear[i])},
+                      {"identified_from", pair.identified_from}});
+  return rows;
+}
+
+std::string errors_text(const char* name, const duplex::Identified& identified, const FrequencyErrors& fit,
+                        const FrequencyErrors& prediction) {
+  const duplex::Shaft& shaft = identified.shaft;
+  return fmt::format(
+      "{:<10} {:>9.4f} {:>10.4f} {:>10.4f} {:>11.6f} {:>11.6f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", name,
+      shaft.mass, kMilli * shaft.levers.first, kMilli * shaft.levers.second, shaft.inertia_x, shaft.inertia_y,
+      100.0 * fit.mean, 100.0 * fit.worst, 100.0 * prediction.mean, 100.0 * prediction.worst);
+}
+
+std::string identification_text(const Identification& found) {
+  std::string text = fmt::format(
+      "\nidentified from the pairs marked *, predicting all others\n{:<10} {:>9} {:>10} "
+      "{:>10} {:>11} {:>11} {:>9} {:>9} {:>9} {:>9}\n",
+      "stiffness", "m [kg]", "L1 [mm]", "L2 [mm]", "Jx [kg m2]", "Jy [kg m2]", "fit [%]", "worst",
+      "pred. [%]", "worst");
+  text += errors_text("nonlinear", found.nonlinear, found.nonlinear_fit, found.nonlinear_prediction);
+  if (found.linear) text += errors_text("linear", *found.linear, found.linear_fit, found.linear_prediction);
+  text += fmt::format("\n{:>9} {:>11} {:<9} {:>14} {:>15} {:>8} {:>12} {:>8}\n", "[deg]", "preload [N]",
+                      "mode", "measured [Hz]", "nonlinear [Hz]", "[%]", "linear [Hz]", "[%]");
+  for (const PredictedPair& pair : found.pairs)
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double measured = pair.measured.frequency[i];
+      text += fmt::format("{:>8.4g}{} {:>11.6g} {:<9} {:>14.2f} {:>15.2f} {:>+8.1f} {:>12.2f} {:>+8.1f}\n",
+                          kDegree * pair.measured.contact_angle, pair.identified_from ? "*" : " ",
+                          pair.measured.preload, duplex::name_of(duplex::mode_kinds[i]), measured,
+                          pair.nonlinear[i], 100.0 * (pair.nonlinear[i] / measured - 1.0), pair.linear[i],
+                          100.0 * (pair.linear[i] / measured - 1.0));
+    }
+  return text;
+}
+
+void add_modes(const PairColumn& column, PointContent& content) {
+  NamedArray frequency{
+      "natural_frequency", {"mode"}, "s-1", "tilt_x, tilt_y, axial_z, radial_x, radial_y", {}};
+  NamedArray shape{"mode_shape",
+                   {"mode", "freedom"},
+                   "1",
+                   "x, y, z [m], tilts in the planes of x and z, y and z [rad], of modal mass 1 kg",
+                   {}};
+  for (const duplex::PairMode& mode : column.modes) {
+    frequency.values.push_back(mode.frequency);
+    shape.values.insert(shape.values.end(), mode.shape.begin(), mode.shape.end());
+  }
+  NamedArray stiffness{"stiffness",
+                       {"freedom", "freedom_beside"},
+                       "1",
+                       "of the shaft about its mass centre [N/m], [N/rad], [N m/m], [N m/rad]",
+                       {}};
+  for (const auto& row : column.stiffness.rowwise())
+    stiffness.values.insert(stiffness.values.end(), row.begin(), row.end());
+  for (NamedArray* array : {&frequency, &shape, &stiffness}) content.arrays.push_back(std::move(*array));
+}
+
+void add_response(const Response& response, PointContent& content) {
+  const std::size_t lines = response.accelerance[0].size();
+  content.dimensions.push_back({"line", lines});
+  NamedArray frequency{"frequency", {"line"}, "s-1", "of the frequency response", {}};
+  for (std::size_t k = 1; k <= lines; ++k) frequency.values.push_back(static_cast<double>(k) * response.step);
+  content.arrays.push_back(std::move(frequency));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string axis(1, "xyz"[i]);
+    NamedArray real{
+        "accelerance_" + axis + "_real", {"line"}, "kg-1", "acceleration over force along " + axis, {}};
+    NamedArray imaginary = real;
+    imaginary.name = "accelerance_" + axis + "_imaginary";
+    for (const std::complex<double>& value : response.accelerance[i]) {
+      real.values.push_back(value.real());
+      imaginary.values.push_back(value.imag());
+    }
+    content.arrays.push_back(std::move(real));
+    content.arrays.push_back(std::move(imaginary));
+  }
+}
+
+void add_predictions(const Identification& found, PointContent& content) {
+  content.dimensions.push_back({"pair", found.pairs.size()});
+  NamedArray angle{"measured_contact_angle", {"pair"}, "rad", "nominal", {}};
+  NamedArray preload{"measured_preload", {"pair"}, "N", "of each row", {}};
+  NamedArray from{"identified_from", {"pair"}, "1", "1 where the shaft was identified from the pair", {}};
+  NamedArray measured{"measured_frequency", {"pair", "mode"}, "s-1", "natural frequencies", {}};
+  NamedArray nonlinear{"nonlinear_frequency", {"pair", "mode"}, "s-1", "with the identified shaft", {}};
+  NamedArray linear{"linear_frequency", {"pair", "mode"}, "s-1", "with the shaft identified for it", {}};
+  for (const PredictedPair& pair : found.pairs) {
+    angle.values.push_back(pair.measured.contact_angle);
+    preload.values.push_back(pair.measured.preload);
+    from.values.push_back(pair.identified_from ? 1.0 : 0.0);
+    measured.values.insert(measured.values.end(), pair.measured.frequency.begin(),
+                           pair.measured.frequency.end());
+    nonlinear.values.insert(nonlinear.values.end(), pair.nonlinear.begin(), pair.nonlinear.end());
+    linear.values.insert(linear.values.end(), pair.linear.begin(), pair.linear.end());
+  }
+  for (NamedArray* array : {&angle, &preload, &from, &measured, &nonlinear, &linear})
+    content.arrays.push_back(std::move(*array));
+}
+
+}  // namespace
+
+Json pair_modes_json(const PairPoint& point) {
+  Json object{{"stiffness", stiffness_name(point.linear)}, {"modes", modes_list(point.asked().modes)}};
+  if (!point.printed) return object;
+  const PairColumn& other = point.linear ? point.nonlinear : *point.printed;
+  object["other"] = {{"stiffness", stiffness_name(!point.linear)}, {"modes", modes_list(other.modes)}};
+  return object;
+}
+
+std::string pair_modes_text(const PairPoint& point) {
+  std::string text = fmt::format("{:<10} {:>16} {:>18}\n", "kind", "frequency [Hz]",
+                                 point.printed ? (point.linear ? "(nonlinear [Hz])" : "(linear [Hz])") : "");
+  for (std::size_t i = 0; i < 5; ++i) {
+    const duplex::PairMode& mode = point.asked().modes[i];
+    text += fmt::format("{:<10} {:>16.2f}", duplex::name_of(mode.kind), mode.frequency);
+    if (point.printed)
+      text += fmt::format(" {:>18.2f}", (point.linear ? point.nonlinear : *point.printed).modes[i].frequency);
+    text += "\n";
+  }
+  return text;
+}
+
+Json duplex_json(const DuplexStudy& study) {
+  const PairPoint& point = study.point;
+  Json object = pair_modes_json(point);
+  const auto& [loads, angles] = std::pair(point.state.contact_load, point.state.contact_angle);
+  object["approach_um"] = kMicro * point.approach;
+  object["contact_angle_deg"] = kDegree * angles[0];
+  object["contact_load_max_N"] = loads.maxCoeff();
+  object["pressure_max_MPa"] = 1e-6 * point.state.largest_pressure;
+  object["shaft"] = shaft_json(point.asked().shaft);
+  object["stiffness_matrix"] = matrix_json(point.asked().stiffness);
+  if (study.identification) {
+    object["identified"] = identification_json(*study.identification);
+    object["predictions"] = predictions_json(*study.identification);
+  }
+  Json peaks = Json::array();
+  for (const auto& line : study.response.accelerance) {
+    double most = 0.0;
+    for (const std::complex<double>& value : line) most = std::max(most, std::abs(value));
+    peaks.push_back(most);
+  }
+  object["response"] = {{"step_Hz", study.response.step}, {"accelerance_max_per_kg", peaks}};
+  return object;
+}
+
+std::string duplex_text(const DuplexStudy& study) {
+  const PairPoint& point = study.point;
+  std::string text = fmt::format(
+      "each row pressed by {:.5g} um: contact angle {:.4f} deg, largest contact load {:.6g} N, {:.5g} "
+      "MPa\n\n",
+      kMicro * point.approach, kDegree * point.state.contact_angle[0], point.state.contact_load.maxCoeff(),
+      1e-6 * point.state.largest_pressure);
+  text += pair_modes_text(point);
+  return study.identification ? text + identification_text(*study.identification) : text;
+}
+
+PointContent duplex_content(const DuplexStudy& study) {
+  const bearing::equilibrium::RingState& state = study.point.state;
+  PointContent content{.dimensions = {{"mode", 5},
+                                      {"freedom", 5},
+                                      {"freedom_beside", 5},
+                                      {"ball", static_cast<std::size_t>(state.contact_load.size())}},
+                       .arrays = {},
+                       .attributes = {}};
+  content.arrays = {single_value("approach", "m", "of each row under preload", study.point.approach),
+                    {"contact_load",
+                     {"ball"},
+                     "N",
+                     "of the first row's balls, then of the second's",
+                     {state.contact_load.begin(), state.contact_load.end()}},
+                    {"contact_angle",
+                     {"ball"},
+                     "rad",
+                     "the same",
+                     {state.contact_angle.begin(), state.contact_angle.end()}}};
+  add_modes(study.point.asked(), content);
+  add_response(study.response, content);
+  if (study.identification) add_predictions(*study.identification, content);
+  return content;
+}
+
+std::string predictions_csv(const DuplexStudy& study) {
+  std::string text = "contact_angle_deg,preload_N,kind,measured_Hz,nonlinear_Hz,linear_Hz,identified_from\n";
+  if (!study.identification) return text;
+  for (const PredictedPair& pair : study.identification->pairs)
+    for (std::size_t i = 0; i < 5; ++i)
+      text += fmt::format("{:.9g},{:.9g},{},{:.9g},{:.9g},{},{}\n", kDegree * pair.measured.contact_angle,
+                          pair.measured.preload, duplex::name_of(duplex::mode_kinds[i]),
+                          pair.measured.frequency[i], pair.nonlinear[i],
+                          std::isfinite(pair.linear[i]) ? fmt::format("{:.9g}", pair.linear[i]) : "",
+                          pair.identified_from ? 1 : 0);
+  return text;
+}
+
+}  // namespace orbearing::app

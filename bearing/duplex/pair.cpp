@@ -1,0 +1,118 @@
+#include "bearing/duplex/pair.hpp"
+
+#include <stdexcept>
+
+#include "mechanics/checks.hpp"
+
+namespace orbearing::bearing::duplex {
+
+namespace {
+
+using equilibrium::RingImbalance;
+using equilibrium::RingLoad;
+using equilibrium::RingPlace;
+using equilibrium::RingState;
+
+// Eq. (1) without the approach; tilts are angles times `unit` [m].
+Stiffness motion_of_row(double position, double side, double unit) {
+  Stiffness motion = Stiffness::Identity();
+  motion(0, 3) = motion(1, 4) = -position / unit;
+  motion(2, 2) = motion(3, 3) = motion(4, 4) = side;
+  return motion;
+}
+
+}  // namespace
+
+Sides sides_of(Arrangement arrangement) {
+  switch (arrangement) {
+    case Arrangement::face_to_face:
+      return {1.0, -1.0};
+    case Arrangement::back_to_back:
+      return {-1.0, 1.0};
+    case Arrangement::tandem:
+      break;
+  }
+  return {1.0, 1.0};
+}
+
+double approach_under(const Bearing& bearing, double preload) {
+  mechanics::require(preload >= 0.0, "preload [N]", preload, "not negative");
+  const equilibrium::BallRow row(bearing);
+  if (preload == 0.0) return 0.0;
+  const RingState state = equilibrium::balance_ring(row, RingLoad{.axial = preload});
+  if (!state.report.converged)
+    throw std::runtime_error("no balance under the preload: " + state.report.message);
+  return state.axial;
+}
+
+PairRow::PairRow(const Pair& pair) : row_(pair.bearing), approach_(pair.approach) {
+  const Sides sides = sides_of(pair.arrangement);
+  first_ = motion_of_row(pair.levers.first, sides.first, lever());
+  second_ = motion_of_row(-pair.levers.second, sides.second, lever());
+}
+
+RingPlace PairRow::in_row(const Stiffness& motion, const RingPlace& place) const {
+  RingPlace own = motion * place;
+  own[2] += approach_;
+  return own;
+}
+
+void PairRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
+  for (const Stiffness& motion : {first_, second_}) {
+    const RingImbalance one = equilibrium::row_forces(row_, in_row(motion, place));
+    sum.force += motion.transpose() * one.force;
+    sum.stiffness += motion.transpose() * one.stiffness * motion;
+    sum.scale += one.scale;
+  }
+}
+
+void PairRow::put_loads(const RingPlace& place, RingState& state) const {
+  RingState first, second;
+  row_.put_loads(in_row(first_, place), first);
+  row_.put_loads(in_row(second_, place), second);
+  const Eigen::Index balls = row_.count();
+  state.contact_load.resize(2 * balls);
+  state.contact_load << first.contact_load, second.contact_load;
+  state.contact_angle.resize(2 * balls);
+  state.contact_angle << first.contact_angle, second.contact_angle;
+  state.largest_pressure = std::max(first.largest_pressure, second.largest_pressure);
+}
+
+double PairRow::stored_energy(const RingPlace& place) const {
+  return row_.stored_energy(in_row(first_, place)) + row_.stored_energy(in_row(second_, place));
+}
+
+PairRow::RowStiffnesses PairRow::row_stiffnesses(const RingPlace& place) const {
+  const auto of = [&](const Stiffness& motion) {
+    return equilibrium::by_tilt(equilibrium::row_forces(row_, in_row(motion, place)).stiffness, lever());
+  };
+  return {of(first_), of(second_)};
+}
+
+// Rows of a tandem are pressed by what draws the shaft along; found from the rows' own force where the shaft
+// has moved by the approach.
+PairState balance_pair(const Pair& pair, const RingLoad& load) {
+  Pair placed = pair;
+  RingLoad all = load;
+  RingPlace start = RingPlace::Zero();
+  if (pair.arrangement == Arrangement::tandem) {
+    start[2] = pair.approach;
+    placed.approach = 0.0;
+    all.axial -= equilibrium::row_forces(PairRow(placed), start).force[2];
+  }
+  const PairRow row(placed);
+  PairState state{.ring = equilibrium::balance_ring(row, all, start), .rows = {}};
+  state.rows = row.row_stiffnesses(equilibrium::place_of(state.ring, row.lever()));
+  return state;
+}
+
+Stiffness pair_stiffness(const PairRow::RowStiffnesses& rows, Arrangement arrangement,
+                         const RowLevers& levers) {
+  constexpr double by_angle = 1.0;
+  const Sides sides = sides_of(arrangement);
+  const Stiffness first = motion_of_row(levers.first, sides.first, by_angle);
+  const Stiffness second = motion_of_row(-levers.second, sides.second, by_angle);
+  return first.transpose() * rows.first * first + second.transpose() * rows.second * second;
+}
+
+}  // namespace orbearing::bearing::duplex

@@ -1,0 +1,106 @@
+// Two like rows of balls on one shaft, each pressed by the preload.
+//
+//            first row                 second row          shaft: origin at its mass centre, z towards the
+//          |<-- first lever --->|<-- second lever -->|     first row; x and y across
+//     -----+--------------------o--------------------+---> -z
+//
+// The outer rings stand. Each row is that of bearing/equilibrium/balls.hpp in coordinates of its own, whose z
+// points to where the row is pressed: of the shaft's motion (x, y, z, tilt in the plane of x and z, tilt in
+// that of y and z) a row at position p that is pressed towards s = +1 or -1 feels
+//
+//     (1)  (x - p tilt, y - p tilt', s z + approach, s tilt, s tilt')
+#pragma once
+
+#include <Eigen/Core>
+
+#include "bearing/equilibrium/balls.hpp"
+#include "mechanics/described.hpp"
+
+namespace orbearing::bearing::duplex {
+
+using Stiffness = Eigen::Matrix<double, 5, 5>;  // [N/m], [N/rad], [N m/m], [N m/rad]
+
+/// How both bearings stand to each other.
+enum class Arrangement {
+  face_to_face,  // lines of contact meet the axis between the rows
+  back_to_back,  // beyond them
+  tandem,        // both rows bear loads of one direction: a load along the shaft presses them
+};
+
+constexpr described::Names<Arrangement, 3> names_of(Arrangement) {
+  return {{{Arrangement::face_to_face, "face-to-face"},
+           {Arrangement::back_to_back, "back-to-back"},
+           {Arrangement::tandem, "tandem"}}};
+}
+
+/// Distances [m] of the planes of both rows' inner groove centres from the shaft's mass centre.
+struct RowLevers {
+  double first = 0.0;
+  double second = 0.0;
+};
+
+/// Towards which side both rows are pressed: +1 towards the first row's end of the shaft.
+struct Sides {
+  double first = 1.0;
+  double second = 1.0;
+};
+Sides sides_of(Arrangement arrangement);
+
+/// What a pair is; `bearing` is either of both.
+struct Pair {
+  Bearing bearing;
+  Arrangement arrangement = Arrangement::face_to_face;
+  RowLevers levers;
+  /// [m]  by which the inner ring of each row is pressed along its axis from where it is centred without load
+  double approach = 0.0;
+};
+
+/// Axial displacement [m] of one row's inner ring under the axial load `preload` [N]. Throws
+/// std::invalid_argument as BallRow does or for a negative load, std::runtime_error where no balance is
+/// found.
+double approach_under(const Bearing& bearing, double preload);
+
+/// The row of both: the problem of equilibrium/ring_balance.hpp for the shaft.
+class PairRow {
+ public:
+  explicit PairRow(const Pair& pair);
+
+  double lever() const { return row_.lever(); }
+  double reach(double load) const { return row_.reach(load) + approach_; }
+  void add_forces(const equilibrium::RingPlace& place, equilibrium::RingImbalance& sum) const;
+  /// Loads and angles of the first row's balls, then of the second's.
+  void put_loads(const equilibrium::RingPlace& place, equilibrium::RingState& state) const;
+  double stored_energy(const equilibrium::RingPlace& place) const;
+
+  /// Stiffness of both rows in coordinates of their own, Eq. (1).
+  struct RowStiffnesses {
+    Stiffness first;
+    Stiffness second;
+  };
+  RowStiffnesses row_stiffnesses(const equilibrium::RingPlace& place) const;
+
+  const equilibrium::BallRow& row() const { return row_; }
+
+ private:
+  equilibrium::RingPlace in_row(const Stiffness& motion, const equilibrium::RingPlace& place) const;
+
+  equilibrium::BallRow row_;
+  double approach_;
+  Stiffness first_, second_;  // motion of the rows by that of the shaft, tilts at the lever
+};
+
+/// A pair in balance.
+struct PairState {
+  equilibrium::RingState ring;   // of the shaft against the outer rings; balls of the first row come first
+  PairRow::RowStiffnesses rows;  // where it balances
+};
+
+/// Where the shaft balances under `load` beside the preload. Of a tandem the preload is a load of twice its
+/// approach_under along the shaft, which this function adds. Throws as PairRow does.
+PairState balance_pair(const Pair& pair, const equilibrium::RingLoad& load = {});
+
+/// Stiffness of the shaft about its mass centre from that of its rows: Eq. (1) on both sides.
+Stiffness pair_stiffness(const PairRow::RowStiffnesses& rows, Arrangement arrangement,
+                         const RowLevers& levers);
+
+}  // namespace orbearing::bearing::duplex

@@ -1,0 +1,69 @@
+// A rigid shaft on a pair: natural frequencies, shapes and frequency response.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "bearing/duplex/pair.hpp"
+
+namespace orbearing::bearing::duplex {
+
+/// The shaft with all that moves as one with it.
+struct Shaft {
+  double mass = 0.0;       // [kg]
+  RowLevers levers;        // [m]
+  double inertia_x = 0.0;  // [kg m^2]  about its diameter x, through the mass centre
+  double inertia_y = 0.0;  // [kg m^2]
+};
+
+/// A housing that is free to move too, its mass centre where the shaft's is.
+struct Housing {
+  double mass = 0.0;     // [kg]
+  double inertia = 0.0;  // [kg m^2]  about any diameter
+};
+
+/// Inertia [kg m^2] about a diameter of a solid cylinder of `mass` [kg], `diameter` [m], `density` [kg/m^3]:
+/// m (d^2/16 + l^2/12), whose length l follows from the mass.
+double cylinder_inertia(double mass, double diameter, double density);
+
+enum class ModeKind { tilt_x, tilt_y, axial_z, radial_x, radial_y };
+inline constexpr std::array<ModeKind, 5> mode_kinds{ModeKind::tilt_x, ModeKind::tilt_y, ModeKind::axial_z,
+                                                    ModeKind::radial_x, ModeKind::radial_y};
+const char* name_of(ModeKind kind);
+
+/// Which tilt moves the shaft in the plane of x and z.
+enum class TiltPlanes {
+  physical,    // that about y
+  as_printed,  // that about x: the calculated column of [FangDuplex] pairs the inertia about x with motion in
+               // x
+};
+
+/// One natural mode: the freedom that holds most of its energy names it.
+struct PairMode {
+  ModeKind kind = ModeKind::tilt_x;
+  double frequency = 0.0;                 // [Hz]
+  Eigen::Vector<double, 5> shape;         // [m], [rad]  in the order of pair.hpp, of modal mass 1 kg
+  Eigen::Vector<double, 5> energy_share;  // [-]  of each freedom
+};
+using PairModes = std::array<PairMode, 5>;
+
+/// Modes in the order of `mode_kinds`, each kind once, of the shaft against the housing where that is free.
+/// A stiffness below zero by round-off counts as none. Modes that are alike in x and y are told apart by
+/// their planes.
+PairModes modes_of(const Stiffness& stiffness, const Shaft& shaft, const std::optional<Housing>& housing = {},
+                   TiltPlanes planes = TiltPlanes::physical);
+
+/// Where the frequency response is taken.
+struct ResponsePoint {
+  double position = 0.0;     // [m]  along z from the mass centre, for directions x and y
+  double loss_factor = 0.0;  // [-]  eta of the structural damping: stiffness (1 + i eta)
+};
+
+/// Acceleration over force [1/kg] of the shaft along x, y and z at one frequency [Hz].
+std::array<std::complex<double>, 3> accelerance(const Stiffness& stiffness, const Shaft& shaft,
+                                                const std::optional<Housing>& housing, TiltPlanes planes,
+                                                const ResponsePoint& point, double frequency);
+
+}  // namespace orbearing::bearing::duplex

@@ -1,0 +1,146 @@
+"""Pictures and table of docs/duplex: python3 docs/duplex/figures.py PROGRAM (a minute)."""
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import netCDF4
+import numpy as np
+import yaml
+
+HERE = Path(__file__).parent
+CASE = HERE.parent.parent / "cases" / "duplex_7020"
+KINDS = ["tilt_x", "tilt_y", "axial_z", "radial_x", "radial_y"]
+NAMES = {15: "7020C", 30: "7020A"}
+
+
+def call(program, command, *settings, more=()):
+    options = [word for setting in settings for word in ("--set", setting)]
+    done = subprocess.run([program, command, str(CASE / "case.yaml"), "--json", *options, *more],
+                          capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def frequencies(program, *settings):
+    return [mode["frequency_Hz"] for mode in call(program, "modes", *settings)["modes"]]
+
+
+def printed():
+    """Calculated column of the source by contact angle and preload."""
+    table = {}
+    for row in yaml.safe_load((CASE / "expected.yaml").read_text())["published"]:
+        settings = dict(setting.split("=") for setting in row.get("settings", []))
+        if settings.get("stiffness") == "linear":
+            pair = int(settings["bearing.contact_angle"].split()[0]), int(settings["preload"].split()[0])
+            table.setdefault(pair, {})[row["quantity"][:-3]] = row["value"]
+    return table
+
+
+def over_preload(program, result):
+    calculated = printed()
+    figure, axes = plt.subplots(1, 2, figsize=(11, 5), sharey=True, constrained_layout=True)
+    preloads = np.linspace(300, 4600, 18)
+    for axis, angle in zip(axes, NAMES):
+        curves = np.array([frequencies(program, f"bearing.contact_angle={angle} deg", f"preload={f:.0f} N")
+                           for f in preloads])
+        for k, kind in enumerate(KINDS):
+            rows = [row for row in result["predictions"] if round(row["contact_angle_deg"]) == angle and row["kind"] == kind]
+            at = [row["preload_N"] for row in rows]
+            color = f"C{k}"
+            axis.plot(preloads, curves[:, k], color=color, label=kind, lw=1.2)
+            axis.plot(at, [row["measured_Hz"] for row in rows], "o", color=color)
+            axis.plot(at, [calculated[angle, round(f)][kind] for f in at], "x", color=color)
+            axis.plot(at, [row["linear_Hz"] for row in rows], ":", color=color, lw=1)
+        axis.set(title=NAMES[angle], xlabel="preload (N)", yscale="log")
+    axes[0].set_ylabel("natural frequency (Hz)")
+    axes[1].plot([], [], "ko", label="measured")
+    axes[1].plot([], [], "kx", label="calculated by the source")
+    axes[1].plot([], [], "k:", label="linear, fitted to 7020C measured")
+    axes[1].legend(fontsize=8, loc="center right", framealpha=0.8)
+    axes[1].set_yticks([200, 300, 500, 1000, 2000], ["200", "300", "500", "1000", "2000"])
+    axes[1].yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+    figure.savefig(HERE / "preload.png", dpi=90)
+
+
+def over_geometry(program):
+    figure, axes = plt.subplots(1, 3, figsize=(12, 4), sharey=True, constrained_layout=True)
+    angles, places, balls = np.linspace(12, 40, 29), np.linspace(0, 18, 7), np.arange(8, 25, 2)
+    sets = [("contact angle (deg), preload 1960 N", angles, lambda v: ("preload=1960 N", f"bearing.contact_angle={v} deg")),
+            ("place of the first ball (deg), 25 deg", places,
+             lambda v: ("preload=1960 N", "bearing.contact_angle=25 deg", f"bearing.first_element_angle={v} deg")),
+            ("number of balls, 25 deg", balls,
+             lambda v: ("preload=1960 N", "bearing.contact_angle=25 deg", f"bearing.balls={v}"))]
+    for axis, (label, values, settings) in zip(axes, sets):
+        for stiffness, style in (("nonlinear", "-"), ("linear", ":")):
+            curves = np.array([frequencies(program, f"stiffness={stiffness}", *settings(v)) for v in values])
+            for k, kind in enumerate(KINDS):
+                axis.plot(values, curves[:, k], style, color=f"C{k}", lw=1.2, label=kind if style == "-" else None)
+        axis.set(xlabel=label)
+    axes[0].set_ylabel("natural frequency (Hz); dotted: linear")
+    axes[2].legend(fontsize=8)
+    figure.savefig(HERE / "geometry.png", dpi=90)
+
+
+def shapes_and_response(program, work):
+    result = call(program, "run", "bearing.contact_angle=25 deg", "preload=830 N", more=("-o", str(work / "a5")))
+    file = netCDF4.Dataset(next((work / "a5" / "points").glob("*.nc")))
+    figure, axes = plt.subplots(2, 5, figsize=(12, 6), constrained_layout=True)
+    lever = np.array([-85.0, 85.0])  # ends of the cylinder, from its mass centre
+    for axis, mode in zip(axes[0], result["modes"]):
+        shape = np.array(list(mode["shape"].values()))
+        size = max(np.abs(shape[:3]).max(), 0.085 * np.abs(shape[3:]).max())
+        across, tilt = (0, 3) if abs(shape[0]) + abs(shape[3]) >= abs(shape[1]) + abs(shape[4]) else (1, 4)
+        for scale, style in ((0.0, "--"), (30.0 / size, "-")):
+            along = lever + scale * shape[2]
+            offset = scale * (shape[across] - 1e-3 * lever * shape[tilt])
+            for edge in (-50, 50):
+                axis.plot(along, offset + edge, "k" + style, lw=0.8 if scale == 0 else 1.5)
+            for end in (0, 1):
+                axis.plot([along[end]] * 2, [offset[end] - 50, offset[end] + 50], "k" + style, lw=0.8 if scale == 0 else 1.5)
+        axis.set(title=f"{mode['kind']}, {mode['frequency_Hz']:.0f} Hz", aspect="equal", xlabel="z (mm)",
+                 ylabel="xy"[across] + " (mm)", xlim=(-130, 130), ylim=(-130, 130))
+    for axis in axes[1]:
+        axis.remove()
+    grid = axes[1][0].get_gridspec()
+    response = figure.add_subplot(grid[1, :])
+    for direction in "xyz":
+        value = file[f"accelerance_{direction}_real"][:] + 1j * file[f"accelerance_{direction}_imaginary"][:]
+        response.semilogy(file["frequency"][:], np.abs(value), label=direction, lw=1.2,
+                          ls="--" if direction == "y" else "-")
+    response.set(xlim=(20, None), ylim=(1e-4, 50), xlabel="frequency (Hz)", ylabel="acceleration over force (1/kg)")
+    response.legend()
+    figure.savefig(HERE / "shapes.png", dpi=90)
+
+
+def table(program):
+    print("| choice | m [kg] | L [mm] | J [kg m2] | fit 7020C mean, worst [%] | 7020A mean, worst [%] |\n|---|---|---|---|---|---|")
+    choices = [("as the case has it", []), ("cylinder of 90 mm", ["spindle.diameter=90 mm"]),
+               ("cylinder of 110 mm", ["spindle.diameter=110 mm"]),
+               ("outer osculation 0.515, as Table 1 prints", ["bearing.outer_osculation=0.515"]),
+               ("free housing of 30 kg, 0.25 kg m2", ["housing.mass=30 kg", "housing.inertia=0.25 kg.m2"]),
+               ("without light preload", "light"), ("rows in tandem", ["arrangement=tandem"])]
+    case = yaml.safe_load((CASE / "case.yaml").read_text())
+    for name, settings in choices:
+        if settings == "light":
+            settings = [f"measured.{key}=[{', '.join(values[1:3] + values[3:])}]" for key, values in case["measured"].items()]
+        one = call(program, "run", *settings)["identified"]["nonlinear"]
+        print(f"| {name} | {one['mass_kg']:.2f} | {one['first_lever_mm']:.2f} | {one['inertia_x_kg_m2']:.4f} | "
+              f"{one['fit']['mean_percent']:.1f}, {one['fit']['worst_percent']:.1f} | "
+              f"{one['prediction']['mean_percent']:.1f}, {one['prediction']['worst_percent']:.1f} |")
+
+
+if __name__ == "__main__":
+    program = str(Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as folder:
+        result = call(program, "run")
+        table(program)
+        for name in ("nonlinear", "linear"):
+            print(name, json.dumps(result["identified"][name]))
+        over_preload(program, result)
+        over_geometry(program)
+        shapes_and_response(program, Path(folder))

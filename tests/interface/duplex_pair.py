@@ -1,0 +1,69 @@
+"""A shaft on a duplex pair: five modes in their order, both columns of the source by one key, what run writes, what is refused."""
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import netCDF4
+
+PROGRAM = os.environ.get("ORBEARING", "build/release/bin/orbearing")
+CASE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases" / "duplex_7020" / "case.yaml"
+KINDS = ["tilt_x", "tilt_y", "axial_z", "radial_x", "radial_y"]
+
+
+def call(*words):
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True)
+
+
+def modes(*settings):
+    done = call("modes", CASE, "--json", *[word for setting in settings for word in ("--set", setting)])
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)["modes"]
+
+
+def five_rows_always():
+    for settings in ([], ["stiffness=linear"], ["bearing.contact_angle=25 deg", "preload=830 N"],
+                     ["bearing.contact_angle=25 deg", "preload=3920 N", "stiffness=linear"],
+                     ["arrangement=back-to-back"], ["arrangement=tandem"], ["preload=0 N"]):
+        rows = modes(*settings)
+        assert [row["kind"] for row in rows] == KINDS, settings
+        assert all(row["multiplicity"] == 1 for row in rows), settings
+    assert all(row["frequency_Hz"] == 0.0 for row in modes("preload=0 N"))
+    assert abs(modes("stiffness=linear")[0]["frequency_Hz"] - 288.27) < 0.001 * 288.27
+
+
+def run_writes_its_files(work):
+    done = call("run", CASE, "-o", work / "pair", "--json")
+    assert done.returncode == 0, done.stderr
+    result = json.loads(done.stdout)
+    assert result == json.loads((work / "pair" / "duplex.json").read_text())
+    rows = list(csv.DictReader((work / "pair" / "predictions.csv").open()))
+    assert len(rows) == 30 and sum(int(row["identified_from"]) for row in rows) == 15
+    file = netCDF4.Dataset(work / "pair" / "points" / "00000.nc")
+    assert file["mode_shape"].shape == (5, 5) and file["accelerance_z_real"].shape == file["frequency"].shape
+    assert any("bore of the bearings" in json.dumps(one) for one in result["assumptions"]), result["assumptions"]
+    again = call("run", work / "pair" / "case.resolved.yaml", "--json")
+    assert json.loads(again.stdout)["modes"] == result["modes"]
+
+
+def mistakes_are_named():
+    for setting, word in (("preload=-1 N", "preload"), ("stiffness=elastic", "stiffness"),
+                          ("measured.preload=[3 N]", "measured.tilt_x"), ("spindle.inertia_x=1 kg.m2", "spindle.inertia_y"),
+                          ("identification.contact_angle=25 deg", "measured.contact_angle"),
+                          ("operation.shaft_speed=100 rpm", "operation"), ("housing.mass=3 kg", "housing.inertia")):
+        done = call("modes", CASE, "--set", setting)
+        assert done.returncode == 2 and word in done.stderr, (setting, done.stderr)
+    assert call("modes", CASE, "--speed", "100 rpm").returncode == 2
+    warned = call("modes", CASE, "--set", "response.loss_factor=0.01")
+    assert "response.loss_factor" in warned.stdout, warned.stdout
+
+
+if __name__ == "__main__":
+    five_rows_always()
+    with tempfile.TemporaryDirectory() as folder:
+        run_writes_its_files(pathlib.Path(folder))
+    mistakes_are_named()
+    sys.exit(0)
