@@ -30,14 +30,14 @@ void describe(Visitor& visit, Lubricant& m) {
   members(visit, m,
           field(m.viscosity, "lubricant.viscosity", Felt::carrier,
                 "dynamic viscosity at the inlet, at running temperature",
-                {.models = with_rollers | ball_motion,
+                {.models = with_rollers | lone_balls | spin_film,
                  .dimension = dimension::viscosity,
                  .range = {1e-5, 100.0},
                  .reason = "a gear oil when warm",
                  .fmu = InFmu::parameter}),
           field(m.pressure_viscosity, "lubricant.pressure_viscosity", Felt::carrier,
                 "pressure-viscosity coefficient at running temperature",
-                {.models = with_rollers | ball_motion,
+                {.models = with_rollers | lone_balls | spin_film,
                  .dimension = dimension::pressure_viscosity,
                  .range = {0.1, 100.0},
                  .reason = "a mineral oil when warm",
@@ -82,8 +82,7 @@ void describe(Visitor& visit, Cage& m) {
                  .range = positive(25000.0),
                  .fmu = InFmu::parameter}),
           field(m.guidance, "bearing.cage.guidance", Felt::carrier, "ring that guides the cage",
-                {.models = in_motion,
-                 .reason = "inertia of the carrier frame throws the cage outward"}));
+                {.models = in_motion, .reason = "inertia of the carrier frame throws the cage outward"}));
 }
 
 /// Stiffness of one roller-to-race line contact.

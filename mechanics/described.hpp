@@ -29,6 +29,7 @@ inline constexpr Dimension length{"length", "m", "mm", "3 mm", 1e-3};
 inline constexpr Dimension small_length{"length", "m", "um", "37 um", 1e-6};
 inline constexpr Dimension angle{"angle", "rad", "deg", "20 deg", kRadian};
 inline constexpr Dimension angular_speed{"angular speed", "rad/s", "rpm", "6000 rpm", kTurn};
+inline constexpr Dimension spin{"angular speed", "rad/s", "rad/s", "200 rad/s"};
 inline constexpr Dimension angular_acceleration{"angular acceleration", "rad/s2", "rpm/s", "5000 rpm/s",
                                                 kTurn};
 inline constexpr Dimension power{"power", "W", "kW", "150 kW", 1e3};
@@ -71,6 +72,7 @@ enum Model : unsigned {
   gear_pair = 4,
   ball_bearing = 8,
   raceway_defect = 16,
+  spin_film = 64,
   ball_motion = 1u << 12  // a ball bearing whose case has a block `simulation`: in time
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
@@ -79,7 +81,7 @@ inline constexpr unsigned lone_balls = ball_bearing | ball_motion;
 inline constexpr unsigned with_balls = lone_balls | raceway_defect;
 /// Bearings in motion over time.
 inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
-inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
+inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | spin_film;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -107,6 +109,7 @@ enum class Felt {
   turning_balls,  // balls of such a bearing whose rings turn, in balance
   lone_run,       // a ball bearing by itself in time
   defect,         // a bearing with scratches in motion
+  one_contact,    // the film of a contact by itself
   exchange        // windows of a co-simulation
 };
 

@@ -108,6 +108,7 @@ std::vector<Field> build_table() {
   add_described(fields, gearset::GearPair{});
   table::add_static_fields(fields);
   table::add_defect_fields(fields);
+  table::add_film_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -203,6 +204,8 @@ std::string_view model_name(Model model) {
       return "ball-bearing with a block 'simulation'";
     case raceway_defect:
       return "raceway-defect";
+    case spin_film:
+      return "spin-film";
     case no_model:
       break;
   }
@@ -211,7 +214,7 @@ std::string_view model_name(Model model) {
 
 const std::vector<Model>& models() {
   static const std::vector<Model> all{planetary_drivetrain, roller_bearing, ball_bearing, gear_pair,
-                                      raceway_defect};
+                                      raceway_defect,       spin_film};
   return all;
 }
 
@@ -222,7 +225,7 @@ Model model_of(std::string_view name) {
 }
 
 const std::vector<std::string>& planned_models() {
-  static const std::vector<std::string> names{"duplex-pair", "spin-film"};
+  static const std::vector<std::string> names{"duplex-pair"};
   return names;
 }
 

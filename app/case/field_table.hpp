@@ -54,6 +54,7 @@ void add_bearing_fields(std::vector<Field>& fields);
 void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
 void add_defect_fields(std::vector<Field>& fields);
+void add_film_fields(std::vector<Field>& fields);
 }  // namespace table
 
 }  // namespace orbearing::app

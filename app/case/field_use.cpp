@@ -22,10 +22,10 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load | use::ball_run |
-             use::defect;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::lone_balance | use::ball_run |
+             use::defect | use::planet_stiffness;
     case carrier:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::ball_run;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::ball_run | use::planet_stiffness;
     case walls:
       return use::gears_in_motion | use::natural | use::rollers_in_motion;
     case pin:
@@ -45,15 +45,17 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
-      return use::static_load | use::ball_run | use::defect;
+      return use::lone_balance | use::ball_run | use::defect;
     case turning_balls:
-      return use::static_load;
+      return use::lone_balance;
     case lone_run:
       return use::ball_run;
     case defect:
       return use::defect;
     case exchange:
       return use::co_simulated;
+    case one_contact:
+      return use::spin_film;
   }
   return 0;
 }
@@ -63,7 +65,7 @@ unsigned holding(described::Felt felt) {
 unsigned leaving_out(described::Felt felt) {
   using enum described::Felt;
   if (felt == gear_bodies || felt == gear_motion) return use::dynamic_of_sets;
-  return felt == load_sharing ? use::dynamic_of_sets | use::crown : 0u;
+  return felt == load_sharing ? use::dynamic_of_sets | use::crown | use::planet_stiffness : 0u;
 }
 
 // How single parameters differ from what their physics says.
@@ -83,7 +85,6 @@ constexpr Exception exceptions[] = {
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
     {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},
     {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
-    {"film.enabled", use::static_load},
     {"film.approach", other_rungs | use::fmu_bearing},
     {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
     {"bearing.cage.pocket_film", use::monolithic},  // one system of equations knows pockets without oil
@@ -138,11 +139,29 @@ Exception exception_of(std::string_view path) {
   return {path};
 }
 
-// Balls feel their mass where a ring turns.
-Use with_turning_rings(const Use& use, const described::Facts& facts) {
-  const Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed"});
+// What tilts the bore is felt where lives are, and by the stiffness.
+Use with_tilted_bore(Use use, std::string_view path) {
+  if (!path.starts_with("bearing.misalignment.")) return use;
+  use.by |= use::planet_stiffness;
+  use.unfelt_by &= ~unsigned{use::planet_stiffness};
+  return use;
+}
+
+// Balls feel their mass, and the film under them, where a ring turns.
+Use with_turning_rings(Use use, const described::Facts& facts) {
+  Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
   if (facts.felt == described::Felt::turning_balls) return use.when(turning);
-  return facts.path == "material.density" ? use.felt_too(use::static_load, turning) : use;
+  if (facts.path == "material.density") return use.felt_too(use::lone_balance, turning);
+  if (facts.path == "film.enabled") {
+    use.by |= use::lone_balance;
+    use.unfelt_by &= ~unsigned{use::lone_balance};
+    turning.paths.emplace_back("input.speed");  // planets turn always
+    return use.when(turning);
+  }
+  if (facts.path != "lubricant.viscosity" && facts.path != "lubricant.pressure_viscosity") return use;
+  use.by |= use::spin_film;
+  use.unfelt_by &= ~unsigned{use::spin_film};
+  return use.felt_too(use::lone_balance, where("film.enabled", {"true"}));
 }
 
 }  // namespace
@@ -152,7 +171,8 @@ Use use_of(const described::Facts& facts) {
   const unsigned without = leaving_out(facts.felt) | but.unused_by;
   const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
-  const Use use = with_turning_rings(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts);
+  const Use at_rest = with_load_sharing(Use(by, unfelt, but.refused_by), facts.path);
+  const Use use = with_turning_rings(with_tilted_bore(at_rest, facts.path), facts);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);
@@ -192,7 +212,8 @@ const std::vector<use::Analysis>& analyses() {
   static const std::vector<use::Analysis> every{
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect};
+      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect,
+      use::spin_film,    use::stiffness,   use::planet_stiffness};
   return every;
 }
 
@@ -228,6 +249,12 @@ std::string analysis_name(use::Analysis analysis) {
       return "run of a ball bearing in time";
     case use::defect:
       return "run of a bearing with scratches";
+    case use::spin_film:
+      return "run of a contact that rolls and spins";
+    case use::stiffness:
+      return "stiffness of a single bearing";
+    case use::planet_stiffness:
+      return "stiffness of a planet bearing";
   }
   return "";
 }

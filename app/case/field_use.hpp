@@ -28,7 +28,10 @@ enum Analysis : unsigned {
   fmu_gearset = 1u << 11,
   static_load = 1u << 12,  // run of a single bearing
   defect = 1u << 13,       // run of a bearing with scratches
-  ball_run = 1u << 16      // run of a ball bearing in time
+  ball_run = 1u << 16,     // run of a ball bearing in time
+  spin_film = 1u << 20,    // run of a contact that rolls and spins
+  stiffness = 1u << 21,    // of a single bearing
+  planet_stiffness = 1u << 22
 };
 
 /// Analyses that share their physics.
@@ -38,10 +41,12 @@ inline constexpr unsigned lives = quasi_static | in_time | crown;
 inline constexpr unsigned natural = modes | modes_at_speed;
 inline constexpr unsigned bearings_as_springs = gears | natural | fmu_gearset;
 inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
-inline constexpr unsigned rollers_at_rest = quasi_static | crown;
+inline constexpr unsigned rollers_at_rest = quasi_static | crown | planet_stiffness;
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
-inline constexpr unsigned of_a_drivetrain = lives | gears | natural | mesh | fmu_bearing | fmu_gearset;
-inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect;
+inline constexpr unsigned of_a_drivetrain =
+    lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness;
+inline constexpr unsigned lone_balance = static_load | stiffness;  // of a single bearing
+inline constexpr unsigned all = of_a_drivetrain | lone_balance | ball_run | defect | spin_film;
 }  // namespace use
 
 /// What one of `paths` must be for a field to count: one of `values`; without values, given and not zero. A

@@ -11,6 +11,7 @@
 
 #include "app/errors.hpp"
 #include "app/study/defect_study.hpp"
+#include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_study.hpp"
@@ -143,10 +144,11 @@ ValidationTable validation_table_of(const ResolvedCase& resolved, const Expected
   if (resolved.model() == gear_pair) return study_table(resolved, expected, mesh_study, mesh_property);
   if (is_static_bearing(resolved)) return study_table(resolved, expected, static_study, static_property);
   if (is_defect(resolved)) return study_table(resolved, expected, defect_study, defect_property);
+  if (is_spin_film(resolved)) return study_table(resolved, expected, film_study, film_property);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing, "
-                   "ball-bearing or raceway-defect");
+                   "ball-bearing, raceway-defect or spin-film");
   if (!resolved.shape().teeth) return study_table(resolved, expected, modes_of, mode_property);
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});

@@ -15,6 +15,7 @@
 #include "app/study/defect_output.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/study/film_study.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
@@ -23,6 +24,8 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_output.hpp"
 #include "app/study/static_study.hpp"
+#include "app/study/stiffness_output.hpp"
+#include "app/study/stiffness_study.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/multi_stage.hpp"
@@ -131,6 +134,11 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return ball_json(ball_study(in)).dump();
     case use::defect:
       return defect_json(defect_study(in)).dump();
+    case use::spin_film:
+      return film_json(film_study(in)).dump();
+    case use::stiffness:
+    case use::planet_stiffness:
+      return stiffness_json(stiffness_study(in)).dump();
   }
   return {};
 }

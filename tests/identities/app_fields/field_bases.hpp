@@ -131,6 +131,13 @@ defect: {race: inner, width: 0.8 mm, depth: 0.1 mm}
 signal: {sampling_rate: 20 kHz, revolutions: 3, settling_revolutions: 0.5, length_error: 1e-8 mm}
 )";
 
+inline const std::string kSpinFilm = R"(name: a contact that rolls and spins
+source: none
+model: spin-film
+contact: {rolling_radius: 6 mm, ellipticity: 7, modulus: 226 GPa}
+points: [[500 N, 5 m/s, 200 rad/s]]
+)";
+
 // Pins off their places: loads at rest then follow from all that gives way under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
@@ -164,7 +171,8 @@ inline const std::vector<Base>& bases() {
                                      {"roller_bearing", rollers_case()},
                                      {"ball_bearing", kBalls},
                                      {"ball_bearing_in_time", kBallsInTime},
-                                     {"raceway_defect", kScratch}};
+                                     {"raceway_defect", kScratch},
+                                     {"spin_film", kSpinFilm}};
   return all;
 }
 
@@ -190,6 +198,7 @@ inline const std::map<std::string, Change>& stated_changes() {
   const std::vector<std::string> turning{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
                                          "operation.shaft_speed=1000 rpm"};
   const std::vector<std::string> turning_balls{"operation.shaft_speed=9000 rpm"};
+  const std::vector<std::string> filmed{"film.enabled=true", "operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
@@ -256,8 +265,12 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"contact.roughness", {"0.3 um", {"contact.lubrication=mixed"}}},
       {"contact.boundary_friction", {"0.13", {"contact.lubrication=mixed"}}},
       {"film.approach", {"as-printed", {"film.enabled=true"}}},
-      {"lubricant.viscosity", {"0.02 Pa.s", {"film.enabled=true"}}},
-      {"lubricant.pressure_viscosity", {"2e-8 Pa-1", {"film.enabled=true"}}},
+      {"film.enabled", {"true", turning_balls}},
+      {"lubricant.viscosity", {"0.02 Pa.s", filmed}},
+      {"lubricant.pressure_viscosity", {"2e-8 Pa-1", filmed}},
+      {"operation.speeds", {"[1000 rpm, 2000 rpm]"}},
+      {"operation.load_factors", {"[2]"}},
+      {"points", {"[[600 N, 5 m/s, 200 rad/s]]"}},
       {"traction.limiting_friction", {"0.08", {"traction.law=limiting-shear"}}},
       {"simulation.load_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
