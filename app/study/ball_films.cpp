@@ -11,6 +11,7 @@
 
 #include "app/case/static_case.hpp"
 #include "app/results/json_number.hpp"
+#include "app/results/result_row.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 
@@ -119,7 +120,7 @@ std::optional<balance::RingState> balanced(const bearing::Bearing& bearing, cons
   balance::RingState state = balance::balance_bearing(bearing, motion, load);
   if (state.report.converged) return state;
   table.warnings.push_back(
-      fmt::format("operation.speeds: {:.6g} rpm: {}", kRpm * speed, state.report.message));
+      fmt::format("operation.speeds: {:.6g} rpm: {}", speed_in_rpm(speed), state.report.message));
   return std::nullopt;
 }
 
@@ -127,7 +128,7 @@ void add_row(const bearing::Bearing& bearing, balance::RowMotion motion, const b
              double speed, SpeedTable& table, std::vector<double>& beyond) {
   motion.speeds.inner = speed;
   table.columns = {{"speed_rpm", "rpm", "of the inner ring"}};
-  std::vector<double> values{kRpm * speed};
+  std::vector<double> values{speed_in_rpm(speed)};
   balance::RowMotion dry = motion;
   dry.film.reset();
   SpeedRow(bearing, dry).add(balanced(bearing, dry, load, speed, table), table.columns, values);
@@ -135,7 +136,7 @@ void add_row(const bearing::Bearing& bearing, balance::RowMotion motion, const b
     const std::optional<balance::RingState> state = balanced(bearing, motion, load, speed, table);
     SpeedRow(bearing, motion).add(state, table.columns, values);
     if (state && !film_warnings(bearing, ball_films(bearing, *motion.film, *state)).empty())
-      beyond.push_back(kRpm * speed);
+      beyond.push_back(speed_in_rpm(speed));
   }
   table.rows.push_back(std::move(values));
 }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/results/json_number.hpp"
+#include "app/study/stiffness_output.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {
@@ -92,9 +93,7 @@ Json static_json(const StaticStudy& study) {
               {"ratings", ratings_json(study.ratings)},
               {"factors", factors_json(study)},
               {"reference_life", lives(study.reference_life)}};
-  object["stiffness"] = Json::array();
-  for (const auto& row : study.stiffness.rowwise())
-    object["stiffness"].push_back(list(row.transpose().array()));
+  object["stiffness"] = stiffness_json(study.stiffness);
   if (study.outer_load.size() > 0) {
     object["outer_contact_loads_N"] = list(study.outer_load);
     object["outer_contact_angles_deg"] = list(study.outer_angle, kDegree);

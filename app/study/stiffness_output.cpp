@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/results/json_number.hpp"
-#include "app/units.hpp"
+#include "app/results/result_row.hpp"
 
 namespace orbearing::app {
 
@@ -37,18 +37,12 @@ double displaced(const StiffnessPoint& point, std::size_t axis) {
 }
 
 Json point_json(const StiffnessPoint& point) {
-  Json object{{"speed_rpm", kRpm * point.speed}, {"load", Json::object()}};
+  Json object{{"speed_rpm", speed_in_rpm(point.speed)}, {"load", Json::object()}};
   for (const auto& [name, value] : point.load) object["load"][name] = value;
   if (!point.set.empty()) object["set"] = point.set;
-  Json stiffness = Json::array(), displacement = Json::array();
-  for (std::size_t row = 0; row < ring_axes.size(); ++row) {
-    Json of_row = Json::array();
-    for (std::size_t column = 0; column < ring_axes.size(); ++column)
-      of_row.push_back(number_or_null(entry(point, row, column)));
-    stiffness.push_back(std::move(of_row));
-    displacement.push_back(number_or_null(displaced(point, row)));
-  }
-  object["stiffness"] = point.stiffness ? stiffness : Json(nullptr);
+  Json displacement = Json::array();
+  for (const double value : point.displacement) displacement.push_back(value);
+  object["stiffness"] = point.stiffness ? stiffness_json(*point.stiffness) : Json(nullptr);
   object["displacement"] = point.stiffness ? displacement : Json(nullptr);
   object["damping"] = nullptr;
   object["status"] = point.status;
@@ -93,6 +87,12 @@ class Worksheet {
 
 }  // namespace
 
+Json stiffness_json(const bearing::equilibrium::RingStiffness& stiffness) {
+  Json rows = Json::array();
+  for (const auto& row : stiffness.rowwise()) rows.push_back(std::vector<double>(row.begin(), row.end()));
+  return rows;
+}
+
 Json stiffness_json(const StiffnessStudy& study) {
   Json points = Json::array();
   for (const StiffnessPoint& point : study.points) points.push_back(point_json(point));
@@ -111,7 +111,7 @@ Json stiffness_json(const StiffnessStudy& study) {
 std::string stiffness_text(const StiffnessStudy& study) {
   std::string text = study.frame + "\n";
   for (const StiffnessPoint& point : study.points) {
-    text += fmt::format("\n{:.6g} rpm", kRpm * point.speed);
+    text += fmt::format("\n{:.6g} rpm", speed_in_rpm(point.speed));
     if (!point.set.empty()) text += ", " + point.set;
     for (const auto& [name, value] : point.load) text += fmt::format(", {} {:.6g}", name, value);
     if (!point.stiffness) {
@@ -143,7 +143,7 @@ std::string stiffness_csv(const StiffnessStudy& study) {
     return std::isfinite(value) ? fmt::format(",{}", value) : std::string(",");
   };
   for (const StiffnessPoint& point : study.points) {
-    text += point.set + field(kRpm * point.speed);
+    text += point.set + field(speed_in_rpm(point.speed));
     for (std::size_t i = 0; i < study.points.front().load.size(); ++i)
       text += i < point.load.size() ? field(point.load[i].second) : std::string(",");
     for (std::size_t axis = 0; axis < ring_axes.size(); ++axis) text += field(displaced(point, axis));

@@ -9,6 +9,9 @@
 
 namespace orbearing::app {
 
+/// Five rows of five.
+nlohmann::ordered_json stiffness_json(const bearing::equilibrium::RingStiffness& stiffness);
+
 /// points: speed_rpm, load, stiffness (5 x 5), displacement; null where there is no balance.
 nlohmann::ordered_json stiffness_json(const StiffnessStudy& study);
 std::string stiffness_text(const StiffnessStudy& study);

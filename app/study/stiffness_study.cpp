@@ -6,9 +6,9 @@
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
+#include "app/results/result_row.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_study.hpp"
-#include "app/units.hpp"
 #include "bearing/equilibrium/lamina_stiffness.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 
@@ -143,7 +143,7 @@ StiffnessStudy stiffness_study(const ResolvedCase& in) {
   }
   for (const StiffnessPoint& point : study.points)
     if (!point.stiffness)
-      study.warnings.push_back(fmt::format("{:.6g} rpm: {}", kRpm * point.speed, point.status));
+      study.warnings.push_back(fmt::format("{:.6g} rpm: {}", speed_in_rpm(point.speed), point.status));
   return study;
 }
 

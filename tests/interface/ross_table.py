@@ -30,7 +30,7 @@ def rotor(bearings):
 def criticals(bearings):
     machine = rotor(bearings)
     found = []
-    speeds = np.linspace(20, 1500, 75)
+    speeds = np.linspace(20, 1500, 38)
     lines = np.array([np.sort(machine.run_modal(speed, num_modes=16).wn)[:2] for speed in speeds])
     for line in lines.T:
         above = line - speeds

@@ -23,7 +23,8 @@ ResolvedCase shipped(const std::string& name, const std::vector<std::string>& se
 }
 
 TEST(FilmStudy, RowsOfPointsInSi) {
-  const ResolvedCase in = shipped("spin_film_guo2013", {"points=[[1.5 kN, 600 m/min, 300 rad/s], [1 N, 1 m/s, 0 rad/s]]"});
+  const ResolvedCase in =
+      shipped("spin_film_guo2013", {"points=[[1.5 kN, 600 m/min, 300 rad/s], [1 N, 1 m/s, 0 rad/s]]"});
   EXPECT_THAT(in.list("points"), ElementsAre(1500.0, 10.0, 300.0, 1.0, 1.0, 0.0));
   EXPECT_EQ(in.given("points"), "[[1.5 kN, 600 m/min, 300 rad/s], [1 N, 1 m/s, 0 rad/s]]");
   EXPECT_EQ(film_study(in).points.size(), 2u);
@@ -31,8 +32,8 @@ TEST(FilmStudy, RowsOfPointsInSi) {
 }
 
 TEST(FilmStudy, RowsThatAreNone) {
-  for (const char* text : {"[1 N]", "[[1 N, 1 m/s]]", "[[1 N, 1 m/s, 1 rad/s, 1 N]]", "[[0 N, 1 m/s, 1 rad/s]]",
-                           "[[1 m/s, 1 N, 1 rad/s]]", "[]", "1 N"})
+  for (const char* text : {"[1 N]", "[[1 N, 1 m/s]]", "[[1 N, 1 m/s, 1 rad/s, 1 N]]",
+                           "[[0 N, 1 m/s, 1 rad/s]]", "[[1 m/s, 1 N, 1 rad/s]]", "[]", "1 N"})
     EXPECT_THROW(shipped("spin_film_guo2013", {std::string("points=") + text}), BadInput) << text;
 }
 
@@ -72,7 +73,8 @@ TEST(BallFilms, OfLoadedBallsAlone) {
 
 // The approach with a film is Eq. (10)'s at the load and motion found: the film's own, not Hertz's.
 TEST(BallFilms, TheApproachIsTheFilms) {
-  const std::optional<SpeedTable> table = speed_table(shipped("spin_bearing_7210", {"operation.speeds=[9000 rpm]"}));
+  const std::optional<SpeedTable> table =
+      speed_table(shipped("spin_bearing_7210", {"operation.speeds=[9000 rpm]"}));
   ASSERT_TRUE(table);
   const auto value = [&](const std::string& name) {
     for (std::size_t i = 0; i < table->columns.size(); ++i)
@@ -87,7 +89,8 @@ TEST(BallFilms, TheApproachIsTheFilms) {
            .pitch_diameter = 70e-3},
           bearing::Race::outer),
       {.viscosity = 0.01988, .pressure_viscosity = 19.75e-9},
-      {.load = value("film_outer_load_N"), .rolling = value("film_outer_rolling_speed_m_s"),
+      {.load = value("film_outer_load_N"),
+       .rolling = value("film_outer_rolling_speed_m_s"),
        .spin = value("film_outer_spin_rad_s")});
   EXPECT_NEAR(value("film_outer_approach_um"), 1e6 * films.rigid, 1e-9);
   EXPECT_LT(value("film_outer_approach_um"), value("hertz_outer_approach_um"));
@@ -97,7 +100,8 @@ TEST(BallFilms, TheApproachIsTheFilms) {
 // The turning point is that of the table; a shorter one does not invent it.
 TEST(BallFilms, TheTurningPointNeedsBothSides) {
   const auto turning = [](const char* speeds) {
-    return speed_table(shipped("spin_bearing_7210", {std::string("operation.speeds=") + speeds}))->inner_turning_rpm;
+    return speed_table(shipped("spin_bearing_7210", {std::string("operation.speeds=") + speeds}))
+        ->inner_turning_rpm;
   };
   const std::optional<double> coarse = turning("[9000 rpm, 11000 rpm, 13000 rpm]");
   const std::optional<double> fine = turning("[11200 rpm, 11300 rpm, 11400 rpm, 11500 rpm]");
