@@ -182,7 +182,7 @@ class Resolver {
 
   // Of several sets, one may go without bearings: it carries power and has no life.
   bool is_needed(const Input& input) const {
-    if (model_ == no_model) return input.path.find('.') == std::string::npos;
+    if (model_ == no_model) return (input.field->required_by & every_model) == every_model;
     const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
     return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input);
   }

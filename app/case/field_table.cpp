@@ -165,7 +165,7 @@ const Field& shaft_field() {
       .path = "shafts",
       .kind = Kind::list,
       .meaning = "what turns as one: members as in 'reduction.sun', and motor, load or ground",
-      .use = Use(use::lives, 0),
+      .use = Use(use::lives | use::planet_stiffness, 0),
       .models = planetary_drivetrain,
       .element = Kind::text};
   return field;

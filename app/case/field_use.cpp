@@ -139,29 +139,34 @@ Exception exception_of(std::string_view path) {
   return {path};
 }
 
-// What tilts the bore is felt where lives are, and by the stiffness.
-Use with_tilted_bore(Use use, std::string_view path) {
-  if (!path.starts_with("bearing.misalignment.")) return use;
-  use.by |= use::planet_stiffness;
-  use.unfelt_by &= ~unsigned{use::planet_stiffness};
+Use also_used(Use use, unsigned analyses) {
+  use.by |= analyses;
+  use.unfelt_by &= ~analyses;
   return use;
 }
 
+// Laminae and what tilts the bore belong to lives, and are felt by the stiffness too; the law of line
+// contacts knows no modulus, their films do.
+Use with_stiffness(Use use, std::string_view path) {
+  if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
+  if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
+  if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
+  use.by &= ~unsigned{use::planet_stiffness};
+  use.unfelt_by |= use::planet_stiffness;
+  return use.felt_too(use::planet_stiffness, where("film.enabled", {"true"}));
+}
+
 // Balls feel their mass, and the film under them, where a ring turns.
-Use with_turning_rings(Use use, const described::Facts& facts) {
+Use with_turning_rings(const Use& use, const described::Facts& facts) {
   Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
   if (facts.felt == described::Felt::turning_balls) return use.when(turning);
   if (facts.path == "material.density") return use.felt_too(use::lone_balance, turning);
   if (facts.path == "film.enabled") {
-    use.by |= use::lone_balance;
-    use.unfelt_by &= ~unsigned{use::lone_balance};
     turning.paths.emplace_back("input.speed");  // planets turn always
-    return use.when(turning);
+    return also_used(use, use::lone_balance).when(turning);
   }
   if (facts.path != "lubricant.viscosity" && facts.path != "lubricant.pressure_viscosity") return use;
-  use.by |= use::spin_film;
-  use.unfelt_by &= ~unsigned{use::spin_film};
-  return use.felt_too(use::lone_balance, where("film.enabled", {"true"}));
+  return also_used(use, use::spin_film).felt_too(use::lone_balance, where("film.enabled", {"true"}));
 }
 
 }  // namespace
@@ -172,7 +177,7 @@ Use use_of(const described::Facts& facts) {
   const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
   const Use at_rest = with_load_sharing(Use(by, unfelt, but.refused_by), facts.path);
-  const Use use = with_turning_rings(with_tilted_bore(at_rest, facts.path), facts);
+  const Use use = with_turning_rings(with_stiffness(at_rest, facts.path), facts);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);

@@ -41,7 +41,8 @@ Field speed_of_ring(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
-          .use = Use(use::lone_balance | use::ball_run, 0)
+          .use = Use(use::static_load | use::ball_run, use::stiffness)
+                     .felt_too(use::stiffness, where_given({"bearing.balls"}))
                      .when(where_given({"lubricant.kinematic_viscosity", "bearing.balls"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,

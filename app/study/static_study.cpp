@@ -73,7 +73,7 @@ StaticStudy static_study(const ResolvedCase& in) {
     study.lundberg_palmgren = bearing::lundberg_palmgren_life(bearing, in.number("life.lambda"),
                                                               study.contact_load, study.contact_load);
   rate(in, rating::rolling_element(bearing), study);
-  if (motion.film) {
+  if (motion.film && state.inner_rolling.size() > 0) {
     study.films = ball_films(bearing, *motion.film, state);
     for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
   }

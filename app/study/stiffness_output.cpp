@@ -44,6 +44,7 @@ Json point_json(const StiffnessPoint& point) {
   for (const double value : point.displacement) displacement.push_back(value);
   object["stiffness"] = point.stiffness ? stiffness_json(*point.stiffness) : Json(nullptr);
   object["displacement"] = point.stiffness ? displacement : Json(nullptr);
+  if (point.largest_pressure) object["pressure_max_MPa"] = 1e-6 * *point.largest_pressure;
   object["damping"] = nullptr;
   object["status"] = point.status;
   return object;

@@ -34,7 +34,7 @@ equilibrium::RingLoad scaled(equilibrium::RingLoad load, double factor) {
 StiffnessPoint lone_point(const bearing::Bearing& bearing, const equilibrium::RowMotion& motion,
                           const equilibrium::RingLoad& load) {
   const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
-  StiffnessPoint point{.speed = motion.speeds.inner,
+  StiffnessPoint point{.speed = bearing.has_rollers() ? 0.0 : motion.speeds.inner,
                        .load = {{"radial_N", load.radial},
                                 {"axial_N", load.axial},
                                 {"moment_N_m", state.moment},
@@ -45,6 +45,7 @@ StiffnessPoint lone_point(const bearing::Bearing& bearing, const equilibrium::Ro
   }
   point.stiffness = equilibrium::stiffness_by_axes(state);
   point.displacement = equilibrium::displacement_by_axes(state);
+  point.largest_pressure = state.largest_pressure;
   return point;
 }
 
@@ -54,8 +55,8 @@ StiffnessStudy lone_stiffness(const ResolvedCase& in) {
   StiffnessStudy study{
       .series = 0,
       .frame = "inner ring against the outer one; x along the radial load, z along the axis",
-      .damping = motion.film ? "the film follows from speed and load alone: it has no rate of approach"
-                             : "a balance at rest of its parts has none"};
+      .damping =
+          "a balance has none; the film follows from speed and load alone, it has no rate of approach"};
   const std::vector<double> speeds = list_or(in, "operation.speeds", motion.speeds.inner);
   for (const double factor : list_or(in, "operation.load_factors", 1.0)) {
     for (const double speed : speeds) {

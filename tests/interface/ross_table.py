@@ -56,13 +56,12 @@ def call(*arguments):
 
 class Ross(unittest.TestCase):
     def test_a_rotor_on_our_table(self):
-        interpreter = interpreter_with(*PACKAGES)
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place) / "out"
             result = call("stiffness", CASE, "-o", folder, "--json", "--set", f"load.axial={AXIAL} N", "--set",
                           "operation.speeds=[0 rad/s, 100 rad/s, 300 rad/s, 550 rad/s, 800 rad/s, 1100 rad/s, 1500 rad/s]")
             points = {round(point["speed_rpm"] * 0.10471975511965977): point["stiffness"] for point in json.loads(result.stdout)["points"]}
-            done = subprocess.run([interpreter, "-c", ROTOR, folder / "ross.xls", str(BALLS), str(DIAMETER), str(AXIAL), str(ANGLE)],
+            done = subprocess.run([INTERPRETER, "-c", ROTOR, folder / "ross.xls", str(BALLS), str(DIAMETER), str(AXIAL), str(ANGLE)],
                                   capture_output=True, text=True, timeout=280, cwd=place)
             self.assertEqual(done.returncode, 0, done.stderr[-2000:])
             found = json.loads(done.stdout.splitlines()[-1])
@@ -83,4 +82,5 @@ class Ross(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    INTERPRETER = interpreter_with(*PACKAGES)
     unittest.main()

@@ -58,7 +58,8 @@ TEST(FilmStudy, WhatIsBeyondTheRangesIsTold) {
 
 TEST(BallFilms, OfLoadedBallsAlone) {
   const StaticStudy study = static_study(
-      shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=1.5 kN", "operation.speeds=[6000 rpm]"}));
+      shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=500 N", "operation.shaft_speed=6000 rpm",
+                                    "operation.speeds=[6000 rpm]"}));
   ASSERT_TRUE(study.films);
   Eigen::Index loaded = (study.contact_load > 0.0).count() + (study.outer_load > 0.0).count();
   EXPECT_EQ(static_cast<Eigen::Index>(study.films->size()), loaded);
