@@ -29,6 +29,7 @@ inline constexpr Dimension length{"length", "m", "mm", "3 mm", 1e-3};
 inline constexpr Dimension small_length{"length", "m", "um", "37 um", 1e-6};
 inline constexpr Dimension angle{"angle", "rad", "deg", "20 deg", kRadian};
 inline constexpr Dimension angular_speed{"angular speed", "rad/s", "rpm", "6000 rpm", kTurn};
+inline constexpr Dimension spin{"angular speed", "rad/s", "rad/s", "200 rad/s"};
 inline constexpr Dimension angular_acceleration{"angular acceleration", "rad/s2", "rpm/s", "5000 rpm/s",
                                                 kTurn};
 inline constexpr Dimension power{"power", "W", "kW", "150 kW", 1e3};
@@ -71,6 +72,7 @@ enum Model : unsigned {
   gear_pair = 4,
   ball_bearing = 8,
   raceway_defect = 16,
+  spin_film = 64,
   duplex_pair = 1u << 11,  // two rows of balls on one shaft
   ball_motion = 1u << 12   // a ball bearing whose case has a block `simulation`: in time
 };
@@ -83,7 +85,7 @@ inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
 /// Those and what can be followed so, if asked for: all bodies of a bearing with scratches.
 inline constexpr unsigned balls_in_time = ball_motion | raceway_defect;
 inline constexpr unsigned in_time = in_motion | raceway_defect;
-inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls;
+inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | spin_film;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;
@@ -111,6 +113,7 @@ enum class Felt {
   turning_balls,  // balls of such a bearing whose rings turn, in balance
   lone_run,       // a ball bearing by itself in time
   defect,         // a bearing with scratches in motion
+  one_contact,    // the film of a contact by itself
   exchange        // windows of a co-simulation
 };
 

@@ -8,7 +8,8 @@ namespace orbearing::app::table {
 namespace {
 
 Use of_profile(const char* kind) {
-  return Use(use::lives | use::fmu_bearing | use::static_load, use::bearings_as_springs | use::mesh)
+  return Use(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
+             use::bearings_as_springs | use::mesh)
       .when(where("bearing.profile.kind", {kind}));
 }
 
@@ -28,7 +29,8 @@ void add_profile_shape(std::vector<Field>& fields) {
        .kind = Kind::quantity,
        .meaning = "load of one roller for which lundberg, johns-gohar and fujiwara-kawase are laid "
                   "out; left out: the load that goes with the drop",
-       .use = Use(use::lives | use::fmu_bearing | use::static_load, use::bearings_as_springs | use::mesh)
+       .use = Use(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
+                  use::bearings_as_springs | use::mesh)
                   .when(where("bearing.profile.kind", {"lundberg", "johns-gohar", "fujiwara-kawase"}))
                   .when(where_absent("bearing.profile.drop")),
        .dimension = dimension::force,
@@ -43,7 +45,8 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.profile.k1",
                     .kind = Kind::number,
                     .meaning = "fujiwara-kawase: K1, factor of the design load; left out: 1",
-                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::static_load,
+                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance |
+                                   use::planet_stiffness,
                                use::crown | use::bearings_as_springs | use::mesh)  // crown varies the depth
                                .when(where("bearing.profile.kind", {"fujiwara-kawase"}))
                                .when(where_given({"bearing.profile.design_load"})),
@@ -59,7 +62,8 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.profile.x",
                     .kind = Kind::list,
                     .meaning = "table: places from the middle of the roller, rising",
-                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::static_load,
+                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance |
+                                   use::planet_stiffness,
                                use::bearings_as_springs | use::mesh)
                                .when(where("bearing.profile.kind", {"table"})),
                     .dimension = dimension::length,
@@ -68,7 +72,8 @@ void add_profile_shape(std::vector<Field>& fields) {
   fields.push_back({.path = "bearing.profile.drops",
                     .kind = Kind::list,
                     .meaning = "table: relief at those places",
-                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::static_load,
+                    .use = Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance |
+                                   use::planet_stiffness,
                                use::bearings_as_springs | use::mesh)
                                .when(where("bearing.profile.kind", {"table"})),
                     .dimension = dimension::small_length,
@@ -78,21 +83,21 @@ void add_profile_shape(std::vector<Field>& fields) {
 
 // None has a default: a case without them is computed with whole contacts, as before there were laminae.
 void add_profile(std::vector<Field>& fields) {
-  fields.push_back(
-      {.path = "bearing.profile.kind",
-       .kind = Kind::choice,
-       .meaning = "profile of the rollers along their length; left out: straight",
-       .use = Use(use::lives | use::fmu_bearing | use::static_load, use::bearings_as_springs | use::mesh),
-       .choices = {"straight", "chamfer", "circular", "straight-circular", "lundberg", "johns-gohar",
-                   "iso16281", "fujiwara-kawase", "table"}});
-  fields.push_back(
-      profile_length("bearing.profile.drop",
-                     "relief of one roller at the outermost of 40 laminae; left out: what the "
-                     "other entries of the profile give, else the relief of the profile of "
-                     "ISO/TS 16281 there",
-                     Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::static_load,
-                         use::crown | use::bearings_as_springs | use::mesh),  // crown varies it
-                     dimension::small_length, 1000.0));
+  fields.push_back({.path = "bearing.profile.kind",
+                    .kind = Kind::choice,
+                    .meaning = "profile of the rollers along their length; left out: straight",
+                    .use = Use(use::lives | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
+                               use::bearings_as_springs | use::mesh),
+                    .choices = {"straight", "chamfer", "circular", "straight-circular", "lundberg",
+                                "johns-gohar", "iso16281", "fujiwara-kawase", "table"}});
+  fields.push_back(profile_length(
+      "bearing.profile.drop",
+      "relief of one roller at the outermost of 40 laminae; left out: what the "
+      "other entries of the profile give, else the relief of the profile of "
+      "ISO/TS 16281 there",
+      Use((use::lives & ~unsigned{use::crown}) | use::fmu_bearing | use::lone_balance | use::planet_stiffness,
+          use::crown | use::bearings_as_springs | use::mesh),  // crown varies it
+      dimension::small_length, 1000.0));
   add_profile_shape(fields);
 }
 
@@ -103,7 +108,8 @@ const Use& of_turning_form() {
 }
 
 const Use& of_standing_form() {
-  static const Use use(use::lives | use::bearings_as_springs | use::fmu_bearing, use::mesh);
+  static const Use use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness,
+                       use::mesh);
   return use;
 }
 
@@ -142,13 +148,14 @@ void add_forms(std::vector<Field>& fields) {
 }  // namespace
 
 void add_bearing_fields(std::vector<Field>& fields) {
-  fields.push_back(
-      {.path = "bearing.type",
-       .kind = Kind::choice,
-       .meaning = "kind of bearing",
-       .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load, use::mesh),
-       .required_by = with_rollers,
-       .choices = {"cylindrical-roller"}});
+  fields.push_back({.path = "bearing.type",
+                    .kind = Kind::choice,
+                    .meaning = "kind of bearing",
+                    .use = Use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::lone_balance |
+                                   use::planet_stiffness,
+                               use::mesh),
+                    .required_by = with_rollers,
+                    .choices = {"cylindrical-roller"}});
   add_described(fields, usual_drivetrain());
   add_profile(fields);
   add_forms(fields);

@@ -142,7 +142,6 @@ class Resolver {
       object(member.place, path, found, required);
       return;
     }
-    if (refuse_planned_model(member, field)) return;
     FieldReading reading = read_field(field, member.value);
     if (!reading.good) {
       object(member.value.place, path, reading.complaint.found, reading.complaint.required);
@@ -151,16 +150,6 @@ class Resolver {
     StoredValue& stored = data_.values[path];
     stored = {std::move(reading.value), member.value.place, false};
     for (const Entry& item : member.value.items) stored.item_places.push_back(item.place);
-  }
-
-  bool refuse_planned_model(const Member& member, const Field& field) {
-    const std::vector<std::string>& planned = planned_models();
-    if (field.path != "model" ||
-        std::find(planned.begin(), planned.end(), member.value.text) == planned.end())
-      return false;
-    object(member.value.place, "model", quote(member.value.text) + " is not in this version",
-           requirement(field) + " is required");
-    return true;
   }
 
   bool is_faulty(std::string path) const {
@@ -182,7 +171,7 @@ class Resolver {
 
   // Of several sets, one may go without bearings: it carries power and has no life.
   bool is_needed(const Input& input) const {
-    if (model_ == no_model) return input.path.find('.') == std::string::npos;
+    if (model_ == no_model) return (input.field->required_by & every_model) == every_model;
     const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
     return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input);
   }

@@ -62,6 +62,14 @@ std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
   return text + "\n";
 }
 
+nlohmann::json rows_of_list(const std::vector<double>& list, std::size_t columns) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (std::size_t i = 0; i < list.size(); i += columns)
+    rows.push_back(std::vector<double>(list.begin() + static_cast<std::ptrdiff_t>(i),
+                                       list.begin() + static_cast<std::ptrdiff_t>(i + columns)));
+  return rows;
+}
+
 nlohmann::json value_json(const ResolvedCase& resolved, const Input& input) {
   const auto& [path, field] = input;
   switch (field->kind) {
@@ -75,6 +83,7 @@ nlohmann::json value_json(const ResolvedCase& resolved, const Input& input) {
       return resolved.flag(path);
     case Kind::list:
       if (field->element == Kind::text) return resolved.texts(path);
+      if (!field->columns.empty()) return rows_of_list(resolved.list(path), field->columns.size());
       return resolved.list(path);
     case Kind::choice:
     case Kind::text:

@@ -5,12 +5,22 @@
 
 namespace orbearing::app {
 
+namespace {
+
+// A contact by itself states the modulus of both bodies as one.
+unsigned models_of(const described::Facts& facts) {
+  const unsigned models = facts.details.models;
+  return facts.path.starts_with("material.") ? models & ~unsigned{spin_film} : models;
+}
+
+}  // namespace
+
 Field field_of(const described::Facts& facts) {
   const described::Details& details = facts.details;
   return {.path = facts.path,
           .meaning = facts.meaning,
           .use = use_of(facts),
-          .models = details.models,
+          .models = models_of(facts),
           .required_by = details.required_by,
           .dimension = details.dimension,
           .range = details.range,

@@ -23,8 +23,9 @@ void add_bodies(std::vector<Field>& fields) {
   const Use bodies =
       Use(use::gears_in_motion | use::natural | use::mesh, use::rollers_at_rest | use::fmu_bearing)
           .felt_too(use::quasi_static, where_pins_are_displaced());
-  const Use planet = Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing)
-                         .when(where_absent("bearing.rollers"));
+  const Use planet =
+      Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing | use::planet_stiffness)
+          .when(where_absent("bearing.rollers"));
   fields.push_back(ratio("gearset.sun_bore_ratio", "bore of the sun as a share of its root diameter", bodies,
                          {0.02, 0.98}, "0.5",
                          "a sun on a shaft; mesh stiffness and mass of the sun feel it"));

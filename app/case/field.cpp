@@ -113,7 +113,47 @@ FieldReading read_scalar(const Field& field, const Entry& entry) {
   return bad(describe(entry) + " is not a list", field);
 }
 
+// One quantity of a row.
+Field field_of_column(const Field& field, const ListColumn& column) {
+  Field one = field;
+  one.kind = Kind::quantity;
+  one.dimension = column.dimension;
+  one.range = column.range;
+  one.columns.clear();
+  return one;
+}
+
+FieldReading read_row(const Field& field, const Entry& entry) {
+  if (entry.shape != Entry::Shape::list || entry.items.size() != field.columns.size())
+    return bad(describe(entry) + " as a row", field);
+  FieldValue value;
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < field.columns.size(); ++i) {
+    FieldReading reading = read_field(field_of_column(field, field.columns[i]), entry.items[i]);
+    if (!reading.good) return reading;
+    texts.push_back(reading.value.given);
+    value.list.push_back(reading.value.number);
+  }
+  value.given = fmt::format("[{}]", fmt::join(texts, ", "));
+  return good(std::move(value));
+}
+
+FieldReading read_rows(const Field& field, const Entry& entry) {
+  if (entry.shape != Entry::Shape::list || entry.items.empty()) return bad(describe(entry) + " found", field);
+  FieldValue value;
+  std::vector<std::string> texts;
+  for (const Entry& item : entry.items) {
+    FieldReading reading = read_row(field, item);
+    if (!reading.good) return reading;
+    texts.push_back(reading.value.given);
+    value.list.insert(value.list.end(), reading.value.list.begin(), reading.value.list.end());
+  }
+  value.given = fmt::format("[{}]", fmt::join(texts, ", "));
+  return good(std::move(value));
+}
+
 FieldReading read_list(const Field& field, const Entry& entry) {
+  if (!field.columns.empty()) return read_rows(field, entry);
   if (entry.shape != Entry::Shape::list || entry.items.empty()) return bad(describe(entry) + " found", field);
   Field element = field;
   element.kind = field.element;
@@ -132,6 +172,15 @@ FieldReading read_list(const Field& field, const Entry& entry) {
   return good(std::move(value));
 }
 
+std::string rows_text(const Field& field) {
+  std::vector<std::string> names, examples;
+  for (const ListColumn& column : field.columns) {
+    names.push_back(column.name);
+    examples.emplace_back(column.dimension.example);
+  }
+  return fmt::format("list of rows [{}] like [[{}]]", fmt::join(names, ", "), fmt::join(examples, ", "));
+}
+
 std::string kind_text(const Field& field, Kind kind) {
   switch (kind) {
     case Kind::quantity:
@@ -147,6 +196,7 @@ std::string kind_text(const Field& field, Kind kind) {
     case Kind::text:
       return "text";
     case Kind::list:
+      if (!field.columns.empty()) return rows_text(field);
       return "list, each element a " + kind_text(field, field.element);
   }
   return {};

@@ -16,12 +16,19 @@ enum class Kind { quantity, integer, number, flag, choice, text, list };
 using described::Model;
 using enum described::Model;
 using described::every_model;
+using described::lone_balls;
 using described::positive;
 using described::Range;
 using described::toothless_set;
-using described::lone_balls;
 using described::with_balls;
 using described::with_rollers;
+
+/// One column of a list of rows.
+struct ListColumn {
+  std::string name{};
+  Dimension dimension{};
+  Range range{};
+};
 
 struct Field {
   std::string path{};  // "bearing.radial_clearance"
@@ -37,13 +44,14 @@ struct Field {
   std::string default_reason{};          // why this value may stand in for one that is not given
   Kind element = Kind::number;           // list: kind of its elements
   bool default_without_bearing = false;  // the default stands in only where a set has no bearing
+  std::vector<ListColumn> columns{};     // list of lists: quantities of each of these
 };
 
 /// A checked value of a field.
 struct FieldValue {
   std::string given;                 // as written, in the form that the resolved case repeats
   double number = 0.0;               // [SI] quantity; plain for number and integer; 1 or 0 for flag
-  std::vector<double> list;          // [SI] list
+  std::vector<double> list;          // [SI] list; of rows one after the other
   std::vector<std::string> texts{};  // list of texts
 
   bool operator==(const FieldValue&) const = default;

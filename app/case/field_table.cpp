@@ -109,6 +109,7 @@ std::vector<Field> build_table() {
   table::add_static_fields(fields);
   table::add_defect_fields(fields);
   table::add_duplex_fields(fields);
+  table::add_film_fields(fields);
   return grouped(std::move(fields));
 }
 
@@ -165,7 +166,7 @@ const Field& shaft_field() {
       .path = "shafts",
       .kind = Kind::list,
       .meaning = "what turns as one: members as in 'reduction.sun', and motor, load or ground",
-      .use = Use(use::lives, 0),
+      .use = Use(use::lives | use::planet_stiffness, 0),
       .models = planetary_drivetrain,
       .element = Kind::text};
   return field;
@@ -206,6 +207,8 @@ std::string_view model_name(Model model) {
       return "raceway-defect";
     case duplex_pair:
       return "duplex-pair";
+    case spin_film:
+      return "spin-film";
     case no_model:
       break;
   }
@@ -214,7 +217,7 @@ std::string_view model_name(Model model) {
 
 const std::vector<Model>& models() {
   static const std::vector<Model> all{planetary_drivetrain, roller_bearing, ball_bearing, gear_pair,
-                                      raceway_defect,       duplex_pair};
+                                      raceway_defect,       duplex_pair,    spin_film};
   return all;
 }
 
@@ -222,11 +225,6 @@ Model model_of(std::string_view name) {
   for (const Model model : models())
     if (model_name(model) == name) return model;
   return no_model;
-}
-
-const std::vector<std::string>& planned_models() {
-  static const std::vector<std::string> names{"spin-film"};
-  return names;
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {

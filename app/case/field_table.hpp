@@ -40,9 +40,6 @@ std::string_view model_name(Model model);
 Model model_of(std::string_view name);
 const std::vector<Model>& models();
 
-/// Models that the design names and this version does not have yet.
-const std::vector<std::string>& planned_models();
-
 /// The known word nearest to `word` by edit distance; empty where none is near.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
@@ -55,6 +52,7 @@ void add_gear_dynamics_fields(std::vector<Field>& fields);
 void add_static_fields(std::vector<Field>& fields);
 void add_defect_fields(std::vector<Field>& fields);
 void add_duplex_fields(std::vector<Field>& fields);
+void add_film_fields(std::vector<Field>& fields);
 }  // namespace table
 
 }  // namespace orbearing::app

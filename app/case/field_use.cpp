@@ -22,10 +22,11 @@ unsigned holding(described::Felt felt) {
     case gear_motion:
       return use::gears_in_motion;
     case balance:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::static_load |
-             use::balls_in_motion | use::defect | use::duplex;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::lone_balance |
+             use::balls_in_motion | use::defect | use::duplex | use::planet_stiffness;
     case carrier:
-      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion;
+      return use::lives | use::bearings_as_springs | use::fmu_bearing | use::balls_in_motion |
+             use::planet_stiffness;
     case walls:
       return use::gears_in_motion | use::natural | use::rollers_in_motion;
     case pin:
@@ -45,15 +46,17 @@ unsigned holding(described::Felt felt) {
     case run_up:
       return use::dynamic | use::dynamic_of_sets;
     case lone:
-      return use::static_load | use::balls_in_motion | use::defect | use::duplex;
+      return use::lone_balance | use::balls_in_motion | use::defect | use::duplex;
     case turning_balls:
-      return use::static_load;
+      return use::lone_balance;
     case lone_run:
       return use::ball_run;
     case defect:
       return use::defect | use::moving_defect;
     case exchange:
       return use::co_simulated;
+    case one_contact:
+      return use::spin_film;
   }
   return 0;
 }
@@ -63,7 +66,7 @@ unsigned holding(described::Felt felt) {
 unsigned leaving_out(described::Felt felt) {
   using enum described::Felt;
   if (felt == gear_bodies || felt == gear_motion) return use::dynamic_of_sets;
-  return felt == load_sharing ? use::dynamic_of_sets | use::crown : 0u;
+  return felt == load_sharing ? use::dynamic_of_sets | use::crown | use::planet_stiffness : 0u;
 }
 
 // How single parameters differ from what their physics says.
@@ -83,7 +86,6 @@ constexpr Exception exceptions[] = {
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
     {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},
     {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
-    {"film.enabled", use::static_load},
     {"film.approach", other_rungs | use::fmu_bearing},
     {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
     {"bearing.cage.pocket_film", use::monolithic},  // one system of equations knows pockets without oil
@@ -142,11 +144,34 @@ Exception exception_of(std::string_view path) {
   return {path};
 }
 
-// Balls feel their mass where a ring turns.
+Use also_used(Use use, unsigned analyses) {
+  use.by |= analyses;
+  use.unfelt_by &= ~analyses;
+  return use;
+}
+
+// Laminae and what tilts the bore belong to lives, and are felt by the stiffness too; the law of line
+// contacts knows no modulus, their films do.
+Use with_stiffness(Use use, std::string_view path) {
+  if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
+  if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
+  if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
+  use.by &= ~unsigned{use::planet_stiffness};
+  use.unfelt_by |= use::planet_stiffness;
+  return use.felt_too(use::planet_stiffness, where("film.enabled", {"true"}));
+}
+
+// Balls feel their mass, and the film under them, where a ring turns.
 Use with_turning_rings(const Use& use, const described::Facts& facts) {
-  const Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed"});
+  Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
   if (facts.felt == described::Felt::turning_balls) return use.when(turning);
-  return facts.path == "material.density" ? use.felt_too(use::static_load, turning) : use;
+  if (facts.path == "material.density") return use.felt_too(use::lone_balance, turning);
+  if (facts.path == "film.enabled") {
+    turning.paths.emplace_back("input.speed");  // planets turn always
+    return also_used(use, use::lone_balance).when(turning);
+  }
+  if (facts.path != "lubricant.viscosity" && facts.path != "lubricant.pressure_viscosity") return use;
+  return also_used(use, use::spin_film).felt_too(use::lone_balance, where("film.enabled", {"true"}));
 }
 
 }  // namespace
@@ -156,7 +181,8 @@ Use use_of(const described::Facts& facts) {
   const unsigned without = leaving_out(facts.felt) | but.unused_by;
   const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
-  const Use use = with_turning_rings(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts);
+  const Use at_rest = with_load_sharing(Use(by, unfelt, but.refused_by), facts.path);
+  const Use use = with_turning_rings(with_stiffness(at_rest, facts.path), facts);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);
@@ -197,7 +223,7 @@ const std::vector<use::Analysis>& analyses() {
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
       use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect,
-      use::moving_defect,  use::duplex_modes, use::duplex_run};
+      use::moving_defect, use::duplex_modes, use::duplex_run, use::spin_film, use::stiffness, use::planet_stiffness};
   return every;
 }
 
@@ -239,6 +265,12 @@ std::string analysis_name(use::Analysis analysis) {
       return "modes of a duplex pair";
     case use::duplex_run:
       return "run of a duplex pair";
+    case use::spin_film:
+      return "run of a contact that rolls and spins";
+    case use::stiffness:
+      return "stiffness of a single bearing";
+    case use::planet_stiffness:
+      return "stiffness of a planet bearing";
   }
   return "";
 }

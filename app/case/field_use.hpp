@@ -31,7 +31,10 @@ enum Analysis : unsigned {
   ball_run = 1u << 16,     // run of a ball bearing in time
   moving_defect = 1u << 17,  // run of a bearing with scratches, all of it in motion
   duplex_modes = 1u << 18,
-  duplex_run = 1u << 19
+  duplex_run = 1u << 19,
+  spin_film = 1u << 20,    // run of a contact that rolls and spins
+  stiffness = 1u << 21,    // of a single bearing
+  planet_stiffness = 1u << 22
 };
 
 /// Analyses that share their physics.
@@ -41,11 +44,14 @@ inline constexpr unsigned lives = quasi_static | in_time | crown;
 inline constexpr unsigned natural = modes | modes_at_speed;
 inline constexpr unsigned bearings_as_springs = gears | natural | fmu_gearset;
 inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
-inline constexpr unsigned rollers_at_rest = quasi_static | crown;
+inline constexpr unsigned rollers_at_rest = quasi_static | crown | planet_stiffness;
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
-inline constexpr unsigned of_a_drivetrain = lives | gears | natural | mesh | fmu_bearing | fmu_gearset;
+inline constexpr unsigned of_a_drivetrain =
+    lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness;
+inline constexpr unsigned lone_balance = static_load | stiffness;  // of a single bearing
 inline constexpr unsigned duplex = duplex_modes | duplex_run;
-inline constexpr unsigned all = of_a_drivetrain | static_load | ball_run | defect | moving_defect | duplex;
+inline constexpr unsigned all =
+    of_a_drivetrain | lone_balance | ball_run | defect | moving_defect | duplex | spin_film;
 /// Balls that roll and slip by themselves.
 inline constexpr unsigned balls_in_motion = ball_run | moving_defect;
 }  // namespace use

@@ -25,6 +25,14 @@ Json with_range(Json schema, const Range& range) {
   return schema;
 }
 
+Json row_schema(const Field& field) {
+  const Json quantity{{"type", "string"}, {"pattern", quantity_pattern}};
+  return {{"type", "array"},
+          {"minItems", field.columns.size()},
+          {"maxItems", field.columns.size()},
+          {"items", quantity}};
+}
+
 Json value_schema(const Field& field, Kind kind) {
   switch (kind) {
     case Kind::quantity:
@@ -40,6 +48,7 @@ Json value_schema(const Field& field, Kind kind) {
     case Kind::text:
       return {{"type", "string"}, {"minLength", 1}};
     case Kind::list:
+      if (!field.columns.empty()) return {{"type", "array"}, {"minItems", 1}, {"items", row_schema(field)}};
       return {{"type", "array"}, {"minItems", 1}, {"items", value_schema(field, field.element)}};
   }
   return {};

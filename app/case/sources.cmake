@@ -18,6 +18,7 @@ set(ORBEARING_CASE_SOURCES
   case/field.cpp
   case/field_table.cpp
   case/field_use.cpp
+  case/film_fields.cpp
   case/key_hints.cpp
   case/gear_dynamics_fields.cpp
   case/mistake.cpp

@@ -35,9 +35,12 @@ bearing::equilibrium::RingLoad ring_load_of(const ResolvedCase& in) {
 }
 
 bearing::equilibrium::RowMotion row_motion_of(const ResolvedCase& in) {
-  return {.speeds = {in.quantity("operation.shaft_speed"), in.quantity("operation.outer_speed")},
-          .inertia = in.model() == ball_bearing ? from_case<bearing::equilibrium::BallInertia>(in)
-                                                : bearing::equilibrium::BallInertia{}};
+  bearing::equilibrium::RowMotion motion{
+      .speeds = {in.quantity("operation.shaft_speed"), in.quantity("operation.outer_speed")}};
+  if (in.model() != ball_bearing) return motion;
+  motion.inertia = from_case<bearing::equilibrium::BallInertia>(in);
+  if (in.flag("film.enabled")) motion.film = from_case<bearing::Lubricant>(in);
+  return motion;
 }
 
 bearing::rating::StatedRatings stated_ratings_of(const ResolvedCase& in) {

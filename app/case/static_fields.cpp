@@ -16,12 +16,12 @@ constexpr unsigned static_bearing = roller_bearing | ball_bearing;
 constexpr unsigned single_bearing = roller_bearing | lone_balls;
 
 const Use& by_static_load() {
-  static const Use use(use::static_load, 0);
+  static const Use use(use::static_load, use::stiffness);
   return use;
 }
 
 const Use& by_any_load() {
-  static const Use use(use::static_load | use::ball_run, 0);
+  static const Use use(use::static_load | use::ball_run, use::stiffness);
   return use;
 }
 
@@ -41,7 +41,9 @@ Field speed_of_ring(std::string path, std::string meaning) {
   return {.path = std::move(path),
           .kind = Kind::quantity,
           .meaning = std::move(meaning),
-          .use = by_any_load().when(where_given({"lubricant.kinematic_viscosity", "bearing.balls"})),
+          .use = Use(use::static_load | use::ball_run, use::stiffness)
+                     .felt_too(use::stiffness, where_given({"bearing.balls"}))
+                     .when(where_given({"lubricant.kinematic_viscosity", "bearing.balls"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},
@@ -55,6 +57,20 @@ void add_operation(std::vector<Field>& fields) {
   shaft.models |= raceway_defect;
   fields.push_back(std::move(shaft));
   fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
+  fields.push_back({.path = "operation.speeds",
+                    .kind = Kind::list,
+                    .meaning = "speeds of the inner ring over which run and stiffness tabulate the balance",
+                    .use = Use(use::lone_balance, 0),
+                    .models = ball_bearing,
+                    .dimension = dimension::angular_speed,
+                    .range = {-1e6, 1e6},
+                    .element = Kind::quantity});
+  fields.push_back({.path = "operation.load_factors",
+                    .kind = Kind::list,
+                    .meaning = "factors of the whole load at which stiffness is given; left out: 1",
+                    .use = Use(use::stiffness, use::static_load),
+                    .models = static_bearing,
+                    .range = positive(1e6)});
   fields.push_back({.path = "operation.turning_race",
                     .kind = Kind::choice,
                     .meaning = "race that turns relative to the load",
@@ -65,8 +81,9 @@ void add_operation(std::vector<Field>& fields) {
                     .default_reason = "a load that stands still on a turning shaft"});
   fields.push_back({.path = "operation.shaft_acceleration",
                     .kind = Kind::quantity,
-                    .meaning = "acceleration of the inner ring from rest up to its speed; 0: that speed from the "
-                               "start on",
+                    .meaning =
+                        "acceleration of the inner ring from rest up to its speed; 0: that speed from the "
+                        "start on",
                     .use = Use(use::ball_run, 0),
                     .models = ball_motion,
                     .dimension = dimension::angular_acceleration,

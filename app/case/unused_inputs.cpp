@@ -189,15 +189,16 @@ std::vector<std::string> idle_inputs(const ResolvedCase& resolved) {
 }
 
 std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
-  unsigned allowed = use::static_load;
+  unsigned allowed = use::lone_balance;
   const CaseShape& shape = resolved.shape();
   if (resolved.model() == ball_motion) allowed = use::ball_run;
   if (resolved.model() == gear_pair) allowed = use::mesh;
   if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
   if (resolved.model() == duplex_pair) allowed = use::duplex;
+  if (resolved.model() == spin_film) allowed = use::spin_film;
   if (resolved.model() == planetary_drivetrain) {
     if (shape.several)
-      allowed = use::quasi_static | use::dynamic_of_sets | use::crown;
+      allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness;
     else if (shape.bearing)
       allowed = use::of_a_drivetrain & ~unsigned{use::dynamic_of_sets};
     else

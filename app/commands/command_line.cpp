@@ -203,6 +203,11 @@ void add_commands(CommandTable table) {
       "--speed", options.speed,
       "speed of the driven member (of the carrier where the set has no teeth), e.g. \"6000 rpm\"; "
       "default: at rest");
+  CLI::App& stiffness = table.add(
+      "stiffness", "5 x 5 stiffness of a bearing over speed and load, for rotor dynamics", stiffness_command);
+  add_case(stiffness, options);
+  add_output_or_json(stiffness, options);
+  stiffness.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
   add_fmu(table.add("fmu", "the planet bearing or the gear set for other simulation tools", fmu_command),
           options);
   add_signals(table.add("signals", "labelled vibration signals of scratched bearings", signals_command), options);
@@ -238,8 +243,8 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(fmt::format(
-      "orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, fmu, "
-      "signals, validate or report",
+      "orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
+      "stiffness, fmu, signals, validate or report",
       word));
 }
 

@@ -47,6 +47,7 @@ int crown_command(const Options& options);
 int fmu_command(const Options& options);
 int mesh_command(const Options& options);
 int modes_command(const Options& options);
+int stiffness_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
 int signals_command(const Options& options);

@@ -121,8 +121,13 @@ int report_command(const Options& options) {
   const Manifest manifest = read_results(folder);
   require_writable(folder);
   const ResolvedCase resolved = read_case((folder / "case.resolved.yaml").string());
+  if (resolved.model() != planetary_drivetrain && !is_defect(resolved) && !is_ball_run(resolved))
+    throw BadInput(
+        folder.string() + ": found results of the model " + resolved.choice("model") +
+        "; required: a sweep, a crowning study, a ball bearing in time or a bearing with scratches, of which "
+        "pages are drawn");
   const fs::path page = folder / page_name;
-  const nlohmann::ordered_json data = is_defect(resolved)     ? printed_data(folder / defect_file_name, "defect")
+  const nlohmann::ordered_json data = is_defect(resolved) ? printed_data(folder / defect_file_name, "defect")
                                       : is_ball_run(resolved) ? printed_data(folder / ball_file_name, "balls")
                                       : holds_crown(folder)   ? crown_data(resolved, folder)
                                                               : sweep_data(resolved, manifest, options);

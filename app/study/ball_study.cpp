@@ -10,7 +10,9 @@
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/json_number.hpp"
+#include "app/study/stiffness_output.hpp"
 #include "app/units.hpp"
+#include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
@@ -89,6 +91,9 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   study.rolling_cage_speed = kinematic_cage_speed(geometry_of(bearing), inner, outer);
   study.life_hours = bearing::hours(study.run.means.life.bearing,
                                     bearing.motions.inner == bearing::RaceMotion::turning ? inner : outer);
+  const bearing::equilibrium::RingState balance = bearing::equilibrium::balance_bearing(
+      bearing, {.speeds = {inner, outer}}, ring_load_of(in));
+  if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
   study.warnings = warnings_of_balls(study, duty, options);
   return study;
 }
@@ -113,6 +118,7 @@ Json ball_json(const BallStudy& study) {
           {"outer", race(m.outer_load_rms, m.outer_load_max, m.outer_angle, m.outer_film, m.life.outer)},
           {"life_Mrev", number_or_null(kPerMillion * m.life.bearing)},
           {"dynamic_capacity_N", study.dynamic_capacity},
+          {"stiffness", study.stiffness ? stiffness_json(*study.stiffness) : Json(nullptr)},
           {"steps", study.run.report.steps}};
 }
 

@@ -3,11 +3,13 @@
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/point_content.hpp"
+#include "bearing/equilibrium/ring_axes.hpp"
 #include "coupling/system/ball_run.hpp"
 
 namespace orbearing::app {
@@ -18,6 +20,8 @@ struct BallStudy {
   double rolling_cage_speed = 0.0;  // [rad/s]  of pure rolling, at the end
   double life_hours = 0.0;          // [h]      of the bearing at the speed of the end
   double dynamic_capacity = 0.0;    // [N]
+  /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there is none.
+  std::optional<bearing::equilibrium::RingStiffness> stiffness;
   std::vector<std::string> warnings;
 };
 

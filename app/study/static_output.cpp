@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/results/json_number.hpp"
+#include "app/study/stiffness_output.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {
@@ -92,14 +93,14 @@ Json static_json(const StaticStudy& study) {
               {"ratings", ratings_json(study.ratings)},
               {"factors", factors_json(study)},
               {"reference_life", lives(study.reference_life)}};
-  object["stiffness"] = Json::array();
-  for (const auto& row : study.stiffness.rowwise())
-    object["stiffness"].push_back(list(row.transpose().array()));
+  object["stiffness"] = stiffness_json(study.stiffness);
   if (study.outer_load.size() > 0) {
     object["outer_contact_loads_N"] = list(study.outer_load);
     object["outer_contact_angles_deg"] = list(study.outer_angle, kDegree);
     object["gyroscopic_friction"] = study.friction;
   }
+  if (study.films) object["film"] = films_json(*study.films);
+  if (study.over_speed) object.update(speeds_json(*study.over_speed));
   if (study.lundberg_palmgren) object["lundberg_palmgren"] = lives(*study.lundberg_palmgren);
   if (study.contact_angle.size() > 0) object["contact_angles_deg"] = list(study.contact_angle, kDegree);
   if (study.lamina_load.size() > 0) object["lamina_loads_N"] = by_roller(study.lamina_load);
@@ -145,6 +146,7 @@ PointContent static_content(const StaticStudy& study) {
                               "N",
                               "load of each ball on the outer race",
                               {study.outer_load.begin(), study.outer_load.end()}});
+  if (study.over_speed) add_speeds(*study.over_speed, content);
   for (NamedArray& array : content.arrays)
     for (double& value : array.values)
       if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();

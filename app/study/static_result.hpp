@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/ball_films.hpp"
 #include "bearing/life/standard_life.hpp"
 
 namespace orbearing::app {
@@ -41,6 +42,8 @@ struct StaticStudy {
   std::optional<FilmState> film;
   double life = 0.0;                                      // [rev]  a_1 a_ISO L10r
   std::optional<bearing::BearingLife> lundberg_palmgren;  // [rev]  of rollers
+  std::optional<std::vector<BallFilm>> films;             // of balls whose film takes part
+  std::optional<SpeedTable> over_speed;
   std::vector<std::string> warnings;
 };
 

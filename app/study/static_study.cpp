@@ -11,6 +11,7 @@
 #include "app/errors.hpp"
 #include "app/study/static_ratings.hpp"
 #include "app/units.hpp"
+#include "bearing/equilibrium/ring_axes.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
@@ -33,15 +34,6 @@ double resultant(double along, double across, bool mirrored) {
   return mirrored ? along : std::hypot(along, across);
 }
 
-// From tilts in the planes of x and z, of y and z to those about x and y.
-Eigen::Matrix<double, 5, 5> by_axes(const Eigen::Matrix<double, 5, 5>& stiffness) {
-  Eigen::Matrix<double, 5, 5> turned = Eigen::Matrix<double, 5, 5>::Zero();
-  turned.topLeftCorner<3, 3>().setIdentity();
-  turned(3, 4) = 1.0;   // forward where y is positive: about x
-  turned(4, 3) = -1.0;  // forward where x is positive: about -y
-  return turned * stiffness * turned.transpose();
-}
-
 }  // namespace
 
 bool is_static_bearing(const ResolvedCase& resolved) {
@@ -54,7 +46,8 @@ StaticStudy static_study(const ResolvedCase& in) {
                    "; required: roller-bearing or ball-bearing");
   const bearing::Bearing bearing = bearing_of(in);
   const equilibrium::RingLoad load = ring_load_of(in);
-  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, row_motion_of(in), load);
+  const equilibrium::RowMotion motion = row_motion_of(in);
+  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
   require_balance(in, state.report);
   const bool mirrored = load.moment_across == 0.0 && bearing.first_element == 0.0;
   StaticStudy study{.model = in.choice("model"),
@@ -67,7 +60,7 @@ StaticStudy static_study(const ResolvedCase& in) {
                     .outer_load = state.outer_load,
                     .outer_angle = state.outer_angle,
                     .friction = state.friction,
-                    .stiffness = by_axes(state.stiffness),
+                    .stiffness = equilibrium::stiffness_by_axes(state),
                     .lamina_load = state.lamina_load,
                     .largest_pressure = state.largest_pressure};
   study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
@@ -80,6 +73,13 @@ StaticStudy static_study(const ResolvedCase& in) {
     study.lundberg_palmgren = bearing::lundberg_palmgren_life(bearing, in.number("life.lambda"),
                                                               study.contact_load, study.contact_load);
   rate(in, rating::rolling_element(bearing), study);
+  if (motion.film && state.inner_rolling.size() > 0) {
+    study.films = ball_films(bearing, *motion.film, state);
+    for (const std::string& warning : film_warnings(bearing, *study.films)) study.warnings.push_back(warning);
+  }
+  study.over_speed = speed_table(in);
+  if (study.over_speed)
+    for (const std::string& warning : study.over_speed->warnings) study.warnings.push_back(warning);
   return study;
 }
 

@@ -17,6 +17,8 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/power_table.hpp"
 #include "app/study/resonance_lines.hpp"
+#include "app/study/stiffness_output.hpp"
+#include "app/study/stiffness_study.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "app/version.hpp"
 
@@ -174,6 +176,18 @@ const std::string& first_failure(const SweepOutcome& outcome) {
   return failed->status;
 }
 
+// Of one planet bearing at the operating point; of several sets, by set.
+nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
+  const StiffnessStudy study = stiffness_study(resolved);
+  const auto matrix = [](const StiffnessPoint& point) {
+    return point.stiffness ? stiffness_json(*point.stiffness) : nlohmann::ordered_json(nullptr);
+  };
+  if (study.points.size() == 1) return matrix(study.points.front());
+  nlohmann::ordered_json by_set;
+  for (const StiffnessPoint& point : study.points) by_set[point.set] = matrix(point);
+  return by_set;
+}
+
 }  // namespace
 
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, bool json, bool quiet) {
@@ -183,6 +197,8 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, boo
     nlohmann::ordered_json object =
         sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json());
     if (resolved.axes().empty()) object.update(power_json(power_table(resolved)));
+    if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static")
+      object["stiffness"] = stiffness_of_run(resolved);
     fmt::print("{}\n", object.dump(2));
   } else if (!quiet) {
     fmt::print("{}\n{}", sweep_table(outcome.head, outcome.rows),

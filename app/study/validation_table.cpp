@@ -12,6 +12,7 @@
 #include "app/errors.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/duplex_study.hpp"
+#include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_study.hpp"
@@ -147,10 +148,11 @@ ValidationTable validation_table_of(const ResolvedCase& resolved, const Expected
     return study_table(
         resolved, expected, [](const ResolvedCase& in) { return defect_study(in); }, defect_property);
   if (is_duplex(resolved)) return study_table(resolved, expected, duplex_study, duplex_property);
+  if (is_spin_film(resolved)) return study_table(resolved, expected, film_study, film_property);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing, "
-                   "ball-bearing, raceway-defect or duplex-pair");
+                   "ball-bearing, raceway-defect, duplex-pair or spin-film");
   if (!resolved.shape().teeth) return study_table(resolved, expected, modes_of, mode_property);
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});

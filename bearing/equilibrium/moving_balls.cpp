@@ -53,7 +53,10 @@ MovingBallRow::RaceSide MovingBallRow::side_of(const Bearing& bearing, Race race
 }
 
 MovingBallRow::MovingBallRow(const Bearing& bearing, const RowMotion& motion)
-    : geometry_(bearing), inertia_(motion.inertia), speeds_(motion.speeds), filmed_(motion.film.has_value()) {
+    : MovingBallRow(bearing, motion, BallRow(bearing)) {}
+
+MovingBallRow::MovingBallRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest)
+    : geometry_(at_rest), inertia_(motion.inertia), speeds_(motion.speeds), filmed_(motion.film.has_value()) {
   inner_ = side_of(bearing, Race::inner, motion.film);
   outer_ = side_of(bearing, Race::outer, motion.film);
   const BearingGeometry geometry = geometry_of(bearing);
@@ -282,6 +285,7 @@ void MovingBallRow::put_loads(const RingPlace& place, RingState& state) {
   const Eigen::Index count = geometry_.count();
   state.contact_load = state.contact_angle = Eigen::ArrayXd::Zero(count);
   state.outer_load = state.outer_angle = Eigen::ArrayXd::Zero(count);
+  state.inner_rolling = state.inner_spin = state.outer_rolling = state.outer_spin = state.outer_load;
   for (Eigen::Index j = 0; j < count; ++j) {
     const MovingBall ball = ball_at(memory_[static_cast<std::size_t>(j)]);
     balls_[static_cast<std::size_t>(j)] = ball;
@@ -292,6 +296,10 @@ void MovingBallRow::put_loads(const RingPlace& place, RingState& state) {
     state.outer_load[j] = ball.outer_load;
     state.contact_angle[j] = std::atan2(ball.inner.sine, ball.inner.cosine);
     state.outer_angle[j] = std::atan2(ball.outer.sine, ball.outer.cosine);
+    state.inner_rolling[j] = ball.motion.inner_rolling;
+    state.inner_spin[j] = ball.motion.inner_spin;
+    state.outer_rolling[j] = ball.motion.outer_rolling;
+    state.outer_spin[j] = ball.motion.outer_spin;
   }
   state.largest_pressure =
       std::max(point_pressure(geometry_.contact(Race::inner), state.contact_load.maxCoeff()).pressure,
@@ -409,9 +417,10 @@ RingState balance_in_steps(MovingBallRow& row, const RingLoad& load, RingPlace p
 }  // namespace
 
 RingState balance_moving(const Bearing& bearing, const RowMotion& motion, const RingLoad& load) {
-  const RingState at_rest = balance_ring(BallRow(bearing), load);
+  const BallRow row_at_rest(bearing);
+  const RingState at_rest = balance_ring(row_at_rest, load);
   if (motion.speeds.at_rest() || (!motion.inertia.enabled && !motion.film)) return at_rest;
-  MovingBallRow row(bearing, motion);
+  MovingBallRow row(bearing, motion, row_at_rest);
   RingState state;
   for (const int rounds : {1, 3, 12, 40}) {
     state = balance_from(row, load, place_of(at_rest, row.lever()), rounds);

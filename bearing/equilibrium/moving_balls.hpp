@@ -70,6 +70,8 @@ class MovingBallRow {
 
   /// Throws std::invalid_argument as BallRow does.
   MovingBallRow(const Bearing& bearing, const RowMotion& motion);
+  /// The same, of a bearing whose row at rest is there.
+  MovingBallRow(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
 
   double lever() const { return geometry_.lever(); }
   double reach(double load) const;

@@ -87,6 +87,9 @@ struct RingState {
   Eigen::ArrayXd contact_angle;  // [rad]  (balls)  on the inner race; empty for rollers
   Eigen::ArrayXd outer_load;     // [N]    (balls)  where it differs; else empty
   Eigen::ArrayXd outer_angle;    // [rad]  (balls)  the same
+  /// (balls)  of rings that turn; else empty: surface speed against each contact [m/s], equal on ball and
+  /// race, and spin of the ball on the race about its normal [rad/s].
+  Eigen::ArrayXd inner_rolling, inner_spin, outer_rolling, outer_spin;
   double friction = 0.0;        // [-]    traction over load that holds the balls' gyroscopic moments, at most
   Eigen::ArrayXXd lamina_load;  // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]   of both races, after Hertz; of rollers that of a lamina

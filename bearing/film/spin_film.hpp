@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bearing/parameters.hpp"
+#include "mechanics/described.hpp"
 #include "mechanics/numbers.hpp"
 #include "mechanics/sparse_dual.hpp"
 
@@ -19,6 +20,27 @@ struct EllipticalContact {
   double ellipticity = 1.0;     // [-]   axis across rolling over that along it
   double modulus = 0.0;         // [Pa]  E/(1 - nu^2) for like bodies
 };
+
+template <class Visitor>
+void describe(Visitor& visit, EllipticalContact& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.rolling_radius, "contact.rolling_radius", Felt::one_contact,
+                "equivalent radius of curvature in the plane of rolling",
+                {.models = spin_film,
+                 .required_by = spin_film,
+                 .dimension = dimension::length,
+                 .range = positive(1e4)}),
+          field(m.ellipticity, "contact.ellipticity", Felt::one_contact,
+                "axis of the ellipse of contact across rolling over that along it",
+                {.models = spin_film, .required_by = spin_film, .range = {0.01, 100.0}}),
+          field(m.modulus, "contact.modulus", Felt::one_contact,
+                "effective modulus E': E/(1 - nu^2) for like bodies",
+                {.models = spin_film,
+                 .required_by = spin_film,
+                 .dimension = dimension::stress,
+                 .range = positive(1e4)}));
+}
 
 /// Of a ball on a race at the nominal contact angle.
 EllipticalContact ball_contact(const Bearing& bearing, Race race);

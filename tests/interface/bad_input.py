@@ -33,7 +33,6 @@ CHANGED_FILES = {
     "no value": ("power: 150 kW", "power:", 6, r"input\.power: nothing found"),
     "block for a value": ("power: 150 kW", "power: {value: 150 kW}", 6, r"input\.power: a block found"),
     "value for a block": ("teeth: {sun: 37, planet: 22, ring: 79}", "teeth: 37", 13, r"gearset\.teeth: '37' found"),
-    "planned model": ("planetary-drivetrain", "spin-film", 3, r"model: 'spin-film' is not in this version"),
     "unknown model": ("planetary-drivetrain", "planets", 3, r"model: 'planets' is none of the choices"),
     "unknown assumption": ("  contact.law:", "  contact.low:", None, r"assumed\.contact\.low: unknown path"),
     "control character": ("reduction set", "reduction\x04set", 2, r"\(file\): a control character"),

@@ -16,6 +16,7 @@
 #include "app/study/defect_study.hpp"
 #include "app/study/duplex_output.hpp"
 #include "app/study/fidelity.hpp"
+#include "app/study/film_study.hpp"
 #include "app/study/fmu_model.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/gear_output.hpp"
@@ -24,6 +25,8 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_output.hpp"
 #include "app/study/static_study.hpp"
+#include "app/study/stiffness_output.hpp"
+#include "app/study/stiffness_study.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/multi_stage.hpp"
@@ -138,6 +141,11 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return pair_modes_json(pair_point(in)).dump();
     case use::duplex_run:
       return duplex_json(duplex_study(in)).dump();
+    case use::spin_film:
+      return film_json(film_study(in)).dump();
+    case use::stiffness:
+    case use::planet_stiffness:
+      return stiffness_json(stiffness_study(in)).dump();
   }
   return {};
 }

@@ -174,6 +174,13 @@ measured:
 identification: {contact_angle: 15 deg, least_distance: 80 mm}
 )";
 
+inline const std::string kSpinFilm = R"(name: a contact that rolls and spins
+source: none
+model: spin-film
+contact: {rolling_radius: 6 mm, ellipticity: 7, modulus: 226 GPa}
+points: [[500 N, 5 m/s, 200 rad/s]]
+)";
+
 // Pins off their places: loads at rest then follow from all that gives way under the planets.
 inline std::string displaced_pins() {
   std::string gears = kGears;
@@ -209,7 +216,8 @@ inline const std::vector<Base>& bases() {
                                      {"ball_bearing_in_time", kBallsInTime},
                                      {"raceway_defect", kScratch, "", use::moving_defect},
                                      {"raceway_defect_in_motion", kScratchInMotion, "", use::defect},
-                                     {"duplex_pair", kDuplex}};
+                                     {"duplex_pair", kDuplex},
+                                     {"spin_film", kSpinFilm}};
   return all;
 }
 
@@ -235,6 +243,7 @@ inline const std::map<std::string, Change>& stated_changes() {
   const std::vector<std::string> turning{"lubricant.kinematic_viscosity=20 mm2/s", "life.cleanliness=high",
                                          "operation.shaft_speed=1000 rpm"};
   const std::vector<std::string> turning_balls{"operation.shaft_speed=9000 rpm"};
+  const std::vector<std::string> filmed{"film.enabled=true", "operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
@@ -301,8 +310,12 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"contact.roughness", {"0.3 um", {"contact.lubrication=mixed"}}},
       {"contact.boundary_friction", {"0.13", {"contact.lubrication=mixed"}}},
       {"film.approach", {"as-printed", {"film.enabled=true"}}},
-      {"lubricant.viscosity", {"0.02 Pa.s", {"film.enabled=true"}}},
-      {"lubricant.pressure_viscosity", {"2e-8 Pa-1", {"film.enabled=true"}}},
+      {"film.enabled", {"true", turning_balls}},
+      {"lubricant.viscosity", {"0.02 Pa.s", filmed}},
+      {"lubricant.pressure_viscosity", {"2e-8 Pa-1", filmed}},
+      {"operation.speeds", {"[1000 rpm, 2000 rpm]"}},
+      {"operation.load_factors", {"[2]"}},
+      {"points", {"[[600 N, 5 m/s, 200 rad/s]]"}},
       {"traction.limiting_friction", {"0.08", {"traction.law=limiting-shear"}}},
       {"simulation.load_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},

@@ -97,7 +97,7 @@ TEST(CaseFile, ChecksAssumptions) {
   EXPECT_THAT(mistakes(bearing_case + "assumed:\n  bearing.rollers:\n"),
               ElementsAre(HasSubstr("the reason")));
   EXPECT_THAT(mistakes(bearing_case + "assumed: [a]\n"), ElementsAre(HasSubstr("a block with keys")));
-  EXPECT_THAT(mistakes(bearing_case + "assumed:\n  film.enabled: a\n  film.enabled: b\n"),
+  EXPECT_THAT(mistakes(bearing_case + "assumed:\n  lubricant.viscosity: a\n  lubricant.viscosity: b\n"),
               ElementsAre(HasSubstr("duplicate")));
 }
 

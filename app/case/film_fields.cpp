@@ -1,0 +1,22 @@
+// Fields of a contact that rolls and spins, by itself.
+#include "app/case/described_fields.hpp"
+#include "app/case/field_table.hpp"
+#include "bearing/film/spin_film.hpp"
+
+namespace orbearing::app::table {
+
+void add_film_fields(std::vector<Field>& fields) {
+  add_described(fields, bearing::film::EllipticalContact{});
+  fields.push_back({.path = "points",
+                    .kind = Kind::list,
+                    .meaning = "loads and motions for which the film is computed",
+                    .use = Use(use::spin_film, 0),
+                    .models = spin_film,
+                    .required_by = spin_film,
+                    .element = Kind::list,
+                    .columns = {{"load", dimension::force, positive(1e9)},
+                                {"rolling speed", dimension::speed, positive(1e4)},
+                                {"spin", dimension::spin, {-1e6, 1e6}}}});
+}
+
+}  // namespace orbearing::app::table

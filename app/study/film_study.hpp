@@ -1,0 +1,41 @@
+// Films of a contact that rolls and spins, by the regressions of bearing/film.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/results/point_content.hpp"
+#include "bearing/film/spin_film.hpp"
+
+namespace orbearing::app {
+
+struct FilmPoint {
+  bearing::film::ContactMotion motion;
+  bearing::film::Films films;
+};
+
+struct FilmStudy {
+  std::vector<FilmPoint> points;
+  std::vector<std::string> warnings;  // what lies outside of the ranges of the regressions
+};
+
+/// Whether a case is that of a contact by itself.
+bool is_spin_film(const ResolvedCase& resolved);
+
+FilmStudy film_study(const ResolvedCase& resolved);
+
+/// Of the first point, by its name in the results: "h_c_um", "h_min_um", "h_c_HamrockDowson_um",
+/// "h_min_HamrockDowson_um", "h_0_um"; NaN for a name that is not known.
+double film_property(const FilmStudy& study, const std::string& quantity);
+
+/// load_N, rolling_speed_m_s, spin_rad_s and the films in um; null where nothing is loaded.
+nlohmann::ordered_json film_json(const FilmPoint& point);
+nlohmann::ordered_json film_json(const FilmStudy& study);
+std::string film_text(const FilmStudy& study);
+PointContent film_content(const FilmStudy& study);
+/// The same as rows of text.
+std::string film_csv(const FilmStudy& study);
+
+}  // namespace orbearing::app

@@ -1,0 +1,151 @@
+#include "app/study/stiffness_study.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "app/case/static_case.hpp"
+#include "app/errors.hpp"
+#include "app/results/result_row.hpp"
+#include "app/study/planetary_case.hpp"
+#include "app/study/static_study.hpp"
+#include "bearing/equilibrium/lamina_stiffness.hpp"
+#include "bearing/equilibrium/static_bearing.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace equilibrium = bearing::equilibrium;
+namespace laminae = bearing::laminae;
+
+std::vector<double> list_or(const ResolvedCase& in, const char* path, double otherwise) {
+  return in.has(path) ? in.list(path) : std::vector<double>{otherwise};
+}
+
+equilibrium::RingLoad scaled(equilibrium::RingLoad load, double factor) {
+  load.radial *= factor;
+  load.axial *= factor;
+  load.moment *= factor;
+  load.moment_across *= factor;
+  return load;
+}
+
+StiffnessPoint lone_point(const bearing::Bearing& bearing, const equilibrium::RowMotion& motion,
+                          const equilibrium::RingLoad& load) {
+  const equilibrium::RingState state = equilibrium::balance_bearing(bearing, motion, load);
+  StiffnessPoint point{.speed = bearing.has_rollers() ? 0.0 : motion.speeds.inner,
+                       .load = {{"radial_N", load.radial},
+                                {"axial_N", load.axial},
+                                {"moment_N_m", state.moment},
+                                {"moment_across_N_m", state.lateral_moment}}};
+  if (!state.report.converged) {
+    point.status = state.report.message;
+    return point;
+  }
+  point.stiffness = equilibrium::stiffness_by_axes(state);
+  point.displacement = equilibrium::displacement_by_axes(state);
+  point.largest_pressure = state.largest_pressure;
+  return point;
+}
+
+StiffnessStudy lone_stiffness(const ResolvedCase& in) {
+  const bearing::Bearing bearing = bearing_of(in);
+  equilibrium::RowMotion motion = row_motion_of(in);
+  StiffnessStudy study{
+      .series = 0,
+      .frame = "inner ring against the outer one; x along the radial load, z along the axis",
+      .damping =
+          "a balance has none; the film follows from speed and load alone, it has no rate of approach"};
+  const std::vector<double> speeds = list_or(in, "operation.speeds", motion.speeds.inner);
+  for (const double factor : list_or(in, "operation.load_factors", 1.0)) {
+    for (const double speed : speeds) {
+      motion.speeds.inner = speed;
+      study.points.push_back(lone_point(bearing, motion, scaled(ring_load_of(in), factor)));
+      study.points.back().series = study.series;
+    }
+    ++study.series;
+  }
+  return study;
+}
+
+// Whole contacts hold no tilt of their own: as straight laminae, whose loads are the same, they do.
+bearing::Bearing with_laminae(const study::PlanetaryDrivetrain& drivetrain) {
+  bearing::Bearing bearing = drivetrain.bearing;
+  if (bearing.rollers().laminae > 0) return bearing;
+  bearing.rollers().laminae = default_laminae;
+  bearing.rollers().profile = {};
+  return bearing;
+}
+
+StiffnessPoint planet_point(const study::NamedSet& set, double speed) {
+  const study::BearingDuty duty = study::bearing_duty(set.drivetrain, set.geometry);
+  const bearing::QuasiStaticOptions options = study::quasi_static_options(set.drivetrain);
+  const laminae::LaminaBearing bearing(with_laminae(set.drivetrain));
+  bearing::OperatingPoint at = duty.point;
+  if (set.drivetrain.bearing.rollers().laminae == 0) at.bore_tilt.setZero();  // as its sweep has it
+  const laminae::LaminaResult result = laminae::quasi_static_laminae(bearing, at, options);
+  StiffnessPoint point{.speed = speed,
+                       .load = {{"x_N", result.total_bore_load[0]}, {"y_N", result.total_bore_load[1]}},
+                       .set = set.name};
+  if (!result.report.converged) {
+    point.status = result.report.message;
+    return point;
+  }
+  point.stiffness = laminae::about_axes(laminae::mean_stiffness(bearing, result));
+  point.displacement << result.displacement, 0.0, -at.bore_tilt[1], at.bore_tilt[0];
+  return point;
+}
+
+StiffnessStudy planet_stiffness_of(const ResolvedCase& in) {
+  StiffnessStudy study{
+      .frame =
+          "bore of one planet bearing against its pin, in the carrier's frame; x outward from the sun, y "
+          "along the carrier's rotation, z along the axis",
+      .damping = "rollers and cage at their kinematic speeds: a balance has none"};
+  for (std::size_t i = 0; i < sweep_size(in); ++i) {
+    const ResolvedCase at = in.with(sweep_point(in, i)).without_sweep();
+    for (const study::NamedSet& set : bearing_sets(at)) {
+      try {
+        study.points.push_back(planet_point(set, at.quantity("input.speed")));
+      } catch (const std::domain_error& error) {
+        study.points.push_back(
+            {.speed = at.quantity("input.speed"), .set = set.name, .status = error.what()});
+      }
+    }
+  }
+  // One table for each set.
+  std::vector<std::string> names;
+  for (StiffnessPoint& point : study.points) {
+    const auto found = std::find(names.begin(), names.end(), point.set);
+    point.series = static_cast<std::size_t>(found - names.begin());
+    if (found == names.end()) names.push_back(point.set);
+  }
+  study.series = names.size();
+  if (in.has("bearing.rollers") && !in.has("bearing.laminae"))
+    study.warnings.push_back(
+        fmt::format("bearing.laminae: not given; the stiffness against tilt is that of {} straight laminae",
+                    default_laminae));
+  return study;
+}
+
+}  // namespace
+
+StiffnessStudy stiffness_study(const ResolvedCase& in) {
+  StiffnessStudy study;
+  if (is_static_bearing(in)) {
+    study = lone_stiffness(in);
+  } else if (in.model() == planetary_drivetrain && (in.shape().several || in.shape().bearing)) {
+    study = planet_stiffness_of(in);
+  } else {
+    throw BadInput(in.origin("model") + ": model: found " + in.choice("model") +
+                   " without a bearing in balance; required: ball-bearing without a block simulation, "
+                   "roller-bearing, or planetary-drivetrain with bearings");
+  }
+  for (const StiffnessPoint& point : study.points)
+    if (!point.stiffness)
+      study.warnings.push_back(fmt::format("{:.6g} rpm: {}", speed_in_rpm(point.speed), point.status));
+  return study;
+}
+
+}  // namespace orbearing::app

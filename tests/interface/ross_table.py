@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""ROSS reads our table of stiffness, and a rotor on it has the critical speeds that the table says.
+
+Skipped where ross-rotordynamics cannot be had from PyPI. Needs ORBEARING and ORBEARING_SOURCE_DIR.
+"""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from virtual_environment import interpreter_with
+
+CASE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "cases" / "spin_bearing_7210" / "case.yaml"
+PACKAGES = ("ross-rotordynamics==2.3.0", "plotly<6")
+AXIAL, BALLS, DIAMETER, ANGLE = 2000.0, 15, 12.7e-3, 40.0  # [N], [-], [m], [deg]
+# A shaft of steel, 45 mm across and 0.6 m long, a disk in its middle; one undamped bearing at either end.
+ROTOR = """
+import json, math, sys
+import numpy as np
+import ross
+table, balls, diameter, load, angle = sys.argv[1], *map(float, sys.argv[2:])
+steel = ross.Material("steel", rho=7810, E=211e9, G_s=81.2e9)
+def rotor(bearings):
+    shaft = [ross.ShaftElement(L=0.05, idl=0, odl=0.045, material=steel, n=n) for n in range(12)]
+    disk = ross.DiskElement.from_geometry(6, steel, width=0.04, i_d=0.045, o_d=0.22)
+    return ross.Rotor(shaft, [disk], bearings)
+def criticals(bearings):
+    machine = rotor(bearings)
+    found = []
+    speeds = np.linspace(20, 1500, 38)
+    lines = np.array([np.sort(machine.run_modal(speed, num_modes=16).wn)[:2] for speed in speeds])
+    for line in lines.T:
+        above = line - speeds
+        i = np.nonzero((above[:-1] > 0) & (above[1:] <= 0))[0]
+        if len(i):
+            share = above[i[0]] / (above[i[0]] - above[i[0] + 1])
+            found.append(speeds[i[0]] + share * (speeds[1] - speeds[0]))
+    return found
+ours = [ross.BearingElement.from_table(n=n, file=table) for n in (0, 12)]
+at = [0.0, 300.0, 800.0]
+read = [[float(np.asarray(ours[0].K(w))[0, 0]) for w in at], [float(np.asarray(ours[0].K(w))[1, 1]) for w in at]]
+theirs = [ross.BallBearingElement(n=n, n_balls=balls, d_balls=diameter, fs=load, alpha=math.radians(angle)) for n in (0, 12)]
+stiff = [ross.BearingElement(n=n, kxx=1e15, cxx=0) for n in (0, 12)]
+k = np.asarray(theirs[0].K(0))
+print(json.dumps({"read": read, "ours": criticals(ours), "theirs": criticals(theirs), "rigid": criticals(stiff),
+                  "ross": [float(k[0, 0]), float(k[1, 1])]}))
+"""
+
+
+def call(*arguments):
+    return subprocess.run([os.environ["ORBEARING"], *map(str, arguments)], capture_output=True, text=True, timeout=60, check=True)
+
+
+class Ross(unittest.TestCase):
+    def test_a_rotor_on_our_table(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place) / "out"
+            result = call("stiffness", CASE, "-o", folder, "--json", "--set", f"load.axial={AXIAL} N", "--set",
+                          "operation.speeds=[0 rad/s, 100 rad/s, 300 rad/s, 550 rad/s, 800 rad/s, 1100 rad/s, 1500 rad/s]")
+            points = {round(point["speed_rpm"] * 0.10471975511965977): point["stiffness"] for point in json.loads(result.stdout)["points"]}
+            done = subprocess.run([INTERPRETER, "-c", ROTOR, folder / "ross.xls", str(BALLS), str(DIAMETER), str(AXIAL), str(ANGLE)],
+                                  capture_output=True, text=True, timeout=280, cwd=place)
+            self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+            found = json.loads(done.stdout.splitlines()[-1])
+        print(f"critical speeds [rad/s]: our table {found['ours']}, BallBearingElement {found['theirs']}, "
+              f"rigid bearings {found['rigid']}; K_xx, K_yy of ROSS {found['ross']}, ours at rest {found['read'][0][0]:.4g}")
+        for axis in (0, 1):
+            for speed, read in zip((0, 300, 800), found["read"][axis]):
+                self.assertAlmostEqual(read / points[speed][axis][axis], 1, delta=1e-4)
+        # Both directions stand alike under thrust, but for what gyroscopes part: two critical speeds of the first bending.
+        self.assertEqual(len(found["ours"]), 2)
+        rigid = sum(found["rigid"]) / 2
+        for ours in found["ours"]:
+            self.assertLess(ours, rigid)
+            self.assertGreater(ours, 0.5 * rigid)
+        # ROSS's formula is that of a radial load alone, at one speed.
+        for ours, theirs in zip(found["ours"], found["theirs"]):
+            self.assertLess(abs(ours / theirs - 1), 0.25)
+
+
+if __name__ == "__main__":
+    INTERPRETER = interpreter_with(*PACKAGES)
+    unittest.main()

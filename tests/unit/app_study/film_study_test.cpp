@@ -1,0 +1,116 @@
+// Films of a contact by itself, and of the balls of a bearing in balance.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/case/case_file.hpp"
+#include "app/errors.hpp"
+#include "app/study/ball_films.hpp"
+#include "app/study/film_study.hpp"
+#include "app/study/static_output.hpp"
+#include "app/study/static_study.hpp"
+
+namespace orbearing::app::film_study_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+ResolvedCase shipped(const std::string& name, const std::vector<std::string>& settings = {}) {
+  return read_case(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml", settings);
+}
+
+TEST(FilmStudy, RowsOfPointsInSi) {
+  const ResolvedCase in =
+      shipped("spin_film_guo2013", {"points=[[1.5 kN, 600 m/min, 300 rad/s], [1 N, 1 m/s, 0 rad/s]]"});
+  EXPECT_THAT(in.list("points"), ElementsAre(1500.0, 10.0, 300.0, 1.0, 1.0, 0.0));
+  EXPECT_EQ(in.given("points"), "[[1.5 kN, 600 m/min, 300 rad/s], [1 N, 1 m/s, 0 rad/s]]");
+  EXPECT_EQ(film_study(in).points.size(), 2u);
+  EXPECT_EQ(film_study(in).points[0].motion.spin, 300.0);
+}
+
+TEST(FilmStudy, RowsThatAreNone) {
+  for (const char* text : {"[1 N]", "[[1 N, 1 m/s]]", "[[1 N, 1 m/s, 1 rad/s, 1 N]]",
+                           "[[0 N, 1 m/s, 1 rad/s]]", "[[1 m/s, 1 N, 1 rad/s]]", "[]", "1 N"})
+    EXPECT_THROW(shipped("spin_film_guo2013", {std::string("points=") + text}), BadInput) << text;
+}
+
+// The printed rows, by the names that the validation table has.
+TEST(FilmStudy, ThePrintedRowsAreMet) {
+  const FilmStudy study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 10 m/s, 300 rad/s]]"}));
+  constexpr double asked = 0.015;
+  EXPECT_NEAR(film_property(study, "h_c_HamrockDowson_um") / 0.6428, 1.0, asked);
+  EXPECT_NEAR(film_property(study, "h_c_um") / 0.6429, 1.0, asked);
+  EXPECT_NEAR(film_property(study, "h_min_HamrockDowson_um") / 0.5236, 1.0, asked);
+  EXPECT_NEAR(film_property(study, "h_min_um") / 0.4891, 1.0, asked);
+  EXPECT_TRUE(std::isnan(film_property(study, "h_um")));
+  EXPECT_THAT(study.warnings, IsEmpty());
+}
+
+// A film that spin alone has made vanish is none; nothing is used beyond its range without a word.
+TEST(FilmStudy, WhatIsBeyondTheRangesIsTold) {
+  const FilmStudy study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 5 m/s, 5000 rad/s]]"}));
+  EXPECT_EQ(study.points[0].films.least, 0.0);
+  EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("spin [rad/s] is 5000")));
+}
+
+TEST(BallFilms, OfLoadedBallsAlone) {
+  const StaticStudy study = static_study(
+      shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=500 N", "operation.shaft_speed=6000 rpm",
+                                    "operation.speeds=[6000 rpm]"}));
+  ASSERT_TRUE(study.films);
+  Eigen::Index loaded = (study.contact_load > 0.0).count() + (study.outer_load > 0.0).count();
+  EXPECT_EQ(static_cast<Eigen::Index>(study.films->size()), loaded);
+  EXPECT_LT(loaded, 2 * study.contact_load.size());
+  for (const BallFilm& film : *study.films) {
+    const Eigen::ArrayXd& load = film.race == bearing::Race::inner ? study.contact_load : study.outer_load;
+    EXPECT_EQ(film.point.motion.load, load[film.ball]);
+    EXPECT_GT(film.point.motion.rolling, 0.0);
+    EXPECT_GE(film.point.motion.spin, 0.0);
+  }
+}
+
+// The approach with a film is Eq. (10)'s at the load and motion found: the film's own, not Hertz's.
+TEST(BallFilms, TheApproachIsTheFilms) {
+  const std::optional<SpeedTable> table =
+      speed_table(shipped("spin_bearing_7210", {"operation.speeds=[9000 rpm]"}));
+  ASSERT_TRUE(table);
+  const auto value = [&](const std::string& name) {
+    for (std::size_t i = 0; i < table->columns.size(); ++i)
+      if (table->columns[i].name == name) return table->rows[0][i];
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  const bearing::film::Films films = bearing::film::spin_films(
+      bearing::film::ball_contact(
+          {.inner = {.osculation = 0.52},
+           .outer = {.osculation = 0.52},
+           .elements = bearing::Balls{.count = 15, .diameter = 12.7e-3, .contact_angle = 0.6981317007977318},
+           .pitch_diameter = 70e-3},
+          bearing::Race::outer),
+      {.viscosity = 0.01988, .pressure_viscosity = 19.75e-9},
+      {.load = value("film_outer_load_N"),
+       .rolling = value("film_outer_rolling_speed_m_s"),
+       .spin = value("film_outer_spin_rad_s")});
+  EXPECT_NEAR(value("film_outer_approach_um"), 1e6 * films.rigid, 1e-9);
+  EXPECT_LT(value("film_outer_approach_um"), value("hertz_outer_approach_um"));
+  EXPECT_NEAR(value("film_outer_h_min_um"), 1e6 * films.least, 1e-9);
+}
+
+// The turning point is that of the table; a shorter one does not invent it.
+TEST(BallFilms, TheTurningPointNeedsBothSides) {
+  const auto turning = [](const char* speeds) {
+    return speed_table(shipped("spin_bearing_7210", {std::string("operation.speeds=") + speeds}))
+        ->inner_turning_rpm;
+  };
+  const std::optional<double> coarse = turning("[9000 rpm, 11000 rpm, 13000 rpm]");
+  const std::optional<double> fine = turning("[11200 rpm, 11300 rpm, 11400 rpm, 11500 rpm]");
+  ASSERT_TRUE(coarse && fine);
+  EXPECT_NEAR(*coarse / *fine, 1.0, 0.02);
+  EXPECT_FALSE(turning("[3000 rpm, 6000 rpm, 9000 rpm]"));
+  EXPECT_FALSE(turning("[12000 rpm, 13000 rpm]"));
+}
+
+}  // namespace
+}  // namespace orbearing::app::film_study_test
