@@ -1,14 +1,11 @@
 #include "app/commands/defect_run.hpp"
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
-
-#include <limits>
 
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/commands/lone_result.hpp"
 #include "app/errors.hpp"
-#include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/defect_output.hpp"
@@ -17,37 +14,15 @@
 namespace orbearing::app {
 
 ResultRow defect_row(const TableHead& head, const DefectStudy& study) {
-  ResultRow row{std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
-  for (std::size_t i = 0; i < head.names.size(); ++i)
-    if (head.names[i] == "inner_load_max_N" || head.names[i] == "outer_load_max_N")
-      row.values[i] = in_table_unit(study.vibration.largest_load, 1.0);
-  return row;
+  const double largest = study.vibration.largest_load;
+  return lone_row(head, {{"inner_load_max_N", largest}, {"outer_load_max_N", largest}});
 }
 
 std::string defect_file(const ManifestHeader& header, const DefectStudy& study) {
-  PointContent content = defect_content(study);
-  content.attributes = {{"Conventions", "CF-1.10"},
-                        {"title", header.case_name + ", vibration of a bearing with scratches"},
-                        {"source", "Orbearing " + header.program_version},
-                        {"case", header.case_name},
-                        {"case_hash", header.case_hash},
-                        {"program_version", header.program_version},
-                        {"instruction_set", header.instruction_set},
-                        {"fidelity", header.fidelity},
-                        {"status", "ok"}};
-  return netcdf_bytes(content);
+  return lone_result_file(header, "vibration of a bearing with scratches", defect_content(study));
 }
 
 namespace {
-
-nlohmann::ordered_json result_of(const ResolvedCase& resolved, const DefectStudy& study) {
-  nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
-  object.update(defect_json(study));
-  object["assumptions"] = assumptions_json(resolved);
-  object["warnings"] = study.warnings;
-  object["versions"] = versions_json();
-  return object;
-}
 
 void keep(const ManifestHeader& header, const nlohmann::ordered_json& result, const DefectStudy& study,
           ResultFolder& folder) {
@@ -84,14 +59,9 @@ int run_defect_case(const ResolvedCase& resolved, const Options& options) {
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
   DefectStudy study = study_of(resolved, moving, options);
   study.warnings.insert(study.warnings.begin(), unused.begin(), unused.end());
-  const nlohmann::ordered_json result = result_of(resolved, study);
+  const nlohmann::ordered_json result = lone_result_json(resolved, defect_json(study), study.warnings);
   keep(header, result, study, folder);
-  if (options.json) {
-    fmt::print("{}\n", result.dump(2));
-  } else if (!options.quiet) {
-    fmt::print("{}", defect_text(study));
-    for (const std::string& warning : study.warnings) fmt::print("warning: {}\n", warning);
-  }
+  present_lone_result(result, defect_text(study), options);
   return 0;
 }
 

@@ -25,7 +25,7 @@ int run_film_case(const ResolvedCase& resolved, const Options& options) {
   if (!folder.finished().contains(0)) {
     if (!folder.path().empty()) write_aside_and_rename(folder.path() / "film.csv", film_csv(study));
     folder.keep(
-        {{0, lone_result_file(header, "film of a contact", film_content(study)), empty_row(folder.head())}});
+        {{0, lone_result_file(header, "film of a contact", film_content(study)), lone_row(folder.head())}});
   }
   present_lone_result(lone_result_json(resolved, film_json(study), study.warnings), film_text(study),
                       options);

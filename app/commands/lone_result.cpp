@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -10,7 +12,8 @@
 
 namespace orbearing::app {
 
-std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content) {
+std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content,
+                             const std::string& status) {
   content.attributes = {{"Conventions", "CF-1.10"},
                         {"title", header.case_name + ", " + what},
                         {"source", "Orbearing " + header.program_version},
@@ -19,7 +22,7 @@ std::string lone_result_file(const ManifestHeader& header, const char* what, Poi
                         {"program_version", header.program_version},
                         {"instruction_set", header.instruction_set},
                         {"fidelity", header.fidelity},
-                        {"status", "ok"}};
+                        {"status", status}};
   return netcdf_bytes(content);
 }
 
@@ -44,8 +47,14 @@ void present_lone_result(const nlohmann::ordered_json& object, const std::string
   }
 }
 
-ResultRow empty_row(const TableHead& head) {
-  return {std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
+ResultRow lone_row(const TableHead& head, const std::vector<std::pair<const char*, double>>& values) {
+  ResultRow row{std::vector<double>(head.names.size(), std::numeric_limits<double>::quiet_NaN()), "ok"};
+  for (const auto& [name, value] : values) {
+    const auto found = std::find(head.names.begin(), head.names.end(), name);
+    if (found != head.names.end() && std::isfinite(value))
+      row.values[static_cast<std::size_t>(found - head.names.begin())] = in_table_unit(value, 1.0);
+  }
+  return row;
 }
 
 }  // namespace orbearing::app

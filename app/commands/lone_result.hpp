@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
@@ -13,7 +14,8 @@
 namespace orbearing::app {
 
 /// Bytes of the netCDF file of a result called `what`.
-std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content);
+std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content,
+                             const std::string& status = "ok");
 
 /// Case, model, `results`, then assumptions, warnings and versions.
 nlohmann::ordered_json lone_result_json(const ResolvedCase& resolved, const nlohmann::ordered_json& results,
@@ -23,7 +25,7 @@ nlohmann::ordered_json lone_result_json(const ResolvedCase& resolved, const nloh
 void present_lone_result(const nlohmann::ordered_json& object, const std::string& text,
                          const Options& options);
 
-/// A row of the table, whose columns are of lives and loads and stay empty.
-ResultRow empty_row(const TableHead& head);
+/// A row of the table of a sweep that has these values [in the columns' units]; all else stays empty.
+ResultRow lone_row(const TableHead& head, const std::vector<std::pair<const char*, double>>& values = {});
 
 }  // namespace orbearing::app

@@ -43,7 +43,7 @@ int stiffness_command(const Options& options) {
   if (!folder.finished().contains(0)) {
     if (!folder.path().empty()) write_tables(study, folder.path());
     folder.keep(
-        {{0, lone_result_file(header, "stiffness", stiffness_content(study)), empty_row(folder.head())}});
+        {{0, lone_result_file(header, "stiffness", stiffness_content(study)), lone_row(folder.head())}});
   }
   present_lone_result(lone_result_json(resolved, stiffness_json(study), study.warnings),
                       stiffness_text(study), options);
