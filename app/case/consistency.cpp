@@ -205,13 +205,14 @@ void check_rings(Checker& check, const Races& races) {
                   check.length("bearing.outside_diameter"));
 }
 
-void check_cage(Checker& check, const Races& races) {
+void check_cage(Checker& check, const std::optional<Races>& races) {
   if (!check.has({"bearing.cage.inner_diameter", "bearing.cage.outer_diameter"})) return;
   const double inner = check.length("bearing.cage.inner_diameter");
   const double outer = check.length("bearing.cage.outer_diameter");
   check.ordered("bearing.cage.inner_diameter", "an inner diameter of the cage", inner, outer);
-  check.ordered("bearing.cage.inner_diameter", "a cage around the inner raceway: this", races.inner, inner);
-  check.ordered("bearing.cage.outer_diameter", "a cage within the outer raceway", outer, races.outer);
+  if (!races) return;  // of balls, whose grooves let a cage reach past them
+  check.ordered("bearing.cage.inner_diameter", "a cage around the inner raceway: this", races->inner, inner);
+  check.ordered("bearing.cage.outer_diameter", "a cage within the outer raceway", outer, races->outer);
 }
 
 void check_guide_land(Checker& check) {
@@ -264,10 +265,9 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_pair(check, resolved);
   check_error_lists(check, resolved);
   check_roller_circle(check);
-  if (const std::optional<Races> races = races_of(check)) {
-    check_rings(check, *races);
-    check_cage(check, *races);
-  }
+  const std::optional<Races> races = races_of(check);
+  if (races) check_rings(check, *races);
+  check_cage(check, races);
   check_guide_land(check);
   check_widths(check);
   check_refinements(resolved, mistakes);

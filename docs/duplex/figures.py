@@ -123,7 +123,7 @@ def table(program):
                ("cylinder of 110 mm", ["spindle.diameter=110 mm"]),
                ("outer osculation 0.515, as Table 1 prints", ["bearing.outer_osculation=0.515"]),
                ("free housing of 30 kg, 0.25 kg m2", ["housing.mass=30 kg", "housing.inertia=0.25 kg.m2"]),
-               ("without light preload", "light"), ("rows in tandem", ["arrangement=tandem"])]
+               ("without light preload", "light"), ("rows face to face", ["arrangement=face-to-face"])]
     case = yaml.safe_load((CASE / "case.yaml").read_text())
     for name, settings in choices:
         if settings == "light":

@@ -103,9 +103,10 @@ TEST(FangDuplex, PlaceOfTheBallsHardlyMatters) {
 
 // Spacers that differ by both rows' approach are the same as the load.
 TEST(FangDuplex, SpacersPressAsTheLoadDoes) {
-  const PairPoint by_load = pair_point(pair({}));
+  const std::string facing = "arrangement=face-to-face";  // spacers cannot press a tandem
+  const PairPoint by_load = pair_point(pair({facing}));
   const std::string spacers = fmt::format("spacer_difference={:.12g} um", 2e6 * by_load.approach);
-  const PairPoint by_spacers = pair_point(pair({"preload=0 N", spacers}));
+  const PairPoint by_spacers = pair_point(pair({facing, "preload=0 N", spacers}));
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(by_spacers.asked().modes[i].frequency, by_load.asked().modes[i].frequency, 1e-6);
 }

@@ -121,38 +121,35 @@ operation: {shaft_speed: 6000 rpm}
 simulation: {duration: 0.02 s, samples: 50, length_error: 2e-6 mm}
 )";
 
-inline const std::string kScratch = R"(name: a scratched race
+// A bearing with a scratched race: one text for both rungs, but for the signal.
+inline std::string scratched(const std::string& signal) {
+  return R"(name: a scratched race
 source: none
 model: raceway-defect
-load: {radial: 1000 N}
-operation: {shaft_speed: 1500 rpm}
-bearing: {balls: 7, ball_diameter: 11.5 mm, pitch_diameter: 43.5 mm, radial_clearance: 0 um, outer_ring_mass: 0.3 kg}
-defect: {race: inner, width: 0.8 mm, depth: 0.1 mm}
-signal: {sampling_rate: 20 kHz, revolutions: 3, settling_revolutions: 0.5, length_error: 1e-8 mm}
-)";
-
-inline const std::string kScratchInMotion = R"(name: a scratched race, all in motion
-source: none
-model: raceway-defect
-load: {radial: 1000 N}
+load: {radial: 400 N}
 operation: {shaft_speed: 6000 rpm}
 bearing:
-  balls: 7
-  ball_diameter: 11.5 mm
-  pitch_diameter: 43.5 mm
-  radial_clearance: 0 um
-  outer_ring_mass: 0.3 kg
+  balls: 9
+  ball_diameter: 7 mm
+  pitch_diameter: 36 mm
+  radial_clearance: 5 um
+  outer_ring_mass: 0.1 kg
   cage:
-    inner_diameter: 39.9 mm
-    outer_diameter: 50.3 mm
-    width: 15.7 mm
+    inner_diameter: 33.44 mm
+    outer_diameter: 38.54 mm
+    width: 9 mm
     density: 1310 kg/m3
-    guide_land_diameter: 50.5 mm
+    guide_land_diameter: 38.88 mm
     largest_eccentricity: 0.2
-defect: {race: inner, width: 0.8 mm, depth: 0.1 mm}
-signal: {sampling_rate: 30 kHz, revolutions: 2, settling_revolutions: 0.5}
-simulation: {length_error: 2e-6 mm}
-)";
+defect: {race: inner, width: 0.6 mm, depth: 0.1 mm}
+)" + signal;
+}
+
+inline const std::string kScratch = scratched(
+    "signal: {sampling_rate: 60 kHz, revolutions: 3, settling_revolutions: 0.5, length_error: 1e-8 mm}\n");
+inline const std::string kScratchInMotion = scratched(
+    "signal: {sampling_rate: 30 kHz, revolutions: 2, settling_revolutions: 0.5}\n"
+    "simulation: {length_error: 2e-6 mm}\n");
 
 inline const std::string kDuplex = R"(name: a pair of ball bearings
 source: none
