@@ -79,6 +79,11 @@ class Signals(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual([one["defect"] for one in json.loads(result.stdout)["signals"]], ["none", "outer", "inner", "ball"])
 
+    def test_a_set_has_no_page(self):
+        report = run([PROGRAM, "report", str(self.place / "whole")])
+        self.assertEqual(report.returncode, 2)
+        self.assertIn("found a set of signals", report.stderr)
+
     def test_bad_input(self):
         for options, part in ((("--vary", "defect.race=none"), "path=[value, value]"), (("--vary", "defect.width=[0.4 mm,]"), "between commas"),
                               (("--vary", "defect.rac=[none]"), "defect.rac"), (("--vary", "defect.width=[-1 mm]"), "defect.width")):
