@@ -37,10 +37,6 @@ double life_exponent(RollingElement element) {
   return element == RollingElement::ball ? 3.0 : 10.0 / 3.0;
 }
 
-double weibull_slope(RollingElement element) {
-  return element == RollingElement::ball ? 10.0 / 9.0 : 9.0 / 8.0;
-}
-
 double basic_rating_life(RollingElement element, double capacity, double equivalent_load) {
   if (equivalent_load <= 0.0) return kInfinity;
   return kMillionRevolutions * std::pow(capacity / equivalent_load, life_exponent(element));

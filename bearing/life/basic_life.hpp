@@ -13,7 +13,9 @@ double life_exponent(RollingElement element);
 
 /// Slope e of Weibull's distribution of lives: 10/9 for balls, 9/8 for rollers. [LundbergPalmgren1947]
 /// [LundbergPalmgren1952]
-double weibull_slope(RollingElement element);
+constexpr double weibull_slope(RollingElement element) {
+  return element == RollingElement::ball ? 10.0 / 9.0 : 9.0 / 8.0;
+}
 
 /// L10 [rev] = 1e6 (C/P)^p of [ISO281], for load rating `capacity` [N] and equivalent load [N]; infinite at
 /// no load.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "bearing/life/basic_life.hpp"
 
 namespace orbearing::bearing::life {
 
@@ -10,7 +11,7 @@ namespace {
 
 using Loads = LaminaLoads;
 
-constexpr double kWeibullSlope = 9.0 / 8.0;
+constexpr double kWeibullSlope = rating::weibull_slope(rating::RollingElement::roller);
 constexpr double kMillionRevolutions = 1e6;
 
 rating::ContactCapacities capacities_of(const Bearing& bearing, LifeMeasure measure, double lambda) {

@@ -3,12 +3,13 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "bearing/life/basic_life.hpp"
 #include "bearing/units.hpp"
 
 namespace orbearing::bearing {
 
 namespace {
-constexpr double kWeibullSlope = 9.0 / 8.0;
+constexpr double kWeibullSlope = rating::weibull_slope(rating::RollingElement::roller);
 }  // namespace
 
 double contact_capacity(const Bearing& bearing, Race race, double lambda) {

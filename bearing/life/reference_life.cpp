@@ -3,6 +3,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "bearing/life/basic_life.hpp"
 #include "bearing/units.hpp"
 
 namespace orbearing::bearing::rating {
@@ -10,9 +11,9 @@ namespace orbearing::bearing::rating {
 namespace {
 
 constexpr double kLaminaExponent = 9.0 / 2.0;
-constexpr double kRollerSlope = 9.0 / 8.0;
+constexpr double kRollerSlope = weibull_slope(RollingElement::roller);
 constexpr double kBallExponent = 10.0 / 3.0;
-constexpr double kBallSlope = 10.0 / 9.0;
+constexpr double kBallSlope = weibull_slope(RollingElement::ball);
 
 double roller_exponent(RaceMotion motion) {
   return motion == RaceMotion::turning ? 4.0 : 4.5;

@@ -108,6 +108,20 @@ TEST(BallMotion, PowerBalancesOnScratches) {
   EXPECT_GT(felt, 1.0);
 }
 
+// A cage that leans on both of its lands at once meets the stated stiffness: half of it on each.
+TEST(BallMotion, BothLandsTogetherAreAsStiffAsStated) {
+  RandomBalls random;
+  int guided = 0;
+  for (int draw = 0; draw < 20; ++draw) {
+    const DrawnBalls drawn = random.next();
+    const BallNumbers numbers = ball_numbers(drawn.bearing, drawn.parameters);
+    if (!numbers.land.present) continue;
+    ++guided;
+    EXPECT_DOUBLE_EQ(2.0 * numbers.land.law.stiffness, drawn.parameters.cage.touch_down_stiffness);
+  }
+  EXPECT_GT(guided, 0);
+}
+
 TEST(BallMotion, StagesAreSolvedByTheStiffSlopes) {
   RandomBalls random(7);
   for (int draw = 0; draw < 12; ++draw) {
