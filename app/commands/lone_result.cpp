@@ -14,15 +14,7 @@ namespace orbearing::app {
 
 std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content,
                              const std::string& status) {
-  content.attributes = {{"Conventions", "CF-1.10"},
-                        {"title", header.case_name + ", " + what},
-                        {"source", "Orbearing " + header.program_version},
-                        {"case", header.case_name},
-                        {"case_hash", header.case_hash},
-                        {"program_version", header.program_version},
-                        {"instruction_set", header.instruction_set},
-                        {"fidelity", header.fidelity},
-                        {"status", status}};
+  content.attributes = result_attributes(header, what, status);
   return netcdf_bytes(content);
 }
 

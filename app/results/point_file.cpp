@@ -156,6 +156,20 @@ void add_laminae(PointContent& content, const study::LaminaRecord& record) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> result_attributes(const ManifestHeader& header,
+                                                                   const std::string& what,
+                                                                   const std::string& status) {
+  return {{"Conventions", "CF-1.10"},
+          {"title", header.case_name + ", " + what},
+          {"source", "Orbearing " + header.program_version},
+          {"case", header.case_name},
+          {"case_hash", header.case_hash},
+          {"program_version", header.program_version},
+          {"instruction_set", header.instruction_set},
+          {"fidelity", header.fidelity},
+          {"status", status}};
+}
+
 PointContent point_content(const ManifestHeader& header, std::size_t point,
                            const std::vector<double>& axis_values, const study::PointResult& result) {
   PointContent content;
@@ -174,15 +188,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   if (result.status == "ok" && !result.planets.empty()) add_planets(content, result.planets);
   if (result.dynamic) add_series(result.dynamic->series, content);
   if (result.dynamic) add_final_state(result.dynamic->final_state, content);
-  content.attributes = {{"Conventions", "CF-1.10"},
-                        {"title", fmt::format("{}, operating point {}", header.case_name, point)},
-                        {"source", "Orbearing " + header.program_version},
-                        {"case", header.case_name},
-                        {"case_hash", header.case_hash},
-                        {"program_version", header.program_version},
-                        {"instruction_set", header.instruction_set},
-                        {"fidelity", header.fidelity},
-                        {"status", result.status}};
+  content.attributes = result_attributes(header, fmt::format("operating point {}", point), result.status);
   if (header.continued) content.attributes.emplace_back("continue", to_string(*header.continued));
   if (!header.sets.empty()) content.attributes.emplace_back("limiting_set", result.limiting_set);
   return content;

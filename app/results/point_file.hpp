@@ -13,6 +13,11 @@
 
 namespace orbearing::app {
 
+/// What each file of results says of itself: conventions, title ("case, what"), program, case, status.
+std::vector<std::pair<std::string, std::string>> result_attributes(const ManifestHeader& header,
+                                                                   const std::string& what,
+                                                                   const std::string& status);
+
 /// Scalars of the table in SI, the loads by place, the axes in their unit. A failed point keeps its speed,
 /// its axes and its status.
 PointContent point_content(const ManifestHeader& header, std::size_t point,

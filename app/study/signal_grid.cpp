@@ -36,10 +36,6 @@ bool felt_by_scratches_alone(const std::string& path) {
   return path.starts_with("defect.") && path != "defect.race";
 }
 
-std::string scratched_text(const ResolvedCase& in) {
-  return in.choice("defect.race");
-}
-
 }  // namespace
 
 std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, DefectRung rung) {
@@ -71,7 +67,7 @@ std::vector<SignalVariant> signal_variants(const ResolvedCase& resolved,
   std::vector<SignalVariant> variants;
   for (std::size_t number = 0; number < count; ++number) {
     std::vector<Setting> settings;
-    std::string race = scratched_text(resolved);
+    std::string race = resolved.choice("defect.race");
     bool first_of_defect = true;
     std::size_t rest = number;
     for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
@@ -103,7 +99,7 @@ nlohmann::ordered_json signal_labels(const ResolvedCase& in, const DefectStudy& 
   const auto of_scratch = [&](const char* path) {
     return scratched ? nlohmann::ordered_json(1e3 * in.quantity(path)) : nlohmann::ordered_json(nullptr);
   };
-  return {{"defect", scratched_text(in)},
+  return {{"defect", in.choice("defect.race")},
           {"width_mm", of_scratch("defect.width")},
           {"depth_mm", of_scratch("defect.depth")},
           {"shaft_Hz", study.passing.shaft},
