@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "benchmarks/accuracy.hpp"
+#include "benchmarks/balls.hpp"
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/kernels.hpp"
@@ -136,6 +137,8 @@ Json measure() {
   put_speedup(trial, "cvode", Method::cvode, Method::cvode, out);
   put_speedup(trial, "cvode_order2", Method::cvode_order2, Method::cvode_order2, out);
   put_real_time(drivetrain, out);
+  say("balls");
+  put_balls(out["real_time_factor"][point_name(kMiddleSpeed, 0.0)], drivetrain.bearing.rollers().count, out);
   say("sweeps");
   out["sweep12_s"] = sweep_seconds(drivetrain, 0.0);
   out["sweep12_37um_s"] = sweep_seconds(drivetrain, 37.0);

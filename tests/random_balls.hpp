@@ -85,6 +85,7 @@ class RandomBalls {
     MotionParameters p;
     p.race.traction = static_cast<motion::TractionLaw>(whole(0, 2));
     p.cage.pocket_clearance = between(0.01, 0.04) * b.balls().diameter;
+    if (b.balls().count % 2 == 1) p.cage.pocket_film = motion::PocketFilm::hydrodynamic;
     p.pocket.straight = whole(0, 1) == 0 ? 0.0 : between(0.0, 0.03) * b.balls().diameter;
     if (whole(0, 2) > 0) {
       const double clearance = between(0.2e-3, 0.5e-3);

@@ -14,6 +14,7 @@
 #include "app/units.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
+#include "bearing/life/ball_failure.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::app {
@@ -89,8 +90,11 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
     throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
   const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
   study.rolling_cage_speed = kinematic_cage_speed(geometry_of(bearing), inner, outer);
-  study.life_hours = bearing::hours(study.run.means.life.bearing,
-                                    bearing.motions.inner == bearing::RaceMotion::turning ? inner : outer);
+  const double turning = bearing.motions.inner == bearing::RaceMotion::turning ? inner : outer;
+  const system::BallMeans& means = study.run.means;
+  study.life_hours = bearing::hours(means.life.bearing, turning);
+  study.life_with_balls_hours =
+      bearing::hours(bearing::rating::life_of_both(means.life.bearing, means.balls_life), turning);
   const bearing::equilibrium::RingState balance = bearing::equilibrium::balance_bearing(
       bearing, {.speeds = {inner, outer}}, ring_load_of(in));
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
@@ -108,6 +112,7 @@ Json ball_json(const BallStudy& study) {
                 {"life_Mrev", number_or_null(kPerMillion * life)}};
   };
   return {{"life_h", number_or_null(study.life_hours)},
+          {"life_with_balls_h", number_or_null(study.life_with_balls_hours)},
           {"slip_settling_s", study.run.slip_settling ? Json(*study.run.slip_settling) : Json(nullptr)},
           {"cage_impact_max_N", study.run.pocket_load_max},
           {"cage_slip", m.cage_slip},
@@ -117,6 +122,7 @@ Json ball_json(const BallStudy& study) {
           {"inner", race(m.inner_load_rms, m.inner_load_max, m.inner_angle, m.inner_film, m.life.inner)},
           {"outer", race(m.outer_load_rms, m.outer_load_max, m.outer_angle, m.outer_film, m.life.outer)},
           {"life_Mrev", number_or_null(kPerMillion * m.life.bearing)},
+          {"balls_life_Mrev", number_or_null(kPerMillion * m.balls_life)},
           {"dynamic_capacity_N", study.dynamic_capacity},
           {"stiffness", study.stiffness ? stiffness_json(*study.stiffness) : Json(nullptr)},
           {"steps", study.run.report.steps}};
@@ -124,7 +130,8 @@ Json ball_json(const BallStudy& study) {
 
 std::string ball_text(const BallStudy& study) {
   const system::BallMeans& m = study.run.means;
-  std::string text = fmt::format("life {:.5g} h ({:.5g} Mrev)\n", study.life_hours, kPerMillion * m.life.bearing);
+  std::string text = fmt::format("life {:.5g} h ({:.5g} Mrev), {:.5g} h where balls may fail too\n", study.life_hours,
+                                 kPerMillion * m.life.bearing, study.life_with_balls_hours);
   text += fmt::format("cage: slip {:.3g} %, ", 100.0 * m.cage_slip);
   text += study.run.slip_settling ? fmt::format("settled after {:.3g} s, ", *study.run.slip_settling)
                                   : "not settled, ";
@@ -169,6 +176,7 @@ PointContent ball_content(const BallStudy& study) {
   }
   for (const NamedArray& one :
        {one_number("life", "h", "of the bearing by Lundberg and Palmgren, from true passages", study.life_hours),
+        one_number("life_with_balls", "h", "of the bearing where its balls may fail too", study.life_with_balls_hours),
         one_number("mean_cage_slip", "1", "over the observed time", m.cage_slip),
         one_number("mean_heat", "W", "over the observed time", m.loss.total()),
         one_number("slip_settling", "s", "time after which the slip stays near its final value",

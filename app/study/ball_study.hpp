@@ -19,6 +19,7 @@ struct BallStudy {
   system::BallRunResult run;
   double rolling_cage_speed = 0.0;  // [rad/s]  of pure rolling, at the end
   double life_hours = 0.0;          // [h]      of the bearing at the speed of the end
+  double life_with_balls_hours = 0.0;  // [h]   where its balls may fail too, Eq. (35) of [Chen2026]
   double dynamic_capacity = 0.0;    // [N]
   /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there is none.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;

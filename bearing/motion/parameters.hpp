@@ -149,10 +149,10 @@ constexpr described::Names<GuidanceFilm, 2> names_of(GuidanceFilm) {
   return {{{GuidanceFilm::short_bearing, "short-bearing"}, {GuidanceFilm::as_printed, "as-printed"}}};
 }
 
-/// Oil between roller and pocket bar before they touch.
+/// Oil between rolling element and cage pocket before they touch.
 enum class PocketFilm {
-  none,          // the bar is felt when it is touched
-  hydrodynamic,  // rigid-isoviscous line contact with entrainment and squeeze
+  none,          // the pocket is felt when it is touched
+  hydrodynamic,  // rigid-isoviscous line or point contact with entrainment and squeeze
 };
 
 constexpr described::Names<PocketFilm, 2> names_of(PocketFilm) {
@@ -222,11 +222,11 @@ void describe(Visitor& visit, CageParameters& m) {
              .reason = "oiled polymer",
              .fmu = InFmu::parameter}),
       field(m.pocket_film, "bearing.cage.pocket_film", Felt::motion,
-            "oil between roller and pocket bar before they touch",
-            {.models = planetary_drivetrain, .reason = "the bars are felt when they are touched"}),
+            "oil between rolling element and cage pocket before they touch",
+            {.models = in_time, .reason = "pockets are felt when they are touched"}),
       field(m.pocket_roughness, "bearing.cage.pocket_roughness", Felt::motion,
-            "roughness of roller and bar, the least film in the pocket",
-            {.models = planetary_drivetrain,
+            "roughness of rolling element and pocket, the least film between them",
+            {.models = in_time,
              .dimension = dimension::small_length,
              .range = positive(100.0),
              .reason = "a moulded or milled bar",

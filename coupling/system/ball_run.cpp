@@ -1,15 +1,16 @@
 #include "coupling/system/ball_run.hpp"
 
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "bearing/geometry.hpp"
+#include "bearing/life/ball_failure.hpp"
 #include "bearing/life/damage.hpp"
 #include "bearing/life/reference_life.hpp"
+#include "bearing/motion/balls/printed_form.hpp"
 #include "coupling/integration/run.hpp"
 #include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"
@@ -19,12 +20,15 @@ namespace orbearing::system {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
 using bearing::balls::BallBearing;
 using bearing::balls::BallNumbers;
 using bearing::balls::BallPowerLoss;
 using bearing::balls::BallSnapshot;
 using bearing::balls::StateLayout;
+
+// Of a ball's vibration between its races in the longest step [rad]. What is not resolved is damped by the method:
+// loads follow from balance there. Where a ball is struck the allowed error shortens the step.
+constexpr double kStepOfBalls = 10.0;
 
 // Of a ball between its races [rad/s].
 double ball_frequency(const BallNumbers& c) {
@@ -135,6 +139,32 @@ class BallSystem {
   SlipHistory history_;
 };
 
+// The classic Runge-Kutta method for the printed form.
+class PrintedSteps {
+ public:
+  PrintedSteps(BallBearing& bearing, const std::vector<double>& start)
+      : form_(bearing), y_(form_.reduced(start)), then_(y_), sum_(y_), rate_(y_) {}
+
+  /// From `time` on by `length` [s].
+  void step(BallSystem& system, double time, double length) {
+    constexpr double place[] = {0.0, 0.5, 0.5, 1.0}, weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    sum_ = y_;
+    for (int stage = 0; stage < 4; ++stage) {
+      for (std::size_t i = 0; i < y_.size(); ++i) then_[i] = y_[i] + (stage > 0 ? place[stage] * length * rate_[i] : 0.0);
+      form_.derivative(time + place[stage] * length, then_.data(), rate_.data());
+      if (stage == 0) system.begun(form_.complete());
+      for (std::size_t i = 0; i < y_.size(); ++i) sum_[i] += weight[stage] * length * rate_[i];
+    }
+    y_.swap(sum_);
+    system.stepped(time, length);
+  }
+  const std::vector<double>& state(double time) { return form_.complete(time, y_.data()); }
+
+ private:
+  bearing::balls::PrintedForm form_;
+  std::vector<double> y_, then_, sum_, rate_;
+};
+
 void sum_sample(const BallSnapshot& s, ObservedSamples& sums) {
   ++sums.samples;
   sums.inner_torque += s.inner_torque;
@@ -222,7 +252,7 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
 
 integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length) {
   return integration::Rosenbrock2(ball_allowed_errors(numbers, kLinearlyImplicitErrorFactor * length),
-                                  kStepOfImpact / ball_frequency(numbers));
+                                  kStepOfBalls / ball_frequency(numbers));
 }
 
 std::string balls_out_of_place(const BallNumbers& c, const double* x) {
@@ -238,18 +268,18 @@ std::string balls_out_of_place(const BallNumbers& c, const double* x) {
 
 std::optional<double> settling_time(const SlipHistory& h) {
   constexpr double kShare = 0.05, kPoints = 0.005;
-  double band = std::max(kShare * std::abs(h.final_slip), kPoints);
-  for (std::size_t i = 0; i < h.time.size(); ++i)
-    if (h.time[i] >= h.observed_from) band = std::max(band, std::abs(h.slip[i] - h.final_slip));
-  std::optional<double> since;
-  for (std::size_t i = 0; i < h.time.size() && h.time[i] < h.observed_from; ++i) {
-    if (std::abs(h.slip[i] - h.final_slip) > band)
-      since.reset();
-    else if (!since)
-      since = h.time[i];
-    if (since && h.time[i] - *since >= h.revolution) return since;
+  double least = h.final_slip, most = h.final_slip;
+  const auto observed = static_cast<std::size_t>(
+      std::lower_bound(h.time.begin(), h.time.end(), h.observed_from) - h.time.begin());
+  for (std::size_t i = observed; i < h.time.size(); ++i) {
+    least = std::min(least, h.slip[i]);
+    most = std::max(most, h.slip[i]);
   }
-  return since;
+  const double band = std::max(kShare * std::abs(h.final_slip), kPoints);
+  std::size_t i = observed;
+  while (i > 0 && h.slip[i - 1] >= least - band && h.slip[i - 1] <= most + band) --i;
+  if (i == observed) return std::nullopt;
+  return h.time[i];
 }
 
 BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
@@ -273,6 +303,11 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const double observe_from = sample_time(first_observed);
   BallSystem system(model, geometry, observe_from, options.places);
   integration::Rosenbrock2 stepper = ball_stepper(numbers, options.length_error);
+  std::optional<PrintedSteps> printed;
+  if (options.form == BallForm::printed) {
+    mechanics::require(options.printed_step > 0.0, "step [s]", options.printed_step, "more than 0");
+    printed.emplace(model, x);
+  }
   BallRunResult result;
   result.report.smallest_step = std::numeric_limits<double>::infinity();
   integration::IntegrationOptions limits;
@@ -301,13 +336,20 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
       const double end = sample_time(i);
       while (time < end) {
         const double before = time;
-        long attempts = 0;
-        step_within_window(stepper, system, x, time, end, {}, step, attempts);
-        result.report.rejected += attempts - 1;
+        if (printed) {
+          const double steps = std::ceil((end - time) / options.printed_step);
+          printed->step(system, time, (end - time) / steps);
+          time = steps > 1.0 ? time + (end - time) / steps : end;
+        } else {
+          long attempts = 0;
+          step_within_window(stepper, system, x, time, end, {}, step, attempts);
+          result.report.rejected += attempts - 1;
+        }
         if (!budget.accept(time, time - before)) throw std::runtime_error(result.report.message);
         if (before >= observe_from)
           rolled += (time - before) * rolling_cage_speed(geometry, duty, 0.5 * (before + time));
       }
+      if (printed) x = printed->state(time);
       const std::string reason = balls_out_of_place(numbers, x.data());
       if (!reason.empty()) throw std::runtime_error(reason);
       sample();
@@ -330,11 +372,12 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const bearing::motion::DamageSums& damage = system.sums().damage;
   const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0), outer = damage.outer.damage().pow(1.0 / 3.0);
   result.means.life = bearing::rating::ball_reference_life(capacities, inner, outer, bearing.motions);
+  result.means.balls_life = bearing::rating::life_of_balls(
+      bearing, capacities, {.inner = std::cbrt(damage.inner.damage().mean()), .outer = std::cbrt(damage.outer.damage().mean())});
   if (result.completed) {
     SlipHistory history = system.take_history();
     history.final_slip = result.means.cage_slip;
     history.observed_from = observe_from;
-    history.revolution = two_pi / std::max(1e-9, std::abs(result.means.cage_speed));
     result.slip_settling = settling_time(history);
   }
   result.final_state = std::move(x);

@@ -21,14 +21,26 @@ constexpr described::Names<Start, 2> names_of(Start) {
   return {{{Start::rolling, "rolling"}, {Start::rest, "rest"}}};
 }
 
+/// Which places have inertia.
+enum class BallForm {
+  complete,  // all
+  printed,   // as [Chen2026]: those of rings and balls in their contacts follow from balance
+};
+
+constexpr described::Names<BallForm, 2> names_of(BallForm) {
+  return {{{BallForm::complete, "complete"}, {BallForm::printed, "printed"}}};
+}
+
 /// What belongs to the method and to the start.
 struct BallRunOptions {
   double duration = 1.0;           // [s]  of the whole run
   double observed = 0.2;           // [-]  share of it at its end, over which means are taken
   Start start = Start::rolling;
   int samples = 4000;              // [-]  of the whole run
-  double length_error = 2e-10;     // [m]  as SteadyStateOptions::allowed_length_error
+  double length_error = 5e-10;     // [m]  as SteadyStateOptions::allowed_length_error
   double first_ball = 0.0;         // [rad]  angle of the first ball at the start
+  BallForm form = BallForm::complete;
+  double printed_step = 1e-6;      // [s]  of the classic Runge-Kutta method in the printed form
   int places = 72;                 // [-]  bins on the races
   double most_seconds = 3600.0;    // [s]  of wall time
 };
@@ -51,6 +63,16 @@ void describe(Visitor& visit, BallRunOptions& m) {
              {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
        field(m.samples, "simulation.samples", Felt::lone_run, "states that are shown, evenly over the time",
              {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
+       field(m.form, "simulation.form", Felt::lone_run,
+             "which places have inertia: all, or as [Chen2026] prints it, by balance where contacts hold them",
+             {.models = ball_motion, .reason = "the complete equations are faster, too"}),
+       field(m.printed_step, "simulation.step", Felt::lone_run,
+             "step of the classic Runge-Kutta method",
+             {.models = ball_motion,
+              .dimension = dimension::time,
+              .range = positive(1e-3),
+              .reason = "not printed; contacts of balls and cage and the friction of the races bear it",
+              .where = {"simulation.form", "printed"}}),
        length_error_row(m.length_error));
 }
 
@@ -85,6 +107,7 @@ struct BallMeans {
   double outer_film = 0.0;      // [m]
   bearing::balls::BallPowerLoss loss;   // [W]
   bearing::BearingLife life;            // [rev]  of the turning race, from true passages
+  double balls_life = 0.0;              // [rev]  of all balls, as bearing/life/ball_failure.hpp has it
 };
 
 struct BallRunResult {
@@ -111,14 +134,13 @@ std::string balls_out_of_place(const bearing::balls::BallNumbers& numbers, const
 struct SlipHistory {
   std::vector<double> time;    // [s]  rising
   std::vector<double> slip;    // [-]
-  double final_slip = 0.0;     // [-]
+  double final_slip = 0.0;     // [-]  mean while observed
   double observed_from = 0.0;  // [s]
-  double revolution = 0.0;     // [s]  of the cage
 };
 
-/// First time from which the slip stays, for a revolution of the cage, within 5 % of its final value or half a
-/// percentage point, whichever is larger, or within what it strays by while observed: a cage that rattles
-/// never rests. None where that is not before it is observed.
+/// First time from which the slip stays between the least and the largest that is seen while observed, by 5 % of
+/// its final value or half a percentage point beyond them, whichever is more: a cage moves on by and by in its
+/// pockets, and a slip that comes to rest has but one value. None where that is not before it is observed.
 std::optional<double> settling_time(const SlipHistory& history);
 
 /// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time

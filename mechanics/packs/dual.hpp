@@ -6,9 +6,9 @@
 namespace orbearing::mechanics::ORBEARING_PACKS {
 
 /// Eight numbers, in as many registers as they take: a vector wider than a register goes through memory.
-#if defined(__AVX512F__)
+#if ORBEARING_REGISTER_LANES == 8
 using SlopeVector = Register;
-#elif defined(__AVX__)
+#elif ORBEARING_REGISTER_LANES == 4
 using SlopeVector = Pack;
 #else
 using SlopeVector = Two<Pack>;

@@ -8,15 +8,21 @@
 #error "ORBEARING_PACKS must name the instruction set this file is compiled for"
 #endif
 
+// Numbers in a register. A file may ask for shorter ones than its instruction set has: for few elements, who
+// would leave lanes empty.
+#ifndef ORBEARING_REGISTER_LANES
+#if defined(__AVX512F__)
+#define ORBEARING_REGISTER_LANES 8
+#elif defined(__AVX__)
+#define ORBEARING_REGISTER_LANES 4
+#else
+#define ORBEARING_REGISTER_LANES 2
+#endif
+#endif
+
 namespace orbearing::mechanics::ORBEARING_PACKS {
 
-#if defined(__AVX512F__)
-inline constexpr int kRegisterLanes = 8;
-#elif defined(__AVX__)
-inline constexpr int kRegisterLanes = 4;
-#else
-inline constexpr int kRegisterLanes = 2;
-#endif
+inline constexpr int kRegisterLanes = ORBEARING_REGISTER_LANES;
 inline constexpr int kLanes = 2 * kRegisterLanes;
 
 using Register = double __attribute__((vector_size(8 * kRegisterLanes)));
@@ -241,7 +247,7 @@ inline PackPair root(const PackPair& x) {
 
 /// 1/sqrt(x) of normal numbers x > 0.
 inline Register inverse_root(const Register& x) {
-#if defined(__AVX512F__)
+#if ORBEARING_REGISTER_LANES == 8
   Register y = __builtin_ia32_rsqrt14pd512_mask(x, Register{}, 0xff);
   const Register half = 0.5 * x;
   y = y * (1.5 - half * y * y);

@@ -7,7 +7,7 @@ namespace orbearing::mechanics::ORBEARING_PACKS {
 
 namespace detail {
 // Halves, quarters and neighbours changed over: sums by halving.
-#if defined(__AVX512F__)
+#if ORBEARING_REGISTER_LANES == 8
 template <class Vector>
 Vector upper_half(const Vector& x) {
   return __builtin_shufflevector(x, x, 4, 5, 6, 7, 0, 1, 2, 3);
@@ -29,7 +29,7 @@ inline Register halves(const Register& x, const Register& y) {
   return __builtin_shufflevector(x, y, 0, 1, 2, 3, 8, 9, 10, 11) +
          __builtin_shufflevector(x, y, 4, 5, 6, 7, 12, 13, 14, 15);
 }
-#elif defined(__AVX__)
+#elif ORBEARING_REGISTER_LANES == 4
 template <class Vector>
 Vector upper_quarter(const Vector& x) {
   return __builtin_shufflevector(x, x, 2, 3, 0, 1);
@@ -49,10 +49,10 @@ inline Register neighbours(const Register& x, const Register& y) {
 
 /// The sums of as many registers as one has lanes, side by side.
 inline Register sums(const Register (&x)[kRegisterLanes]) {
-#if defined(__AVX512F__)
+#if ORBEARING_REGISTER_LANES == 8
   return detail::halves(detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3])),
                         detail::pairs(detail::neighbours(x[4], x[5]), detail::neighbours(x[6], x[7])));
-#elif defined(__AVX__)
+#elif ORBEARING_REGISTER_LANES == 4
   return detail::pairs(detail::neighbours(x[0], x[1]), detail::neighbours(x[2], x[3]));
 #else
   return detail::neighbours(x[0], x[1]);
@@ -61,10 +61,10 @@ inline Register sums(const Register (&x)[kRegisterLanes]) {
 
 inline bool any(const Mask& where) {
   BitRegister found = where.low | where.high;
-#if defined(__AVX512F__)
+#if ORBEARING_REGISTER_LANES == 8
   found |= detail::upper_half(found);
 #endif
-#if defined(__AVX__)
+#if ORBEARING_REGISTER_LANES >= 4
   found |= detail::upper_quarter(found);
 #endif
   return (found[0] | found[1]) != 0;
@@ -76,10 +76,10 @@ inline bool any(const PackPairMask& where) {
 
 inline double sum(const Pack& x) {
   Register y = x.low + x.high;
-#if defined(__AVX512F__)
+#if ORBEARING_REGISTER_LANES == 8
   y += detail::upper_half(y);
 #endif
-#if defined(__AVX__)
+#if ORBEARING_REGISTER_LANES >= 4
   y += detail::upper_quarter(y);
 #endif
   return y[0] + y[1];

@@ -213,6 +213,7 @@ class RandomStates {
     p.pocket.straight = chance(0.5) ? 0.0 : decades(1e-5, 1e-3);
     p.cage.pocket_clearance = decades(3e-5, 5e-4);
     p.cage.pocket_damping = decades(0.01, 2.0);
+    if (b.balls().count % 2 == 1) p.cage.pocket_film = motion::PocketFilm::hydrodynamic;
     if (kind.land && chance(0.7)) {
       const double clearance = decades(5e-5, 5e-4);
       p.cage.guide_diameter = b.cage.guidance == Race::outer ? b.cage.outer_diameter + 2.0 * clearance
@@ -595,6 +596,7 @@ struct Course {
   motion::TractionLaw law;
   RingDrive inner, outer;
   Race guidance;
+  motion::PocketFilm pockets;
 };
 
 void PrintTo(const Course& course, std::ostream* out) {
@@ -620,6 +622,7 @@ TEST_P(BallsInertialRun, RunsAlike) {
   parameters.race.traction = GetParam().law;
   parameters.lubricant = {0.02, 1.5e-8};
   parameters.cage.pocket_clearance = 0.2e-3;
+  parameters.cage.pocket_film = GetParam().pockets;
   parameters.cage.guide_diameter = GetParam().guidance == Race::outer ? 53.4e-3 : 46.6e-3;
   BallDuty duty;
   duty.inner = GetParam().inner;
@@ -651,10 +654,11 @@ INSTANTIATE_TEST_SUITE_P(Courses, BallsInertialRun,
                                                 motion::TractionLaw::regularised_coulomb,
                                                 RingDrive::steady(800.0),
                                                 {},
-                                                Race::outer},
+                                                Race::outer,
+                                                motion::PocketFilm::none},
                                          Course{"deep_groove", 0.0, motion::TractionLaw::ree_eyring,
                                                 RingDrive::steady(-200.0), RingDrive::steady(600.0),
-                                                Race::inner}),
+                                                Race::inner, motion::PocketFilm::hydrodynamic}),
                          [](const testing::TestParamInfo<Course>& course) { return course.param.name; });
 
 }  // namespace

@@ -142,6 +142,40 @@ Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball
   return contact;
 }
 
+// Oil between a ball and the side `n` of its pocket; `straight_up` is the pocket's axis, along which it is
+// straight. Sphere and cylinder: pressure (c - a . x) / h^2, cut at zero.
+void oil_in_pocket(const BallNumbers& b, double gap, const Vector& n, const Vector& straight_up, const Body& ball,
+                   const Body& cage, Wrench& on_ball, Wrench& on_cage, Contact& contact, Outcome& total,
+                   double sign) {
+  const bearing::RigidPointFilm& film = b.pocket.film;
+  const double along_radius = b.radius, round_radius = b.radius * (b.radius + b.pocket.play) / b.pocket.play;
+  const double mean = std::sqrt(along_radius * round_radius), g = std::max(gap, film.least_gap);
+  const Vector point = ball.place + b.radius * n, up = straight_up, aside = n.cross(up);
+  const Vector centres = velocity_at(cage, ball.place) - velocity_at(ball, ball.place);
+  const Vector turn = cage.turning - ball.turning, by_turning = b.radius * turn.cross(n);
+  const Vector passing = centres + by_turning;
+  const double closing = -passing.dot(n);
+  const double c = 6.0 * film.viscosity * closing / (1.0 / along_radius + 1.0 / round_radius);
+  const double ux = 0.5 * passing.dot(up), uy = 0.5 * passing.dot(aside);
+  const double ax = 12.0 * film.viscosity * ux / (3.0 + 2.0 * along_radius / round_radius);
+  const double ay = 12.0 * film.viscosity * uy / (3.0 + 2.0 * round_radius / along_radius);
+  const double wedge = std::sqrt(2.0 * g * (along_radius * ax * ax + round_radius * ay * ay));
+  const double both = std::hypot(wedge, c);
+  const double load = kPi * mean / g * (c + both);
+  const double shear = kPi * mean * film.viscosity * (both > 0.0 ? 1.0 + std::max(0.0, c) / both : 1.0) *
+                       std::log(1.0 + film.extent / g);
+  const Vector sliding = passing + closing * n;
+  act_and_react(on_ball, ball, on_cage, cage, point, shear * sliding - load * n);
+  // Surfaces that roll on each other meet a couple.
+  const Vector couple = shear * b.radius *
+                        (3.0 / (3.0 + 2.0 * along_radius / round_radius) * by_turning.dot(up) * n.cross(up) +
+                         3.0 / (3.0 + 2.0 * round_radius / along_radius) * by_turning.dot(aside) * n.cross(aside));
+  on_ball.moment += couple;
+  on_cage.moment -= couple;
+  contact.load += sign * load;
+  total.loss.pockets += load * closing + shear * sliding.squaredNorm() + couple.dot(turn);
+}
+
 Contact guide_ball(const BallNumbers& b, int pocket, const Body& ball, const Body& cage, Wrench& on_ball,
                    Wrench& on_cage, Outcome& total) {
   Contact contact;
@@ -152,12 +186,31 @@ Contact guide_ball(const BallNumbers& b, int pocket, const Body& ball, const Bod
   const double straight = std::clamp(arm.dot(ahead), -b.pocket.half_straight, b.pocket.half_straight);
   const Vector off = arm - arm.dot(direction) * direction - straight * ahead;
   contact.approach = off.norm() - b.pocket.play;
+  if (b.pocket.film.present()) {
+    const Vector n = off.normalized();
+    const double wider = 2.0 * (b.pocket.play + b.pocket.half_straight * std::abs(n.dot(ahead)));
+    const double near = -contact.approach;
+    oil_in_pocket(b, near, n, direction, ball, cage, on_ball, on_cage, contact, total, 1.0);
+    oil_in_pocket(b, wider - near, -n, direction, ball, cage, on_ball, on_cage, contact, total, -1.0);
+    // Round the middle.
+    const double e = std::min(1.0, off.norm() / b.pocket.play), least = b.pocket.film.least_gap;
+    const double mean = b.radius * std::sqrt((b.radius + b.pocket.play) / b.pocket.play);
+    const double by = 6.0 * b.pocket.film.viscosity /
+                      (1.0 / b.radius + b.pocket.play / (b.radius * (b.radius + b.pocket.play))) * kPi * mean *
+                      (1.0 / std::max(near, least) + 1.0 / std::max(wider - near, least)) * (1.0 - e * e) /
+                      (1.0 + 2.0 * e * e);
+    const Vector aside = n.cross(direction);
+    const Vector passing = velocity_at(cage, ball.place) - velocity_at(ball, ball.place);
+    const Vector force = by * passing.dot(aside) * aside;
+    act_and_react(on_ball, ball, on_cage, cage, ball.place, force);
+    total.loss.pockets += force.dot(passing);
+  }
   if (contact.approach <= 0.0) return contact;
   const Vector n = off.normalized(), point = ball.place + b.radius * n;
   const Vector passing = velocity_at(cage, point) - velocity_at(ball, point);
   const double closing = -passing.dot(n);
   const Load load = load_of(b.pocket.stiffness, b.pocket.damping, contact.approach, closing);
-  contact.load = load.damped;
+  contact.load += load.damped;
   const Vector sliding = passing + closing * n;
   const Vector friction =
       b.pocket.friction * load.damped / std::hypot(sliding.norm(), b.pocket.sliding_scale) * sliding;

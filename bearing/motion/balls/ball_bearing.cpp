@@ -19,7 +19,10 @@ using boost::math::double_constants::two_pi;
 std::unique_ptr<Engine> make_engine([[maybe_unused]] mechanics::InstructionSet set,
                                     const BallNumbers& numbers) {
 #if defined(__x86_64__) && !defined(_WIN32)
-  if (set == mechanics::InstructionSet::avx512) return std::unique_ptr<Engine>(avx512_engine(numbers));
+  if (set == mechanics::InstructionSet::avx512) {
+    const bool half_empty = (numbers.balls + 7) / 8 % 2 == 1;
+    return std::unique_ptr<Engine>(half_empty ? short_avx512_engine(numbers) : avx512_engine(numbers));
+  }
   if (set == mechanics::InstructionSet::avx2) return std::unique_ptr<Engine>(avx2_engine(numbers));
 #endif
   return std::unique_ptr<Engine>(baseline_engine(numbers));
@@ -173,7 +176,7 @@ BallSnapshot BallBearing::snapshot(double time, const double* x) const {
       s.loss.rolling += touch.rolling_power;
       s.loss.damping += touch.damping_power;
     }
-    s.loss.cage += ball.pocket.damping_power + ball.pocket.friction_power;
+    s.loss.cage += ball.pocket.damping_power + ball.pocket.friction_power + ball.pocket.film_power;
     const double speed = ball.ball.velocity.y, square = dot(ball.ball.spin, ball.ball.spin);
     s.loss.churning += numbers_.drag.translation * speed * speed * std::abs(speed) +
                        numbers_.drag.churning * std::sqrt(square + 1e-12) * square;

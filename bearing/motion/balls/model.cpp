@@ -103,6 +103,17 @@ double pocket_stiffness(const Bearing& bearing, double play) {
   return point_contact(curvature, {.youngs_modulus = both, .poisson_ratio = 0.0}).constant;
 }
 
+// The pocket is straight along the cage's radius, as far as its wall is high, and hollow round the ball.
+RigidPointFilm pocket_oil(const Bearing& bearing, const MotionParameters& given, double play) {
+  if (given.cage.pocket_film == motion::PocketFilm::none) return {};
+  const double radius = 0.5 * bearing.balls().diameter;
+  require(given.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]", given.lubricant.viscosity,
+          "more than 0 for a film in the pockets");
+  const double wall = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
+  return RigidPointFilm::between(given.lubricant.viscosity, radius, radius * (radius + play) / play, 0.5 * wall,
+                                 radius, given.cage.pocket_roughness);
+}
+
 PocketNumbers pocket(const Bearing& bearing, const MotionParameters& given) {
   const double play = 0.5 * given.cage.pocket_clearance;
   require(play > 0.0, "pocket clearance [m]", given.cage.pocket_clearance, "more than 0");
@@ -112,7 +123,8 @@ PocketNumbers pocket(const Bearing& bearing, const MotionParameters& given) {
           .stiffness = pocket_stiffness(bearing, play),
           .damping = given.cage.pocket_damping,
           .friction = given.cage.pocket_friction,
-          .sliding_scale = given.race.sliding_scale};
+          .sliding_scale = given.race.sliding_scale,
+          .film = pocket_oil(bearing, given, play)};
 }
 
 LandNumbers lands(const Bearing& bearing, const MotionParameters& given) {

@@ -5,6 +5,7 @@
 #include "bearing/contact/ellipse_traction.hpp"
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/point_film.hpp"
+#include "bearing/contact/rigid_point_film.hpp"
 #include "bearing/contact/scratch_law.hpp"
 
 namespace orbearing::bearing::balls {
@@ -52,6 +53,7 @@ struct PocketNumbers {
   double damping = 0.0;        // [s/m]
   double friction = 0.0;       // [-]
   double sliding_scale = 0.0;  // [m/s]
+  RigidPointFilm film;         // x along the cage's radius, y round the pocket
 };
 
 /// A ring or the cage as a rigid body.

@@ -50,7 +50,7 @@ class PackEngine final : public Engine {
   explicit PackEngine(const BallNumbers& numbers)
       : c_(numbers),
         layout_{numbers.balls},
-        packs_(layout_.lanes() / kLanes),
+        packs_((numbers.balls + kLanes - 1) / kLanes),
         linear_(packs_),
         block_(packs_),
         inner_load_(packs_),
@@ -106,6 +106,11 @@ class PackEngine final : public Engine {
   }
   void put(const Pack& value, double* x, int group, int p) const {
     store(value, x + group * layout_.lanes() + p * kLanes);
+  }
+  // Lanes of the padded arrays that no pack reaches.
+  void clear_rest(double* x) const {
+    for (int group = 0; group < StateLayout::kGroups; ++group)
+      for (int i = packs_ * kLanes; i < layout_.lanes(); ++i) x[group * layout_.lanes() + i] = 0.0;
   }
   int shared_end() const { return c_.outer_ring.mass > 0.0 ? kShared : kOuter; }
 
@@ -176,7 +181,7 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   const SineCosine ahead = sine_cosine(pocket_angle_[p] + cage_turn - angle);
   const Triple<Pack> pocket = pocket_direction(seen_cage.axis, ahead.cosine, ahead.sine);
   const PocketTouch<Pack> held = pocket_touch<kSlopes>(c_, ball, seen_cage, pocket, at.pocket);
-  at.caged = any((held.load > Pack{}) & here);
+  at.caged = c_.pocket.film.present() || any((held.load > Pack{}) & here);
   pocket_[p] = only(here, held.load);
   if (at.caged) {
     react(ball, seen_cage.from_centre, held.on_ball, here, on_cage);
@@ -294,6 +299,7 @@ void PackEngine::evaluate(const Law& law, const double* x, const Surroundings& n
       (dot(on_cage.moment, cage.axis) - c_.drag.cage_churning * cage.spin * __builtin_fabs(cage.spin)) /
       c_.cage.polar;
   for (int i = layout_.end(); i < layout_.size(); ++i) dx[i] = 0.0;
+  clear_rest(dx);
 }
 
 }  // namespace orbearing::bearing::balls::ORBEARING_PACKS

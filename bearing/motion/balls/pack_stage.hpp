@@ -24,6 +24,7 @@ inline Impedance impedance(const ContactSlopes<Pack>& s, double g) {
   Pack z[6][6]{};
   const Pack load = g * s.load_by_speed + (g * g) * s.load_by_approach;
   for (int i = 0; i < 6; ++i) z[i][0] = -(s.per_load[i] * load);
+  z[0][0] += g * s.film_by_speed + (g * g) * s.film_by_approach;
   constexpr int row[4] = {1, 2, 5, 3};  // along, across, rolling, spin
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 4; ++k) z[row[i]][row[k]] += g * s.friction.by[i][k];
@@ -180,7 +181,7 @@ bool PackEngine::assemble(double g) {
 inline BallWrench<Pack> shifted(const ContactSlopes<Pack>& s, const Triple<Pack>& shift) {
   const Pack along_normal = dot(shift, s.axes.normal), across = dot(shift, s.axes.across);
   const Pack load = s.load_by_approach * along_normal;
-  const Pack force[3] = {-(s.per_load[0] * load), -(s.per_load[1] * load),
+  const Pack force[3] = {s.film_by_approach * along_normal - s.per_load[0] * load, -(s.per_load[1] * load),
                          s.turning_stiffness * across - s.per_load[2] * load};
   const Pack moment[3] = {-(s.per_load[3] * load), -(s.per_load[4] * load) - s.arm * force[2],
                           -(s.per_load[5] * load) + s.arm * force[1]};
@@ -304,6 +305,7 @@ inline void react_on(const BodyColumns& b, const BallWrench<Pack>& w, const Mask
     for (int i = 0; i < 3; ++i) put(entry(rhs, i, p) + g_ * rate[i], k, i, p);
   }
   for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;
+  clear_rest(k);
 }
 
 }  // namespace orbearing::bearing::balls::ORBEARING_PACKS

@@ -6,6 +6,9 @@
 //            |   '--------'        it than the play.
 //            +--------------> along the pitch circle
 //
+// Before they touch, oil may keep them apart (Eqs. (19) and (23) of [Chen2026], whose integrals over the film
+// have the closed forms of bearing/contact/rigid_point_film.hpp): on the side that is nearer and on the one
+// opposite, so that a ball in the middle is held by squeeze alone.
 #pragma once
 
 #include "bearing/contact/damping.hpp"
@@ -16,10 +19,11 @@ namespace orbearing::bearing::balls {
 template <class Number>
 struct PocketTouch {
   BallWrench<Number> on_ball;
-  Number load{};      // [N]  >= 0
+  Number load{};      // [N]  of touch and film on the nearer side, less the film's on the other
   Number driving{};   // [N]  part of it that drives the cage in the sense of rotation
   Number approach{};  // [m]  negative where they part
-  Number damping_power{}, friction_power{};  // [W]
+  Number damping_power{}, friction_power{};  // [W]  of the touch
+  Number film_power{};                       // [W]
 };
 
 /// Direction of the pocket's middle line in the axes of its ball: `cosine` and `sine` of the pocket's angle
@@ -30,7 +34,56 @@ Triple<Number> pocket_direction(const Triple<Number>& axis, const Number& cosine
   return {cosine - share * axis.x, sine - share * axis.y, -(share * (axis.z + 1.0))};
 }
 
-/// `slopes` are written where kSlopes.
+/// Adds the oil on both sides of a ball that stands `distance` [m] off the pocket's middle line along
+/// `axes.normal`; on the other side the gap is wider by `longer` [m] in an oblong pocket. A film is entrained by
+/// half the speed at which its surfaces slide: the contact stands in the pocket. A ball that moves round the
+/// middle squeezes too: as much as outwards in the middle itself, less of it by (1 - e^2)/(1 + 2 e^2) off it, as
+/// in a short journal bearing of the eccentricity e.
+template <bool kSlopes, class Number>
+void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, const Number& distance,
+                     const Number& longer, const Triple<Number>& approaching, const Triple<Number>& turn,
+                     PocketTouch<Number>& touch, ContactSlopes<Number>& slopes) {
+  using namespace mechanics;
+  const PocketNumbers& pocket = c.pocket;
+  const RigidPointFilm& film = pocket.film;
+  const Number rolling_along = c.radius * dot(turn, axes.across), rolling_across = c.radius * dot(turn, axes.along);
+  Triple<Number> force{}, moment{};
+  for (int i = 0; i < 2; ++i) {
+    const double side = i == 0 ? 1.0 : -1.0;
+    const Number gap = pocket.play - side * distance + (i == 0 ? Number{} : longer);
+    // Pocket less ball; n x along = across, n x across = -along.
+    const Number closing = -(side * dot(approaching, axes.normal));
+    const Number along = dot(approaching, axes.along) + side * rolling_along;
+    const Number across = dot(approaching, axes.across) - side * rolling_across;
+    const RigidPointLoad<Number> now = film.at(gap, closing, 0.5 * along, 0.5 * across);
+    const Number push = side * now.load, drag_along = now.shear * along, drag_across = now.shear * across;
+    const Number couple_along = (0.5 * film.rolling_x) * c.radius * now.shear * rolling_along;
+    const Number couple_across = (0.5 * film.rolling_y) * c.radius * now.shear * rolling_across;
+    force += scaled(drag_along, axes.along) + scaled(drag_across, axes.across) - scaled(push, axes.normal);
+    moment += scaled((side * c.radius) * drag_along + couple_along, axes.across) -
+              scaled((side * c.radius) * drag_across - couple_across, axes.along);
+    touch.load += push;
+    touch.film_power += now.load * closing + drag_along * along + drag_across * across +
+                        (couple_along * rolling_along + couple_across * rolling_across) / c.radius;
+    if constexpr (kSlopes) {
+      slopes.film_by_approach -= now.by_gap;
+      slopes.film_by_speed += now.by_closing;
+      slopes.friction.by[0][0] += now.shear;
+      slopes.friction.by[1][1] += now.shear;
+    }
+  }
+  const Number least = Number{} + film.least_gap, eccentricity = smaller(distance / pocket.play, Number{} + 1.0);
+  const Number off = eccentricity * eccentricity;
+  const Number both = 1.0 / larger(pocket.play - distance, least) + 1.0 / larger(pocket.play + distance + longer, least);
+  const Number round = (film.squeeze * film.size) * both * (1.0 - off) / (1.0 + 2.0 * off);
+  const Number moving = dot(approaching, axes.across);
+  force += scaled(round * moving, axes.across);
+  touch.film_power += round * moving * moving;
+  touch.on_ball.force += force;
+  touch.on_ball.moment += moment;
+}
+
+/// `slopes` are written where kSlopes; of a film those of its load and of its shear.
 template <bool kSlopes, class Number>
 PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball, const SeenBody<Number>& cage,
                                  const Triple<Number>& direction, ContactSlopes<Number>& slopes) {
@@ -86,11 +139,16 @@ PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball,
     slopes.load_by_approach =
         only(loaded, 1.5 * pocket.stiffness * root_approach * damping_factor(pocket.damping, closing));
     slopes.load_by_speed = only(loaded, elastic * pocket.damping);
+    slopes.film_by_approach = slopes.film_by_speed = Number{};
     slopes.turning_stiffness = only(absolute(off) > Number{}, load * per_distance);
     slopes.friction = {};
     slopes.friction.by[0][0] = per_speed - bend * along * along;
     slopes.friction.by[1][0] = slopes.friction.by[0][1] = -(bend * along * across);
     slopes.friction.by[1][1] = per_speed - bend * across * across;
+  }
+  if (pocket.film.present()) {
+    const Number longer = (2.0 * pocket.half_straight) * absolute(off) * per_distance;
+    add_pocket_film<kSlopes>(c, axes, distance, longer, cage.velocity - ball.velocity, turn, touch, slopes);
   }
   return touch;
 }
