@@ -24,6 +24,7 @@ struct RigidPointLoad {
   Number load;             // [N]      pushes apart, >= 0
   Number by_gap;           // [N/m]    <= 0
   Number by_closing;       // [N s/m]  >= 0
+  Number by_ux, by_uy;     // [N s/m]
   Number shear;            // [N s/m]  of both surfaces against sliding
 };
 
@@ -76,6 +77,8 @@ struct RigidPointFilm {
     const Number pressed = larger(c, Number{}) / together;
     return {load, only(free, per_gap * (0.5 * wedge / together) - load / g),
             (squeeze * per_gap) * (1.0 + c / together),
+            (size * entrained_x) * x / together,
+            (size * entrained_y) * y / together,
             (size * viscosity) * (1.0 + pressed) * logarithm(1.0 + extent / g)};
   }
 };

@@ -85,8 +85,9 @@ std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& lay
     const SeenBody<double> cage = seen(now.ball, bodies.cage);
     const double ahead = two_pi * j / c.balls + bodies.cage_turn - x[layout.lanes() + j];
     ContactSlopes<double> unused;
+    PocketFilmSlopes<double> none;
     now.pocket = pocket_touch<false>(c, now.ball, cage,
-                                     pocket_direction(cage.axis, std::cos(ahead), std::sin(ahead)), unused);
+                                     pocket_direction(cage.axis, std::cos(ahead), std::sin(ahead)), unused, none);
   }
   return all;
 }

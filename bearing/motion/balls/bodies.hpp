@@ -112,8 +112,6 @@ struct ContactSlopes {
   Number per_load[6];               // wrench over normal load; [0] is -1
   Number load_by_approach;          // [N/m]
   Number load_by_speed;             // [N s/m]
-  Number film_by_approach;          // [N/m]    of load that an oil film bears, which rubs nothing
-  Number film_by_speed;             // [N s/m]
   Number turning_stiffness;         // [N/m]  of the normal's direction, across
   TractionSlopes<Number> friction;  // with the couple against rolling
 };

@@ -28,6 +28,7 @@ struct BallPack {
   Ball<Pack> ball;
   Triple<Pack> from_inner, from_outer, from_cage;  // [m]
   ContactSlopes<Pack> inner, outer, pocket;
+  PocketFilmSlopes<Pack> film;
   bool caged = false;
 };
 
@@ -93,6 +94,8 @@ class PackEngine final : public Engine {
                       BodySums& on_cage, double* dx);
   template <bool kSlopes>
   [[gnu::flatten, gnu::noinline]] void evaluate_lands(const Body& cage, const Body& ring, BodyLoad& on_cage, BodyLoad& on_ring);
+  void add_film(const BallPack& at, const BodyColumns& columns, const double* cage, const Triple<Pack>& own,
+                const Mask& here, double* rows, BallWrench<Pack>& sum) const;
   template <int kEnd>
   void build_block(int p, double g);
   void add_bodies(double g);
@@ -180,7 +183,7 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   const SeenBody<Pack> seen_cage = seen(ball, cage);
   const SineCosine ahead = sine_cosine(pocket_angle_[p] + cage_turn - angle);
   const Triple<Pack> pocket = pocket_direction(seen_cage.axis, ahead.cosine, ahead.sine);
-  const PocketTouch<Pack> held = pocket_touch<kSlopes>(c_, ball, seen_cage, pocket, at.pocket);
+  const PocketTouch<Pack> held = pocket_touch<kSlopes>(c_, ball, seen_cage, pocket, at.pocket, at.film);
   at.caged = c_.pocket.film.present() || any((held.load > Pack{}) & here);
   pocket_[p] = only(here, held.load);
   if (at.caged) {

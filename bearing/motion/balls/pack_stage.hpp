@@ -19,12 +19,11 @@ struct Impedance {
   Pack by[kBallUnknowns][kBallUnknowns];
 };
 
-inline Impedance impedance(const ContactSlopes<Pack>& s, double g) {
+inline Impedance impedance(const ContactSlopes<Pack>& s, double g, const PocketFilmSlopes<Pack>* film = nullptr) {
   // In the axes (n, along, across) first, about the contact.
   Pack z[6][6]{};
   const Pack load = g * s.load_by_speed + (g * g) * s.load_by_approach;
   for (int i = 0; i < 6; ++i) z[i][0] = -(s.per_load[i] * load);
-  z[0][0] += g * s.film_by_speed + (g * g) * s.film_by_approach;
   constexpr int row[4] = {1, 2, 5, 3};  // along, across, rolling, spin
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 4; ++k) z[row[i]][row[k]] += g * s.friction.by[i][k];
@@ -38,6 +37,17 @@ inline Impedance impedance(const ContactSlopes<Pack>& s, double g) {
   for (int k = 0; k < 6; ++k) {
     z[5][k] += s.arm * z[1][k];
     z[4][k] -= s.arm * z[2][k];
+  }
+  if (film != nullptr) {
+    z[0][0] += g * film->by_speed + (g * g) * film->by_approach;
+    z[0][1] -= g * film->by_along;
+    z[0][2] -= g * film->by_across;
+    z[0][4] -= g * film->by_turning_along;
+    z[0][5] -= g * film->by_turning_across;
+    z[1][1] += g * film->along;
+    z[2][2] += g * film->across;
+    z[4][4] += g * film->turning;
+    z[5][5] += g * film->turning;
   }
   const Pack r[3][3] = {{s.axes.normal.x, s.axes.along.x, s.axes.across.x},
                         {s.axes.normal.y, s.axes.along.y, s.axes.across.y},
@@ -94,7 +104,7 @@ void PackEngine::build_block(int p, double g) {
   if constexpr (kEnd > kOuter)
     couple<kRingUnknowns>(outer, columns_of(at.ball, at.from_outer), here, kOuter, block, shared_);
   if (at.caged) {
-    const Impedance pocket = impedance(at.pocket, g);
+    const Impedance pocket = impedance(at.pocket, g, c_.pocket.film.present() ? &at.film : nullptr);
     for (int i = 0; i < 6; ++i)
       for (int k = 0; k < 6; ++k) block.own[i][k] += only(here, pocket.by[i][k]);
     couple<kCageUnknowns>(pocket, columns_of(at.ball, at.from_cage), here, kCage, block, shared_);
@@ -181,7 +191,7 @@ bool PackEngine::assemble(double g) {
 inline BallWrench<Pack> shifted(const ContactSlopes<Pack>& s, const Triple<Pack>& shift) {
   const Pack along_normal = dot(shift, s.axes.normal), across = dot(shift, s.axes.across);
   const Pack load = s.load_by_approach * along_normal;
-  const Pack force[3] = {s.film_by_approach * along_normal - s.per_load[0] * load, -(s.per_load[1] * load),
+  const Pack force[3] = {-(s.per_load[0] * load), -(s.per_load[1] * load),
                          s.turning_stiffness * across - s.per_load[2] * load};
   const Pack moment[3] = {-(s.per_load[3] * load), -(s.per_load[4] * load) - s.arm * force[2],
                           -(s.per_load[5] * load) + s.arm * force[1]};
@@ -209,6 +219,17 @@ inline void react_on(const BodyColumns& b, const BallWrench<Pack>& w, const Mask
   }
 }
 
+// Of the film's load, the same for places alone.
+inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns, const double* cage,
+                                 const Triple<Pack>& own, const Mask& here, double* rows,
+                                 BallWrench<Pack>& sum) const {
+  const Triple<Pack>& normal = at.pocket.axes.normal;
+  const Pack load = at.film.by_approach * dot(moved(columns, cage, kCageUnknowns) - own, normal);
+  const BallWrench<Pack> change{scaled(g_ * load, normal), {}};
+  react_on(columns, change, here, kCageUnknowns, rows);
+  sum += change;
+}
+
 // k_place = b_place + g k_velocity, so that velocities see g (dw/dplace) b_place on their right-hand side.
  inline void PackEngine::solve(const double* rhs, double* k) const {
   const double* cage = rhs + layout_.cage();
@@ -233,7 +254,10 @@ inline void react_on(const BodyColumns& b, const BallWrench<Pack>& w, const Mask
     };
     add(at.inner, at.from_inner, inner, kRingUnknowns, b + kInner);
     add(at.outer, at.from_outer, outer, kRingUnknowns, b + kOuter);
-    if (at.caged) add(at.pocket, at.from_cage, cage, kCageUnknowns, b + kCage);
+    if (at.caged) {
+      add(at.pocket, at.from_cage, cage, kCageUnknowns, b + kCage);
+      if (c_.pocket.film.present()) add_film(at, columns_of(at.ball, at.from_cage), cage, own, here, b + kCage, sum);
+    }
     const Pack r[6] = {c_.mass * entry(rhs, 3, p) + sum.force.x,
                        c_.mass * at.ball.radius * entry(rhs, 4, p) + sum.force.y,
                        c_.mass * entry(rhs, 5, p) + sum.force.z,

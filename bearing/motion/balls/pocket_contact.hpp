@@ -34,6 +34,17 @@ Triple<Number> pocket_direction(const Triple<Number>& axis, const Number& cosine
   return {cosine - share * axis.x, sine - share * axis.y, -(share * (axis.z + 1.0))};
 }
 
+/// Slopes of the oil on both sides of a ball, in the axes of its touch and about its own centre.
+template <class Number>
+struct PocketFilmSlopes {
+  Number by_approach;    // [N/m]      of the load
+  Number by_speed;       // [N s/m]
+  Number by_along, by_across;                // [N s/m]  of the load by sliding
+  Number by_turning_along, by_turning_across;  // [N s]  by turning about either
+  Number along, across;  // [N s/m]    drag
+  Number turning;        // [N m s]    against turning about either
+};
+
 /// Adds the oil on both sides of a ball that stands `distance` [m] off the pocket's middle line along
 /// `axes.normal`; on the other side the gap is wider by `longer` [m] in an oblong pocket. A film is entrained by
 /// half the speed at which its surfaces slide: the contact stands in the pocket. A ball that moves round the
@@ -42,7 +53,7 @@ Triple<Number> pocket_direction(const Triple<Number>& axis, const Number& cosine
 template <bool kSlopes, class Number>
 void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, const Number& distance,
                      const Number& longer, const Triple<Number>& approaching, const Triple<Number>& turn,
-                     PocketTouch<Number>& touch, ContactSlopes<Number>& slopes) {
+                     PocketTouch<Number>& touch, PocketFilmSlopes<Number>& slopes) {
   using namespace mechanics;
   const PocketNumbers& pocket = c.pocket;
   const RigidPointFilm& film = pocket.film;
@@ -66,10 +77,15 @@ void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, cons
     touch.film_power += now.load * closing + drag_along * along + drag_across * across +
                         (couple_along * rolling_along + couple_across * rolling_across) / c.radius;
     if constexpr (kSlopes) {
-      slopes.film_by_approach -= now.by_gap;
-      slopes.film_by_speed += now.by_closing;
-      slopes.friction.by[0][0] += now.shear;
-      slopes.friction.by[1][1] += now.shear;
+      slopes.by_approach -= now.by_gap;
+      slopes.by_speed += now.by_closing;
+      slopes.by_along += (0.5 * side) * now.by_ux;
+      slopes.by_across += (0.5 * side) * now.by_uy;
+      slopes.by_turning_across += (0.5 * c.radius) * now.by_ux;
+      slopes.by_turning_along -= (0.5 * c.radius) * now.by_uy;
+      slopes.along += now.shear;
+      slopes.across += now.shear;
+      slopes.turning += (c.radius * c.radius) * now.shear;
     }
   }
   const Number least = Number{} + film.least_gap, eccentricity = smaller(distance / pocket.play, Number{} + 1.0);
@@ -78,15 +94,17 @@ void add_pocket_film(const BallNumbers& c, const ContactAxes<Number>& axes, cons
   const Number round = (film.squeeze * film.size) * both * (1.0 - off) / (1.0 + 2.0 * off);
   const Number moving = dot(approaching, axes.across);
   force += scaled(round * moving, axes.across);
+  if constexpr (kSlopes) slopes.across += round;
   touch.film_power += round * moving * moving;
   touch.on_ball.force += force;
   touch.on_ball.moment += moment;
 }
 
-/// `slopes` are written where kSlopes; of a film those of its load and of its shear.
+/// Slopes are written where kSlopes.
 template <bool kSlopes, class Number>
 PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball, const SeenBody<Number>& cage,
-                                 const Triple<Number>& direction, ContactSlopes<Number>& slopes) {
+                                 const Triple<Number>& direction, ContactSlopes<Number>& slopes,
+                                 PocketFilmSlopes<Number>& film) {
   using namespace mechanics;
   constexpr double kAtCentre = 1e-30;  // [m^2]  keeps the normal finite in the pocket's middle
   const PocketNumbers& pocket = c.pocket;
@@ -139,16 +157,16 @@ PocketTouch<Number> pocket_touch(const BallNumbers& c, const Ball<Number>& ball,
     slopes.load_by_approach =
         only(loaded, 1.5 * pocket.stiffness * root_approach * damping_factor(pocket.damping, closing));
     slopes.load_by_speed = only(loaded, elastic * pocket.damping);
-    slopes.film_by_approach = slopes.film_by_speed = Number{};
     slopes.turning_stiffness = only(absolute(off) > Number{}, load * per_distance);
     slopes.friction = {};
     slopes.friction.by[0][0] = per_speed - bend * along * along;
     slopes.friction.by[1][0] = slopes.friction.by[0][1] = -(bend * along * across);
     slopes.friction.by[1][1] = per_speed - bend * across * across;
   }
+  if constexpr (kSlopes) film = PocketFilmSlopes<Number>{Number{}, Number{}, Number{}, Number{}, Number{}, Number{}, Number{}, Number{}, Number{}};
   if (pocket.film.present()) {
     const Number longer = (2.0 * pocket.half_straight) * absolute(off) * per_distance;
-    add_pocket_film<kSlopes>(c, axes, distance, longer, cage.velocity - ball.velocity, turn, touch, slopes);
+    add_pocket_film<kSlopes>(c, axes, distance, longer, cage.velocity - ball.velocity, turn, touch, film);
   }
   return touch;
 }

@@ -177,7 +177,6 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
     const Number grown = only(loaded, damping_factor(groove.damping, closing));
     slopes.load_by_approach = 1.5 * groove.stiffness * root_approach * grown;
     slopes.load_by_speed = only(loaded, elastic * groove.damping);
-    slopes.film_by_approach = slopes.film_by_speed = Number{};
     slopes.turning_stiffness = load * per_distance;
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) slopes.friction.by[i][k] = only(loaded, friction.by[i][k]);

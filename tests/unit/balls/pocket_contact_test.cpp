@@ -23,7 +23,8 @@ PocketTouch<double> touch(const BallNumbers& c, double ahead, double axial) {
   const Ball<double> ball{kPitch, 0.0, 1.0, 0.0, {}, {}, 0.0};
   const Body cage{{0.0, -ahead, -axial}, {0.0, 0.0, 1.0}, {}, {}, 0.0};
   ContactSlopes<double> unused;
-  return pocket_touch<false>(c, ball, seen(ball, cage), Triple<double>{1.0, 0.0, 0.0}, unused);
+  PocketFilmSlopes<double> none;
+  return pocket_touch<false>(c, ball, seen(ball, cage), Triple<double>{1.0, 0.0, 0.0}, unused, none);
 }
 
 TEST(PocketContact, RoundPocketsCountTheDistanceFromTheirMiddle) {
@@ -58,7 +59,8 @@ struct Film {
     const Ball<double> ball{kPitch, axial, 1.0, 0.0, {0.0, speed, 0.0}, {0.0, 0.0, turning}, 0.0};
     const Body cage{{0.0, -ahead, 0.0}, {0.0, 0.0, 1.0}, {}, {}, 0.0};
     ContactSlopes<double> unused;
-    return pocket_touch<false>(c, ball, seen(ball, cage), Triple<double>{1.0, 0.0, 0.0}, unused);
+    PocketFilmSlopes<double> none;
+    return pocket_touch<false>(c, ball, seen(ball, cage), Triple<double>{1.0, 0.0, 0.0}, unused, none);
   }
 };
 
@@ -132,6 +134,9 @@ TEST(PocketContact, SlopesOfTheFilmAreThoseOfItsLoad) {
       const double by_closing = (load(gap, closing + v) - load(gap, closing - v)) / (2 * v);
       EXPECT_NEAR(now.by_gap, by_gap, 1e-6 * std::abs(by_gap));
       EXPECT_NEAR(now.by_closing, by_closing, 1e-6 * by_closing);
+      const auto drawn = [&](double ux, double uy) { return film.at(gap, closing, ux, uy).load; };
+      EXPECT_NEAR(now.by_ux, (drawn(0.2 + v, 0.1) - drawn(0.2 - v, 0.1)) / (2 * v), 1e-5 * std::abs(now.by_ux));
+      EXPECT_NEAR(now.by_uy, (drawn(0.2, 0.1 + v) - drawn(0.2, 0.1 - v)) / (2 * v), 1e-5 * std::abs(now.by_uy));
     }
 }
 
