@@ -48,6 +48,11 @@ inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
 inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};
 inline constexpr Dimension inverse_speed{"inverse speed", "s/m", "s/m", "0.1 s/m"};
 inline constexpr Dimension damping{"damping", "N.s/m", "N.s/m", "200 N.s/m"};
+// Temperatures are counted in degrees Celsius all through.
+inline constexpr Dimension temperature{"temperature", "degC", "degC", "70 degC"};
+inline constexpr Dimension conductance{"thermal conductance", "W/K", "W/K", "3 W/K"};
+inline constexpr Dimension per_kelvin{"share per temperature difference", "K-1", "K-1", "0.03 K-1"};
+inline constexpr Dimension flow{"volume flow", "m3/s", "L/min", "0.5 L/min", 1e-3 / 60.0};
 inline constexpr Dimension frequency{"frequency", "Hz", "kHz", "51.2 kHz", 1e3};
 }  // namespace dimension
 

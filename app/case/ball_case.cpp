@@ -31,4 +31,8 @@ system::BallRunOptions ball_run_options_of(const ResolvedCase& in) {
   return options;
 }
 
+system::HeatParameters heat_of(const ResolvedCase& in) {
+  return from_case<system::HeatParameters>(in);
+}
+
 }  // namespace orbearing::app

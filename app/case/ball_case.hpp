@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/case/resolved_case.hpp"
-#include "coupling/system/ball_run.hpp"
+#include "coupling/system/heated_balls.hpp"
 
 namespace orbearing::app {
 
@@ -12,5 +12,7 @@ bearing::balls::MotionParameters ball_motion_of(const ResolvedCase& resolved);
 bearing::balls::BallDuty ball_duty_of(const ResolvedCase& resolved);
 
 system::BallRunOptions ball_run_options_of(const ResolvedCase& resolved);
+
+system::HeatParameters heat_of(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

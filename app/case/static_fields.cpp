@@ -6,7 +6,7 @@
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/motion/balls/parameters.hpp"
 #include "bearing/parameters.hpp"
-#include "coupling/system/ball_run.hpp"
+#include "coupling/system/heated_balls.hpp"
 
 namespace orbearing::app::table {
 
@@ -148,6 +148,7 @@ void add_static_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::Bearing{.elements = bearing::Balls{}});
   add_described(fields, bearing::balls::MotionParameters{});
   add_described(fields, system::BallRunOptions{});
+  add_described(fields, system::HeatParameters{});
   add_capacities(fields);
   add_life(fields);
 }

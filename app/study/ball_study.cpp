@@ -84,8 +84,13 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const bearing::rating::Ratings ratings = bearing::rating::ratings_of(bearing, stated_ratings_of(in));
   BallStudy study;
   study.dynamic_capacity = ratings.dynamic_capacity;
-  study.run = system::run_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options,
-                                [&](double time) { if (progress) progress(time / options.duration); });
+  const system::HeatParameters heat = heat_of(in);
+  const auto reached = [&](double time) {
+    if (progress) progress(time / options.duration);
+  };
+  study.run = heat.on ? system::run_heated_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options, heat,
+                                                 study.warming, reached)
+                      : system::run_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options, reached);
   if (!study.run.completed)
     throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
   const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
@@ -100,6 +105,15 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
   study.warnings = warnings_of_balls(study, duty, options);
   return study;
+}
+
+// Temperatures of the steady state; null where they are stated.
+Json temperatures(const BallStudy& study) {
+  if (study.warming.empty()) return nullptr;
+  Json by_body;
+  for (int i = 0; i < system::kWarmBodies; ++i)
+    by_body[system::kWarmBodyNames[i]] = study.warming.back().temperature[i];
+  return by_body;
 }
 
 Json ball_json(const BallStudy& study) {
@@ -117,6 +131,7 @@ Json ball_json(const BallStudy& study) {
           {"cage_impact_max_N", study.run.pocket_load_max},
           {"cage_slip", m.cage_slip},
           {"heat_W", heat_by_cause(m.loss)},
+          {"temperature_C", temperatures(study)},
           {"friction_torque_N_mm", 1e3 * m.inner_torque},
           {"cage_speed_rpm", kRpm * m.cage_speed},
           {"inner", race(m.inner_load_rms, m.inner_load_max, m.inner_angle, m.inner_film, m.life.inner)},
@@ -147,6 +162,10 @@ std::string ball_text(const BallStudy& study) {
   for (const CauseOfHeat& cause : causes_of_heat)
     text += fmt::format("{:<20} {:>12.4g}  {}\n", cause.name, m.loss.*cause.power, cause.meaning);
   text += fmt::format("{:<20} {:>12.4g}\n", "total", m.loss.total());
+  if (study.warming.empty()) return text;
+  text += fmt::format("\n{:<20} {:>12}\n", "steady temperature", "[degC]");
+  for (int i = 0; i < system::kWarmBodies; ++i)
+    text += fmt::format("{:<20} {:>12.4g}\n", system::kWarmBodyNames[i], study.warming.back().temperature[i]);
   return text;
 }
 
@@ -173,6 +192,18 @@ PointContent ball_content(const BallStudy& study) {
     std::vector<double> power;
     for (const BallPowerLoss& loss : s.loss) power.push_back(loss.*cause.power);
     content.arrays.push_back(over_time(std::string("heat_") + cause.name, "W", cause.meaning, std::move(power)));
+  }
+  if (!study.warming.empty()) {
+    content.dimensions.push_back({"warming", study.warming.size()});
+    std::vector<double> time;
+    for (const system::WarmState& state : study.warming) time.push_back(state.time);
+    content.arrays.push_back({"warming_time", {"warming"}, "s", "since the cold start", std::move(time)});
+    for (int i = 0; i < system::kWarmBodies; ++i) {
+      std::vector<double> temperature;
+      for (const system::WarmState& state : study.warming) temperature.push_back(state.temperature[i]);
+      content.arrays.push_back({std::string("temperature_") + system::kWarmBodyNames[i], {"warming"}, "degC",
+                                "on the way to the steady state", std::move(temperature)});
+    }
   }
   for (const NamedArray& one :
        {one_number("life", "h", "of the bearing by Lundberg and Palmgren, from true passages", study.life_hours),

@@ -10,13 +10,14 @@
 #include "app/case/resolved_case.hpp"
 #include "app/results/point_content.hpp"
 #include "bearing/equilibrium/ring_axes.hpp"
-#include "coupling/system/ball_run.hpp"
+#include "coupling/system/heated_balls.hpp"
 
 namespace orbearing::app {
 
 /// Results of a run and what belongs to them.
 struct BallStudy {
   system::BallRunResult run;
+  std::vector<system::WarmState> warming;  // from cold to steady; empty where temperatures are stated
   double rolling_cage_speed = 0.0;  // [rad/s]  of pure rolling, at the end
   double life_hours = 0.0;          // [h]      of the bearing at the speed of the end
   double life_with_balls_hours = 0.0;  // [h]   where its balls may fail too, Eq. (35) of [Chen2026]

@@ -293,7 +293,11 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const BallNumbers numbers = bearing::balls::ball_numbers(bearing, parameters);
   const bearing::BearingGeometry geometry = geometry_of(bearing);
   BallBearing model(numbers, duty);
-  std::vector<double> x = start_state(bearing, model, options.first_ball, options.start == Start::rest ? 0.0 : 1.0);
+  std::vector<double> x = options.from.empty()
+                              ? start_state(bearing, model, options.first_ball, options.start == Start::rest ? 0.0 : 1.0)
+                              : options.from;
+  mechanics::require(static_cast<int>(x.size()) == model.layout().size(), "variables of the state to go on from",
+                     static_cast<int>(x.size()), "those of the bearing");
   // Observed from a sample on.
   const long first_observed =
       std::min<long>(options.samples - 1, std::lround(options.samples * (1.0 - options.observed)));

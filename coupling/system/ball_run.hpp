@@ -40,6 +40,7 @@ struct BallRunOptions {
   double length_error = 5e-10;     // [m]  as SteadyStateOptions::allowed_length_error
   double first_ball = 0.0;         // [rad]  angle of the first ball at the start
   BallForm form = BallForm::complete;
+  std::vector<double> from;        // final_state of a run before it, from which this one goes on; empty: from the start
   double printed_step = 1e-6;      // [s]  of the classic Runge-Kutta method in the printed form
   int places = 72;                 // [-]  bins on the races
   double most_seconds = 3600.0;    // [s]  of wall time

@@ -241,6 +241,7 @@ inline const std::map<std::string, Change>& stated_changes() {
                                          "operation.shaft_speed=1000 rpm"};
   const std::vector<std::string> turning_balls{"operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> filmed{"film.enabled=true", "operation.shaft_speed=9000 rpm"};
+  const std::vector<std::string> heated{"heat.enabled=true"};
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
@@ -319,6 +320,17 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"simulation.cage_drift",
        {"1e-9", {"simulation.most_revolutions=4", "simulation.load_drift=0.9", "simulation.cage_drift=0.9"}}},
       {"bearing.cage.pocket_straight", {"0.1 mm"}},
+      {"simulation.step", {"2 us", {"simulation.form=printed"}}},
+      {"heat.surroundings", {"35 degC", heated}},
+      {"heat.contact_conductance", {"4 W/K", heated}},
+      {"heat.oil_conductance", {"5 W/K", heated}},
+      {"heat.fit_conductance", {"10 W/K", heated}},
+      {"heat.housing_conductance", {"5 W/K", heated}},
+      {"heat.shaft_conductance", {"2 W/K", heated}},
+      {"heat.oil_flow", {"0.1 L/min", heated}},
+      {"heat.inlet", {"30 degC", {"heat.enabled=true", "heat.oil_flow=0.1 L/min"}}},
+      {"heat.viscosity_temperature", {"60 degC", heated}},
+      {"heat.viscosity_slope", {"0.02 K-1", heated}},
       {"traction.eyring_stress", {"0.004 GPa", {"traction.law=ree-eyring"}}},
       {"rotor.mass", {"0.3 kg"}},
       {"rotor.inertia", {"1e-4 kg.m2"}},

@@ -1,0 +1,146 @@
+#include "coupling/system/heated_balls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace orbearing::system {
+
+namespace {
+
+enum Body { balls, inner_ring, outer_ring, oil, housing };
+
+constexpr double kSteelCapacity = 460.0;  // [J/(kg K)]
+constexpr double kOilCapacity = 1.7e6;    // [J/(m^3 K)]
+constexpr double kLeastCapacity = 1.0;    // [J/K]  of a ring whose mass is not known
+
+constexpr int kMostSteps = 200;
+constexpr int kMostBalances = 60;
+constexpr double kLookShare = 0.1;  // of the run, for each look at the heat on the way
+
+double capacity_of(const bearing::balls::BodyNumbers& body, double radius) {
+  // A held ring has no mass of its own; its moment of inertia has.
+  const double mass = body.mass > 0.0 ? body.mass : body.polar / (radius * radius);
+  return std::max(kLeastCapacity, kSteelCapacity * mass);
+}
+
+}  // namespace
+
+ThermalNetwork thermal_network(const bearing::balls::BallNumbers& c, const HeatParameters& heat) {
+  Eigen::VectorXd capacity(kWarmBodies);
+  capacity[balls] = kSteelCapacity * c.mass * c.balls;
+  capacity[inner_ring] = capacity_of(c.inner_ring, c.pitch_radius - c.radius);
+  capacity[outer_ring] = capacity_of(c.outer_ring, c.pitch_radius + c.radius);
+  capacity[oil] = heat.oil_capacity;
+  capacity[housing] = heat.housing_capacity;
+  Eigen::MatrixXd between = Eigen::MatrixXd::Zero(kWarmBodies, kWarmBodies);
+  const auto join = [&](Body a, Body b, double conductance) { between(a, b) = between(b, a) = conductance; };
+  join(balls, inner_ring, heat.contact);
+  join(balls, outer_ring, heat.contact);
+  for (const Body body : {balls, inner_ring, outer_ring}) join(body, oil, heat.to_oil);
+  join(outer_ring, housing, heat.fit);
+  Eigen::VectorXd outward = Eigen::VectorXd::Zero(kWarmBodies);
+  Eigen::VectorXd outside = Eigen::VectorXd::Constant(kWarmBodies, heat.surroundings);
+  outward[housing] = heat.housing;
+  outward[inner_ring] = heat.shaft;
+  outward[oil] = kOilCapacity * heat.oil_flow;
+  outside[oil] = heat.inlet;
+  return {capacity, between, outward, outside};
+}
+
+Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss) {
+  const double contacts = loss.sliding + loss.differential + loss.spin + loss.damping;
+  Eigen::VectorXd heat = Eigen::VectorXd::Zero(kWarmBodies);
+  heat[balls] = 0.5 * contacts;
+  heat[inner_ring] = heat[outer_ring] = 0.25 * contacts;
+  heat[oil] = loss.total() - contacts;
+  return heat;
+}
+
+double viscosity_at(double stated, const HeatParameters& heat, double temperature) {
+  return stated * std::exp(-heat.viscosity_slope * (temperature - heat.stated_at));
+}
+
+std::vector<WarmState> warm_up(const ThermalNetwork& network, const HeatSource& source, const Eigen::VectorXd& start,
+                               double length, int count) {
+  std::vector<WarmState> states{{0.0, start, source(start)}};
+  for (int i = 0; i < count; ++i) {
+    const WarmState& now = states.back();
+    const Eigen::VectorXd first = network.after(now.temperature, now.heat, length);
+    const Eigen::VectorXd mean = 0.5 * (now.heat + source(first));
+    const Eigen::VectorXd then = network.after(now.temperature, mean, length);
+    states.push_back({now.time + length, then, source(then)});
+  }
+  return states;
+}
+
+std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,
+                                      const Eigen::VectorXd& start, double error, double steady) {
+  std::vector<WarmState> states{{0.0, start, source(start)}};
+  const auto far = [&](const WarmState& state) {
+    return (network.steady(state.heat) - state.temperature).cwiseAbs().maxCoeff();
+  };
+  double length = network.shortest_time();
+  for (int i = 0; far(states.back()) > 4.0 * error; ++i) {
+    if (i == kMostSteps) throw std::runtime_error("temperatures do not settle");
+    const WarmState& now = states.back();
+    const Eigen::VectorXd first = network.after(now.temperature, now.heat, length);
+    const Eigen::VectorXd mean = 0.5 * (now.heat + source(first));
+    const Eigen::VectorXd then = network.after(now.temperature, mean, length);
+    const double missed = (then - first).cwiseAbs().maxCoeff();
+    if (missed > 4.0 * error) {
+      length *= 0.5;
+      continue;
+    }
+    states.push_back({now.time + length, then, source(then)});
+    if (missed < error) length *= 2.0;
+  }
+  // Near it: half the way to where this heat would lead, as often as needed.
+  for (int i = 0; far(states.back()) > steady; ++i) {
+    if (i == kMostBalances) throw std::runtime_error("temperatures do not settle");
+    const WarmState& now = states.back();
+    const Eigen::VectorXd then = 0.5 * (now.temperature + network.steady(now.heat));
+    states.push_back({now.time + network.longest_time(), then, source(then)});
+  }
+  return states;
+}
+
+BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+                               const bearing::balls::BallDuty& duty,
+                               const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
+                               const HeatParameters& heat, std::vector<WarmState>& warming,
+                               const std::function<void(double)>& progress) {
+  const ThermalNetwork network = thermal_network(bearing::balls::ball_numbers(bearing, parameters), heat);
+  BallRunOptions look = options;
+  look.duration = kLookShare * options.duration;
+  look.observed = 0.5;
+  look.samples = 200;
+  bearing::balls::MotionParameters warm = parameters;
+  std::vector<double> state;
+  const HeatSource source = [&](const Eigen::VectorXd& temperature) {
+    warm.lubricant.viscosity = viscosity_at(parameters.lubricant.viscosity, heat, temperature[oil]);
+    look.from = state;
+    BallRunResult run = run_balls(bearing, warm, duty, capacities, look);
+    if (!run.completed) throw std::runtime_error(run.message);
+    state = std::move(run.final_state);
+    return heat_by_body(run.means.loss);
+  };
+  BallRunResult failed;
+  try {
+    warming = warm_to_steady(network, source, Eigen::VectorXd::Constant(kWarmBodies, heat.surroundings));
+  } catch (const std::runtime_error& error) {
+    failed.message = error.what();
+    return failed;
+  }
+  warm.lubricant.viscosity = viscosity_at(parameters.lubricant.viscosity, heat, warming.back().temperature[oil]);
+  BallRunResult result = run_balls(bearing, warm, duty, capacities, options, progress);
+  // What the whole run says of the heat closes the balance.
+  if (result.completed) {
+    const Eigen::VectorXd last = heat_by_body(result.means.loss);
+    warming.push_back({warming.back().time, network.steady(last), last});
+  }
+  return result;
+}
+
+}  // namespace orbearing::system

@@ -1,0 +1,108 @@
+// A ball bearing that its own friction warms, until as much heat leaves as arises. Temperatures change over
+// minutes, the motion over milliseconds: short runs say what heat arises at given temperatures, and the network
+// of thermal_network.hpp goes on from there in long steps (averaging).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "coupling/system/ball_run.hpp"
+#include "coupling/system/thermal_network.hpp"
+
+namespace orbearing::system {
+
+/// Bodies of the network, in this order.
+inline constexpr int kWarmBodies = 5;
+inline constexpr const char* kWarmBodyNames[kWarmBodies] = {"balls", "inner_ring", "outer_ring", "oil", "housing"};
+
+/// How heat leaves. Conductances between two bodies, each an assumption of its size.
+struct HeatParameters {
+  bool on = false;
+  double surroundings = 25.0;         // [degC]
+  double contact = 2.0;               // [W/K]  of balls to each ring
+  double to_oil = 3.0;                // [W/K]  of balls and of each ring to the oil
+  double fit = 20.0;                  // [W/K]  of outer ring to housing
+  double housing = 3.0;               // [W/K]  of housing to surroundings
+  double shaft = 1.0;                 // [W/K]  of inner ring by the shaft to surroundings
+  double oil_flow = 0.0;              // [m^3/s]
+  double inlet = 40.0;                // [degC]  of the oil that flows in
+  double stated_at = 70.0;            // [degC]  at which lubricant.viscosity holds
+  double viscosity_slope = 0.03;      // [1/K]  by which it falls: eta = eta_0 exp(-slope (T - T_0)) [Reynolds1886]
+  double housing_capacity = 400.0;    // [J/K]
+  double oil_capacity = 5.0;          // [J/K]  of the oil in the bearing
+};
+
+template <class Visitor>
+void describe(Visitor& visit, HeatParameters& m) {
+  using namespace described;
+  constexpr Where on{"heat.enabled", "true"};
+  const auto row = [&](double& member, const char* path, const char* meaning, const Dimension& dimension, Range range,
+                       const char* reason) {
+    return field(member, path, Felt::lone_run, meaning,
+                 {.models = ball_motion, .dimension = dimension, .range = range, .reason = reason, .where = on});
+  };
+  const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
+  rows(visit,
+       field(m.on, "heat.enabled", Felt::lone_run, "temperatures and the oil's viscosity follow from the friction",
+             {.models = ball_motion, .reason = "the viscosity is stated at running temperature"}),
+       row(m.surroundings, "heat.surroundings", "temperature around housing and shaft", dimension::temperature, temperature,
+           "a warm room"),
+       row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring", dimension::conductance,
+           conductance, "small bearing, contacts that sweep the races"),
+       row(m.to_oil, "heat.oil_conductance", "conductance of the balls and of each ring to the oil",
+           dimension::conductance, conductance, "small bearing, splashed"),
+       row(m.fit, "heat.fit_conductance", "conductance of the outer ring to the housing", dimension::conductance,
+           conductance, "tight seat"),
+       row(m.housing, "heat.housing_conductance", "conductance of the housing to its surroundings",
+           dimension::conductance, positive(1e5), "a housing of some square decimetres in still air"),
+       row(m.shaft, "heat.shaft_conductance", "conductance of the inner ring along the shaft to the surroundings",
+           dimension::conductance, conductance, "a shaft of the bore's diameter"),
+       row(m.oil_flow, "heat.oil_flow", "oil that flows through the bearing", dimension::flow, Range{0.0, 1000.0},
+           "grease, or a bath"),
+       row(m.inlet, "heat.inlet", "temperature of the oil that flows in", dimension::temperature, temperature,
+           "a tank's"),
+       row(m.stated_at, "heat.viscosity_temperature", "temperature at which lubricant.viscosity holds",
+           dimension::temperature, temperature, "running temperature"),
+       row(m.viscosity_slope, "heat.viscosity_slope", "share by which the viscosity falls with each kelvin",
+           dimension::per_kelvin, Range{0.0, 0.2}, "a mineral oil when warm"));
+}
+
+/// The network of a bearing: capacities of steel from the masses, 460 J/(kg K); oil takes 1.7 MJ/(m^3 K) along.
+ThermalNetwork thermal_network(const bearing::balls::BallNumbers& bearing, const HeatParameters& heat);
+
+/// Heat by body [W]: what contacts of the races lose falls half to the balls and a quarter to each ring, all else
+/// to the oil.
+Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss);
+
+/// Viscosity [Pa s] of the oil at `temperature` [degC].
+double viscosity_at(double stated, const HeatParameters& heat, double temperature);
+
+/// Says how much heat [W] arises by body at given temperatures [degC], kept for the next call where motion goes on.
+using HeatSource = std::function<Eigen::VectorXd(const Eigen::VectorXd& temperature)>;
+
+/// One instant of the way to the steady state.
+struct WarmState {
+  double time = 0.0;             // [s]
+  Eigen::VectorXd temperature;   // [degC]
+  Eigen::VectorXd heat;          // [W]
+};
+
+/// Steps of `length` [s] through `count` of them, by Heun's method on the exact solution of steady heat: two
+/// looks at the source in each.
+std::vector<WarmState> warm_up(const ThermalNetwork& network, const HeatSource& source, const Eigen::VectorXd& start,
+                               double length, int count);
+
+/// From `start` until the temperatures are steady, by steps that grow as `error` [K] allows; the last state is
+/// that at which as much leaves as arises, to `steady` [K]. Throws std::runtime_error where they do not settle.
+std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,
+                                      const Eigen::VectorXd& start, double error = 0.5, double steady = 0.05);
+
+/// Runs the bearing at the temperatures it takes on. `warming` gets the way there.
+BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
+                               const bearing::balls::BallDuty& duty,
+                               const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
+                               const HeatParameters& heat, std::vector<WarmState>& warming,
+                               const std::function<void(double)>& progress = {});
+
+}  // namespace orbearing::system

@@ -1,0 +1,156 @@
+// Issue 14, Build 4: a small thermal network that goes on by averaging.
+#include "coupling/system/heated_balls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bearing/life/standard_life.hpp"
+
+namespace orbearing::system::heated_balls_test {
+namespace {
+
+Eigen::VectorXd of(std::initializer_list<double> values) {
+  Eigen::VectorXd v(static_cast<Eigen::Index>(values.size()));
+  Eigen::Index i = 0;
+  for (const double value : values) v[i++] = value;
+  return v;
+}
+
+ThermalNetwork two_bodies() {
+  Eigen::MatrixXd between = Eigen::MatrixXd::Zero(2, 2);
+  between(0, 1) = between(1, 0) = 4.0;
+  return {of({50.0, 200.0}), between, of({0.0, 2.0}), of({20.0, 30.0})};
+}
+
+TEST(ThermalNetwork, SteadyTemperaturesAreThoseOfTheHandCalculation) {
+  const Eigen::VectorXd steady = two_bodies().steady(of({12.0, 8.0}));
+  EXPECT_NEAR(steady[1], 30.0 + 20.0 / 2.0, 1e-12);
+  EXPECT_NEAR(steady[0], steady[1] + 12.0 / 4.0, 1e-12);
+}
+
+TEST(ThermalNetwork, GoesOnAsSmallStepsDo) {
+  const ThermalNetwork network = two_bodies();
+  Eigen::VectorXd at = of({20.0, 25.0});
+  const Eigen::VectorXd heat = of({12.0, 8.0});
+  const Eigen::VectorXd exact = network.after(at, heat, 60.0);
+  constexpr int steps = 600000;
+  for (int i = 0; i < steps; ++i) {
+    const double h = 60.0 / steps, across = 4.0 * (at[0] - at[1]);
+    at += h * of({(12.0 - across) / 50.0, (8.0 + across - 2.0 * (at[1] - 30.0)) / 200.0});
+  }
+  EXPECT_NEAR(at[0], exact[0], 1e-4);
+  EXPECT_NEAR(at[1], exact[1], 1e-4);
+  EXPECT_NEAR((network.after(network.after(of({20.0, 25.0}), heat, 20.0), heat, 40.0) - exact).norm(), 0.0, 1e-10);
+}
+
+TEST(ThermalNetwork, RefusesHeatWithoutAWayOut) {
+  EXPECT_THROW(ThermalNetwork(of({1.0, 1.0}), Eigen::MatrixXd::Zero(2, 2), of({1.0, 0.0}), of({20.0, 20.0})),
+               std::invalid_argument);
+  EXPECT_THROW(ThermalNetwork(of({0.0}), Eigen::MatrixXd::Zero(1, 1), of({1.0}), of({20.0})), std::invalid_argument);
+}
+
+// Heat that falls as it gets warmer, as with oil: the steps are of second order.
+TEST(WarmUp, StepsAreOfSecondOrder) {
+  const ThermalNetwork network = two_bodies();
+  const HeatSource source = [](const Eigen::VectorXd& t) { return of({30.0 * std::exp(-0.03 * (t[0] - 20.0)), 1.0}); };
+  const auto after = [&](int steps) { return warm_up(network, source, of({20.0, 20.0}), 200.0 / steps, steps).back(); };
+  const Eigen::VectorXd exact = after(4096).temperature;
+  const double coarse = (after(64).temperature - exact).norm(), fine = (after(128).temperature - exact).norm();
+  EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.2);
+}
+
+TEST(WarmUp, EndsWhereAsMuchLeavesAsArises) {
+  const ThermalNetwork network = two_bodies();
+  const HeatSource source = [](const Eigen::VectorXd& t) { return of({30.0 * std::exp(-0.03 * (t[0] - 20.0)), 1.0}); };
+  const WarmState end = warm_to_steady(network, source, of({20.0, 20.0}), 0.5, 1e-9).back();
+  EXPECT_NEAR(network.leaving(end.temperature), source(end.temperature).sum(), 1e-6 * end.heat.sum());
+}
+
+struct Small {
+  bearing::Bearing bearing;
+  bearing::balls::MotionParameters parameters;
+  bearing::balls::BallDuty duty;
+  bearing::rating::ContactCapacities capacities;
+  BallRunOptions options;
+
+  Small() {
+    bearing.elements = bearing::Balls{7, 9.52e-3, 0.0};
+    bearing.pitch_diameter = 36e-3;
+    bearing.radial_clearance = 5e-6;
+    bearing.width = 15e-3;
+    bearing.inner.seat_diameter = 20e-3;
+    bearing.outer.seat_diameter = 52e-3;
+    bearing.cage = {33e-3, 39e-3, 13e-3, 1310.0, bearing::Race::outer};
+    bearing.motions = {bearing::RaceMotion::turning, bearing::RaceMotion::standing};
+    parameters.cage.pocket_clearance = 0.2e-3;
+    parameters.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
+    duty.inner = bearing::balls::RingDrive::steady(400.0);
+    duty.on_inner = {{500.0, 0.0, 800.0, 0.0, 0.0}};
+    capacities = bearing::rating::ratings_of(bearing, {}).contacts;
+    options.duration = 0.1;
+    options.observed = 0.8;
+    options.samples = 200;
+  }
+};
+
+// Heat capacities made so small that the bearing is warm after a tenth of a second: followed step by step, and
+// by looks of a millisecond at every fifth.
+TEST(HeatedBalls, AveragingIsTheDirectIntegration) {
+  Small small;
+  HeatParameters heat{.on = true};
+  // Time constants of the real network over a factor of some thousands.
+  Eigen::MatrixXd between = Eigen::MatrixXd::Zero(kWarmBodies, kWarmBodies);
+  for (int i = 0; i < kWarmBodies; ++i)
+    for (int k = 0; k < kWarmBodies; ++k)
+      if (i != k) between(i, k) = 2.0;
+  const ThermalNetwork network(Eigen::VectorXd::Constant(kWarmBodies, 0.01), between,
+                               Eigen::VectorXd::Constant(kWarmBodies, 0.05),
+                               Eigen::VectorXd::Constant(kWarmBodies, 25.0));
+  const auto temperatures = [&](double step, int count) {
+    std::vector<double> state;
+    const HeatSource source = [&](const Eigen::VectorXd& t) {
+      bearing::balls::MotionParameters warm = small.parameters;
+      warm.lubricant.viscosity = viscosity_at(0.05, heat, t[3]);
+      BallRunOptions look = small.options;
+      look.duration = 1e-3;
+      look.observed = 1.0;
+      look.samples = 20;
+      look.from = state;
+      BallRunResult run = run_balls(small.bearing, warm, small.duty, small.capacities, look);
+      EXPECT_TRUE(run.completed) << run.message;
+      state = run.final_state;
+      return heat_by_body(run.means.loss);
+    };
+    const Eigen::VectorXd cold = Eigen::VectorXd::Constant(kWarmBodies, 25.0);
+    source(cold);  // balls find their way
+    return warm_up(network, source, cold, step, count).back().temperature;
+  };
+  const Eigen::VectorXd direct = temperatures(1e-3, 100), averaged = temperatures(5e-3, 20);
+  EXPECT_GT(direct[0], 28.0);
+  EXPECT_LT((averaged - direct).cwiseAbs().maxCoeff(), 0.02 * (direct[0] - 25.0));
+}
+
+TEST(HeatedBalls, SteadyTemperaturesCloseTheBalanceOfHeat) {
+  Small small;
+  const HeatParameters heat{.on = true};
+  std::vector<WarmState> warming;
+  small.parameters.lubricant.viscosity = 0.05;
+  const BallRunResult run =
+      run_heated_balls(small.bearing, small.parameters, small.duty, small.capacities, small.options, heat, warming);
+  ASSERT_TRUE(run.completed) << run.message;
+  const ThermalNetwork network = thermal_network(ball_numbers(small.bearing, small.parameters), heat);
+  const Eigen::VectorXd& end = warming.back().temperature;
+  EXPECT_NEAR(network.leaving(end), run.means.loss.total(), 1e-6 * run.means.loss.total());
+  EXPECT_GT(end[0], 26.0);
+  EXPECT_GT(end[0], end[4]);
+  // A cooler housing runs cooler.
+  HeatParameters cooled = heat;
+  cooled.housing = 30.0;
+  std::vector<WarmState> cool;
+  run_heated_balls(small.bearing, small.parameters, small.duty, small.capacities, small.options, cooled, cool);
+  EXPECT_LT(cool.back().temperature[0], end[0]);
+}
+
+}  // namespace
+}  // namespace orbearing::system::heated_balls_test
