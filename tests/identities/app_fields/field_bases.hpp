@@ -289,7 +289,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"bearing.cage.guidance_film", {"as-printed", {land}}},
       {"bearing.cage.largest_eccentricity", {"0.1", {land}}},
       {"bearing.cage.touch_down_stiffness", {"2e7 N/m", {land, "bearing.cage.largest_eccentricity=0.1"}}},
-      {"bearing.cage.pocket_roughness", {"0.6 um", {"bearing.cage.pocket_film=hydrodynamic"}}},
+      {"bearing.cage.pocket_roughness", {"20 um", {"bearing.cage.pocket_film=hydrodynamic"}}},
       {"bearing.laminae", {"20"}},
       {"bearing.misalignment.planet_tilt", {"1 mrad", {laminae}}},
       {"bearing.misalignment.carrier_wind_up", {"1 mrad", {laminae}}},
