@@ -78,10 +78,6 @@ bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& in) {
     throw BadInput(fmt::format("--fidelity: found dynamic for a case without {}; required: all of them, since "
                                "the cage moves too, or no --fidelity",
                                fmt::join(missing, ", ")));
-  if (in.choice("defect.race") == "ball")
-    throw BadInput(
-        "--fidelity: found dynamic for a scratched ball; required: defect.race outer, inner or none, since how "
-        "far each ball has turned is no variable of this motion, or no --fidelity");
   return from_case<bearing::balls::MotionParameters>(in);
 }
 

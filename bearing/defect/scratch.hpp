@@ -11,11 +11,12 @@
 
 namespace orbearing::bearing {
 
-constexpr described::Names<ScratchForm, 4> names_of(ScratchForm) {
+constexpr described::Names<ScratchForm, 5> names_of(ScratchForm) {
   return {{{ScratchForm::raised_cosine, "raised-cosine"},
            {ScratchForm::half_cosine, "half-cosine"},
            {ScratchForm::edges, "edges"},
-           {ScratchForm::as_printed, "as-printed"}}};
+           {ScratchForm::as_printed, "as-printed"},
+           {ScratchForm::profile, "profile"}}};
 }
 
 }  // namespace orbearing::bearing
@@ -23,13 +24,14 @@ constexpr described::Names<ScratchForm, 4> names_of(ScratchForm) {
 namespace orbearing::bearing::defect {
 
 /// What is scratched.
-enum class Scratched { none, outer, inner, ball };
+enum class Scratched { none, outer, inner, ball, roller };
 
-constexpr described::Names<Scratched, 4> names_of(Scratched) {
+constexpr described::Names<Scratched, 5> names_of(Scratched) {
   return {{{Scratched::outer, "outer"},
            {Scratched::inner, "inner"},
            {Scratched::ball, "ball"},
-           {Scratched::none, "none"}}};
+           {Scratched::none, "none"},
+           {Scratched::roller, "roller"}}};
 }
 
 /// Scratches that are alike, across the whole width of the track.
@@ -40,6 +42,8 @@ struct Scratch {
   double angle = 0.0;               // [rad]  of its middle when the motion begins
   std::vector<double> more_angles;  // [rad]  of further ones
   ScratchForm form = ScratchForm::raised_cosine;
+  std::vector<double> profile;  // [-]    of ScratchForm::profile: depths over `depth`, even from edge to edge
+  int element = 1;              // number of the scratched ball or roller, from 1
 };
 
 template <class Visitor>
@@ -85,7 +89,19 @@ void describe(Visitor& visit, Scratch& m) {
 /// less by that of the concave outer one. For a scratch of the element itself `race` is the one it meets.
 double deepest_sinking(double width, Race race, const BearingGeometry& geometry);
 
-/// Of an element that meets `race` of a bearing of this geometry on the scratch.
+/// Whether the scratch is one of a rolling element.
+inline bool of_element(Scratched scratched) {
+  return scratched == Scratched::ball || scratched == Scratched::roller;
+}
+
+/// What an element sinks on a scratch whose depths were measured at even places from edge to edge: as far as its
+/// own arc, relative to that of `race`, lets it touch none of them. The first and the last depth are those of the
+/// edges and count as zero.
+SinkingTable rolled_over(const std::vector<double>& depths, double width, Race race,
+                         const BearingGeometry& geometry);
+
+/// Of an element that meets `race` of a bearing of this geometry on the scratch. Throws std::invalid_argument for
+/// a measured one of less than three depths, or of one below zero.
 ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry& geometry);
 
 }  // namespace orbearing::bearing::defect
