@@ -49,18 +49,18 @@ struct Scratch {
 template <class Visitor>
 void describe(Visitor& visit, Scratch& m) {
   using namespace described;
-  constexpr Where scratched{"defect.race", "outer|inner|ball"};
+  constexpr Where scratched{"defect.race", "outer|inner|ball|roller"};
   members(
       visit, m,
-      field(m.race, "defect.race", Felt::defect, "what is scratched: a race, one ball or none",
-            {.models = raceway_defect, .required_by = raceway_defect}),
+      field(m.race, "defect.race", Felt::defect, "what is scratched: a race, one ball, one roller or none",
+            {.models = scratched_bearings, .required_by = raceway_defect}),
       field(m.width, "defect.width", Felt::defect, "width of the scratch along the track",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .dimension = dimension::length,
              .range = positive(100.0),
              .where = scratched}),
       field(m.depth, "defect.depth", Felt::defect, "depth of the scratch",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .dimension = dimension::length,
              .range = positive(100.0),
              .where = scratched}),
@@ -68,20 +68,28 @@ void describe(Visitor& visit, Scratch& m) {
           m.angle, "defect.angle", Felt::defect,
           "angle of the middle of the scratch from the middle of the load zone when the motion begins; of a "
           "ball from its contact with the outer race",
-          {.models = raceway_defect,
+          {.models = scratched_bearings,
            .dimension = dimension::angle,
            .range = {-360.0, 360.0},
            .reason = "in the middle of the load zone",
            .where = scratched}),
       field(m.more_angles, "defect.more_angles", Felt::defect, "angles of further scratches like the first",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},
              .where = scratched}),
       field(m.form, "defect.form", Felt::defect, "how a ball sinks between the edges of the scratch",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .reason = "the printed period of one width, level at both edges",
-             .where = scratched}));
+             .where = scratched}),
+      field(m.profile, "defect.profile", Felt::defect,
+            "depths of a measured scratch over defect.depth, at even places from edge to edge",
+            {.models = scratched_bearings, .range = {0.0, 1.0}, .where = {"defect.form", "profile"}}),
+      field(m.element, "defect.element", Felt::defect, "number of the scratched ball or roller",
+            {.models = scratched_bearings,
+             .range = {1, 1000},
+             .reason = "the first one: all are alike",
+             .where = {"defect.race", "ball|roller"}}));
 }
 
 /// By how much an element on a scratch sinks at the most where it does not touch the bottom [m], eq. 4 of

@@ -15,6 +15,7 @@
 #include "coupling/integration/integration_options.hpp"
 #include "coupling/study/drivetrain.hpp"
 #include "coupling/system/coupled_model.hpp"
+#include "mechanics/described.hpp"
 
 namespace orbearing::study {
 
@@ -25,6 +26,55 @@ struct PlanetSampling {
   double settling_revolutions = 1.0;  // [-]  of the carrier, left out before
   double run_up_from = 1.0;           // [-]  share of the speed at which sampling begins; it ends at 1
 };
+
+template <class Visitor>
+void describe(Visitor& visit, PlanetSampling& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.rate, "signal.sampling_rate", Felt::defect, "samples of the vibration a second",
+                {.models = scratched_bearings, .dimension = dimension::frequency}),
+          field(m.revolutions, "signal.carrier_revolutions", Felt::defect,
+                "revolutions of the carrier that are sampled; lines as close as its speed over them are told apart",
+                {.models = planetary_drivetrain,
+                 .range = positive(1e4),
+                 .reason = "side bands of the carrier sixteen lines apart"}),
+          field(m.settling_revolutions, "signal.carrier_settling", Felt::defect,
+                "revolutions of the carrier before, in which the start dies away",
+                {.models = planetary_drivetrain, .range = {0.0, 1e4}, .reason = "some turns of planets and cages"}),
+          field(m.run_up_from, "signal.run_up_from", Felt::defect,
+                "share of the speed at which the motion begins, to rise evenly to all of it; spectra are then over "
+                "orders of the carrier",
+                {.models = planetary_drivetrain,
+                 .range = {.least = 0.05, .most = 1.0},
+                 .reason = "a steady speed"}));
+}
+
+/// Which bearing is scratched, and what of it besides.
+struct ScratchedPlace {
+  int planet = 1;   // from 1
+  int bearing = 1;  // of the planet, from 1
+  bearing::defect::Scratched also = bearing::defect::Scratched::none;
+  double also_angle = 0.0;  // [rad]
+};
+
+template <class Visitor>
+void describe(Visitor& visit, ScratchedPlace& m) {
+  using namespace described;
+  constexpr Where scratched{"defect.race", "outer|inner|roller"};
+  members(visit, m,
+          field(m.planet, "defect.planet", Felt::defect, "number of the planet with the scratched bearing",
+                {.models = planetary_drivetrain, .range = {1, 100}, .reason = "the first one", .where = scratched}),
+          field(m.bearing, "defect.bearing", Felt::defect, "number of the scratched bearing of that planet",
+                {.models = planetary_drivetrain, .range = {1, 8}, .reason = "the first one", .where = scratched}),
+          field(m.also, "defect.also", Felt::defect, "what has a scratch like that of defect.race as well",
+                {.models = planetary_drivetrain, .reason = "one scratch", .where = scratched}),
+          field(m.also_angle, "defect.also_angle", Felt::defect, "angle of that scratch, as defect.angle",
+                {.models = planetary_drivetrain,
+                 .dimension = dimension::angle,
+                 .range = {-360.0, 360.0},
+                 .reason = "in the middle of the load zone",
+                 .where = {"defect.also", "outer|inner|roller"}}));
+}
 
 /// What pure rolling and the teeth give. Frequencies of the bearing are relative to the carrier.
 struct PlanetFrequencies {
@@ -37,7 +87,7 @@ struct PlanetFrequencies {
 
 PlanetFrequencies planet_frequencies(const PlanetaryDrivetrain& drivetrain);
 
-/// At even times, or at times at which a run-up is sampled evenly.
+/// At even times.
 struct PlanetVibration {
   double rate = 0.0;              // [Hz]
   double begin = 0.0;             // [s]
