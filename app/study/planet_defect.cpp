@@ -9,6 +9,7 @@
 #include "app/case/defect_case.hpp"
 #include "app/study/planet_defect_case.hpp"
 #include "app/errors.hpp"
+#include "app/signals/residual.hpp"
 #include "app/results/json_number.hpp"
 #include "app/study/planetary_case.hpp"
 
@@ -48,6 +49,7 @@ study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling, cons
   turned.bearing.cage = cage;
   turned.bearing.outer_pass = count * std::abs(out.planet_speed - out.cage_speed) / two_pi;
   turned.bearing.inner_pass = count * cage;
+  turned.bearing.element_pass = 2.0 * std::abs(out.roller_speed - out.cage_speed) / two_pi;
   return turned;
 }
 
@@ -69,6 +71,17 @@ std::vector<NamedPeak> named(const signals::Spectrum& spectrum, double highest,
   return peaks;
 }
 
+// The signal lasts whole turns of the carrier, in each of which whole teeth pass.
+Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStudy& study, bool housing) {
+  std::vector<double> lines;
+  const study::PlanetFrequencies& at = study.rolling;
+  for (int k = 1; k * at.mesh < 0.5 * study.vibration.rate + at.mesh; ++k) {
+    lines.push_back(k * at.mesh);
+    if (housing) lines.insert(lines.end(), {k * at.mesh - at.carrier, k * at.mesh + at.carrier});
+  }
+  return signals::without_lines(signal, study.vibration.rate, lines);
+}
+
 InstrumentView view_of(const ResolvedCase& in, const PlanetDefectStudy& study, Eigen::ArrayXd signal, bool housing) {
   using namespace signals;
   constexpr double passes_shown = 4.0, narrowest = 2.0;  // bands hold a line and its neighbours
@@ -76,11 +89,12 @@ InstrumentView view_of(const ResolvedCase& in, const PlanetDefectStudy& study, E
   const auto& at = study.turned.bearing;
   const double pass = std::max({at.outer_pass, at.inner_pass, at.element_pass}), mesh = study.turned.mesh;
   InstrumentView view{.signal = std::move(signal)};
+  const Eigen::ArrayXd residual = study.run_up ? view.signal : without_teeth(view.signal, study, housing);
   if (const std::optional<Band> stated = stated_band_of(in))
-    view.band = {*stated, kurtosis_of(view.signal, motion.rate, *stated)};
+    view.band = {*stated, kurtosis_of(residual, motion.rate, *stated)};
   else
-    view.band = most_impulsive_band(view.signal, motion.rate, narrowest * pass);
-  const Eigen::ArrayXd envelope = envelope_of(view.signal, motion.rate, view.band.band);
+    view.band = most_impulsive_band(residual, motion.rate, narrowest * pass);
+  const Eigen::ArrayXd envelope = envelope_of(residual, motion.rate, view.band.band);
   const double unit = study.run_up ? study.turned.carrier : 1.0;  // [Hz]
   const auto spectrum = [&](const Eigen::ArrayXd& of) {
     return study.run_up ? order_spectrum(resampled(of, motion.carrier_angle), Window::hann)
@@ -123,6 +137,16 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& sc
       add(0.5 * *pass, "roller spin", at.bearing.cage, "cage", rare);
     }
   }
+  // Teeth shake the bearing as rollers strike: sums and differences with their lines.
+  const std::vector<signals::ExpectedLine> struck = lines;
+  const int meshes = static_cast<int>(std::min(4.0, highest / at.mesh + 1.0));
+  for (const signals::ExpectedLine& line : struck)
+    for (int k = 1; k <= meshes; ++k) {
+      const std::string teeth = k == 1 ? "mesh" : fmt::format("{} x mesh", k);
+      const double mesh = k * at.mesh / unit;
+      lines.push_back({std::abs(mesh - line.frequency), fmt::format("{} - {}", teeth, line.name), line.order + 2 * k});
+      lines.push_back({mesh + line.frequency, fmt::format("{} + {}", teeth, line.name), line.order + 2 * k});
+    }
   add(at.mesh, "mesh", at.planet, "planet", common);
   add(at.planet, "planet", 0.0, "", common);
   add(at.bearing.cage, "cage", 0.0, "", rare);

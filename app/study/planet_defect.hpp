@@ -20,7 +20,7 @@ namespace orbearing::app {
 /// What one instrument shows. In a run-up all lines are orders: those of the carrier.
 struct InstrumentView {
   Eigen::ArrayXd signal;                // [m/s^2] or [N]
-  signals::KurtosisOfBand band;         // [Hz]
+  signals::KurtosisOfBand band;         // [Hz]  of the envelope: of the signal less the lines of the teeth, but in a run-up
   signals::Spectrum spectrum;           // over frequency, or over orders of the carrier
   signals::Spectrum envelope_spectrum;  // the same
   std::vector<NamedPeak> spectrum_peaks;

@@ -64,6 +64,13 @@ Plan plan_of(const PlanetSampling& sampling, double carrier_speed) {
           sampling.rate};
 }
 
+Eigen::Index scratched_roller(const std::vector<system::ScratchedPlanet>& scratched) {
+  if (scratched.empty()) return 0;
+  for (const bearing::defect::Scratch& one : scratched.front().scratches)
+    if (of_element(one.race)) return one.element - 1;
+  return 0;
+}
+
 }  // namespace
 
 PlanetFrequencies planet_frequencies(const PlanetaryDrivetrain& drivetrain) {
@@ -99,6 +106,7 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
   PlanetLowPass low_pass;
   bearing::motion::Snapshot shown;
   double cage_then = 0.0, time_then = 0.0;
+  const Eigen::Index roller = scratched_roller(scratched);
   try {
     motion.initialize(0.0);
     Eigen::Vector2d before = motion.gears().planets[static_cast<std::size_t>(planet)].velocity;
@@ -117,6 +125,7 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
         out.planet_angle[now] = turning.planet(time);
         motion.take_snapshot(bearing, shown);
         out.largest_load = std::max({out.largest_load, shown.inner.load.maxCoeff(), shown.outer.load.maxCoeff()});
+        out.roller_speed += shown.spin[roller] / static_cast<double>(plan.samples);
         if (now == 0) cage_then = shown.cage_angle, time_then = time;
         if (now == plan.samples - 1) {
           out.cage_speed = (shown.cage_angle - cage_then) / (time - time_then);

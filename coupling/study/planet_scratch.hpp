@@ -98,6 +98,7 @@ struct PlanetVibration {
   double largest_load = 0.0;      // [N]      of any roller of the damaged bearing at any sample
   double cage_speed = 0.0;        // [rad/s]  mean of the damaged bearing, relative to the carrier
   double planet_speed = 0.0;      // [rad/s]  mean, relative to the carrier
+  double roller_speed = 0.0;      // [rad/s]  mean rotation of its scratched roller, or of the first, likewise
   integration::IntegrationReport report;
 };
 
