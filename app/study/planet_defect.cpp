@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <limits>
 
 #include "app/case/defect_case.hpp"
 #include "app/study/planet_defect_case.hpp"
@@ -138,10 +139,11 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& sc
     }
   }
   // Teeth shake the bearing as rollers strike: sums and differences with their lines.
+  constexpr int simple = 6;
   const std::vector<signals::ExpectedLine> struck = lines;
-  const int meshes = static_cast<int>(std::min(4.0, highest / at.mesh + 1.0));
+  const int meshes = static_cast<int>(std::min(2.0, highest / at.mesh + 1.0));
   for (const signals::ExpectedLine& line : struck)
-    for (int k = 1; k <= meshes; ++k) {
+    for (int k = 1; k <= meshes && line.order <= simple; ++k) {
       const std::string teeth = k == 1 ? "mesh" : fmt::format("{} x mesh", k);
       const double mesh = k * at.mesh / unit;
       lines.push_back({std::abs(mesh - line.frequency), fmt::format("{} - {}", teeth, line.name), line.order + 2 * k});
@@ -151,6 +153,9 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& sc
   add(at.planet, "planet", 0.0, "", common);
   add(at.bearing.cage, "cage", 0.0, "", rare);
   add(at.bearing.inner_pass, "rollers past the pin", 0.0, "", rare);
+  // With enough of them any line would have a name.
+  constexpr int farthest = 12;
+  std::erase_if(lines, [](const signals::ExpectedLine& line) { return line.order > farthest; });
   if (!on_housing) return lines;
   // The path from the planet to the instrument turns by once a turn of the carrier.
   std::vector<signals::ExpectedLine> seen = lines;
@@ -237,6 +242,23 @@ std::vector<double> numbers_of(const Eigen::ArrayXd& array) {
 }
 
 }  // namespace
+
+double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity) {
+  const auto peak = [](const std::vector<NamedPeak>& peaks, const std::string& name) {
+    for (const NamedPeak& one : peaks)
+      if (one.is == name) return one.frequency;
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  const std::string name = study.scratched.empty() ? "" : surface_name(study.scratched.front());
+  if (quantity == "cage_Hz") return study.rolling.bearing.cage;
+  if (quantity == "defect_peak_Hz") return peak(study.carrier.envelope_peaks, name);
+  if (quantity == "planet_band_Hz")
+    return peak(study.carrier.envelope_peaks, name + " + planet") - peak(study.carrier.envelope_peaks, name);
+  if (quantity == "carrier_band_Hz")
+    return peak(study.housing.envelope_peaks, name + " + carrier") - peak(study.housing.envelope_peaks, name);
+  if (quantity == "mesh_on_housing_Hz") return peak(study.housing.spectrum_peaks, "mesh + carrier");
+  return std::numeric_limits<double>::quiet_NaN();
+}
 
 nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study) {
   const auto& at = study.rolling;

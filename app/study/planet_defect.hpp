@@ -53,6 +53,11 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<bearing::defec
                                                 const study::PlanetFrequencies& at, bool on_housing, double highest,
                                                 double unit = 1.0);
 
+/// A number by its name in the validation table: "cage_Hz", "defect_peak_Hz" and "planet_band_Hz" of the envelope in
+/// the carrier's frame, "carrier_band_Hz" of that on the housing, "mesh_on_housing_Hz"; NaN for any other, or for a
+/// peak that is not there.
+double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity);
+
 nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study);
 std::string planet_defect_text(const PlanetDefectStudy& study);
 PointContent planet_defect_content(const PlanetDefectStudy& study);
