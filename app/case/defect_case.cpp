@@ -15,7 +15,7 @@ namespace orbearing::app {
 
 namespace {
 
-void check_measured(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+void check_scratch_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.choice("defect.form") != "profile" || (in.has("defect.profile") && in.list("defect.profile").size() >= 3))
     return;
   object_to(in, "defect.form", "'profile' without three depths in defect.profile",
@@ -24,7 +24,7 @@ void check_measured(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 
 void check_scratch(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!in.has("defect.race") || in.choice("defect.race") == "none") return;
-  check_measured(in, mistakes);
+  check_scratch_profile(in, mistakes);
   for (const char* path : {"defect.width", "defect.depth"})
     if (!in.has(path))
       object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
@@ -77,7 +77,7 @@ void check_planet_surface(const ResolvedCase& in, std::vector<Mistake>& mistakes
   if (in.choice("defect.race") == "ball")
     object_to(in, "defect.race", "'ball' in a bearing of rollers", "outer, inner, roller or none is required", mistakes);
   if (in.choice("defect.race") == "none") return;
-  check_measured(in, mistakes);
+  check_scratch_profile(in, mistakes);
   for (const char* path : {"defect.width", "defect.depth"})
     if (!in.has(path))
       object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),

@@ -107,7 +107,7 @@ TEST(Scratch, AMeasuredProfileIsRolledOverByTheArcOfTheElement) {
   measured.profile = {0.0, 0.5, 1.0, 0.5, 0.0};
   const ScratchLaw shallow = scratch_law(measured, Race::outer, geometry);
   EXPECT_NEAR(sinking(shallow, 0.125 * kWidth).depth, 0.75e-7, 2e-9);
-  EXPECT_EQ(sinking(shallow, 0.5 * kWidth).depth, 0.0);
+  EXPECT_NEAR(sinking(shallow, 0.5 * kWidth).depth, 0.0, kRoundOff * shallow.bottom);
   measured.profile = {0.0, -0.1, 0.0};
   EXPECT_THROW(scratch_law(measured, Race::outer, geometry), std::invalid_argument);
 }
