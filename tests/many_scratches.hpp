@@ -1,4 +1,5 @@
-// Scratches of every kind that a motion integrates through, so many that rollers at random stand on some of them.
+// Scratches of every kind that a motion integrates through, so many that rollers at random stand on some of
+// them.
 #pragma once
 
 #include <vector>

@@ -16,9 +16,10 @@ namespace orbearing::app {
 
 int run_planet_defect_case(const ResolvedCase& resolved, const Options& options) {
   if (options.fidelity != "quasi-static" && options.fidelity != "monolithic")
-    throw BadInput("--fidelity: found " + options.fidelity +
-                   "; required: none, or monolithic, for a gear set with a scratched planet bearing, which is one "
-                   "system of gears and bearings");
+    throw BadInput(
+        "--fidelity: found " + options.fidelity +
+        "; required: none, or monolithic, for a gear set with a scratched planet bearing, which is one "
+        "system of gears and bearings");
   const std::vector<std::string> warnings = require_used(resolved, use::planet_defect);
   const ManifestHeader header = manifest_header(resolved, "scratched planet bearing");
   ResultFolder folder =

@@ -45,13 +45,15 @@ double place_of(const Eigen::ArrayXd& angle, Eigen::Index k, double wanted) {
 AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle) {
   const Eigen::Index samples = signal.size();
   if (samples < 3 || angle.size() != samples)
-    throw std::invalid_argument("order tracking: found a signal without an angle for each of its samples; "
-                                "required: at least 3 of both");
+    throw std::invalid_argument(
+        "order tracking: found a signal without an angle for each of its samples; "
+        "required: at least 3 of both");
   const double sense = angle[samples - 1] > angle[0] ? 1.0 : -1.0;
   const Eigen::ArrayXd turned = sense * (angle - angle[0]);
   const Eigen::ArrayXd steps = turned.tail(samples - 1) - turned.head(samples - 1);
   if (!(steps.minCoeff() > 0.0))
-    throw std::invalid_argument("order tracking: found a shaft that stands or turns back; required: one that turns");
+    throw std::invalid_argument(
+        "order tracking: found a shaft that stands or turns back; required: one that turns");
   AngleSignal out{.per_revolution = std::ceil(two_pi / steps.minCoeff())};
   // Interpolation wants neighbours on both sides.
   const Eigen::Index edge = std::min(kReach, samples / 4);

@@ -1,5 +1,5 @@
-// A gear set with a scratched planet bearing: its vibration in the carrier's frame and on the housing, and which
-// line is what (docs/defects/planet.md).
+// A gear set with a scratched planet bearing: its vibration in the carrier's frame and on the housing, and
+// which line is what (docs/defects/planet.md).
 #pragma once
 
 #include <functional>
@@ -19,8 +19,9 @@ namespace orbearing::app {
 
 /// What one instrument shows. In a run-up all lines are orders: those of the carrier.
 struct InstrumentView {
-  Eigen::ArrayXd signal;                // [m/s^2] or [N]
-  signals::KurtosisOfBand band;         // [Hz]  of the envelope: of the signal less the lines of the teeth, but in a run-up
+  Eigen::ArrayXd signal;  // [m/s^2] or [N]
+  signals::KurtosisOfBand
+      band;  // [Hz]  of the envelope: of the signal less the lines of the teeth, but in a run-up
   signals::Spectrum spectrum;           // over frequency, or over orders of the carrier
   signals::Spectrum envelope_spectrum;  // the same
   std::vector<NamedPeak> spectrum_peaks;
@@ -47,15 +48,15 @@ bool is_planet_defect(const ResolvedCase& resolved);
 PlanetDefectStudy planet_defect_study(const ResolvedCase& resolved,
                                       const std::function<void(double)>& progress = {});
 
-/// The lines that may stand in the spectra of one instrument; `unit` 1 for hertz, or the carrier's turns a second
-/// for its orders.
+/// The lines that may stand in the spectra of one instrument; `unit` 1 for hertz, or the carrier's turns a
+/// second for its orders.
 std::vector<signals::ExpectedLine> planet_lines(const std::vector<bearing::defect::Scratched>& scratched,
-                                                const study::PlanetFrequencies& at, bool on_housing, double highest,
-                                                double unit = 1.0);
+                                                const study::PlanetFrequencies& at, bool on_housing,
+                                                double highest, double unit = 1.0);
 
-/// A number by its name in the validation table: "cage_Hz", "defect_peak_Hz" and "planet_band_Hz" of the envelope in
-/// the carrier's frame, "carrier_band_Hz" of that on the housing, "mesh_on_housing_Hz"; NaN for any other, or for a
-/// peak that is not there.
+/// A number by its name in the validation table: "cage_Hz", "defect_peak_Hz" and "planet_band_Hz" of the
+/// envelope in the carrier's frame, "carrier_band_Hz" of that on the housing, "mesh_on_housing_Hz"; NaN for
+/// any other, or for a peak that is not there.
 double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity);
 
 nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study);

@@ -28,7 +28,8 @@ std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in
     for (double& angle : scratch.more_angles) angle += middle;
     return scratch;
   };
-  system::ScratchedPlanet planet{.planet = place.planet - 1, .bearing = place.bearing - 1, .scratches = {turned(first)}};
+  system::ScratchedPlanet planet{
+      .planet = place.planet - 1, .bearing = place.bearing - 1, .scratches = {turned(first)}};
   if (place.also != Scratched::none) {
     first.race = place.also;
     first.angle = place.also_angle;

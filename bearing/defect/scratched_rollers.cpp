@@ -12,13 +12,15 @@ namespace {
 void check(const Scratch& scratch, const motion::BearingModel& model) {
   mechanics::require_positive(scratch.width, "width of the scratch [m]");
   mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
-  mechanics::require(scratch.width <= model.geometry.element_radius, "width of the scratch [m]", scratch.width,
-                     "at most the radius of a roller");
+  mechanics::require(scratch.width <= model.geometry.element_radius, "width of the scratch [m]",
+                     scratch.width, "at most the radius of a roller");
   if (scratch.race == Scratched::ball)
-    throw std::invalid_argument("scratch: found a ball; required: a race or a roller of a bearing of rollers");
+    throw std::invalid_argument(
+        "scratch: found a ball; required: a race or a roller of a bearing of rollers");
   if (scratch.form == ScratchForm::as_printed)
     throw std::invalid_argument(
-        "form of the scratch: found as-printed; required: one that does not jump at its edges, since the motion is "
+        "form of the scratch: found as-printed; required: one that does not jump at its edges, since the "
+        "motion is "
         "integrated through them");
   if (scratch.race == Scratched::roller)
     mechanics::require(scratch.element >= 1 && scratch.element <= model.layout.rollers, "scratched roller",
@@ -36,7 +38,8 @@ int followed_as(int roller, motion::BearingModel& model) {
   for (const RollerScratch& other : model.roller_scratches)
     if (other.roller == roller) return other.followed;
   constexpr int most = vectorised::PaddedLayout::kMostFollowed;
-  if (model.layout.followed >= most) mechanics::refuse("scratched rollers", most + 1, "at most 2 in a bearing");
+  if (model.layout.followed >= most)
+    mechanics::refuse("scratched rollers", most + 1, "at most 2 in a bearing");
   return static_cast<int>(model.layout.followed++);
 }
 
@@ -51,8 +54,10 @@ void put_scratches(const std::vector<Scratch>& scratches, motion::BearingModel& 
     const ScratchLaw on_inner = scratch_law(scratch, Race::inner, geometry);
     const ScratchLaw on_outer = scratch_law(scratch, Race::outer, geometry);
     for (const double angle : angles_of(scratch)) {
-      if (scratch.race == Scratched::inner) model.inner.scratches.push_back({geometry.inner_radius, angle, on_inner});
-      if (scratch.race == Scratched::outer) model.outer.scratches.push_back({geometry.outer_radius, angle, on_outer});
+      if (scratch.race == Scratched::inner)
+        model.inner.scratches.push_back({geometry.inner_radius, angle, on_inner});
+      if (scratch.race == Scratched::outer)
+        model.outer.scratches.push_back({geometry.outer_radius, angle, on_outer});
       if (scratch.race != Scratched::roller) continue;
       const int roller = scratch.element - 1;
       model.roller_scratches.push_back(

@@ -23,7 +23,8 @@ class InstrumentLowPass {
     for (Eigen::Index k = 0; k < weight_.size(); ++k) {
       const double at = static_cast<double>(k) - reach, turn = boost::math::double_constants::pi * at / reach;
       const double blackman = 0.42 + 0.5 * std::cos(turn) + 0.08 * std::cos(2.0 * turn);
-      weight_[k] = blackman * boost::math::sinc_pi(2.0 * boost::math::double_constants::pi * middle * at / kOversampling);
+      weight_[k] = blackman * boost::math::sinc_pi(2.0 * boost::math::double_constants::pi * middle * at /
+                                                   kOversampling);
     }
     weight_ /= weight_.sum();
     last_.setZero();

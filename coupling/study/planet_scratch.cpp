@@ -34,7 +34,9 @@ class Turning {
   double planet(double time) const { return operation_.speeds.planet_relative * passed(time); }  // [rad]
 
  private:
-  double passed(double time) const { return mesh_periods(operation_, time) / operation_.mesh_frequency; }  // [s]
+  double passed(double time) const {
+    return mesh_periods(operation_, time) / operation_.mesh_frequency;
+  }  // [s]
 
   const gearset::dynamics::Operation& operation_;
 };
@@ -43,7 +45,8 @@ double housing_force(const system::DrivenGearsOutput& gears, double carrier_angl
   double force = 0.0;
   const auto planets = static_cast<double>(gears.planets.size());
   for (std::size_t i = 0; i < gears.planets.size(); ++i)
-    force += felt(carrier_angle + two_pi * static_cast<double>(i) / planets) * gears.planets[i].ring_mesh_force;
+    force +=
+        felt(carrier_angle + two_pi * static_cast<double>(i) / planets) * gears.planets[i].ring_mesh_force;
   return force;
 }
 
@@ -51,7 +54,9 @@ struct Plan {
   long settling = 0, samples = 0;  // [-]
   double rate = 0.0;               // [Hz]
 
-  long instants() const { return PlanetLowPass::kOversampling * (settling + samples + 2 * PlanetLowPass::kReach); }
+  long instants() const {
+    return PlanetLowPass::kOversampling * (settling + samples + 2 * PlanetLowPass::kReach);
+  }
   double interval() const { return 1.0 / (static_cast<double>(PlanetLowPass::kOversampling) * rate); }  // [s]
 };
 
@@ -86,7 +91,8 @@ PlanetFrequencies planet_frequencies(const PlanetaryDrivetrain& drivetrain) {
 
 PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
                                  const std::vector<system::ScratchedPlanet>& scratched,
-                                 const PlanetSampling& sampling, const std::function<void(double)>& progress) {
+                                 const PlanetSampling& sampling,
+                                 const std::function<void(double)>& progress) {
   constexpr long kShown = 100;  // times that progress is told
   system::CoupledSetup setup = coupled_setup(drivetrain, derive(drivetrain));
   setup.scratched = scratched;
@@ -95,7 +101,8 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
   if (sampling.run_up_from < 1.0)
     operation.run_up = {sampling.run_up_from, static_cast<double>(plan.instants()) * plan.interval()};
   const int planet = scratched.empty() ? 0 : scratched.front().planet;
-  const int bearing = planet * setup.bearings_per_planet + (scratched.empty() ? 0 : scratched.front().bearing);
+  const int bearing =
+      planet * setup.bearings_per_planet + (scratched.empty() ? 0 : scratched.front().bearing);
   const Turning turning(operation);
 
   system::Monolithic motion(setup);
@@ -124,7 +131,8 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
         out.carrier_angle[now] = turning.carrier(time);
         out.planet_angle[now] = turning.planet(time);
         motion.take_snapshot(bearing, shown);
-        out.largest_load = std::max({out.largest_load, shown.inner.load.maxCoeff(), shown.outer.load.maxCoeff()});
+        out.largest_load =
+            std::max({out.largest_load, shown.inner.load.maxCoeff(), shown.outer.load.maxCoeff()});
         out.roller_speed += shown.spin[roller] / static_cast<double>(plan.samples);
         if (now == 0) cage_then = shown.cage_angle, time_then = time;
         if (now == plan.samples - 1) {

@@ -1,5 +1,6 @@
-// Issue 14, Build 7 and "Done when": a planet bearing with scratches in the coupled gear set. Which lines follow is
-// derived on paper in docs/defects/planet.md; here they are looked for in the run of the shipped case.
+// Issue 14, Build 7 and "Done when": a planet bearing with scratches in the coupled gear set. Which lines
+// follow is derived on paper in docs/defects/planet.md; here they are looked for in the run of the shipped
+// case.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,8 +40,9 @@ double level(const Spectrum& spectrum, double frequency) {
 
 // What half of the lines up to `highest` [Hz] stay below.
 double floor_of(const Spectrum& spectrum, double highest) {
-  std::vector<double> lines(spectrum.amplitude.begin() + 4,
-                            spectrum.amplitude.begin() + static_cast<Eigen::Index>(highest / spectrum.resolution));
+  std::vector<double> lines(
+      spectrum.amplitude.begin() + 4,
+      spectrum.amplitude.begin() + static_cast<Eigen::Index>(highest / spectrum.resolution));
   std::nth_element(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2), lines.end());
   return lines[lines.size() / 2];
 }
@@ -54,8 +56,8 @@ TEST(PlanetScratch, OuterRaceGivesItsLineWithSideBandsOfThePlanetInTheCarriersFr
   EXPECT_NEAR(at.bearing.outer_pass, study.rolling.bearing.outer_pass, 0.01 * at.bearing.outer_pass);
   const Spectrum& lines = study.carrier.envelope_spectrum;
   const double floor = floor_of(lines, 2000.0);
-  for (const double line : {at.bearing.outer_pass, at.bearing.outer_pass - at.planet, at.bearing.outer_pass + at.planet,
-                            at.planet, 2.0 * at.bearing.outer_pass})
+  for (const double line : {at.bearing.outer_pass, at.bearing.outer_pass - at.planet,
+                            at.bearing.outer_pass + at.planet, at.planet, 2.0 * at.bearing.outer_pass})
     EXPECT_GT(level(lines, line), kClear * floor) << line;
   EXPECT_EQ(study.carrier.envelope_peaks.front().is.substr(0, 17), "outer race defect");
 }
@@ -71,7 +73,8 @@ TEST(PlanetScratch, InnerRaceStandsAndGivesItsLineAlone) {
   EXPECT_EQ(study.carrier.envelope_peaks.front().is, "inner race defect");
 }
 
-// One damaged planet goes by: both side bands of the carrier stay. They are absent in the carrier's own frame.
+// One damaged planet goes by: both side bands of the carrier stay. They are absent in the carrier's own
+// frame.
 TEST(PlanetScratch, HousingSeesSideBandsOfTheCarrier) {
   const PlanetDefectStudy& study = study_of({"defect.race=inner"});
   const auto& at = study.turned;
@@ -93,7 +96,8 @@ TEST(PlanetScratch, RollerIsCarriedThroughTheLoadZoneByTheCage) {
   const auto& at = study.turned;
   const Spectrum& lines = study.carrier.envelope_spectrum;
   const double floor = floor_of(lines, 2000.0);
-  for (const double line : {at.bearing.cage, at.bearing.element_pass, at.bearing.element_pass + at.bearing.cage})
+  for (const double line :
+       {at.bearing.cage, at.bearing.element_pass, at.bearing.element_pass + at.bearing.cage})
     EXPECT_GT(level(lines, line), kClear * floor) << line;
 }
 
@@ -106,8 +110,8 @@ TEST(PlanetScratch, SeveralAtOnceShowAllTheirLines) {
   EXPECT_EQ(study.scratched.size(), 2u);
 }
 
-// 79 teeth, four planets: of the first harmonic and its side bands only line 80 of the carrier is left, of the third
-// only line 236; the others cancel between the planets.
+// 79 teeth, four planets: of the first harmonic and its side bands only line 80 of the carrier is left, of
+// the third only line 236; the others cancel between the planets.
 TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
   const PlanetDefectStudy& study = study_of({"defect.race=none"});
   const Spectrum& lines = study.housing.spectrum;
@@ -115,13 +119,15 @@ TEST(PlanetScratch, EqualPlanetsCancelMeshLinesOnTheHousingAsOnPaper) {
   for (const int gone : {79, 78, 158, 157, 159}) EXPECT_LT(of(gone), 0.05 * of(80)) << gone;
   for (const int gone : {237, 238}) EXPECT_LT(of(gone), 0.05 * of(236)) << gone;
   // In the carrier's frame the teeth's own lines stand.
-  EXPECT_GT(level(study.carrier.spectrum, study.rolling.mesh), 100.0 * floor_of(study.carrier.spectrum, 3000.0));
+  EXPECT_GT(level(study.carrier.spectrum, study.rolling.mesh),
+            100.0 * floor_of(study.carrier.spectrum, 3000.0));
 }
 
 // A measured table in place of a form; and a run-up whose lines are orders of the carrier.
 TEST(PlanetScratch, RunUpShowsOrdersOfTheCarrier) {
-  const PlanetDefectStudy& study = study_of({"defect.race=inner", "defect.form=profile",
-                                            "defect.profile=[0, 0.2, 1, 1, 0.4, 0]", "signal.run_up_from=0.5"});
+  const PlanetDefectStudy& study =
+      study_of({"defect.race=inner", "defect.form=profile", "defect.profile=[0, 0.2, 1, 1, 0.4, 0]",
+                "signal.run_up_from=0.5"});
   const double order = study.turned.bearing.inner_pass / study.turned.carrier;
   EXPECT_NEAR(order, study.rolling.bearing.inner_pass / study.rolling.carrier, 0.01 * order);
   const Spectrum& orders = study.carrier.envelope_spectrum;
