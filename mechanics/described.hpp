@@ -90,6 +90,8 @@ inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
 /// Those and what can be followed so, if asked for: all bodies of a bearing with scratches.
 inline constexpr unsigned balls_in_time = ball_motion | raceway_defect;
 inline constexpr unsigned in_time = in_motion | raceway_defect;
+/// Bearings that may have scratches: by themselves, or in a planet.
+inline constexpr unsigned scratched_bearings = raceway_defect | planetary_drivetrain;
 inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | spin_film;
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.

@@ -56,6 +56,7 @@ class Resolver {
     const Member* sets = find_member(root_, "sets");
     const Member* shafts = find_member(root_, "shafts");
     data_.shape.several = sets != nullptr || shafts != nullptr;
+    data_.shape.defect = false;
     if (!data_.shape.several) {
       find_parts(root_, data_.shape);
       return;
@@ -138,7 +139,7 @@ class Resolver {
     }
     if (!belongs(data_.shape, path)) {
       if (is_faulty(path)) return;
-      const auto [found, required] = unused_field(data_.shape);
+      const auto [found, required] = unused_field(data_.shape, path);
       object(member.place, path, found, required);
       return;
     }

@@ -39,10 +39,15 @@ void find_parts(const Entry& root, CaseShape& shape) {
            find_member(gearset->value, key) != nullptr;
   };
   shape.bearing = find_member(root, "bearing") != nullptr;
+  shape.defect = shape.bearing && find_member(root, "defect") != nullptr;
   shape.teeth = shape.bearing || !states("dynamics") || states("teeth");
 }
 
-Complaint unused_field(const CaseShape& shape) {
+Complaint unused_field(const CaseShape& shape, std::string_view path) {
+  const Field* field = find_field(path);
+  if (field != nullptr && is_of_defect(*field) && (shape.several || shape.bearing))
+    return {"a field that a drivetrain uses where one of its bearings is scratched",
+            shape.several ? "a case of one set is required" : "defect.race beside it, or a case without it, is required"};
   if (shape.several)
     return {"a field that a case of several sets does not use",
             "the shafts, which say where motor and ground are, are required instead"};
@@ -61,6 +66,10 @@ bool is_of_bearing(const Field& field) {
   return false;
 }
 
+bool is_of_defect(const Field& field) {
+  return field.path.starts_with("defect.") || field.path.starts_with("signal.");
+}
+
 bool is_of_teeth(const Field& field) {
   if (field.path.find('.') == std::string::npos || field.path == "gearset.planets" ||
       field.path == "gearset.pressure_angle")
@@ -75,7 +84,7 @@ bool belongs(const CaseShape& shape, std::string_view path) {
   if (path.starts_with(shafts_block)) return has_name(shape.shafts, path.substr(shafts_block.size()));
   const std::size_t prefix = set_prefix_length(path);
   const Field* field = find_field(path);
-  if (field == nullptr) return false;
+  if (field == nullptr || (is_of_defect(*field) && !shape.defect)) return false;
   if (prefix > 0) return has_name(shape.sets, path.substr(sets_block.size(), prefix - 1 - sets_block.size()));
   if (shape.several) return !in_each_set(*field) && !is_of_one_set(*field);
   return (shape.bearing || !is_of_bearing(*field)) && (shape.teeth || !is_of_teeth(*field));

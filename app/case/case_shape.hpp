@@ -24,6 +24,7 @@ struct CaseShape {
   bool several = false;  // whether the case has sets and shafts, well or badly given
   bool bearing = true;   // one set: whether it has a bearing
   bool teeth = true;     // one set: whether it has teeth
+  bool defect = true;    // a drivetrain: whether one of its bearings is scratched
 
   bool operator==(const CaseShape&) const = default;
 };
@@ -40,7 +41,7 @@ inline constexpr std::size_t most_sets = 16;
 void find_parts(const Entry& root, CaseShape& shape);
 
 /// What is said of a field for which a case of that shape has no place: what was found, what is required.
-Complaint unused_field(const CaseShape& shape);
+Complaint unused_field(const CaseShape& shape, std::string_view path);
 
 /// "sets.NAME." and "shafts.NAME".
 std::string set_prefix(std::string_view set);
@@ -49,6 +50,8 @@ std::string shaft_path(std::string_view shaft);
 /// Whether a field is of no use without a bearing; without teeth.
 bool is_of_bearing(const Field& field);
 bool is_of_teeth(const Field& field);
+/// Whether it says what is scratched, or what is made of the vibration.
+bool is_of_defect(const Field& field);
 
 /// Whether a case of that shape has a place for the path.
 bool belongs(const CaseShape& shape, std::string_view path);

@@ -52,7 +52,7 @@ ResolvedCase ResolvedCase::with(const std::string& path, const std::string& text
 
 ResolvedCase ResolvedCase::of_set(std::string_view set) const {
   const std::string prefix = set_prefix(set);
-  CaseData data{.file = data_.file, .shape = {}};
+  CaseData data{.file = data_.file, .shape = {.defect = false}};
   const auto take = [&](const auto& from, auto& into) {
     for (const auto& [path, value] : from)
       if (path.starts_with(prefix))

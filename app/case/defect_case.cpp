@@ -15,8 +15,16 @@ namespace orbearing::app {
 
 namespace {
 
+void check_scratch_profile(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (in.choice("defect.form") != "profile" || (in.has("defect.profile") && in.list("defect.profile").size() >= 3))
+    return;
+  object_to(in, "defect.form", "'profile' without three depths in defect.profile",
+            "at least three, at even places from edge to edge, are required", mistakes);
+}
+
 void check_scratch(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!in.has("defect.race") || in.choice("defect.race") == "none") return;
+  check_scratch_profile(in, mistakes);
   for (const char* path : {"defect.width", "defect.depth"})
     if (!in.has(path))
       object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
@@ -59,6 +67,52 @@ void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
               fmt::format("its lower and upper end, at most {:.4g} Hz, are required", 0.5 * rate), mistakes);
 }
 
+// A drivetrain with a scratched planet bearing.
+bool is_planet_defect_case(const ResolvedCase& in) {
+  return in.model() == planetary_drivetrain && in.shape().defect && in.shape().bearing && !in.shape().several;
+}
+
+void check_planet_surface(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!in.has("defect.race")) return;
+  if (in.choice("defect.race") == "ball")
+    object_to(in, "defect.race", "'ball' in a bearing of rollers", "outer, inner, roller or none is required", mistakes);
+  if (in.choice("defect.race") == "none") return;
+  check_scratch_profile(in, mistakes);
+  for (const char* path : {"defect.width", "defect.depth"})
+    if (!in.has(path))
+      object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
+                "width and depth of the scratch, or none, are required", mistakes);
+  if (has_all(in, {"defect.width", "bearing.roller_diameter"}) &&
+      in.quantity("defect.width") > 0.5 * in.quantity("bearing.roller_diameter"))
+    object_to(in, "defect.width", fmt::format("{} for rollers that sink between its edges", in.given("defect.width")),
+              fmt::format("at most half a roller diameter, {:.4g} mm, is required",
+                          500.0 * in.quantity("bearing.roller_diameter")),
+              mistakes);
+  if (in.choice("defect.form") == "as-printed")
+    object_to(in, "defect.form", "'as-printed', which jumps at both edges",
+              "a continuous form is required where all of the bearing moves", mistakes);
+  if (in.has("defect.also") && in.choice("defect.also") == "ball")
+    object_to(in, "defect.also", "'ball' in a bearing of rollers", "outer, inner, roller or none is required", mistakes);
+}
+
+void check_place(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  const auto at_most = [&](const char* path, const char* count) {
+    if (has_all(in, {path, count}) && in.integer(path) > in.integer(count))
+      object_to(in, path, in.given(path), fmt::format("at most {} ({}) is required", in.integer(count), count),
+                mistakes);
+  };
+  at_most("defect.planet", "gearset.planets");
+  at_most("defect.bearing", "bearing.per_planet");
+  at_most("defect.element", "bearing.rollers");
+  if (!in.has("signal.band")) return;
+  const std::vector<double> band = in.list("signal.band");
+  if (band.size() != 2 || !(band[0] < band[1]) || band[1] > 0.5 * in.quantity("signal.sampling_rate"))
+    object_to(in, "signal.band", in.given("signal.band"),
+              fmt::format("its lower and upper end, at most {:.4g} Hz, are required",
+                          0.5 * in.quantity("signal.sampling_rate")),
+              mistakes);
+}
+
 }  // namespace
 
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& in) {
@@ -78,10 +132,6 @@ bearing::balls::MotionParameters scratched_motion_of(const ResolvedCase& in) {
     throw BadInput(fmt::format("--fidelity: found dynamic for a case without {}; required: all of them, since "
                                "the cage moves too, or no --fidelity",
                                fmt::join(missing, ", ")));
-  if (in.choice("defect.race") == "ball")
-    throw BadInput(
-        "--fidelity: found dynamic for a scratched ball; required: defect.race outer, inner or none, since how "
-        "far each ball has turned is no variable of this motion, or no --fidelity");
   return from_case<bearing::balls::MotionParameters>(in);
 }
 
@@ -100,7 +150,16 @@ std::optional<signals::Band> stated_band_of(const ResolvedCase& in) {
 }
 
 void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (is_planet_defect_case(in)) {
+    if (!in.has("defect.race"))
+      mistakes.push_back({{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
+    check_planet_surface(in, mistakes);
+    check_place(in, mistakes);
+    return;
+  }
   if (in.model() != raceway_defect) return;
+  if (in.has("defect.race") && in.choice("defect.race") == "roller")
+    object_to(in, "defect.race", "'roller' in a bearing of balls", "outer, inner, ball or none is required", mistakes);
   check_scratch(in, mistakes);
   check_signal(in, mistakes);
 }

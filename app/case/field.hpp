@@ -18,6 +18,7 @@ using enum described::Model;
 using described::every_model;
 using described::lone_balls;
 using described::positive;
+using described::scratched_bearings;
 using described::Range;
 using described::toothless_set;
 using described::with_balls;

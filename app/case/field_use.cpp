@@ -1,6 +1,7 @@
 #include "app/case/field_use.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <iterator>
 
 namespace orbearing::app {
@@ -52,7 +53,7 @@ unsigned holding(described::Felt felt) {
     case lone_run:
       return use::ball_run;
     case defect:
-      return use::defect | use::moving_defect;
+      return use::defect | use::moving_defect | use::planet_defect;
     case exchange:
       return use::co_simulated;
     case one_contact:
@@ -66,6 +67,9 @@ unsigned holding(described::Felt felt) {
 unsigned leaving_out(described::Felt felt) {
   using enum described::Felt;
   if (felt == gear_bodies || felt == gear_motion) return use::dynamic_of_sets;
+  // All that moves bearings knows none with scratches but what is run for them.
+  if (felt == described::Felt::defect)
+    return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
   return felt == load_sharing ? use::dynamic_of_sets | use::crown | use::planet_stiffness : 0u;
 }
 
@@ -189,6 +193,24 @@ Use use_of(const described::Facts& facts) {
   return use.when(only.value.empty() ? where_given({path}) : where(path, either_of(only.value)));
 }
 
+Use with_planet_defect(const Use& use, std::string_view path) {
+  Use more = use;
+  const auto is_one_of = [&](std::initializer_list<std::string_view> parts) {
+    return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) { return path.starts_with(part); });
+  };
+  if (is_one_of({"defect.", "signal."})) return more;
+  unsigned* const standings[] = {&more.by, &more.unfelt_by, &more.refused_by};
+  for (unsigned* standing : standings) *standing &= ~unsigned{use::planet_defect};
+  if (is_one_of({"life.", "simulation.observed", "simulation.most_rev", "simulation.load_drift",
+                 "simulation.cage_drift"})) {
+    more.unfelt_by |= use::planet_defect;
+    return more;
+  }
+  for (unsigned* standing : standings)
+    if ((*standing & use::monolithic) != 0) *standing |= use::planet_defect;
+  return more;
+}
+
 Condition where(std::string path, std::vector<std::string> values) {
   return {.paths = {std::move(path)}, .values = std::move(values)};
 }
@@ -223,7 +245,7 @@ const std::vector<use::Analysis>& analyses() {
       use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
       use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
       use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect,
-      use::moving_defect, use::duplex_modes, use::duplex_run, use::spin_film, use::stiffness, use::planet_stiffness};
+      use::moving_defect, use::planet_defect, use::duplex_modes, use::duplex_run, use::spin_film, use::stiffness, use::planet_stiffness};
   return every;
 }
 
@@ -261,6 +283,8 @@ std::string analysis_name(use::Analysis analysis) {
       return "run of a bearing with scratches";
     case use::moving_defect:
       return "run --fidelity dynamic of a bearing with scratches";
+    case use::planet_defect:
+      return "run of a set with a scratched planet bearing";
     case use::duplex_modes:
       return "modes of a duplex pair";
     case use::duplex_run:

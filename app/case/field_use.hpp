@@ -34,7 +34,8 @@ enum Analysis : unsigned {
   duplex_run = 1u << 19,
   spin_film = 1u << 20,    // run of a contact that rolls and spins
   stiffness = 1u << 21,    // of a single bearing
-  planet_stiffness = 1u << 22
+  planet_stiffness = 1u << 22,
+  planet_defect = 1u << 23  // run of a drivetrain with a scratched planet bearing
 };
 
 /// Analyses that share their physics.
@@ -47,7 +48,7 @@ inline constexpr unsigned rollers_in_motion = in_time | fmu_bearing;
 inline constexpr unsigned rollers_at_rest = quasi_static | crown | planet_stiffness;
 inline constexpr unsigned gears_in_motion = one_set_in_time | gears | fmu_gearset;
 inline constexpr unsigned of_a_drivetrain =
-    lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness;
+    lives | gears | natural | mesh | fmu_bearing | fmu_gearset | planet_stiffness | planet_defect;
 inline constexpr unsigned lone_balance = static_load | stiffness;  // of a single bearing
 inline constexpr unsigned duplex = duplex_modes | duplex_run;
 inline constexpr unsigned all =
@@ -87,6 +88,9 @@ struct Use {
   unsigned felt_beside = 0;             // of unfelt_by: they use it where `beside` holds
   Condition beside{};
 };
+
+/// With the scratched planet bearing: it is moved as by monolithic, and has no life.
+Use with_planet_defect(const Use& use, std::string_view path);
 
 /// Who uses a field whose row stands beside its member: the analyses that hold the physics by which it is
 /// felt, but for those that cannot take it.

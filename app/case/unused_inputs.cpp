@@ -200,7 +200,8 @@ std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
     if (shape.several)
       allowed = use::quasi_static | use::dynamic_of_sets | use::crown | use::planet_stiffness;
     else if (shape.bearing)
-      allowed = use::of_a_drivetrain & ~unsigned{use::dynamic_of_sets};
+      allowed = use::of_a_drivetrain &
+                ~unsigned{use::dynamic_of_sets | (shape.defect ? 0u : unsigned{use::planet_defect})};
     else
       allowed = shape.teeth ? use::bearings_as_springs | use::mesh : use::natural;
   }

@@ -8,6 +8,7 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/defect_study.hpp"
+#include "app/study/planet_defect.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
@@ -40,6 +41,8 @@ Checked check(const ResolvedCase& resolved) {
   if (!resolved.shape().several)
     for (const Derived& row : gear_dynamics_quantities(resolved))
       if (!resolved.has(row.path)) checked.derived.push_back(row);
+  if (is_planet_defect(resolved))
+    for (const Derived& row : planet_defect_quantities(resolved)) checked.derived.push_back(row);
   return checked;
 }
 

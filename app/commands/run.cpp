@@ -6,12 +6,14 @@
 #include "app/commands/duplex_run.hpp"
 #include "app/commands/film_run.hpp"
 #include "app/commands/gear_study.hpp"
+#include "app/commands/planet_defect_run.hpp"
 #include "app/commands/static_run.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/computable.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
+#include "app/study/planet_defect.hpp"
 #include "app/study/static_study.hpp"
 #include "app/study/sweep_study.hpp"
 
@@ -25,6 +27,7 @@ int run_command(const Options& options) {
   if (is_defect(resolved) && !options.gears) return run_defect_case(resolved, options);
   if (is_duplex(resolved) && !options.gears) return run_duplex_case(resolved, options);
   if (is_spin_film(resolved) && !options.gears) return run_film_case(resolved, options);
+  if (is_planet_defect(resolved) && !options.gears) return run_planet_defect_case(resolved, options);
   if (options.gears || runs_gears_alone(resolved)) return run_gear_case(resolved, options);
   require_computable(resolved, options.fidelity, false);
   SweepRequest request = sweep_request(resolved, options.fidelity);

@@ -130,8 +130,7 @@ int signals_command(const Options& options) {
   const bool moving = options.fidelity == "dynamic";
   const std::vector<std::string> warnings =
       require_used(resolved, moving ? use::moving_defect : use::defect);
-  const std::vector<SignalAxis> axes =
-      signal_axes(options.varied, moving ? DefectRung::all : DefectRung::ring);
+  const std::vector<SignalAxis> axes = signal_axes(options.varied);
   std::vector<SignalVariant> variants = signal_variants(resolved, axes);
   const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());
   ResultFolder folder =

@@ -27,6 +27,8 @@ std::string defect_name(Scratched scratched) {
       return "inner race defect";
     case Scratched::ball:
       return "ball defect";
+    case Scratched::roller:
+      return "roller defect";
     case Scratched::none:
       break;
   }
@@ -40,6 +42,7 @@ std::optional<double> defect_frequency(Scratched scratched, const defect::Passin
     case Scratched::inner:
       return passing.inner_pass;
     case Scratched::ball:
+    case Scratched::roller:
       return passing.element_pass;
     case Scratched::none:
       break;
@@ -59,10 +62,10 @@ std::vector<signals::ExpectedLine> expected_lines(Scratched scratched,
   const std::string name = defect_name(scratched);
   if (scratched == Scratched::outer) add(passing.outer_pass, name, 0.0, "", 0);
   if (scratched == Scratched::inner) add(passing.inner_pass, name, passing.shaft, "shaft", 0);
-  if (scratched == Scratched::ball) {
+  if (of_element(scratched)) {
     add(passing.element_pass, name, passing.cage, "cage", 0);
     // It meets both races, each once a turn, and sinks less on the outer one.
-    add(0.5 * passing.element_pass, "ball spin", passing.cage, "cage", rare);
+    add(0.5 * passing.element_pass, scratched == Scratched::ball ? "ball spin" : "roller spin", passing.cage, "cage", rare);
   }
   add(passing.outer_pass, kPassage, 0.0, "", 1);
   add(passing.shaft, "shaft", 0.0, "", 1);
@@ -110,7 +113,7 @@ void warn(const ResolvedCase& in, DefectStudy& study) {
 
 // Balls pass where the cage takes them, whatever its slip.
 defect::PassingFrequencies as_turned(const defect::ScratchedBearing& scratched, const DefectStudy& study) {
-  const double balls = scratched.bearing.balls().count;
+  const double balls = scratched.bearing.element_count();
   defect::PassingFrequencies turned = study.passing;
   turned.cage = std::abs(study.vibration.cage_speed) / boost::math::double_constants::two_pi;
   turned.outer_pass = balls * turned.cage;

@@ -38,7 +38,7 @@ bool felt_by_scratches_alone(const std::string& path) {
 
 }  // namespace
 
-std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, DefectRung rung) {
+std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options) {
   std::vector<SignalAxis> axes;
   for (const std::string& option : options) {
     const std::size_t equals = option.find('=');
@@ -54,9 +54,7 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, Def
       if (value.empty()) throw BadInput("--vary: found '" + option + "'; required: a value between commas");
   }
   if (axes.empty())
-    axes.push_back({"defect.race", rung == DefectRung::all
-                                       ? std::vector<std::string>{"none", "outer", "inner"}
-                                       : std::vector<std::string>{"none", "outer", "inner", "ball"}});
+    axes.push_back({"defect.race", std::vector<std::string>{"none", "outer", "inner", "ball"}});
   return axes;
 }
 

@@ -30,7 +30,7 @@ struct SignalNoise {
 
 /// From options such as "operation.shaft_speed=[1000 rpm, 1500 rpm]"; without any, all that can be scratched.
 /// Throws BadInput for a text that is no path and list.
-std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, DefectRung rung);
+std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options);
 
 /// All combinations, the last axis fastest. What only a scratch feels does not vary without one: a sound
 /// bearing stands in the grid once. Throws BadInput where the case cannot be changed so.

@@ -11,6 +11,7 @@
 
 #include "app/errors.hpp"
 #include "app/study/defect_study.hpp"
+#include "app/study/planet_defect.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/film_study.hpp"
 #include "app/study/gear_case.hpp"
@@ -153,6 +154,9 @@ ValidationTable validation_table_of(const ResolvedCase& resolved, const Expected
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
                    "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing, "
                    "ball-bearing, raceway-defect, duplex-pair or spin-film");
+  if (is_planet_defect(resolved))
+    return study_table(
+        resolved, expected, [](const ResolvedCase& in) { return planet_defect_study(in); }, planet_defect_property);
   if (!resolved.shape().teeth) return study_table(resolved, expected, modes_of, mode_property);
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});

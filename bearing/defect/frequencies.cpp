@@ -8,15 +8,19 @@
 namespace orbearing::bearing::defect {
 
 PassingFrequencies passing_frequencies(const Bearing& bearing, double shaft_speed) {
+  return passing_frequencies(bearing, shaft_speed, 0.0);
+}
+
+PassingFrequencies passing_frequencies(const Bearing& bearing, double inner_speed, double outer_speed) {
   const double hertz = 1.0 / boost::math::double_constants::two_pi;  // [Hz per rad/s]
   const BearingGeometry geometry = geometry_of(bearing);
-  const double cage = kinematic_cage_speed(geometry, shaft_speed, 0.0);
-  const double spin = kinematic_roller_spin(geometry, shaft_speed, 0.0) - cage;
+  const double cage = kinematic_cage_speed(geometry, inner_speed, outer_speed);
+  const double spin = kinematic_roller_spin(geometry, inner_speed, outer_speed) - cage;
   const double count = bearing.element_count();
-  return {.shaft = std::abs(shaft_speed) * hertz,
+  return {.shaft = std::abs(inner_speed - outer_speed) * hertz,
           .cage = std::abs(cage) * hertz,
-          .outer_pass = count * std::abs(cage) * hertz,
-          .inner_pass = count * std::abs(shaft_speed - cage) * hertz,
+          .outer_pass = count * std::abs(outer_speed - cage) * hertz,
+          .inner_pass = count * std::abs(inner_speed - cage) * hertz,
           .element_pass = 2.0 * std::abs(spin) * hertz};
 }
 

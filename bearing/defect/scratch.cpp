@@ -1,6 +1,9 @@
 #include "bearing/defect/scratch.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::defect {
 
@@ -20,8 +23,44 @@ double deepest_sinking(double width, Race race, const BearingGeometry& geometry)
   return arc_height(geometry.element_radius, width) + of_race;
 }
 
+SinkingTable rolled_over(const std::vector<double>& depths, double width, Race race,
+                         const BearingGeometry& geometry) {
+  constexpr int kFine = 20, kLast = SinkingTable::kPoints - 1;  // places looked at for each one that is kept
+  const double of_race = race == Race::inner ? 1.0 / geometry.inner_radius : -1.0 / geometry.outer_radius;
+  const double curvature = 1.0 / geometry.element_radius + of_race;  // [1/m]
+  const auto last = static_cast<double>(depths.size() - 1);
+  const auto depth_at = [&](double share) {  // straight from one measured place to the next
+    const auto i = std::min(static_cast<std::size_t>(share * last), depths.size() - 2);
+    const auto at = [&](std::size_t k) { return k == 0 || k + 1 == depths.size() ? 0.0 : depths[k]; };
+    return at(i) + (share * last - static_cast<double>(i)) * (at(i + 1) - at(i));
+  };
+  SinkingTable table;
+  for (int i = 1; i < kLast; ++i) {
+    double least = depth_at(static_cast<double>(i) / kLast);
+    for (int k = 0; k <= kFine * kLast; ++k) {
+      const double off = width * (static_cast<double>(k) / (kFine * kLast) - static_cast<double>(i) / kLast);
+      least = std::min(least, depth_at(static_cast<double>(k) / (kFine * kLast)) + 0.5 * curvature * off * off);
+    }
+    table.depth[i] = least;
+  }
+  // Level at both edges; within, the slope of a parabola through three neighbours.
+  for (int i = 1; i < kLast; ++i)
+    table.slope[i] = 0.5 * (table.depth[i + 1] - table.depth[i - 1]) * kLast / width;
+  return table;
+}
+
 ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry& geometry) {
-  return {scratch.form, scratch.width, scratch.depth, deepest_sinking(scratch.width, race, geometry)};
+  ScratchLaw law{scratch.form, scratch.width, scratch.depth, deepest_sinking(scratch.width, race, geometry), {}};
+  if (scratch.form != ScratchForm::profile) return law;
+  if (scratch.profile.size() < 3)
+    mechanics::refuse("depths of a measured scratch", static_cast<double>(scratch.profile.size()), "at least 3");
+  std::vector<double> depths = scratch.profile;
+  for (double& depth : depths) {
+    mechanics::require(depth >= 0.0, "depth of a measured scratch over its largest [-]", depth, "0 or more");
+    depth *= scratch.depth;
+  }
+  law.table = rolled_over(depths, scratch.width, race, geometry);
+  return law;
 }
 
 }  // namespace orbearing::bearing::defect

@@ -11,11 +11,12 @@
 
 namespace orbearing::bearing {
 
-constexpr described::Names<ScratchForm, 4> names_of(ScratchForm) {
+constexpr described::Names<ScratchForm, 5> names_of(ScratchForm) {
   return {{{ScratchForm::raised_cosine, "raised-cosine"},
            {ScratchForm::half_cosine, "half-cosine"},
            {ScratchForm::edges, "edges"},
-           {ScratchForm::as_printed, "as-printed"}}};
+           {ScratchForm::as_printed, "as-printed"},
+           {ScratchForm::profile, "profile"}}};
 }
 
 }  // namespace orbearing::bearing
@@ -23,13 +24,14 @@ constexpr described::Names<ScratchForm, 4> names_of(ScratchForm) {
 namespace orbearing::bearing::defect {
 
 /// What is scratched.
-enum class Scratched { none, outer, inner, ball };
+enum class Scratched { none, outer, inner, ball, roller };
 
-constexpr described::Names<Scratched, 4> names_of(Scratched) {
+constexpr described::Names<Scratched, 5> names_of(Scratched) {
   return {{{Scratched::outer, "outer"},
            {Scratched::inner, "inner"},
            {Scratched::ball, "ball"},
-           {Scratched::none, "none"}}};
+           {Scratched::none, "none"},
+           {Scratched::roller, "roller"}}};
 }
 
 /// Scratches that are alike, across the whole width of the track.
@@ -40,23 +42,25 @@ struct Scratch {
   double angle = 0.0;               // [rad]  of its middle when the motion begins
   std::vector<double> more_angles;  // [rad]  of further ones
   ScratchForm form = ScratchForm::raised_cosine;
+  std::vector<double> profile;  // [-]    of ScratchForm::profile: depths over `depth`, even from edge to edge
+  int element = 1;              // number of the scratched ball or roller, from 1
 };
 
 template <class Visitor>
 void describe(Visitor& visit, Scratch& m) {
   using namespace described;
-  constexpr Where scratched{"defect.race", "outer|inner|ball"};
+  constexpr Where scratched{"defect.race", "outer|inner|ball|roller"};
   members(
       visit, m,
-      field(m.race, "defect.race", Felt::defect, "what is scratched: a race, one ball or none",
-            {.models = raceway_defect, .required_by = raceway_defect}),
+      field(m.race, "defect.race", Felt::defect, "what is scratched: a race, one ball, one roller or none",
+            {.models = scratched_bearings, .required_by = raceway_defect}),
       field(m.width, "defect.width", Felt::defect, "width of the scratch along the track",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .dimension = dimension::length,
              .range = positive(100.0),
              .where = scratched}),
       field(m.depth, "defect.depth", Felt::defect, "depth of the scratch",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .dimension = dimension::length,
              .range = positive(100.0),
              .where = scratched}),
@@ -64,20 +68,28 @@ void describe(Visitor& visit, Scratch& m) {
           m.angle, "defect.angle", Felt::defect,
           "angle of the middle of the scratch from the middle of the load zone when the motion begins; of a "
           "ball from its contact with the outer race",
-          {.models = raceway_defect,
+          {.models = scratched_bearings,
            .dimension = dimension::angle,
            .range = {-360.0, 360.0},
            .reason = "in the middle of the load zone",
            .where = scratched}),
       field(m.more_angles, "defect.more_angles", Felt::defect, "angles of further scratches like the first",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},
              .where = scratched}),
       field(m.form, "defect.form", Felt::defect, "how a ball sinks between the edges of the scratch",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .reason = "the printed period of one width, level at both edges",
-             .where = scratched}));
+             .where = scratched}),
+      field(m.profile, "defect.profile", Felt::defect,
+            "depths of a measured scratch over defect.depth, at even places from edge to edge",
+            {.models = scratched_bearings, .range = {0.0, 1.0}, .where = {"defect.form", "profile"}}),
+      field(m.element, "defect.element", Felt::defect, "number of the scratched ball or roller",
+            {.models = scratched_bearings,
+             .range = {1, 1000},
+             .reason = "the first one: all are alike",
+             .where = {"defect.race", "ball|roller"}}));
 }
 
 /// By how much an element on a scratch sinks at the most where it does not touch the bottom [m], eq. 4 of
@@ -85,7 +97,19 @@ void describe(Visitor& visit, Scratch& m) {
 /// less by that of the concave outer one. For a scratch of the element itself `race` is the one it meets.
 double deepest_sinking(double width, Race race, const BearingGeometry& geometry);
 
-/// Of an element that meets `race` of a bearing of this geometry on the scratch.
+/// Whether the scratch is one of a rolling element.
+inline bool of_element(Scratched scratched) {
+  return scratched == Scratched::ball || scratched == Scratched::roller;
+}
+
+/// What an element sinks on a scratch whose depths were measured at even places from edge to edge: as far as its
+/// own arc, relative to that of `race`, lets it touch none of them. The first and the last depth are those of the
+/// edges and count as zero.
+SinkingTable rolled_over(const std::vector<double>& depths, double width, Race race,
+                         const BearingGeometry& geometry);
+
+/// Of an element that meets `race` of a bearing of this geometry on the scratch. Throws std::invalid_argument for
+/// a measured one of less than three depths, or of one below zero.
 ScratchLaw scratch_law(const Scratch& scratch, Race race, const BearingGeometry& geometry);
 
 }  // namespace orbearing::bearing::defect

@@ -24,6 +24,23 @@ balls::ScratchNumbers scratch_numbers(const Scratch& scratch, Race race, const B
   return numbers;
 }
 
+balls::SpotNumbers spot_numbers(const Scratch& scratch, int balls, const BearingGeometry& geometry) {
+  mechanics::require_positive(scratch.width, "width of the scratch [m]");
+  mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
+  mechanics::require(scratch.element >= 1 && scratch.element <= balls, "scratched ball", scratch.element,
+                     "one of the bearing's, counted from 1");
+  std::vector<double> angles = scratch.more_angles;
+  angles.insert(angles.begin(), scratch.angle);
+  if (angles.size() > balls::SpotNumbers::kMost)
+    mechanics::refuse("scratches of a ball", static_cast<double>(angles.size()), "at most 4 in this motion");
+  balls::SpotNumbers numbers{.count = static_cast<int>(angles.size()),
+                             .on_inner = scratch_law(scratch, Race::inner, geometry),
+                             .on_outer = scratch_law(scratch, Race::outer, geometry)};
+  std::copy(angles.begin(), angles.end(), numbers.angle);
+  std::fill_n(numbers.ball, numbers.count, scratch.element - 1);
+  return numbers;
+}
+
 }  // namespace
 
 balls::BallNumbers scratched_numbers(const ScratchedBearing& scratched, balls::MotionParameters motion) {
@@ -41,7 +58,10 @@ balls::BallNumbers scratched_numbers(const ScratchedBearing& scratched, balls::M
       numbers.inner.scratch = scratch_numbers(scratched.scratch, Race::inner, geometry);
       break;
     case Scratched::ball:
-      throw std::invalid_argument("a scratched ball was found; a race is required where balls turn freely");
+      numbers.spots = spot_numbers(scratched.scratch, numbers.balls, geometry);
+      break;
+    case Scratched::roller:
+      throw std::invalid_argument("a scratched roller was found; a ball or a race is required among balls");
     case Scratched::none:
       break;
   }

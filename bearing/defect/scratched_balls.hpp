@@ -11,8 +11,9 @@
 namespace orbearing::bearing::defect {
 
 /// Constants of the motion. Mass and freedom of the rings are those of `scratched`: the outer ring is thin, of
-/// the radius of its race. Throws std::invalid_argument as ball_numbers(), for a scratched ball (how far each
-/// ball has turned is no variable of the motion), and for more scratches than balls::ScratchNumbers holds.
+/// the radius of its race. Throws std::invalid_argument as ball_numbers(), for more scratches than
+/// balls::ScratchNumbers or balls::SpotNumbers hold. A scratch of a ball is round here and its width the diameter,
+/// since a ball may turn it out of its track.
 balls::BallNumbers scratched_numbers(const ScratchedBearing& scratched, balls::MotionParameters motion);
 
 /// The shaft at its speed, load and weight on the outer ring.

@@ -3,6 +3,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <variant>
 
 #include "bearing/contact/damping.hpp"
 #include "bearing/contact/line_contact.hpp"
@@ -66,6 +68,13 @@ ScratchedMotion::ScratchedMotion(const ScratchedBearing& parameters)
 void ScratchedMotion::set_scratches() {
   const Scratch& scratch = in_.scratch;
   if (scratch.race == Scratched::none) return;
+  if (of_element(scratch.race)) {
+    const bool balls = std::holds_alternative<Balls>(in_.bearing.elements);
+    mechanics::require((scratch.race == Scratched::ball) == balls, "scratched element",
+                       std::string(balls ? "a roller" : "a ball"), balls ? "a ball" : "a roller");
+    mechanics::require(scratch.element >= 1 && scratch.element <= elements(), "scratched element", scratch.element,
+                       "one of the bearing's, counted from 1");
+  }
   mechanics::require_positive(scratch.width, "width of the scratch [m]");
   mechanics::require_positive(scratch.depth, "depth of the scratch [m]");
   middle_ = scratch.more_angles;
@@ -83,6 +92,7 @@ void ScratchedMotion::set_scratches() {
       track_radius_ = geometry_.inner_radius;
       return;
     case Scratched::ball:  // meets a race every half turn
+    case Scratched::roller:
       track_speed_ = kinematic_roller_spin(geometry_, in_.shaft_speed, 0.0) - cage_speed_;
       track_radius_ = geometry_.element_radius;
       between_ = kHalfTurn;
@@ -92,11 +102,10 @@ void ScratchedMotion::set_scratches() {
   }
 }
 
-// Of a scratched element the first one has it.
 double ScratchedMotion::from_middle(Eigen::Index element, Eigen::Index scratch, double time) const {
-  const bool of_element = in_.scratch.race == Scratched::ball;
-  if (of_element && element != 0) return std::numeric_limits<double>::max();
-  const double start = of_element ? 0.0 : first_angle_[element];
+  const bool own = of_element(in_.scratch.race);
+  if (own && element != in_.scratch.element - 1) return std::numeric_limits<double>::max();
+  const double start = own ? 0.0 : first_angle_[element];
   const double angle = start - middle_[static_cast<std::size_t>(scratch)] + track_speed_ * time;
   return track_radius_ * std::remainder(angle, between_);
 }
@@ -107,7 +116,7 @@ Sinking<double> ScratchedMotion::sinking_of(Eigen::Index element, double time) c
   for (Eigen::Index i = 0; i < scratches; ++i) {
     if (!on_[elements() + element * scratches + i]) continue;
     bool outer = in_.scratch.race == Scratched::outer;
-    if (in_.scratch.race == Scratched::ball) {
+    if (of_element(in_.scratch.race)) {
       const double turned = track_speed_ * time - middle_[static_cast<std::size_t>(i)];
       outer = std::abs(std::remainder(turned, 2.0 * kHalfTurn)) < 0.5 * kHalfTurn;
     }

@@ -32,6 +32,7 @@ BoreReaction driven_derivative(const BearingModel& model, const BoreMotion& moti
   RingWrenches on_rings;
 
   rates::set_kinematics(state, rate);
+  rates::set_turning(model, state, rate);
   if (model.plain)
     rates::set_rollers<plain_roller_forces>(model, frame, state, rings, on_rings, rate);
   else
@@ -50,7 +51,7 @@ BoreReaction reaction(const BearingModel& model, const BoreMotion& motion,
   const ConstStateViews state = state_views(model.layout, x.data());
   RingWrenches on_rings;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
-    on_rings.add(roller_forces(model, rings, roller_body(state, j), j));
+    on_rings.add(roller_forces(model, rings, roller_body(model, state, j), j));
   on_rings.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
   return {on_rings.bore.force, on_rings.bore.moment};
 }
@@ -67,6 +68,7 @@ BearingModel model_at(const BearingModel& model, const BoreMotion& motion) {
   now.kinematic_cage_speed = kinematic_cage_speed(model.geometry, 0.0, motion.speed);
   for (RaceHarmonic& wave : now.outer.form)
     if (wave.turning) wave.phase -= wave.order * motion.angle;
+  for (RaceScratch& scratch : now.outer.scratches) scratch.angle += motion.angle;
   return now;
 }
 

@@ -4,10 +4,12 @@
 //   force on the roller = -load d(approach)/d(position) = -s load n + s load R'(phi) / distance t
 //
 // so that a small tangential force joins the normal one; its moment about the race's centre, s load R', goes
-// to the race, for the roller is round and takes none.
+// to the race, for the roller is round and takes none. A scratch of the race is a form too. One of the roller is
+// as well, but turns with the roller, which then takes the moment.
 #pragma once
 
 #include "bearing/contact/race_form.hpp"
+#include "bearing/contact/surface_scratch.hpp"
 #include "bearing/motion/contact_motion.hpp"
 
 namespace orbearing::bearing::motion {
@@ -16,6 +18,7 @@ namespace orbearing::bearing::motion {
 struct FormSlope {
   double all = 0.0;      // R'(phi)
   double turning = 0.0;  // the share that turns with the race
+  double rolling = 0.0;  // the share that turns with the roller
 };
 
 /// Puts the form of a race, which turns at `race.speed` and has turned by `race.angle`, into approach and
@@ -23,5 +26,12 @@ struct FormSlope {
 ///   approach speed = s (v_n - R' line_speed + R'_turning race speed).
 FormSlope add_form(const std::vector<RaceHarmonic>& form, double side, const BodyMotion& race,
                    ContactMotion& motion);
+
+/// The same for scratches of the race.
+void add_scratches(const std::vector<RaceScratch>& scratches, double side, const BodyMotion& race,
+                   ContactMotion& motion, FormSlope& slope);
+/// And for those of roller number `roller`, which has turned by `body.angle`.
+void add_scratches(const std::vector<RollerScratch>& scratches, int roller, const BodyMotion& body, double side,
+                   ContactMotion& motion, FormSlope& slope);
 
 }  // namespace orbearing::bearing::motion

@@ -39,7 +39,7 @@ struct RollerBody {
   double orbital_speed = 0.0;  // [rad/s]
 };
 
-inline RollerBody roller_body(const ConstStateViews& state, Eigen::Index j) {
+inline RollerBody roller_body(const BearingModel& model, const ConstStateViews& state, Eigen::Index j) {
   RollerBody roller;
   roller.radius = state.radius[j];
   roller.angle = state.angle[j];
@@ -50,6 +50,8 @@ inline RollerBody roller_body(const ConstStateViews& state, Eigen::Index j) {
   roller.motion.velocity =
       roller.radial_speed * roller.outward + roller.radius * roller.orbital_speed * across(roller.outward);
   roller.motion.speed = state.spin[j];
+  for (const RollerScratch& scratch : model.roller_scratches)
+    if (scratch.roller == j) roller.motion.angle = state.turned[scratch.followed];
   return roller;
 }
 
@@ -86,9 +88,9 @@ inline double elastic_approach(const RaceModel& model, const ContactMotion& moti
 
 inline RollerContacts roller_contacts(const BearingModel& model, const RingBodies& rings,
                                       const RollerBody& roller, Eigen::Index j) {
-  const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
-  RollerContacts contacts{race_motion(model.inner, roller.motion, larger, rings.pin),
-                          race_motion(model.outer, roller.motion, larger, rings.bore)};
+  const RollerSurface surface = surface_of(model, j);
+  RollerContacts contacts{race_motion(model.inner, roller.motion, surface, rings.pin),
+                          race_motion(model.outer, roller.motion, surface, rings.bore)};
   if (model.laminae) {
     LaminaStand& stand = contacts.stand;
     stand.inner_approach = elastic_approach(model.inner, contacts.inner.contact);

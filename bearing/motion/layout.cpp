@@ -36,6 +36,7 @@ std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
   for (const Variable& variable : kOfRollers)
     kinds.insert(kinds.end(), static_cast<std::size_t>(layout.rollers), variable.kind);
   for (const Variable& variable : kOfRings) kinds.push_back(variable.kind);
+  kinds.insert(kinds.end(), static_cast<std::size_t>(layout.followed), VariableKind::angle);
   return kinds;
 }
 
@@ -45,6 +46,8 @@ std::vector<std::string> variable_names(const StateLayout& layout) {
     for (Eigen::Index roller = 1; roller <= layout.rollers; ++roller)
       names.push_back("roller_" + std::to_string(roller) + "_" + variable.name);
   for (const Variable& variable : kOfRings) names.emplace_back(variable.name);
+  for (Eigen::Index i = 1; i <= layout.followed; ++i)
+    names.push_back("followed_roller_" + std::to_string(i) + "_turned [rad]");
   return names;
 }
 

@@ -1,7 +1,7 @@
 // Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
 //
 //   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | cage x y psi x' y' psi' | bore x y x' y' | pin x y
-//   x' y' ]
+//   x' y' | turned (followed) ]
 //
 #pragma once
 
@@ -18,11 +18,13 @@ enum class VariableKind { length, angle, velocity, angular_speed };
 /// Order of the state of a bearing with `rollers` rollers.
 struct StateLayout {
   Eigen::Index rollers = 0;
+  Eigen::Index followed = 0;  // rollers whose turning is followed, since it carries scratches round
 
-  Eigen::Index size() const { return 5 * rollers + 14; }
+  Eigen::Index size() const { return 5 * rollers + 14 + followed; }
   Eigen::Index cage() const { return 5 * rollers; }
   Eigen::Index bore() const { return cage() + 6; }
   Eigen::Index pin() const { return bore() + 4; }
+  Eigen::Index turned() const { return pin() + 4; }
 };
 
 /// Named views on a flat state, or on its derivative: the views then hold the rate of what they are named
@@ -45,6 +47,7 @@ struct StateViews {
   View<Eigen::Vector2d> bore_velocity;  // [m/s]
   View<Eigen::Vector2d> pin_position;   // [m]
   View<Eigen::Vector2d> pin_velocity;   // [m/s]
+  View<Eigen::ArrayXd> turned;          // [rad]    (followed)  by the rollers that are followed, since the start
 };
 
 namespace detail {
@@ -56,7 +59,8 @@ StateViews<Scalar> views(const StateLayout& layout, Scalar* x) {
   Scalar* pin = x + layout.pin();
   using Pair = typename StateViews<Scalar>::template View<Eigen::Vector2d>;
   return {{x, z},         {x + z, z}, {x + 2 * z, z}, {x + 3 * z, z}, {x + 4 * z, z}, Pair(cage),   cage[2],
-          Pair(cage + 3), cage[5],    Pair(bore),     Pair(bore + 2), Pair(pin),      Pair(pin + 2)};
+          Pair(cage + 3), cage[5],    Pair(bore),     Pair(bore + 2), Pair(pin),      Pair(pin + 2),
+          {x + layout.turned(), layout.followed}};
 }
 }  // namespace detail
 

@@ -55,6 +55,7 @@ struct BearingModel {
   FilmContact inner_film;
   FilmContact outer_film;
   PocketModel pocket;
+  std::vector<RollerScratch> roller_scratches = {};
   std::vector<double> radius_deviation;   // [m]  (rollers)  radius of each roller less the stated one
   std::vector<Vector2> pocket_direction;  // [-]  of each pocket at cage angle zero
   GuidanceModel guidance;
@@ -66,7 +67,7 @@ struct BearingModel {
   MeshExcitation excitation;
   Driving driving;
   BoreLoads bore_loads;  // of a run-up
-  bool plain = true;     // round races, equal straight rollers, full lubrication, pockets without film
+  bool plain = true;     // round races without scratches, equal straight rollers without scratches, full lubrication, pockets without film
   double kinematic_cage_speed = 0.0;  // [rad/s]  at which the cage starts, and to which its slip refers
 };
 
@@ -78,6 +79,12 @@ struct BearingModel {
 /// a clearance or a stiffness leaves the equations without meaning.
 BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
                            const DynamicsParameters& parameters);
+
+/// What roller `j` is like.
+inline RollerSurface surface_of(const BearingModel& model, Eigen::Index j) {
+  return {model.radius_deviation[static_cast<std::size_t>(j)],
+          model.roller_scratches.empty() ? nullptr : &model.roller_scratches, static_cast<int>(j)};
+}
 
 /// The laminae of `model`; null where its contacts are not cut. Valid as long as the model stays in its
 /// place.

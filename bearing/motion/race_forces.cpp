@@ -2,16 +2,20 @@
 
 namespace orbearing::bearing::motion {
 
-FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, double larger,
+FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, const RollerSurface& surface,
                           const BodyMotion& race) {
-  FormedContact motion{contact_motion(roller, model.roller_radius + larger, race, model.side), {}};
-  if (!model.form.empty()) motion.form = add_form(model.form, model.side.side, race, motion.contact);
+  FormedContact motion{contact_motion(roller, model.roller_radius + surface.larger, race, model.side), {}};
+  const double side = model.side.side;
+  if (!model.form.empty()) motion.form = add_form(model.form, side, race, motion.contact);
+  add_scratches(model.scratches, side, race, motion.contact, motion.form);
+  if (surface.scratches)
+    add_scratches(*surface.scratches, surface.number, roller, side, motion.contact, motion.form);
   return motion;
 }
 
 RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
-                       double larger) {
-  const FormedContact motion = race_motion(model, roller, larger, race);
+                       const RollerSurface& surface) {
+  const FormedContact motion = race_motion(model, roller, surface, race);
   return race_forces(model, motion, race, straight_load(model, motion.contact));
 }
 
@@ -20,8 +24,9 @@ RaceForces race_forces(const RaceModel& model, const FormedContact& motion, cons
   return contact_forces(model, motion.contact, elastic_load, &motion.form, race.speed);
 }
 
-double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race, double larger) {
-  const ContactMotion motion = race_motion(model, roller, larger, race).contact;
+double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
+                   const RollerSurface& surface) {
+  const ContactMotion motion = race_motion(model, roller, surface, race).contact;
   return model.load.energy(motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
 }
 

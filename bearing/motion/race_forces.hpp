@@ -19,6 +19,7 @@ struct RaceModel {
   RaceLoadLaw load;
   FrictionLaws<double> friction;
   std::vector<RaceHarmonic> form;  // none: round
+  std::vector<RaceScratch> scratches = {};
 };
 
 /// Forces in one race contact.
@@ -39,14 +40,21 @@ inline double entrainment_speed(double rolling, double scale) {
   return std::sqrt(rolling * rolling + scale * scale);
 }
 
-/// Motion in the contact of a roller, larger in radius by `larger` [m] than stated, with the race of `model`,
-/// its form included.
+/// Motion in the contact of a roller with the race of `model`,
+/// its form and its scratches included.
 struct FormedContact {
   ContactMotion contact;
   FormSlope form;
 };
 
-FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, double larger,
+/// What a roller is like: larger in radius by `larger` [m] than stated, with those of `scratches` that are its own.
+struct RollerSurface {
+  double larger = 0.0;                                    // [m]
+  const std::vector<RollerScratch>* scratches = nullptr;  // of all rollers; null: none
+  int number = 0;                                         // of the roller
+};
+
+FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, const RollerSurface& surface,
                           const BodyMotion& race);
 
 /// Elastic load of a straight contact in the given motion [N].
@@ -69,24 +77,27 @@ inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& mo
   const double inlet =
       model.friction.rolling_resistance ? model.friction.inlet(normal.load, motion.rolling, log_speed) : 0.0;
   const double form_moment = form ? model.side.side * normal.load * form->all : 0.0;
+  const double on_roller = form ? model.side.side * normal.load * form->rolling : 0.0;
   const double tilt = (inlet * (motion.race_arm + motion.roller_arm) + form_moment) / motion.distance;
 
   forces.load = normal.load;
   forces.on_roller.force =
       -model.side.side * normal.load * motion.normal + (traction + tilt) * motion.tangent;
-  forces.on_roller.moment = (traction - inlet) * motion.roller_arm;
+  forces.on_roller.moment = (traction - inlet) * motion.roller_arm - on_roller;
   forces.on_race.force = -forces.on_roller.force;
-  forces.on_race.moment = -(traction + inlet) * motion.race_arm - form_moment;
+  forces.on_race.moment = -(traction + inlet) * motion.race_arm - (form_moment - on_roller);
   forces.damping_power = normal.power;
   forces.traction_power = traction * motion.sliding;
   forces.rolling_power = 2.0 * inlet * motion.rolling;
-  if (form) forces.form_power = model.side.side * normal.load * (form->all - form->turning) * race_speed;
+  if (form)
+    forces.form_power =
+        model.side.side * normal.load * (form->all - form->turning - form->rolling) * race_speed;
   return forces;
 }
 
-/// Forces between a roller, larger in radius by `larger` [m] than stated, and the race of `model`, in full.
+/// Forces between a roller and the race of `model`, in full.
 RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
-                       double larger = 0.0);
+                       const RollerSurface& surface = {});
 
 /// The same where the race is round and the roller as stated: without branches for what
 /// is absent, since most runs are such and spend their time here.
@@ -102,6 +113,6 @@ RaceForces race_forces(const RaceModel& model, const FormedContact& motion, cons
 
 /// Energy stored in the contact [J].
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
-                   double larger = 0.0);
+                   const RollerSurface& surface = {});
 
 }  // namespace orbearing::bearing::motion

@@ -15,6 +15,11 @@ inline void set_kinematics(const ConstStateViews& state, MutableStateViews& rate
   rate.pin_position = state.pin_velocity;
 }
 
+inline void set_turning(const BearingModel& model, const ConstStateViews& state, MutableStateViews& rate) {
+  for (const RollerScratch& scratch : model.roller_scratches)
+    rate.turned[scratch.followed] = state.spin[scratch.roller];
+}
+
 // Newton and Euler for one roller in polar coordinates; 2 r' theta' is kinematic. Forces that pass through
 // memory on the way here cost a third of the right-hand side: hence inline.
 [[gnu::always_inline]] inline void set_roller(const BearingModel& model, const CarrierFrame& frame,
@@ -42,7 +47,7 @@ template <auto forces_on>
 void set_rollers(const BearingModel& model, const CarrierFrame& frame, const ConstStateViews& state,
                  const RingBodies& rings, RingWrenches& on_rings, MutableStateViews& rate) {
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const RollerBody roller = roller_body(state, j);
+    const RollerBody roller = roller_body(model, state, j);
     const RollerForces forces = forces_on(model, rings, roller, j);
     set_roller(model, frame, roller, forces, j, rate);
     on_rings.add(forces);

@@ -76,9 +76,9 @@ double elastic_energy(const RaceModel& model, double elastic_approach) {
 // Both contacts of a roller. What the film holds is that of the straight contact.
 double contact_energy(const BearingModel& model, const RingBodies& rings, const RollerBody& roller,
                       Eigen::Index j) {
-  const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
-  const double straight = race_energy(model.inner, roller.motion, rings.pin, larger) +
-                          race_energy(model.outer, roller.motion, rings.bore, larger);
+  const RollerSurface surface = surface_of(model, j);
+  const double straight = race_energy(model.inner, roller.motion, rings.pin, surface) +
+                          race_energy(model.outer, roller.motion, rings.bore, surface);
   if (!model.laminae) return straight;
   const RollerContacts contacts = roller_contacts(model, rings, roller, j);
   const double inner = elastic_approach(model.inner, contacts.inner.contact);
@@ -103,7 +103,7 @@ RingWrenches ring_wrenches(const BearingModel& model, const ConstStateViews& sta
                            double& standing_form) {
   RingWrenches sum;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const RollerForces forces = roller_forces(model, rings, roller_body(state, j), j);
+    const RollerForces forces = roller_forces(model, rings, roller_body(model, state, j), j);
     standing_form -= forces.inner.form_power + forces.outer.form_power;
     sum.add(forces);
   }
@@ -124,15 +124,16 @@ double euler_power(const BearingModel& model, const ConstStateViews& state, cons
                  power_on(model.bore_mass, 0.0, rings.bore) -
                  model.cage.inertia * only.euler * rings.cage.speed;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const BodyMotion roller = roller_body(state, j).motion;
+    const BodyMotion roller = roller_body(model, state, j).motion;
     power +=
         power_on(model.roller.mass, orbit_radius, roller) - model.roller.inertia * only.euler * roller.speed;
   }
   return power;
 }
 
-double entrainment(const RaceModel& race, const BodyMotion& roller, double larger, const BodyMotion& ring) {
-  return entrainment_speed(race_motion(race, roller, larger, ring).contact.rolling, race.entrainment_scale);
+double entrainment(const RaceModel& race, const BodyMotion& roller, const RollerSurface& surface,
+                   const BodyMotion& ring) {
+  return entrainment_speed(race_motion(race, roller, surface, ring).contact.rolling, race.entrainment_scale);
 }
 
 double changing_film_power(const BearingModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
@@ -147,12 +148,12 @@ double changing_film_power(const BearingModel& model, double time, const Eigen::
                               ring_bodies(model, views[2], time + kDifferenceTime)};
   double power = 0.0;
   const auto add = [&](const RaceModel& race, const BodyMotion RingBodies::*ring, Eigen::Index j) {
-    const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
-    const BodyMotion now = roller_body(views[1], j).motion;
-    const double speed = entrainment(race, now, larger, rings[1].*ring);
-    const double change = entrainment(race, roller_body(views[2], j).motion, larger, rings[2].*ring) -
-                          entrainment(race, roller_body(views[0], j).motion, larger, rings[0].*ring);
-    const double approach = race_motion(race, now, larger, rings[1].*ring).contact.approach;
+    const RollerSurface surface = surface_of(model, j);
+    const BodyMotion now = roller_body(model, views[1], j).motion;
+    const double speed = entrainment(race, now, surface, rings[1].*ring);
+    const double change = entrainment(race, roller_body(model, views[2], j).motion, surface, rings[2].*ring) -
+                          entrainment(race, roller_body(model, views[0], j).motion, surface, rings[0].*ring);
+    const double approach = race_motion(race, now, surface, rings[1].*ring).contact.approach;
     power += race.load.energy_slope(approach, speed) * change / (2.0 * kDifferenceTime);
   };
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
@@ -184,7 +185,7 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
   into.laminae = cut_races(model);
   resize(into, model.layout.rollers, into.laminae != nullptr);
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    const RollerBody roller = roller_body(state, j);
+    const RollerBody roller = roller_body(model, state, j);
     const RollerForces forces = roller_forces(model, rings, roller, j);
     record(forces.inner, model.inner_film, j, into.inner);
     record(forces.outer, model.outer_film, j, into.outer);
@@ -216,7 +217,7 @@ StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eig
   const RingBodies rings = ring_bodies(model, state, time);
   StoredEnergy energy;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
-    add_roller_energy(model, frame, rings, roller_body(state, j), j, energy);
+    add_roller_energy(model, frame, rings, roller_body(model, state, j), j, energy);
   energy.kinetic += kinetic(model.cage, rings.cage) +
                     0.5 * model.bore_mass * rings.bore.velocity.squaredNorm() +
                     0.5 * model.pin_mass * rings.pin.velocity.squaredNorm();

@@ -74,6 +74,9 @@ CoupledOptions with_window(CoupledOptions options, double window) {
 }  // namespace
 
 PlanetaryCoupling planetary_coupling(const system::CoupledSetup& setup) {
+  if (!setup.scratched.empty())
+    throw std::invalid_argument(
+        "co-simulation: found scratched planet bearings; required: one system (monolithic), which knows them");
   PlanetaryCoupling out;
   const gearset::dynamics::Operation& operation = setup.gears.operation;
   out.gears = std::make_unique<system::DrivenGears>(setup.gears);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
-#include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "coupling/integration/integrate_switches.hpp"
 #include "coupling/integration/run.hpp"
 #include "coupling/integration/window.hpp"
+#include "coupling/study/low_pass.hpp"
 #include "coupling/system/ball_run.hpp"
 
 namespace orbearing::study {
@@ -44,44 +44,7 @@ integration::Switches switches_of(ScratchedMotion& motion) {
           .largest_step = std::isfinite(passing) ? passing / steps_in_a_scratch : 0.0};
 }
 
-// What an instrument has before it samples: a low-pass, here the windowed sine of Blackman over samples taken
-// more often. Forces that jump would else show as lines where none are.
-class LowPass {
- public:
-  static constexpr long kOversampling = 8;
-  static constexpr long kReach = 16;  // samples to each side that one takes part in
-
-  LowPass() : weight_(2 * kReach * kOversampling + 1), last_(2, weight_.size()) {
-    constexpr double middle =
-        0.42;  // of the fall from 1 to 0, over the sampling rate: between a third and a half
-    const auto reach = static_cast<double>(kReach * kOversampling);
-    for (Eigen::Index k = 0; k < weight_.size(); ++k) {
-      const double at = static_cast<double>(k) - reach, turn = kHalfTurn * at / reach;
-      const double blackman = 0.42 + 0.5 * std::cos(turn) + 0.08 * std::cos(2.0 * turn);
-      weight_[k] = blackman * boost::math::sinc_pi(2.0 * kHalfTurn * middle * at / kOversampling);
-    }
-    weight_ /= weight_.sum();
-    last_.setZero();
-  }
-
-  void take(const Eigen::Vector2d& value) {
-    last_.col(next_) = value.array();
-    next_ = (next_ + 1) % last_.cols();
-  }
-
-  /// The value `kReach` samples ago.
-  Eigen::Array2d value() const {
-    const Eigen::Index old = last_.cols() - next_;  // how many stand at the end of the store
-    return (last_.rightCols(old).matrix() * weight_.head(old).matrix() +
-            last_.leftCols(next_).matrix() * weight_.tail(next_).matrix())
-        .array();
-  }
-
- private:
-  Eigen::ArrayXd weight_;
-  Eigen::Array2Xd last_;
-  Eigen::Index next_ = 0;
-};
+using LowPass = InstrumentLowPass<2>;
 
 // What one instant adds to the signal.
 struct Instant {

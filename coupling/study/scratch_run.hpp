@@ -26,7 +26,7 @@ void describe(Visitor& visit, Sampling& m) {
   members(
       visit, m,
       field(m.rate, "signal.sampling_rate", Felt::defect, "samples of the vibration a second",
-            {.models = raceway_defect,
+            {.models = scratched_bearings,
              .dimension = dimension::frequency,
              .range = {1e-3, 1e5},
              .reason = "a usual rate of instruments, far above the vibration of the ring"}),

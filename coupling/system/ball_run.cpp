@@ -227,7 +227,7 @@ void sample_series(const BallBearing& model, const bearing::BearingGeometry& geo
 }  // namespace
 
 std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
-  const StateLayout layout{c.balls};
+  const StateLayout layout{c.balls, c.spots.count};
   const double frequency = ball_frequency(c);
   std::vector<double> allowed(static_cast<std::size_t>(layout.size()), 0.0);
   const double per_radius = 1.0 / c.pitch_radius;

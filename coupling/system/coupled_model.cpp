@@ -5,8 +5,11 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
+#include "bearing/defect/scratched_rollers.hpp"
 #include "coupling/system/driven_bearing.hpp"
+#include "mechanics/checks.hpp"
 
 namespace orbearing::system {
 
@@ -29,6 +32,20 @@ PlanetPort port_of(const PlanetBearing& bearing) {
 
 constexpr int kMostRounds = 30;
 constexpr double kBalancedChange = 1e-9;  // [-]  of the largest force: good enough
+
+void put_scratched(const CoupledSetup& setup, CoupledModel& model) {
+  for (const ScratchedPlanet& one : setup.scratched) {
+    mechanics::require(one.planet >= 0 && one.planet < static_cast<int>(model.ports.size()), "scratched planet",
+                       one.planet + 1, "one of the set's, counted from 1");
+    mechanics::require(one.bearing >= 0 && one.bearing < model.per_planet, "scratched bearing of a planet",
+                       one.bearing + 1, "one of the planet's, counted from 1");
+    const int b = one.planet * model.per_planet + one.bearing;
+    bearing::motion::BearingModel own = model.bearing_of(b);
+    bearing::defect::put_scratches(one.scratches, own);
+    model.scratched.push_back(std::move(own));
+    model.scratched_bearing.push_back(b);
+  }
+}
 
 // Bearings under the motion of the gears at rest; what they do to each planet.
 std::vector<double> forces_under(const CoupledModel& model, const DrivenGearsOutput& gears,
@@ -85,6 +102,7 @@ CoupledModel coupled_model(const CoupledSetup& setup) {
   if (!setup.bore_tilts.empty())
     for (int planet = 0; planet < setup.gears.set.planets; ++planet)
       model.tilted.push_back(driven_model(bearing_of_planet(setup, planet, 0)));
+  put_scratched(setup, model);
   return model;
 }
 
@@ -120,7 +138,13 @@ CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model,
     if (change(before, forces) <= kBalancedChange) break;
   }
   CoupledStart start{gears.state(), {}};
-  for (const DrivenBearing& bearing : bearings) start.bearings.push_back(bearing.state());
+  for (const DrivenBearing& bearing : bearings) {
+    // Scratches count from here on: rollers that are followed have turned by nothing.
+    const Eigen::Index size = model.bearing_of(static_cast<int>(start.bearings.size())).layout.size();
+    Eigen::VectorXd state = Eigen::VectorXd::Zero(size);
+    state.head(bearing.state().size()) = bearing.state();
+    start.bearings.push_back(std::move(state));
+  }
   return start;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bearing/defect/scratch.hpp"
 #include "bearing/motion/bore_motion.hpp"
 #include "bearing/motion/model.hpp"
 #include "coupling/system/driven_bearing.hpp"
@@ -11,6 +12,13 @@
 #include "gearset/dynamics/equations.hpp"
 
 namespace orbearing::system {
+
+/// Scratches of one bearing of one planet, both counted from 0.
+struct ScratchedPlanet {
+  int planet = 0;
+  int bearing = 0;
+  std::vector<bearing::defect::Scratch> scratches;
+};
 
 /// All that is fixed before a run. Bearings of one planet see the same motion; their first rollers stand
 /// evenly spaced over one pitch, so that they are no copies of each other.
@@ -20,6 +28,7 @@ struct CoupledSetup {
   int bearings_per_planet = 2;
   int most_refined = 2;  // [-]  bearings that may take shorter steps than all others at a time
   std::vector<Eigen::Vector2d> bore_tilts = {};  // [rad]  (planets) where unlike; empty: bearing.bore_tilt
+  std::vector<ScratchedPlanet> scratched = {};  // all others are sound
 };
 
 /// That of one bearing of a planet, both counted from 0.
@@ -53,7 +62,12 @@ struct CoupledModel {
   int per_planet = 1;
   std::vector<bearing::motion::BearingModel> tilted = {};  // (planets) where their tilts are unlike
 
+  std::vector<bearing::motion::BearingModel> scratched = {};
+  std::vector<int> scratched_bearing = {};  // to which of all each of these belongs
+
   const bearing::motion::BearingModel& bearing_of(int b) const {
+    for (std::size_t i = 0; i < scratched.size(); ++i)
+      if (scratched_bearing[i] == b) return scratched[i];
     return tilted.empty() ? bearing : tilted[static_cast<std::size_t>(b / per_planet)];
   }
   int bearings() const { return static_cast<int>(ports.size()) * per_planet; }

@@ -41,7 +41,7 @@ CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& m
       kGearErrorFactor * integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
   return {.gears = {gears.begin(), gears.end()},
           .bearing = system::linearly_implicit_errors(
-              coupled.bearing(0), system::allowed_errors(model.bearing, setup.bearing.allowed_length_error)),
+              coupled.bearing(0), system::allowed_errors(model.bearing_of(0), setup.bearing.allowed_length_error)),
           .longest_step = system::longest_step(model.bearing),
           .most_refined = setup.most_refined,
           .most_steps = setup.bearing.most_steps};
@@ -230,7 +230,7 @@ void Monolithic::Inside::count_turns() {
 
 void Monolithic::Inside::require_in_place() const {
   for (int b = 0; b < system_.bearings(); ++b) {
-    const std::string reason = system::out_of_place(model_.bearing, bearing_state(b));
+    const std::string reason = system::out_of_place(model_.bearing_of(b), bearing_state(b));
     if (reason.empty()) continue;
     std::ostringstream text;
     text << "bearing " << b + 1 << " at t = " << time_ << " s: " << reason;
@@ -243,7 +243,7 @@ Eigen::VectorXd Monolithic::Inside::gear_state() const {
 }
 
 Eigen::VectorXd Monolithic::Inside::bearing_state(int b) const {
-  Eigen::VectorXd flat(model_.bearing.layout.size());
+  Eigen::VectorXd flat(model_.bearing_of(b).layout.size());
   system_.bearing(b).flatten(system_.of_bearing(shown_.data(), b), flat);
   return flat;
 }

@@ -108,6 +108,58 @@ TEST(BallMotion, PowerBalancesOnScratches) {
   EXPECT_GT(felt, 1.0);
 }
 
+// A scratch on each of some balls, turned to about where the ball touches a race.
+void scratch_balls(RandomBalls& random, Started& s) {
+  SpotNumbers& spots = s.numbers.spots;
+  const BallBearing sound(s.numbers, s.drawn.duty);
+  const BallSnapshot now = sound.snapshot(0.0, s.x.data());
+  const double width = random.between(0.05, 0.3) * s.numbers.radius;
+  for (ScratchLaw* law : {&spots.on_inner, &spots.on_outer}) {
+    law->form = random.between(0.0, 1.0) < 0.5 ? ScratchForm::raised_cosine : ScratchForm::edges;
+    law->width = width;
+    law->deepest = random.between(0.001, 0.05) * width;
+    law->bottom = random.between(0.5, 3.0) * law->deepest;
+  }
+  spots.count = std::min(s.numbers.balls, SpotNumbers::kMost);
+  const StateLayout layout{s.numbers.balls, spots.count};
+  s.x.resize(static_cast<std::size_t>(layout.size()), 0.0);
+  for (int i = 0; i < spots.count; ++i) {
+    spots.ball[i] = i;
+    const auto place = static_cast<std::size_t>(i);
+    const bool outer = random.between(0.0, 1.0) < 0.5;
+    const double leaning = outer ? now.outer[place].contact_angle : 3.141592653589793 - now.inner[place].contact_angle;
+    const double ahead = random.between(-0.3, 0.3) * width / s.numbers.radius;
+    const double aside = leaning + random.between(-0.3, 0.3) * width / s.numbers.radius;
+    const double angle = s.x[static_cast<std::size_t>(layout.lanes() + i)];
+    const double r = std::cos(aside), t = std::sin(ahead);
+    double* into = s.x.data() + layout.spot(i);
+    into[0] = r * std::cos(angle) - t * std::sin(angle);
+    into[1] = r * std::sin(angle) + t * std::cos(angle);
+    into[2] = std::sin(aside);
+  }
+}
+
+// Issue 14, Build 7: a scratch of a ball turns with the ball, wherever that turns, and its forces and moments are
+// those of the contacts' energy.
+TEST(BallMotion, PowerBalancesOnScratchedBalls) {
+  RandomBalls random(12);
+  int struck = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    SCOPED_TRACE(draw);
+    Started s = started(random, 1.5);
+    BallBearing sound(s.numbers, s.drawn.duty);
+    const double before = sound.energy(s.x.data()).races;
+    scratch_balls(random, s);
+    BallBearing model(s.numbers, s.drawn.duty);
+    const double growth = growth_of_energy(model, s.x);
+    const BallSnapshot now = model.snapshot(0.0, s.x.data());
+    const double input = model.power_input(0.0, s.x.data()), balance = input - now.loss.total();
+    EXPECT_NEAR(growth, balance, 3e-5 * (now.loss.total() + std::abs(input) + std::abs(growth) + 1.0));
+    if (std::abs(model.energy(s.x.data()).races - before) > 1e-3 * before) ++struck;
+  }
+  EXPECT_GT(struck, 50);
+}
+
 // A cage that leans on both of its lands at once meets the stated stiffness: half of it on each.
 TEST(BallMotion, BothLandsTogetherAreAsStiffAsStated) {
   RandomBalls random;

@@ -5,6 +5,7 @@
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/instant.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "tests/many_scratches.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::motion::dynamics_forces_test {
@@ -13,7 +14,7 @@ namespace {
 constexpr int kStates = 40;
 constexpr double kSpeed = 0.05;  // share of the kinematic speeds by which a state is shaken
 
-enum class Refinement { none, forms, unequal_rollers, mixed_lubrication, pocket_film, run_up, printed };
+enum class Refinement { none, forms, scratches, unequal_rollers, mixed_lubrication, pocket_film, run_up, printed };
 
 struct Variant {
   const char* name;
@@ -46,6 +47,9 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         bearing.outer.form = {{3, 3e-6, -0.7, false}, {2, 2e-6, 1.0, true}};
         point.inner_speed = -300.0;
         break;
+      case Refinement::scratches:
+        point.inner_speed = -300.0;
+        break;
       case Refinement::unequal_rollers:
         bearing.rollers().diameter_deviation = {4e-6, -3e-6, 0.0, 8e-6};
         break;
@@ -67,6 +71,13 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
     }
   }
 
+  BearingModel model_now() const {
+    BearingModel model = bearing_model(bearing, point, parameters);
+    if (GetParam().refinement == Refinement::scratches)
+      defect::put_scratches(test::scratched_everywhere(), model);
+    return model;
+  }
+
   Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
   OperatingPoint point = test::reducer_point(6000.0);
@@ -78,7 +89,7 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
 TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
   point.outer_speed = point.inner_speed = 0.0;
   parameters.driving = {};  // Euler's terms have no potential
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  const BearingModel model = model_now();
   const PlanetBearingEquations equations(model);
   const StateLayout& layout = model.layout;
   const Eigen::Index z = layout.rollers;
@@ -122,7 +133,7 @@ TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
 // Along the motion, all that is stored changes by what enters less what is lost, in any state whatever.
 TEST_P(DynamicsIdentity, PowerBalancesInEveryState) {
   if (GetParam().refinement != Refinement::run_up) point.carrier.acceleration = 300.0;
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  const BearingModel model = model_now();
   const PlanetBearingEquations equations(model);
   for (int k = 0; k < kStates; ++k) {
     const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 5e-6, kSpeed, random);
@@ -142,7 +153,7 @@ TEST_P(DynamicsIdentity, PowerBalancesInEveryState) {
 }
 
 TEST_P(DynamicsIdentity, LossesAreNeverNegative) {
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  const BearingModel model = model_now();
   for (int k = 0; k < kStates; ++k) {
     const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 3e-5, 3.0 * kSpeed, random);
     const PowerLoss loss = snapshot(model, x).loss;
@@ -155,7 +166,7 @@ TEST_P(DynamicsIdentity, LossesAreNeverNegative) {
 
 // Forces inside the bearing cancel, and so do their moments about the origin.
 TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  const BearingModel model = model_now();
   for (int k = 0; k < kStates; ++k) {
     const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 3e-5, kSpeed, random);
     const ConstStateViews state = state_views(model.layout, x.data());
@@ -169,7 +180,7 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
       scale += wrench.force.norm();
     };
     for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-      const RollerBody roller = roller_body(state, j);
+      const RollerBody roller = roller_body(model, state, j);
       const RollerForces forces = roller_forces(model, rings, roller, j);
       for (const Wrench& wrench : {forces.inner.on_roller, forces.outer.on_roller, forces.pocket.on_roller})
         add(wrench, roller.motion.position);
@@ -187,8 +198,9 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
 
 // Rollers have no names: turning the cage by one pocket and renaming the rollers changes nothing.
 TEST_P(DynamicsIdentity, RollersCanBeRenamed) {
-  if (!bearing.rollers().diameter_deviation.empty()) GTEST_SKIP() << "these rollers have names";
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  if (!bearing.rollers().diameter_deviation.empty() || GetParam().refinement == Refinement::scratches)
+    GTEST_SKIP() << "these rollers have names";
+  const BearingModel model = model_now();
   const PlanetBearingEquations equations(model);
   const Eigen::Index z = model.layout.rollers;
   const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 1e-5, kSpeed, random);
@@ -215,6 +227,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Variant{"limiting_shear", false, false, TractionLaw::limiting_shear},
                     Variant{"inner_guidance", true, true, TractionLaw::limiting_shear},
                     Variant{"forms", true, false, TractionLaw::regularised_coulomb, Refinement::forms},
+                    Variant{"scratches", true, false, TractionLaw::regularised_coulomb, Refinement::scratches},
                     Variant{"unequal_rollers", true, false, TractionLaw::regularised_coulomb,
                             Refinement::unequal_rollers},
                     Variant{"mixed_lubrication", false, false, TractionLaw::limiting_shear,

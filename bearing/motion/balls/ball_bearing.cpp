@@ -65,9 +65,10 @@ struct BallTouches {
 
 template <class Law>
 [[gnu::noinline]] RaceTouch<double> touch_of(const Law& law, const BallNumbers& c, const GrooveNumbers& groove,
-                                             const Ball<double>& ball, const SeenBody<double>& ring) {
+                                             const Ball<double>& ball, const SeenBody<double>& ring,
+                                             const SeenSpots<double>& spots) {
   ContactSlopes<double> unused;
-  return race_touch<false>(law, c, groove, ball, ring, unused);
+  return race_touch<false>(law, c, groove, ball, ring, spots, unused);
 }
 
 std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& layout, const Bodies& bodies,
@@ -76,10 +77,16 @@ std::vector<BallTouches> touches_of(const BallNumbers& c, const StateLayout& lay
   for (int j = 0; j < c.balls; ++j) {
     BallTouches& now = all.emplace_back();
     now.ball = ball_of(layout, x, j);
+    SeenSpots<double> spots;
+    for (int i = 0; i < c.spots.count; ++i) {
+      if (c.spots.ball[i] != j) continue;
+      const double* place = x + layout.spot(i);
+      spots.spot[spots.count++] = {in_axes_of(now.ball, unit(Triple<double>{place[0], place[1], place[2]})), 1.0};
+    }
     for (const int race : {0, 1}) {
       now.ring[race] = seen(now.ball, race == 0 ? bodies.inner : bodies.outer);
       now.race[race] = with_shear_law(c.shear.law, [&](auto law) {
-        return touch_of(law, c, race == 0 ? c.inner : c.outer, now.ball, now.ring[race]);
+        return touch_of(law, c, race == 0 ? c.inner : c.outer, now.ball, now.ring[race], spots);
       });
     }
     const SeenBody<double> cage = seen(now.ball, bodies.cage);
@@ -127,7 +134,7 @@ double RingDrive::angle_at(double time) const {
 BallBearing::BallBearing(const BallNumbers& numbers, const BallDuty& duty, mechanics::InstructionSet set)
     : numbers_(numbers),
       duty_(duty),
-      layout_{numbers.balls},
+      layout_{numbers.balls, numbers.spots.count},
       engine_(make_engine(set, numbers_)),
       last_x_(static_cast<std::size_t>(layout_.size())),
       last_rate_(last_x_.size()) {}
@@ -307,6 +314,17 @@ std::vector<double> start_state(const Bearing& bearing, const BallBearing& model
     const double turning = (share * outer_speed - cage) * (entry(0) / c.radius + std::cos(angle_here));
     entry(6) = -turning * std::sin(angle_here);
     entry(8) = turning * std::cos(angle_here) + cage;
+  }
+  for (int i = 0; i < c.spots.count; ++i) {
+    const double lean = bearing.balls().contact_angle, ahead = c.spots.angle[i];
+    const double angle = x[static_cast<std::size_t>(lanes + c.spots.ball[i])];
+    const Ball<double> axes{0.0, 0.0, std::cos(angle), std::sin(angle), {}, {}, 0.0};
+    const Triple<double> place = in_bearing_axes(
+        axes, Triple<double>{std::cos(lean) * std::cos(ahead), std::sin(ahead), std::sin(lean) * std::cos(ahead)});
+    double* into = x.data() + layout.spot(i);
+    into[0] = place.x;
+    into[1] = place.y;
+    into[2] = place.z;
   }
   x[static_cast<std::size_t>(layout.cage() + 5)] = first;
   x[static_cast<std::size_t>(layout.cage() + 2 * kCageUnknowns - 1)] = cage;

@@ -61,6 +61,11 @@ Triple<Number> in_bearing_axes(const Ball<Number>& ball, const Triple<Number>& v
   return {v.x * ball.cosine - v.y * ball.sine, v.x * ball.sine + v.y * ball.cosine, v.z};
 }
 
+/// Of length 1.
+[[gnu::always_inline]] inline Triple<double> unit(const Triple<double>& v) {
+  return scaled(1.0 / __builtin_sqrt(dot(v, v)), v);
+}
+
 /// A body in the axes of one ball.
 template <class Number>
 struct SeenBody {

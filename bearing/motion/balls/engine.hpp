@@ -12,17 +12,20 @@ inline constexpr int kCageUnknowns = 6;
 
 /// Order of the padded state: [ r | theta | z | r' | theta' | z' | spin r | spin theta | spin z ] of lanes()
 /// entries each, then cage x y z a_x a_y psi and their rates (its spin in place of psi'), inner ring x y z
-/// a_x a_y and rates, outer ring likewise. Entries beyond the balls are at rest.
+/// a_x a_y and rates, outer ring likewise, and of each scratch of a ball the direction of its middle x y z.
+/// Entries beyond the balls are at rest.
 struct StateLayout {
   static constexpr int kGroups = 9;
 
   int balls = 0;
+  int spots = 0;
 
   int lanes() const { return (balls + kPadding - 1) / kPadding * kPadding; }
   int cage() const { return kGroups * lanes(); }
   int inner() const { return cage() + 2 * kCageUnknowns; }
   int outer() const { return inner() + 2 * kRingUnknowns; }
-  int end() const { return outer() + 2 * kRingUnknowns; }
+  int spot(int i) const { return outer() + 2 * kRingUnknowns + 3 * i; }
+  int end() const { return spot(spots); }
   /// Length of the arrays: a multiple of kPadding.
   int size() const { return (end() + kPadding - 1) / kPadding * kPadding; }
 };

@@ -23,6 +23,17 @@ struct ScratchNumbers {
   ScratchLaw law;
 };
 
+/// Round scratches on balls, all alike. How each is turned is part of the state.
+struct SpotNumbers {
+  static constexpr int kMost = 4;
+
+  int count = 0;
+  int ball[kMost]{};      // that has it, from 0
+  double angle[kMost]{};  // [rad]  from the contact with the outer race, in the plane of rolling, at the start
+  ScratchLaw on_inner;
+  ScratchLaw on_outer;
+};
+
 /// One grooved race with its contact.
 struct GrooveNumbers {
   double centre_radius = 0.0;  // [m]        of the circle on which the groove's centre lies, in the ring's axes
@@ -92,6 +103,7 @@ struct BallNumbers {
   PocketNumbers pocket;
   LandNumbers land;
   DragNumbers drag;
+  SpotNumbers spots;
   BodyNumbers inner_ring;
   BodyNumbers outer_ring;
   BodyNumbers cage;

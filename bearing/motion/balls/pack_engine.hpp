@@ -50,7 +50,7 @@ class PackEngine final : public Engine {
  public:
   explicit PackEngine(const BallNumbers& numbers)
       : c_(numbers),
-        layout_{numbers.balls},
+        layout_{numbers.balls, numbers.spots.count},
         packs_((numbers.balls + kLanes - 1) / kLanes),
         linear_(packs_),
         block_(packs_),
@@ -102,6 +102,20 @@ class PackEngine final : public Engine {
   void add_lands(double g);
   template <int kEnd>
   bool assemble(double g);
+
+  SeenSpots<Pack> seen_spots(int p, const double* x, const Ball<Pack>& ball) const {
+    SeenSpots<Pack> seen;
+    for (int i = 0; i < c_.spots.count; ++i) {
+      const int lane = c_.spots.ball[i] - p * kLanes;
+      if (lane < 0 || lane >= kLanes) continue;
+      const Mask own = first_lanes(lane + 1) & ~first_lanes(lane);
+      const double* place = x + layout_.spot(i);
+      seen.spot[seen.count++] = {in_axes_of(ball, unit(Triple<double>{place[0], place[1], place[2]})),
+                                 only(own, spread(1.0))};
+    }
+    return seen;
+  }
+  [[gnu::flatten]] void turn_spots(const double* x, double* dx) const;
 
   Mask present(int p) const { return first_lanes(c_.balls - p * kLanes); }
   Pack entry(const double* x, int group, int p) const {
@@ -167,13 +181,14 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   ball.velocity.y = ball.radius * orbital;
   BallPack& at = linear_[p];
   BallWrench<Pack> sum;
+  const SeenSpots<Pack> spots = seen_spots(p, x, ball);
   // One copy of the code serves both races.
 #pragma GCC unroll 1
   for (int race = 0; race < 2; ++race) {
     const bool in = race == 0;
     const SeenBody<Pack> ring = seen(ball, in ? inner : outer);
     const RaceTouch<Pack> touch = race_touch<kSlopes>(law, c_, in ? c_.inner : c_.outer, ball, ring,
-                                                      in ? at.inner : at.outer);
+                                                      spots, in ? at.inner : at.outer);
     react(ball, ring.from_centre, touch.on_ball, here, in ? on_inner : on_outer);
     sum += touch.on_ball;
     (in ? at.from_inner : at.from_outer) = ring.from_centre;
@@ -208,6 +223,22 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   if constexpr (kSlopes) {
     at.ball = ball;
     at.from_cage = seen_cage.from_centre;
+  }
+}
+
+/// Scratches turn with their balls.
+inline void PackEngine::turn_spots(const double* x, double* dx) const {
+  const int lanes = layout_.lanes();
+  for (int i = 0; i < c_.spots.count; ++i) {
+    const int j = c_.spots.ball[i];
+    const double c = __builtin_cos(x[lanes + j]), s = __builtin_sin(x[lanes + j]);
+    const double r = x[6 * lanes + j], t = x[7 * lanes + j];
+    const double* place = x + layout_.spot(i);
+    const Triple<double> rate = cross(Triple<double>{r * c - t * s, r * s + t * c, x[8 * lanes + j]},
+                                      Triple<double>{place[0], place[1], place[2]});
+    dx[layout_.spot(i)] = rate.x;
+    dx[layout_.spot(i) + 1] = rate.y;
+    dx[layout_.spot(i) + 2] = rate.z;
   }
 }
 
@@ -301,6 +332,7 @@ void PackEngine::evaluate(const Law& law, const double* x, const Surroundings& n
   cage_rate[2 * kCageUnknowns - 1] =
       (dot(on_cage.moment, cage.axis) - c_.drag.cage_churning * cage.spin * __builtin_fabs(cage.spin)) /
       c_.cage.polar;
+  turn_spots(x, dx);
   for (int i = layout_.end(); i < layout_.size(); ++i) dx[i] = 0.0;
   clear_rest(dx);
 }

@@ -328,6 +328,7 @@ inline void PackEngine::add_film(const BallPack& at, const BodyColumns& columns,
     for (int i = 0; i < 6; ++i) put(rate[i], k, 3 + i, p);
     for (int i = 0; i < 3; ++i) put(entry(rhs, i, p) + g_ * rate[i], k, i, p);
   }
+  for (int i = layout_.spot(0); i < layout_.end(); ++i) k[i] = rhs[i];  // the order does not ask for more
   for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;
   clear_rest(k);
 }

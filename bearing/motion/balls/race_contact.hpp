@@ -10,6 +10,7 @@
 #pragma once
 
 #include "bearing/contact/damping.hpp"
+#include "bearing/motion/balls/ball_spot.hpp"
 #include "bearing/motion/balls/bodies.hpp"
 
 namespace orbearing::bearing::balls {
@@ -57,13 +58,9 @@ Sunk<Number> sunk(const ScratchNumbers& c, const Ball<Number>& ball, double turn
     const Triple<Number> scratch =
         in_axes_of(ball, Triple<double>{__builtin_cos(angle), __builtin_sin(angle), 0.0});
     const Number ahead = -dot(scratch, along), towards = dot(scratch, outward);
-    const Number from_middle = c.track_radius * ahead;
-    const auto inside =
-        (towards > Number{}) & (absolute(from_middle) < Number{} + 0.5 * c.law.width);
-    if (!any(inside)) continue;
-    const Sinking<Number> one = sinking(c.law, from_middle);
-    sum.depth += only(inside, one.depth);
-    sum.by_angle += only(inside, c.track_radius * towards * one.slope);
+    const TrackSinking<Number> one = track_sinking(c.law, c.track_radius, ahead, towards);
+    sum.depth += one.depth;
+    sum.by_angle += one.by_angle;
   }
   return sum;
 }
@@ -72,7 +69,7 @@ Sunk<Number> sunk(const ScratchNumbers& c, const Ball<Number>& ball, double turn
 template <bool kSlopes, class Law, class Number>
 RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveNumbers& groove,
                              const Ball<Number>& ball, const SeenBody<Number>& ring,
-                             ContactSlopes<Number>& slopes) {
+                             const SeenSpots<Number>& spots, ContactSlopes<Number>& slopes) {
   using namespace mechanics;
   constexpr double kLeastLoad = 1e-6;   // [N]  keeps logarithms finite where there is none
   constexpr double kAtCentre = 1e-30;   // [m^2]  keeps the normal finite in the groove's centre
@@ -94,7 +91,13 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
 
   Sunk<Number> scratched;
   if (groove.scratch.count > 0) scratched = sunk(groove.scratch, ball, ring.turn, outward, axes.along);
-  const Number approach = distance - groove.play - scratched.depth;
+  SpotTouch<Number> spotted;
+  if (spots.count > 0)
+    spotted = spot_touch(&groove == &c.inner ? c.spots.on_inner : c.spots.on_outer, c.radius, spots,
+                         {axes.normal, axes.along, axes.across, ring.axis,
+                          normal_rate(groove, ball, ring, outward, per_away, axes.normal, per_distance), ball.spin,
+                          per_away, per_distance});
+  const Number approach = distance - groove.play - scratched.depth - spotted.depth;
   const auto touching = approach > Number{};
   touch.approach = approach;
   touch.contact_angle = axes.normal.z;
@@ -107,7 +110,7 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   const Triple<Number> slip =
       ring.velocity - ball.velocity + scaled(Number{} + c.radius, cross(turn, axes.normal));
   const Number past = dot(ball.velocity - ring.velocity, axes.along) * per_away;  // [rad/s] over the race
-  const Number closing = -dot(slip, axes.normal) - scratched.by_angle * past;
+  const Number closing = -dot(slip, axes.normal) - scratched.by_angle * past - spotted.rate;
   const auto normal = damped_load(elastic, groove.damping, closing);
   const Number load = only(touching, normal.load);
   const auto loaded = load > Number{};
@@ -156,10 +159,12 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   // Where the floor slopes the load pushes the ball along.
   if (groove.scratch.count > 0)
     touch.on_ball.force += scaled(load * scratched.by_angle * per_away, axes.along);
+  if (spots.count > 0) touch.on_ball.force += scaled(load, spotted.force);
   // n x along = across, n x across = -along.
   touch.on_ball.moment = scaled(moment[0], axes.normal) +
                          scaled(moment[1] - c.radius * force[2], axes.along) +
                          scaled(moment[2] + c.radius * force[1], axes.across);
+  if (spots.count > 0) touch.on_ball.moment += scaled(load, spotted.moment);
   touch.damping_power = only(touching, normal.power);
   touch.sliding_power = force[1] * sliding.along + force[2] * sliding.across;
   touch.spin_power = moment[0] * sliding.spin;

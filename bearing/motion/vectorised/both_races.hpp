@@ -11,10 +11,12 @@ using namespace mechanics::ORBEARING_PACKS;
 struct BothRaces : RaceNumbers<NumberPair> {
   bool film = false;  // adds to the elastic approach
   FrictionLaws<NumberPair> friction;
-  bool round = true;  // neither race has waves
+  bool round = true;  // neither race has waves or scratches, no roller a scratch
   const RaceConstants* inner = nullptr;
   const RaceConstants* outer = nullptr;
   LaminaConstants laminae;
+  int roller_scratches = 0;
+  const RollerScratch* roller_scratch = nullptr;  // (roller_scratches)
 };
 
 /// The numbers of both races side by side. Constants hold nothing but numbers.
@@ -31,19 +33,22 @@ void put_side_by_side(const Constants<double>& inner, const Constants<double>& o
   __builtin_memcpy(&both, pair, sizeof pair);
 }
 
-/// Both races follow the same laws, with numbers of their own. Keeps pointers to `inner`, `outer` and what
-/// `laminae` points to.
-inline BothRaces both_races(const RaceConstants& inner, const RaceConstants& outer,
-                            const LaminaConstants& laminae) {
+/// Both races follow the same laws, with numbers of their own. Keeps pointers to the constants of both races and
+/// to what those of laminae and scratches point to.
+inline BothRaces both_races(const Constants& constants) {
+  const RaceConstants &inner = constants.inner, &outer = constants.outer;
   BothRaces both;
   put_side_by_side<RaceNumbers>(inner, outer, both);
   put_side_by_side<FrictionNumbers>(inner.friction, outer.friction, both.friction);
   static_cast<FrictionChoice&>(both.friction) = inner.friction;
   both.film = inner.film;
-  both.round = inner.waves == 0 && outer.waves == 0;
+  both.round = inner.waves == 0 && outer.waves == 0 && inner.scratches == 0 && outer.scratches == 0 &&
+               constants.roller_scratches == 0;
   both.inner = &inner;
   both.outer = &outer;
-  both.laminae = laminae;
+  both.laminae = constants.laminae;
+  both.roller_scratches = constants.roller_scratches;
+  both.roller_scratch = constants.roller_scratch;
   return both;
 }
 

@@ -5,6 +5,7 @@
 #include "bearing/contact/friction.hpp"
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/pocket_law.hpp"
+#include "bearing/contact/surface_scratch.hpp"
 
 namespace orbearing::bearing::vectorised {
 
@@ -44,6 +45,8 @@ struct RaceConstants : RaceNumbers<double> {
   FrictionLaws<double> friction;
   int waves = 0;                        // of the form; none: round
   const WaveConstants* wave = nullptr;  // (waves)
+  int scratches = 0;
+  const RaceScratch* scratch = nullptr;  // (scratches)  their angles now
 };
 
 /// What the search by powers takes of the film law and the stiffness.
@@ -96,6 +99,10 @@ struct Constants {
   LaminaConstants laminae;
 
   PocketLaw pocket;
+
+  int followed = 0;  // rollers whose turning is followed
+  int roller_scratches = 0;
+  const RollerScratch* roller_scratch = nullptr;  // (roller_scratches)
 
   double cage_mass = 0.0;          // [kg]
   double cage_inertia = 0.0;       // [kg m^2]

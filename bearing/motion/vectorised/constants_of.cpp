@@ -36,6 +36,7 @@ LandConstants land_constants(const motion::BearingModel& model) {
 Constants constants_of(const motion::BearingModel& model) {
   Constants c;
   c.rollers = static_cast<int>(model.layout.rollers);
+  c.followed = static_cast<int>(model.layout.followed);
   c.roller_radius = model.geometry.element_radius;
   c.roller_mass = model.roller.mass;
   c.roller_inertia = model.roller.inertia;

@@ -50,9 +50,9 @@ class PackEngine final : public Engine {
  public:
   PackEngine(const Constants& constants, const RollerConstants& rollers)
       : c_(constants),
-        races_(both_races(c_.inner, c_.outer, c_.laminae)),
+        races_(both_races(c_)),
         given_(rollers),
-        layout_{constants.rollers},
+        layout_{constants.rollers, constants.followed},
         packs_(layout_.lanes() / kLanes),
         linear_(packs_),
         block_(packs_),
@@ -195,7 +195,7 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   ContactSlopes<PackPair> slopes;
   LaminaStand stand;
   const ContactForce<PackPair> races = race_contact<WithSlopes>(
-      races_, radius, here, cosine, sine,
+      races_, radius, here, cosine, sine, {p * kLanes, x + layout_.turned()},
       joined(motion_to({pin[0], pin[1], pin[2], pin[3]}), motion_to({bore[0], bore[1], bore[2], bore[3]})),
       slopes, stand);
   if (c_.laminae.count > 0) {
@@ -257,7 +257,11 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
   cage_cosine_ = __builtin_cos(cage_angle);
   cage_sine_ = __builtin_sin(cage_angle);
   for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes>(p, x, dx, sums);
-  for (int i = layout_.end(); i < layout_.size(); ++i) dx[i] = 0.0;
+  for (int i = layout_.turned(); i < layout_.size(); ++i) dx[i] = 0.0;
+  for (int i = 0; i < c_.roller_scratches; ++i) {
+    const RollerScratch& scratch = c_.roller_scratch[i];
+    dx[layout_.turned() + scratch.followed] = x[4 * layout_.lanes() + scratch.roller];
+  }
   evaluate_rings<WithSlopes>(x, load_x, load_y, sums, dx);
 }
 

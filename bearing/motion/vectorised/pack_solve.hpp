@@ -126,6 +126,8 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
     store(load(entry(rhs, 0, p)) + g * rate[0], entry(k, 0, p));
     store(load(entry(rhs, 1, p)) + g * rate[1], entry(k, 1, p));
   }
+  // What rollers have turned is no part of J: the order does not ask for it.
+  for (int i = layout_.turned(); i < layout_.end(); ++i) k[i] = rhs[i];
   for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;
   for (int i = 0; i < 2; ++i) {
     k_pin[i] = pin[i] + g * b[kPin + i];

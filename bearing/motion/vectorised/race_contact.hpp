@@ -66,12 +66,13 @@ struct RaceMotion {
   PackPair race_arm, roller_arm;  // [m]
   PackPair sliding, rolling;      // [m/s]
   PackPair entrainment;           // [m/s]
+  Pack spin;                      // [rad/s]  of the roller
   PackPair log_turn;              // [s/m]  slope of the entrainment speed's logarithm by the rolling speed
   FormSlopes<PackPair> form;
 };
 
 inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const Mask& present,
-                              const Pack& cosine, const Pack& sine,
+                              const Pack& cosine, const Pack& sine, const RollerTurns& turns,
                               const RelativeMotion<PackPair>& relative) {
   RaceMotion m;
   const PackPair square = relative.d_r * relative.d_r + relative.d_t * relative.d_t;
@@ -86,9 +87,20 @@ inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const M
   PackPair gap = distance - race.radius;
   PackPair opening = m.v_n;
   if (!race.round) {
-    m.form = form_slopes(race, m.n_r * cosine - m.n_t * sine, m.n_r * sine + m.n_t * cosine);
+    const PackPair c = m.n_r * cosine - m.n_t * sine, s = m.n_r * sine + m.n_t * cosine;
+    m.form = form_slopes(race, c, s);
     gap -= m.form.height;
     opening -= m.form.slope * m.line - m.form.turning_slope * race.speed;
+    if (race.roller_scratches > 0) {
+      FormSlopes<PackPair> own{};
+      add_roller_scratches(race, turns, c, s, own);
+      gap -= own.height;
+      opening -= own.slope * m.line - own.rolling_slope * relative.spin;
+      m.form.slope += own.slope;
+      m.form.bend += own.bend;
+      m.form.rolling_slope = own.rolling_slope;
+      m.form.rolling_bend = own.rolling_bend;
+    }
   }
   m.approach = select(PackPairMask{present, present}, race.side * gap + radius, spread<PackPair>(-1.0));
   m.closing = race.side * opening;
@@ -98,6 +110,7 @@ inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const M
   const PackPair roller_surface = (relative.spin - m.line) * m.roller_arm;
   m.sliding = race_surface - roller_surface;
   m.rolling = 0.5 * (race_surface + roller_surface);
+  m.spin = relative.spin;
   const PackPair entrainment = m.rolling * m.rolling + race.entrainment_scale * race.entrainment_scale;
   const PackPair per_entrainment = inverse_root(entrainment);
   m.log_turn = m.rolling * per_entrainment * per_entrainment;
@@ -210,7 +223,10 @@ inline ForceRate force_rate(const BothRaces& race, const RaceMotion& m, const Ra
                             const LawRate& rate) {
   ForceRate force{-1.0 * race.side * rate.load, rate.friction + rate.inlet * x.tilt,
                   (rate.friction - rate.inlet) * m.roller_arm};
-  if (!race.round) force.tangential += race.side * m.inverse * m.form.slope * rate.load;
+  if (!race.round) {
+    force.tangential += race.side * m.inverse * m.form.slope * rate.load;
+    force.moment -= race.side * m.form.rolling_slope * rate.load;
+  }
   return force;
 }
 
@@ -245,7 +261,9 @@ inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, co
   n.distance = force_rate(race, m, x, distance);
   n.v_n = force_rate(race, m, x, side * laws.closing);
   n.v_t = force_rate(race, m, x, v_t);
-  n.spin = force_rate(race, m, x, sliding_and_rolling(-m.roller_arm, 0.5 * m.roller_arm));
+  LawRate spin = sliding_and_rolling(-m.roller_arm, 0.5 * m.roller_arm);
+  if (!race.round) spin = spin + side * m.form.rolling_slope * laws.closing;
+  n.spin = force_rate(race, m, x, spin);
   n.distance.tangential += x.inlet.force * (1.0 - x.tilt) * m.inverse;
   // A shift across turns the normal: with it v_n and v_t, and the force itself.
   const PackPair up = m.v_t * m.inverse, down = m.v_n * m.inverse;
@@ -256,11 +274,12 @@ inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, co
     const PackPair per_distance = side * m.inverse;
     n.distance.tangential -= per_distance * x.load * m.form.slope * m.inverse;
     const PackPair climb = -1.0 * m.form.slope * per_distance;
-    const PackPair gain = (m.form.turning_bend * race.speed - m.form.bend * m.line) * per_distance;
+    const PackPair gain =
+        (m.form.turning_bend * race.speed + m.form.rolling_bend * m.spin - m.form.bend * m.line) * per_distance;
     const ForceRate by_form = force_rate(race, m, x, climb * laws.approach + gain * laws.closing);
     n.across.normal += by_form.normal;
     n.across.tangential += by_form.tangential + per_distance * x.load * m.form.bend * m.inverse;
-    n.across.moment += by_form.moment;
+    n.across.moment += by_form.moment - per_distance * x.load * m.form.rolling_bend;
   }
   return n;
 }
@@ -294,10 +313,10 @@ inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLo
 /// set where the contacts are cut into laminae.
 template <bool WithSlopes>
 ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, const Mask& present,
-                                    const Pack& cosine, const Pack& sine,
+                                    const Pack& cosine, const Pack& sine, const RollerTurns& turns,
                                     const RelativeMotion<PackPair>& relative, ContactSlopes<PackPair>& slopes,
                                     LaminaStand& stand) {
-  const RaceMotion m = race_motion(race, radius, present, cosine, sine, relative);
+  const RaceMotion m = race_motion(race, radius, present, cosine, sine, turns, relative);
   const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
   ContactForce<PackPair> result;
   if (!any(x.elastic > 0.0)) {
@@ -306,10 +325,14 @@ ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, c
   }
   const PackPair f_n = -race.side * x.load;
   PackPair f_t = x.friction.force + x.inlet.force * x.tilt;
-  if (!race.round) f_t += race.side * x.load * m.form.slope * m.inverse;
+  PackPair moment = (x.friction.force - x.inlet.force) * m.roller_arm;
+  if (!race.round) {
+    f_t += race.side * x.load * m.form.slope * m.inverse;
+    moment -= race.side * x.load * m.form.rolling_slope;
+  }
   result.f_r = f_n * m.n_r - f_t * m.n_t;
   result.f_t = f_n * m.n_t + f_t * m.n_r;
-  result.moment = (x.friction.force - x.inlet.force) * m.roller_arm;
+  result.moment = moment;
   result.load = x.load;
   if constexpr (WithSlopes) race_slopes(race, m, x, f_n, f_t, slopes);
   return result;

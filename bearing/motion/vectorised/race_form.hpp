@@ -17,6 +17,29 @@ struct FormSlopes {
   Number bend;    // [m/rad^2]  second derivative
   Number turning_slope;
   Number turning_bend;
+  Number rolling_slope;  // the share of what turns with the roller
+  Number rolling_bend;
+};
+
+/// Adds the scratches of a race: its floor lies lower there, outside on the outer race (side 1) and inside on the
+/// inner one (side -1).
+inline void add_scratches(const RaceConstants& race, const Pack& cosine, const Pack& sine,
+                          FormSlopes<Pack>& sum) {
+  for (int i = 0; i < race.scratches; ++i) {
+    const RaceScratch& scratch = race.scratch[i];
+    const TrackSinking<Pack> sunk = sinking_at(scratch.law, scratch.radius, scratch.angle, cosine, sine);
+    sum.height += race.side * sunk.depth;
+    sum.slope += race.side * sunk.by_angle;
+    sum.bend += race.side * sunk.bend;
+    sum.turning_slope += race.side * sunk.by_angle;
+    sum.turning_bend += race.side * sunk.bend;
+  }
+}
+
+/// What of the state the scratches of rollers ask for.
+struct RollerTurns {
+  int first = 0;                   // number of the pack's first roller
+  const double* turned = nullptr;  // [rad]  (followed)
 };
 
 /// `cosine`, `sine` of the normal's angle in the carrier frame.
@@ -49,6 +72,7 @@ inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosin
       sum.turning_bend -= order * order * height;
     }
   }
+  add_scratches(race, cosine, sine, sum);
   return sum;
 }
 
@@ -59,7 +83,39 @@ inline FormSlopes<PackPair> form_slopes(const BothRaces& race, const PackPair& c
           {inner.slope, outer.slope},
           {inner.bend, outer.bend},
           {inner.turning_slope, outer.turning_slope},
-          {inner.turning_bend, outer.turning_bend}};
+          {inner.turning_bend, outer.turning_bend},
+          {inner.rolling_slope, outer.rolling_slope},
+          {inner.rolling_bend, outer.rolling_bend}};
+}
+
+/// Adds what the scratches of the rollers do to one contact: `side` -1 on the inner race, 1 on the outer one.
+inline void add_roller_scratch(const RollerScratch& scratch, double side, double turned, const Mask& own,
+                               const Pack& cosine, const Pack& sine, Pack& height, Pack& slope, Pack& bend) {
+  const TrackSinking<Pack> sunk =
+      sinking_at(side < 0.0 ? scratch.on_inner : scratch.on_outer, scratch.radius, scratch.angle + turned,
+                 side * cosine, side * sine);
+  height += only(own, side * sunk.depth);
+  slope += only(own, side * sunk.by_angle);
+  bend += only(own, side * sunk.bend);
+}
+
+inline void add_roller_scratches(const BothRaces& race, const RollerTurns& rollers, const PackPair& cosine,
+                                 const PackPair& sine, FormSlopes<PackPair>& form) {
+  for (int i = 0; i < race.roller_scratches; ++i) {
+    const RollerScratch& scratch = race.roller_scratch[i];
+    const int lane = scratch.roller - rollers.first;
+    if (lane < 0 || lane >= kLanes) continue;
+    const Mask own = first_lanes(lane + 1) & ~first_lanes(lane);
+    const double turned = rollers.turned[scratch.followed];
+    PackPair height{}, slope{}, bend{};
+    add_roller_scratch(scratch, -1.0, turned, own, cosine.low, sine.low, height.low, slope.low, bend.low);
+    add_roller_scratch(scratch, 1.0, turned, own, cosine.high, sine.high, height.high, slope.high, bend.high);
+    form.height += height;
+    form.slope += slope;
+    form.bend += bend;
+    form.rolling_slope += slope;
+    form.rolling_bend += bend;
+  }
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

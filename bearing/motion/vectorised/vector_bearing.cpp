@@ -54,6 +54,15 @@ void turn_waves(const std::vector<RaceHarmonic>& form, double race_angle, std::v
     if (waves[i].turning) waves[i].phase = form[i].phase - form[i].order * race_angle;
 }
 
+void turn_scratches(const std::vector<RaceScratch>& given, double race_angle, std::vector<RaceScratch>& now) {
+  for (std::size_t i = 0; i < now.size(); ++i) now[i].angle = given[i].angle + race_angle;
+}
+
+void put_scratches(const std::vector<RaceScratch>& scratches, RaceConstants& race) {
+  race.scratches = static_cast<int>(scratches.size());
+  race.scratch = scratches.data();
+}
+
 }  // namespace
 
 bool supports(const motion::BearingModel& model) {
@@ -61,7 +70,12 @@ bool supports(const motion::BearingModel& model) {
 }
 
 VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::InstructionSet set)
-    : model_(model), layout_{static_cast<int>(model.layout.rollers)}, set_(set) {
+    : model_(model),
+      layout_{static_cast<int>(model.layout.rollers), static_cast<int>(model.layout.followed)},
+      set_(set),
+      inner_scratches_(model.inner.scratches),
+      outer_scratches_(model.outer.scratches) {
+  assert(layout_.followed <= PaddedLayout::kMostFollowed);
   const auto lanes = static_cast<std::size_t>(layout_.lanes());
   pocket_cosine_.assign(lanes, 1.0);
   pocket_sine_.assign(lanes, 0.0);
@@ -75,18 +89,25 @@ VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::Instr
   inner_waves_ = waves_of(model.inner.form);
   outer_waves_ = waves_of(model.outer.form);
   for (const auto* waves : {&inner_waves_, &outer_waves_})
-    for (const WaveConstants& wave : *waves) turning_waves_ = turning_waves_ || wave.turning;
+    for (const WaveConstants& wave : *waves) turning_forms_ = turning_forms_ || wave.turning;
+  turning_forms_ = turning_forms_ || !inner_scratches_.empty() || !outer_scratches_.empty();
   Constants constants = constants_of(model);
   put_waves(inner_waves_, constants.inner);
   put_waves(outer_waves_, constants.outer);
+  put_scratches(inner_scratches_, constants.inner);
+  put_scratches(outer_scratches_, constants.outer);
+  constants.roller_scratches = static_cast<int>(model_.roller_scratches.size());
+  constants.roller_scratch = model_.roller_scratches.data();
   if (model_.laminae) put_laminae(*model_.laminae, constants.laminae);
   engine_ = make_engine(set, constants, {pocket_cosine_.data(), pocket_sine_.data(), roller_radius_.data()});
 }
 
 void VectorBearing::set_time(double time) {
-  if (!turning_waves_) return;
+  if (!turning_forms_) return;
   turn_waves(model_.inner.form, model_.point.inner_speed * time, inner_waves_);
   turn_waves(model_.outer.form, model_.point.outer_speed * time, outer_waves_);
+  turn_scratches(model_.inner.scratches, model_.point.inner_speed * time, inner_scratches_);
+  turn_scratches(model_.outer.scratches, model_.point.outer_speed * time, outer_scratches_);
 }
 
 void VectorBearing::derivative(double time, const double* x, double* dx) {
@@ -111,7 +132,9 @@ void VectorBearing::time_slope(double time, double* rate) {
 void VectorBearing::set_motion(const motion::BoreMotion& motion) {
   const CarrierFrame frame = motion::frame_of(model_, motion);
   engine_->set_surroundings({frame.coriolis_speed, frame.centrifugal, frame.euler, motion.speed});
-  if (turning_waves_) turn_waves(model_.outer.form, motion.angle, outer_waves_);
+  if (!turning_forms_) return;
+  turn_waves(model_.outer.form, motion.angle, outer_waves_);
+  turn_scratches(model_.outer.scratches, motion.angle, outer_scratches_);
 }
 
 void VectorBearing::derivative(const motion::BoreMotion& motion, const double* x, double* dx) {

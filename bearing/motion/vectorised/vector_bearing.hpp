@@ -34,7 +34,7 @@ class VectorBearing {
   /// As derivative(), and keeps the Jacobian for factor() and solve().
   void linearise(double time, const double* x, double* dx);
   /// Slope of the right-hand side by time alone through the load on the bore at `time` [s], into `rate`
-  /// (padded). That of waves that turn with a race is left out: their phase changes little in a step.
+  /// (padded). That of waves and scratches that turn with a race is left out: the order does not ask for it.
   void time_slope(double time, double* rate);
   bool factor(double g) { return engine_->factor(g); }
   void solve(const double* rhs, double* k) const { engine_->solve(rhs, k); }
@@ -71,7 +71,9 @@ class VectorBearing {
   std::vector<double> roller_radius_;
   std::vector<WaveConstants> inner_waves_;
   std::vector<WaveConstants> outer_waves_;
-  bool turning_waves_ = false;
+  std::vector<RaceScratch> inner_scratches_;
+  std::vector<RaceScratch> outer_scratches_;
+  bool turning_forms_ = false;  // waves or scratches
   std::unique_ptr<Engine> engine_;
 };
 

@@ -22,6 +22,7 @@
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_output.hpp"
 #include "app/study/mesh_study.hpp"
+#include "app/study/planet_defect.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/static_output.hpp"
 #include "app/study/static_study.hpp"
@@ -116,6 +117,8 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
       return point_result(in, study::Fidelity::co_simulated);
     case use::monolithic:
       return point_result(in, study::Fidelity::monolithic);
+    case use::planet_defect:
+      return planet_defect_json(planet_defect_study(in)).dump();
     case use::crown:
       return crown_result(in);
     case use::gears:

@@ -151,6 +151,12 @@ inline const std::string kScratchInMotion = scratched(
     "signal: {sampling_rate: 30 kHz, revolutions: 2, settling_revolutions: 0.5}\n"
     "simulation: {length_error: 2e-6 mm}\n");
 
+// As short as the low-pass of the instrument allows.
+inline const std::string kScratchedPlanet =
+    "defect: {race: roller, width: 0.3 mm, depth: 0.1 mm}\n"
+    "signal: {sampling_rate: 60 kHz, carrier_revolutions: 0.5, carrier_settling: 0.02}\n"
+    "simulation: {length_error: 2e-6 mm}\n";
+
 inline const std::string kDuplex = R"(name: a pair of ball bearings
 source: none
 model: duplex-pair
@@ -213,6 +219,8 @@ inline const std::vector<Base>& bases() {
                                      {"ball_bearing_in_time", kBallsInTime},
                                      {"raceway_defect", kScratch, "", use::moving_defect},
                                      {"raceway_defect_in_motion", kScratchInMotion, "", use::defect},
+                                     {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet, "",
+                                      use::all & ~unsigned{use::planet_defect}},
                                      {"duplex_pair", kDuplex},
                                      {"spin_film", kSpinFilm}};
   return all;
@@ -353,6 +361,16 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"defect.angle", {"7 deg"}},
       {"defect.depth", {"5 um"}},  // less than a ball sinks
       {"defect.more_angles", {"[40 deg]"}},
+      {"defect.form", {"edges"}},
+      {"defect.profile", {"[0, 0.3, 1, 0.3, 0]", {}, {"defect.form=profile"}}},
+      {"defect.element", {"2"}},
+      {"defect.planet", {"2"}},
+      {"defect.bearing", {"2", {"bearing.per_planet=2"}}},
+      {"defect.also", {"outer"}},
+      {"defect.also_angle", {"20 deg", {"defect.also=outer"}}},
+      {"signal.carrier_revolutions", {"0.6"}},
+      {"signal.carrier_settling", {"0.04"}},
+      {"signal.run_up_from", {"0.8"}},
       {"signal.band", {"[1 kHz, 4 kHz]"}},
       {"equilibrium.ball_inertia", {"false", turning_balls}},
       {"equilibrium.ball_attitude", {"outer-race-control", turning_balls}},

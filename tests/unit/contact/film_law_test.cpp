@@ -132,7 +132,9 @@ TEST(ElasticApproach, OfPowersIsThatOfAnyFilm) {
   one.log_stiffness = log_stiffness;
   one.film_law = law;
   vectorised::set_film_powers(one);
-  const BothRaces race = both_races(one, one, {});
+  vectorised::Constants constants;
+  constants.inner = constants.outer = one;
+  const BothRaces race = both_races(constants);
   std::mt19937 engine(20251122);
   std::uniform_real_distribution<double> log_approach(-20.0, -7.0), log_speed(-5.0, 4.5), side(-1.0, 1.0);
   for (int i = 0; i < 2000; ++i) {

@@ -13,7 +13,13 @@ constexpr double kWidth = 0.5e-3, kDeepest = 8e-6;  // [m]
 constexpr double kRoundOff = 1e-12;                 // relative
 
 ScratchLaw of_form(ScratchForm form, double depth = 1e-3) {
-  return {.form = form, .width = kWidth, .bottom = depth, .deepest = kDeepest};
+  ScratchLaw law{.form = form, .width = kWidth, .bottom = depth, .deepest = kDeepest};
+  for (int i = 0; i < SinkingTable::kPoints; ++i) {  // of a profile: the raised cosine as a table
+    const double turn = 6.283185307179586 * (static_cast<double>(i) / (SinkingTable::kPoints - 1) - 0.5);
+    law.table.depth[i] = 0.5 * kDeepest * (1.0 + std::cos(turn));
+    law.table.slope[i] = -3.141592653589793 * kDeepest / kWidth * std::sin(turn);
+  }
+  return law;
 }
 
 // Radius less the distance of a chord from the centre; chord and arc differ by parts of the square of w/R.
@@ -68,6 +74,42 @@ TEST(Scratch, SlopesAreThoseOfDepths) {
                   cubic * 10.0 * kDeepest / kWidth)
           << form.text << " " << share;
     }
+}
+
+TEST(Scratch, BendsAreTheSlopesOfSlopes) {
+  constexpr double step = 1e-5 * kWidth;
+  for (const auto& form : names_of(ScratchForm{}))
+    for (const double share : {-0.44, -0.2, 0.13, 0.37}) {
+      const double at = share * kWidth;
+      const double difference =
+          (sinking(of_form(form.value), at + step).slope - sinking(of_form(form.value), at - step).slope) /
+          (2.0 * step);
+      EXPECT_NEAR(sinking(of_form(form.value), at).bend, difference, 1e-5 * kDeepest / (kWidth * kWidth) * 40.0)
+          << form.text << " " << share;
+    }
+}
+
+// A measured groove with two sharp edges and a floor out of reach is what a rigid element makes of two edges.
+TEST(Scratch, AMeasuredProfileIsRolledOverByTheArcOfTheElement) {
+  const BearingGeometry geometry = geometry_of(nine_balls().bearing);
+  Scratch measured{.race = Scratched::inner, .width = kWidth, .depth = 1e-3, .form = ScratchForm::profile};
+  measured.profile.assign(401, 1.0);  // walls as steep as the table is fine
+  for (const Race race : {Race::inner, Race::outer}) {
+    const ScratchLaw law = scratch_law(measured, race, geometry);
+    const double deepest = deepest_sinking(kWidth, race, geometry);
+    const ScratchLaw edges{.form = ScratchForm::edges, .width = kWidth, .bottom = 1e-3, .deepest = deepest};
+    for (const double share : {-0.5, -0.3, -0.11, 0.0, 0.24, 0.5})
+      EXPECT_NEAR(sinking(law, share * kWidth).depth, sinking(edges, share * kWidth).depth, 0.02 * deepest)
+          << share;
+  }
+  // A shallow one is followed where the element fits into it.
+  measured.depth = 1e-7;
+  measured.profile = {0.0, 0.5, 1.0, 0.5, 0.0};
+  const ScratchLaw shallow = scratch_law(measured, Race::outer, geometry);
+  EXPECT_NEAR(sinking(shallow, 0.125 * kWidth).depth, 0.75e-7, 2e-9);
+  EXPECT_NEAR(sinking(shallow, 0.5 * kWidth).depth, 0.0, kRoundOff * shallow.bottom);
+  measured.profile = {0.0, -0.1, 0.0};
+  EXPECT_THROW(scratch_law(measured, Race::outer, geometry), std::invalid_argument);
 }
 
 TEST(Scratch, AShallowOneHasABottom) {

@@ -5,6 +5,7 @@
 
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
+#include "tests/many_scratches.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
 
 namespace orbearing::bearing::vectorised::vector_bearing_test {
@@ -30,6 +31,7 @@ struct Variant {
   bool rough = false;  // mixed lubrication, waves on the races, unequal rollers
   int laminae = 0;     // of crowned rollers
   double tilt = 0.0;   // [rad]  of the bore
+  bool scratched = false;
 };
 
 class VectorBearingTest : public testing::TestWithParam<Variant> {
@@ -59,6 +61,13 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
     point.carrier.acceleration = 300.0;
   }
 
+  BearingModel model_now(bool rollers = true) const {
+    BearingModel model = bearing_model(bearing, point, parameters);
+    if (GetParam().scratched)
+      defect::put_scratches(rollers ? test::scratched_everywhere() : test::scratched_races(), model);
+    return model;
+  }
+
   Eigen::VectorXd shaken(const BearingModel& model, double length) {
     return test::shaken_state(model, bearing, parameters, length, 0.05, random);
   }
@@ -86,11 +95,12 @@ Eigen::VectorXd scale_by_kind(const BearingModel& model, const Eigen::VectorXd& 
     pairs(body, 2);
     pairs(body + 2, 2);
   }
+  if (model.layout.followed > 0) pairs(model.layout.turned(), model.layout.followed);
   return scale.cwiseMax(1e-300);
 }
 
 TEST_P(VectorBearingTest, AgreesWithTheReadableEquations) {
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  const BearingModel model = model_now();
   const motion::PlanetBearingEquations equations(model);
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
     VectorBearing fast(model, set);
@@ -120,7 +130,7 @@ TEST_P(VectorBearingTest, AgreesWithTheReadableEquations) {
 }
 
 TEST_P(VectorBearingTest, LoadsAreThoseOfTheSnapshot) {
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  const BearingModel model = model_now();
   VectorBearing fast(model);
   const Eigen::VectorXd x = shaken(model, 2e-6);
   const motion::Snapshot expected = motion::snapshot(model, x);
@@ -135,7 +145,7 @@ TEST_P(VectorBearingTest, LoadsAreThoseOfTheSnapshot) {
 // k = (1 - g J)^-1 b solved in blocks satisfies k - g J k = b with J k from differences.
 TEST_P(VectorBearingTest, SolvesWithTheTrueJacobian) {
   if (GetParam().tilt != 0.0) GTEST_SKIP() << "what passes through a roller's tilt is left out of the slopes";
-  const BearingModel model = bearing_model(bearing, point, parameters);
+  const BearingModel model = model_now(false);  // what a roller has turned is left out of the slopes
   int compared = 0, kinked = 0;
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
     VectorBearing fast(model, set);
@@ -196,6 +206,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Variant{"laminae", true, false, TractionLaw::regularised_coulomb, 15, false, 7},
                     Variant{"tilted", true, false, TractionLaw::regularised_coulomb, 15, false, 32, 1e-3},
                     Variant{"tilted_and_dry", false, false, TractionLaw::limiting_shear, 17, false, 12, 3e-3},
+                    Variant{"scratched", true, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, true},
+                    Variant{"scratched_and_rough", false, false, TractionLaw::limiting_shear, 20, true, 0, 0.0, true},
                     Variant{"few_rollers", false, false, TractionLaw::regularised_coulomb, 5}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 

@@ -1,0 +1,376 @@
+#include "app/study/planet_defect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <limits>
+
+#include "app/case/defect_case.hpp"
+#include "app/errors.hpp"
+#include "app/results/json_number.hpp"
+#include "app/signals/residual.hpp"
+#include "app/study/planet_defect_case.hpp"
+#include "app/study/planetary_case.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+using bearing::defect::Scratched;
+using boost::math::double_constants::two_pi;
+
+const char* surface_name(Scratched scratched) {
+  switch (scratched) {
+    case Scratched::outer:
+      return "outer race defect";
+    case Scratched::inner:
+      return "inner race defect";
+    case Scratched::ball:
+    case Scratched::roller:
+      return "roller defect";
+    case Scratched::none:
+      break;
+  }
+  return "";
+}
+
+std::optional<double> pass_of(Scratched scratched, const bearing::defect::PassingFrequencies& passing) {
+  if (scratched == Scratched::outer) return passing.outer_pass;
+  if (scratched == Scratched::inner) return passing.inner_pass;
+  if (of_element(scratched)) return passing.element_pass;
+  return std::nullopt;
+}
+
+study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling, const study::PlanetVibration& out,
+                                   int rollers) {
+  study::PlanetFrequencies turned = rolling;
+  const double count = rollers, cage = std::abs(out.cage_speed) / two_pi;
+  turned.bearing.cage = cage;
+  turned.bearing.outer_pass = count * std::abs(out.planet_speed - out.cage_speed) / two_pi;
+  turned.bearing.inner_pass = count * cage;
+  turned.bearing.element_pass = 2.0 * std::abs(out.roller_speed - out.cage_speed) / two_pi;
+  return turned;
+}
+
+// A run-up passes all speeds at the same ratios: those of the mean.
+study::PlanetFrequencies at_share(const study::PlanetFrequencies& full, double share) {
+  study::PlanetFrequencies now = full;
+  for (double* one : {&now.carrier, &now.planet, &now.mesh, &now.bearing.shaft, &now.bearing.cage,
+                      &now.bearing.outer_pass, &now.bearing.inner_pass, &now.bearing.element_pass})
+    *one *= share;
+  return now;
+}
+
+std::vector<NamedPeak> named(const signals::Spectrum& spectrum, double highest,
+                             const std::vector<signals::ExpectedLine>& lines) {
+  std::vector<NamedPeak> peaks;
+  for (const signals::Peak& peak :
+       signals::peaks_of(spectrum, {.highest = highest, .least_share = 0.02, .most = 32}))
+    peaks.push_back({peak.frequency, peak.amplitude,
+                     signals::name_of(peak.frequency, lines, 0.75 * spectrum.resolution)});
+  return peaks;
+}
+
+// The signal lasts whole turns of the carrier, in each of which whole teeth pass.
+Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStudy& study, bool housing) {
+  std::vector<double> lines;
+  const study::PlanetFrequencies& at = study.rolling;
+  for (int k = 1; k * at.mesh < 0.5 * study.vibration.rate + at.mesh; ++k) {
+    lines.push_back(k * at.mesh);
+    if (housing) lines.insert(lines.end(), {k * at.mesh - at.carrier, k * at.mesh + at.carrier});
+  }
+  return signals::without_lines(signal, study.vibration.rate, lines);
+}
+
+InstrumentView view_of(const ResolvedCase& in, const PlanetDefectStudy& study, Eigen::ArrayXd signal,
+                       bool housing) {
+  using namespace signals;
+  constexpr double passes_shown = 4.0, narrowest = 2.0;  // bands hold a line and its neighbours
+  const study::PlanetVibration& motion = study.vibration;
+  const auto& at = study.turned.bearing;
+  const double pass = std::max({at.outer_pass, at.inner_pass, at.element_pass}), mesh = study.turned.mesh;
+  InstrumentView view{.signal = std::move(signal)};
+  const Eigen::ArrayXd residual = study.run_up ? view.signal : without_teeth(view.signal, study, housing);
+  if (const std::optional<Band> stated = stated_band_of(in))
+    view.band = {*stated, kurtosis_of(residual, motion.rate, *stated)};
+  else
+    view.band = most_impulsive_band(residual, motion.rate, narrowest * pass);
+  const Eigen::ArrayXd envelope = envelope_of(residual, motion.rate, view.band.band);
+  const double unit = study.run_up ? study.turned.carrier : 1.0;  // [Hz]
+  const auto spectrum = [&](const Eigen::ArrayXd& of) {
+    return study.run_up ? order_spectrum(resampled(of, motion.carrier_angle), Window::hann)
+                        : spectrum_of(of, motion.rate, Window::hann);
+  };
+  view.spectrum = spectrum(view.signal);
+  view.envelope_spectrum = spectrum(envelope);
+  const double high = std::min(0.4 * motion.rate, 3.0 * mesh), shown = std::min(high, passes_shown * pass);
+  view.spectrum_peaks =
+      named(view.spectrum, high / unit, planet_lines(study.scratched, study.turned, housing, high, unit));
+  view.envelope_peaks = named(view.envelope_spectrum, shown / unit,
+                              planet_lines(study.scratched, study.turned, housing, shown, unit));
+  return view;
+}
+
+}  // namespace
+
+bool is_planet_defect(const ResolvedCase& resolved) {
+  return resolved.model() == planetary_drivetrain && resolved.shape().defect && !resolved.shape().several &&
+         resolved.shape().bearing;
+}
+
+std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& scratched,
+                                                const study::PlanetFrequencies& at, bool on_housing,
+                                                double highest, double unit) {
+  constexpr int bands = 3, common = 1, rare = 2;
+  std::vector<signals::ExpectedLine> lines;
+  const auto add = [&](double frequency, const char* name, double spacing, const char* of, int order) {
+    const int harmonics = static_cast<int>(std::ceil(highest / frequency)) + 1;
+    signals::add_lines(frequency / unit, name, harmonics, spacing / unit, of, spacing > 0.0 ? bands : 0,
+                       order, lines);
+  };
+  for (const Scratched one : scratched) {
+    const std::optional<double> pass = pass_of(one, at.bearing);
+    if (!pass) continue;
+    // The planet carries its race's scratch into the load zone and out again, the cage a roller; the pin
+    // stands.
+    if (one == Scratched::outer) add(*pass, surface_name(one), at.planet, "planet", 0);
+    if (one == Scratched::inner) add(*pass, surface_name(one), 0.0, "", 0);
+    if (of_element(one)) {
+      add(*pass, surface_name(one), at.bearing.cage, "cage", 0);
+      add(0.5 * *pass, "roller spin", at.bearing.cage, "cage", rare);
+    }
+  }
+  // Teeth shake the bearing as rollers strike: sums and differences with their lines.
+  constexpr int simple = 6;
+  const std::vector<signals::ExpectedLine> struck = lines;
+  const int meshes = static_cast<int>(std::min(2.0, highest / at.mesh + 1.0));
+  for (const signals::ExpectedLine& line : struck)
+    for (int k = 1; k <= meshes && line.order <= simple; ++k) {
+      const std::string teeth = k == 1 ? "mesh" : fmt::format("{} x mesh", k);
+      const double mesh = k * at.mesh / unit;
+      lines.push_back(
+          {std::abs(mesh - line.frequency), fmt::format("{} - {}", teeth, line.name), line.order + 2 * k});
+      lines.push_back({mesh + line.frequency, fmt::format("{} + {}", teeth, line.name), line.order + 2 * k});
+    }
+  add(at.mesh, "mesh", at.planet, "planet", common);
+  add(at.planet, "planet", 0.0, "", common);
+  add(at.bearing.cage, "cage", 0.0, "", rare);
+  add(at.bearing.inner_pass, "rollers past the pin", 0.0, "", rare);
+  // With enough of them any line would have a name.
+  constexpr int farthest = 12;
+  std::erase_if(lines, [](const signals::ExpectedLine& line) { return line.order > farthest; });
+  if (!on_housing) return lines;
+  // The path from the planet to the instrument turns by once a turn of the carrier.
+  std::vector<signals::ExpectedLine> seen = lines;
+  for (const signals::ExpectedLine& line : lines)
+    for (const int band : {-1, 1})
+      seen.push_back({line.frequency + band * at.carrier / unit,
+                      fmt::format("{} {} carrier", line.name, band > 0 ? '+' : '-'), line.order + 1});
+  const auto turns = static_cast<int>(std::min(40.0, highest / at.carrier));
+  for (int k = 1; k <= turns; ++k)
+    seen.push_back({k * at.carrier / unit, k == 1 ? "carrier" : fmt::format("{} x carrier", k), 3 + k});
+  return seen;
+}
+
+PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const study::PlanetSampling sampling = planet_sampling_of(in);
+  const std::vector<system::ScratchedPlanet> scratched = scratched_planets_of(in);
+  PlanetDefectStudy study{.rolling = study::planet_frequencies(drivetrain),
+                          .run_up = sampling.run_up_from < 1.0};
+  for (const system::ScratchedPlanet& planet : scratched)
+    for (const bearing::defect::Scratch& one : planet.scratches) study.scratched.push_back(one.race);
+  if (!study.scratched.empty())
+    study.defect_frequency = pass_of(study.scratched.front(), study.rolling.bearing);
+  study.vibration = study::sample_vibration(drivetrain, scratched, sampling, progress);
+  const study::PlanetVibration& motion = study.vibration;
+  if (!motion.report.completed) throw ComputationFailed(in.text("name") + ": " + motion.report.message);
+  const double share = std::abs(motion.planet_speed) / (two_pi * study.rolling.planet);
+  study.turned = as_turned(study.run_up ? at_share(study.rolling, share) : study.rolling, motion,
+                           drivetrain.bearing.rollers().count);
+  const Eigen::Vector2d loaded = load_zone_of(in);  // the way in which the load zone lies
+  study.carrier = view_of(
+      in, study,
+      (loaded.x() * motion.acceleration.row(0) + loaded.y() * motion.acceleration.row(1)).transpose(), false);
+  study.housing = view_of(in, study, motion.housing, true);
+  return study;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json peaks_json(const std::vector<NamedPeak>& peaks, const char* where) {
+  Json list = Json::array();
+  for (const NamedPeak& peak : peaks)
+    list.push_back({{where, peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
+  return list;
+}
+
+double rms(const Eigen::ArrayXd& signal) {
+  return std::sqrt((signal - signal.mean()).square().mean());
+}
+
+Json instrument_json(const InstrumentView& view, bool run_up, const char* unit) {
+  const char* where = run_up ? "order" : "frequency_Hz";
+  return {{"amplitude_unit", unit},
+          {"rms", rms(view.signal)},
+          {"max", (view.signal - view.signal.mean()).abs().maxCoeff()},
+          {"band_Hz", {view.band.band.low, view.band.band.high}},
+          {"band_kurtosis", view.band.kurtosis},
+          {run_up ? "order_resolution" : "resolution_Hz", view.envelope_spectrum.resolution},
+          {"envelope_peaks", peaks_json(view.envelope_peaks, where)},
+          {"spectrum_peaks", peaks_json(view.spectrum_peaks, where)}};
+}
+
+Json frequencies_json(const study::PlanetFrequencies& at) {
+  return {{"carrier_Hz", at.carrier},
+          {"planet_Hz", at.planet},
+          {"planet_pass_Hz", at.planets * at.carrier},
+          {"mesh_Hz", at.mesh},
+          {"cage_Hz", at.bearing.cage},
+          {"outer_pass_Hz", at.bearing.outer_pass},
+          {"inner_pass_Hz", at.bearing.inner_pass},
+          {"roller_pass_Hz", at.bearing.element_pass}};
+}
+
+std::string peaks_text(const std::string& title, const std::vector<NamedPeak>& peaks, bool run_up,
+                       const char* unit) {
+  std::string text = fmt::format("\n{}\n{:>14} {:>18}  {}\n", title, run_up ? "order" : "frequency [Hz]",
+                                 fmt::format("amplitude [{}]", unit), "is");
+  for (const NamedPeak& peak : peaks)
+    text += fmt::format("{:>14.4f} {:>18.4g}  {}\n", peak.frequency, peak.amplitude, peak.is);
+  return text;
+}
+
+std::vector<double> numbers_of(const Eigen::ArrayXd& array) {
+  return {array.begin(), array.end()};
+}
+
+}  // namespace
+
+double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity) {
+  const auto peak = [](const std::vector<NamedPeak>& peaks, const std::string& name) {
+    for (const NamedPeak& one : peaks)
+      if (one.is == name) return one.frequency;
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  const std::string name = study.scratched.empty() ? "" : surface_name(study.scratched.front());
+  if (quantity == "cage_Hz") return study.rolling.bearing.cage;
+  if (quantity == "defect_peak_Hz") return peak(study.carrier.envelope_peaks, name);
+  if (quantity == "planet_band_Hz")
+    return peak(study.carrier.envelope_peaks, name + " + planet") - peak(study.carrier.envelope_peaks, name);
+  if (quantity == "carrier_band_Hz")
+    return peak(study.housing.envelope_peaks, name + " + carrier") - peak(study.housing.envelope_peaks, name);
+  if (quantity == "mesh_on_housing_Hz") return peak(study.housing.spectrum_peaks, "mesh + carrier");
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study) {
+  const auto& at = study.rolling;
+  Json object{
+      {"shaft_Hz", at.planet},
+      {"cage_Hz", at.bearing.cage},
+      {"defect_Hz", study.defect_frequency ? Json(*study.defect_frequency) : Json(nullptr)},
+      {"envelope_peaks", peaks_json(study.carrier.envelope_peaks, study.run_up ? "order" : "frequency_Hz")},
+      {"amplitude_unit", "m/s2"},
+      {"at_pure_rolling", frequencies_json(at)},
+      {"turned", frequencies_json(study.turned)},
+      {"cage_slip", 1.0 - study.turned.bearing.cage / study.turned.planet * at.planet / at.bearing.cage},
+      {"carrier_frame", instrument_json(study.carrier, study.run_up, "m/s2")},
+      {"housing", instrument_json(study.housing, study.run_up, "N")},
+      {"contact_load_max_N", study.vibration.largest_load}};
+  return object;
+}
+
+std::string planet_defect_text(const PlanetDefectStudy& study) {
+  const auto& at = study.rolling;
+  std::string text = fmt::format(
+      "carrier {:.5g} Hz, planet {:.5g} Hz and cage {:.5g} Hz relative to it, teeth {:.6g} Hz\n"
+      "rollers pass a place of the planet's bore at {:.6g} Hz, of the pin at {:.6g} Hz, races one of a "
+      "roller at "
+      "{:.6g} Hz\n",
+      at.carrier, at.planet, at.bearing.cage, at.mesh, at.bearing.outer_pass, at.bearing.inner_pass,
+      at.bearing.element_pass);
+  text += fmt::format(
+      "as turned: cage {:.6g} Hz; passes {:.6g} Hz (bore), {:.6g} Hz (pin); largest roller load {:.4g} N\n",
+      study.turned.bearing.cage, study.turned.bearing.outer_pass, study.turned.bearing.inner_pass,
+      study.vibration.largest_load);
+  const auto view = [&](const char* name, const InstrumentView& of, const char* unit) {
+    text += fmt::format("\n{}: {:.4g} {} rms; envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}\n",
+                        name, rms(of.signal), unit, of.band.band.low, of.band.band.high, of.band.kurtosis);
+    text += peaks_text("envelope", of.envelope_peaks, study.run_up, unit);
+    text += peaks_text("spectrum", of.spectrum_peaks, study.run_up, unit);
+  };
+  view("in the carrier's frame", study.carrier, "m/s2");
+  view("on the housing", study.housing, "N");
+  return text;
+}
+
+PointContent planet_defect_content(const PlanetDefectStudy& study) {
+  const study::PlanetVibration& motion = study.vibration;
+  const auto samples = static_cast<std::size_t>(motion.housing.size());
+  PointContent content{.dimensions = {{"time", samples}, {"direction", 2}}, .arrays = {}, .attributes = {}};
+  const auto along_time = [&](const char* name, const char* units, const char* meaning,
+                              const Eigen::ArrayXd& of) {
+    content.arrays.push_back({name, {"time"}, units, meaning, numbers_of(of)});
+  };
+  const Eigen::Index count = motion.housing.size();
+  along_time("time", "s", "time since the signal began",
+             Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / motion.rate));
+  NamedArray both{"acceleration",
+                  {"direction", "time"},
+                  "m s-2",
+                  "damaged planet relative to its pin, outward and in the sense of carrier rotation",
+                  {}};
+  for (Eigen::Index i = 0; i < 2; ++i)
+    for (Eigen::Index k = 0; k < count; ++k) both.values.push_back(motion.acceleration(i, k));
+  content.arrays.push_back(std::move(both));
+  along_time("loaded_acceleration", "m s-2", "the same along the middle of the load zone",
+             study.carrier.signal);
+  along_time("housing_force", "N", "meshes of the ring as an instrument on the housing feels them",
+             motion.housing);
+  along_time("carrier_angle", "rad", "turned by the carrier", motion.carrier_angle);
+  along_time("planet_angle", "rad", "turned by the damaged planet relative to the carrier",
+             motion.planet_angle);
+  content.arrays.push_back(single_value("sampling_rate", "s-1", "samples a second", motion.rate));
+  const char* units = study.run_up ? "1" : "s-1";
+  const auto spectra = [&](const std::string& of, const InstrumentView& view, const char* unit) {
+    const std::string lines = of + "_line", envelope_lines = of + "_envelope_line";
+    const auto add = [&](const std::string& dimension, const std::string& name,
+                         const signals::Spectrum& spectrum, const char* meaning) {
+      const Eigen::Index size = spectrum.amplitude.size();
+      content.dimensions.push_back({dimension, static_cast<std::size_t>(size)});
+      content.arrays.push_back(
+          {name + "_place",
+           {dimension},
+           units,
+           study.run_up ? "order of the carrier" : "frequency",
+           numbers_of(Eigen::ArrayXd::LinSpaced(size, 0.0, spectrum.frequency(size - 1)))});
+      content.arrays.push_back({name, {dimension}, unit, meaning, numbers_of(spectrum.amplitude)});
+    };
+    add(lines, of + "_spectrum", view.spectrum, "amplitude, Hann window");
+    add(envelope_lines, of + "_envelope_spectrum", view.envelope_spectrum,
+        "amplitude of the envelope, Hann window");
+  };
+  spectra("carrier", study.carrier, "m s-2");
+  spectra("housing", study.housing, "N");
+  return content;
+}
+
+std::vector<Derived> planet_defect_quantities(const ResolvedCase& in) {
+  const study::PlanetFrequencies at = study::planet_frequencies(drivetrain_of(in));
+  return {
+      {"defect.carrier_frequency", at.carrier, "Hz", "turns of the carrier"},
+      {"defect.planet_frequency", at.planet, "Hz", "turns of the planet relative to the carrier"},
+      {"defect.cage_frequency", at.bearing.cage, "Hz", "turns of the cage relative to the carrier"},
+      {"defect.outer_pass_frequency", at.bearing.outer_pass, "Hz",
+       "rollers over a place of the planet's bore"},
+      {"defect.inner_pass_frequency", at.bearing.inner_pass, "Hz", "rollers over a place of the pin"},
+      {"defect.roller_pass_frequency", at.bearing.element_pass, "Hz", "a place of a roller over either race"},
+      {"defect.mesh_frequency", at.mesh, "Hz", "teeth of both meshes"}};
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,69 @@
+// A gear set with a scratched planet bearing: its vibration in the carrier's frame and on the housing, and
+// which line is what (docs/defects/planet.md).
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/case/check_table.hpp"
+#include "app/case/resolved_case.hpp"
+#include "app/results/point_content.hpp"
+#include "app/signals/orders.hpp"
+#include "app/study/defect_study.hpp"
+#include "coupling/study/planet_scratch.hpp"
+
+namespace orbearing::app {
+
+/// What one instrument shows. In a run-up all lines are orders: those of the carrier.
+struct InstrumentView {
+  Eigen::ArrayXd signal;  // [m/s^2] or [N]
+  signals::KurtosisOfBand
+      band;  // [Hz]  of the envelope: of the signal less the lines of the teeth, but in a run-up
+  signals::Spectrum spectrum;           // over frequency, or over orders of the carrier
+  signals::Spectrum envelope_spectrum;  // the same
+  std::vector<NamedPeak> spectrum_peaks;
+  std::vector<NamedPeak> envelope_peaks;  // largest first
+};
+
+struct PlanetDefectStudy {
+  std::vector<bearing::defect::Scratched> scratched;  // surfaces, the first named one first
+  study::PlanetFrequencies rolling;                   // at pure rolling
+  study::PlanetFrequencies turned;                    // as cage and planet turned
+  std::optional<double> defect_frequency;             // [Hz]  of the first; none without a scratch
+  bool run_up = false;
+  study::PlanetVibration vibration;
+  InstrumentView carrier;  // damaged planet along the middle of its load zone, relative to its pin [m/s^2]
+  InstrumentView housing;  // ring gear's force on the housing as an instrument feels it [N]
+  std::vector<std::string> warnings;
+};
+
+/// Whether a case is that of a gear set with a scratched planet bearing: a planetary drivetrain with a block
+/// `defect`.
+bool is_planet_defect(const ResolvedCase& resolved);
+
+/// `progress` gets the share done, if any. Throws ComputationFailed where the motion cannot be followed.
+PlanetDefectStudy planet_defect_study(const ResolvedCase& resolved,
+                                      const std::function<void(double)>& progress = {});
+
+/// The lines that may stand in the spectra of one instrument; `unit` 1 for hertz, or the carrier's turns a
+/// second for its orders.
+std::vector<signals::ExpectedLine> planet_lines(const std::vector<bearing::defect::Scratched>& scratched,
+                                                const study::PlanetFrequencies& at, bool on_housing,
+                                                double highest, double unit = 1.0);
+
+/// A number by its name in the validation table: "cage_Hz", "defect_peak_Hz" and "planet_band_Hz" of the
+/// envelope in the carrier's frame, "carrier_band_Hz" of that on the housing, "mesh_on_housing_Hz"; NaN for
+/// any other, or for a peak that is not there.
+double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity);
+
+nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study);
+std::string planet_defect_text(const PlanetDefectStudy& study);
+PointContent planet_defect_content(const PlanetDefectStudy& study);
+
+/// What follows from the inputs, for `orbearing check`.
+std::vector<Derived> planet_defect_quantities(const ResolvedCase& resolved);
+
+}  // namespace orbearing::app

@@ -1,0 +1,122 @@
+// The vibration of a gear set one of whose planet bearings is scratched: gears and all bearings as one
+// system, as two instruments see it.
+//
+//   carrier frame    acceleration of the damaged planet's axis relative to its pin, outward and in the sense
+//   of
+//                    carrier rotation: what an instrument that turns with the carrier would show
+//   housing          h = sum over planets of w(a) F_ring, w = (1 + cos a)/2, a: angle from the instrument to
+//   the
+//                    planet. The ring gear takes the meshes' forces to the housing, and one that meshes near
+//                    the instrument is felt most. Shape and width of w are an assumption [FengZuo2012].
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "bearing/defect/frequencies.hpp"
+#include "coupling/integration/integration_options.hpp"
+#include "coupling/study/drivetrain.hpp"
+#include "coupling/system/coupled_model.hpp"
+#include "mechanics/described.hpp"
+
+namespace orbearing::study {
+
+/// How the gear set's vibration is sampled.
+struct PlanetSampling {
+  double rate = 51200.0;              // [Hz]
+  double revolutions = 16.0;          // [-]  of the carrier
+  double settling_revolutions = 1.0;  // [-]  of the carrier, left out before
+  double run_up_from = 1.0;           // [-]  share of the speed at which sampling begins; it ends at 1
+};
+
+template <class Visitor>
+void describe(Visitor& visit, PlanetSampling& m) {
+  using namespace described;
+  members(
+      visit, m,
+      field(m.rate, "signal.sampling_rate", Felt::defect, "samples of the vibration a second",
+            {.models = scratched_bearings, .dimension = dimension::frequency}),
+      field(
+          m.revolutions, "signal.carrier_revolutions", Felt::defect,
+          "revolutions of the carrier that are sampled; lines as close as its speed over them are told apart",
+          {.models = planetary_drivetrain,
+           .range = positive(1e4),
+           .reason = "side bands of the carrier sixteen lines apart"}),
+      field(
+          m.settling_revolutions, "signal.carrier_settling", Felt::defect,
+          "revolutions of the carrier before, in which the start dies away",
+          {.models = planetary_drivetrain, .range = {0.0, 1e4}, .reason = "some turns of planets and cages"}),
+      field(
+          m.run_up_from, "signal.run_up_from", Felt::defect,
+          "share of the speed at which the motion begins, to rise evenly to all of it; spectra are then over "
+          "orders of the carrier",
+          {.models = planetary_drivetrain,
+           .range = {.least = 0.05, .most = 1.0},
+           .reason = "a steady speed"}));
+}
+
+/// Which bearing is scratched, and what of it besides.
+struct ScratchedPlace {
+  int planet = 1;   // from 1
+  int bearing = 1;  // of the planet, from 1
+  bearing::defect::Scratched also = bearing::defect::Scratched::none;
+  double also_angle = 0.0;  // [rad]
+};
+
+template <class Visitor>
+void describe(Visitor& visit, ScratchedPlace& m) {
+  using namespace described;
+  constexpr Where scratched{"defect.race", "outer|inner|roller"};
+  members(
+      visit, m,
+      field(
+          m.planet, "defect.planet", Felt::defect, "number of the planet with the scratched bearing",
+          {.models = planetary_drivetrain, .range = {1, 100}, .reason = "the first one", .where = scratched}),
+      field(m.bearing, "defect.bearing", Felt::defect, "number of the scratched bearing of that planet",
+            {.models = planetary_drivetrain, .range = {1, 8}, .reason = "the first one", .where = scratched}),
+      field(m.also, "defect.also", Felt::defect, "what has a scratch like that of defect.race as well",
+            {.models = planetary_drivetrain, .reason = "one scratch", .where = scratched}),
+      field(m.also_angle, "defect.also_angle", Felt::defect, "angle of that scratch, as defect.angle",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::angle,
+             .range = {-360.0, 360.0},
+             .reason = "in the middle of the load zone",
+             .where = {"defect.also", "outer|inner|roller"}}));
+}
+
+/// What pure rolling and the teeth give. Frequencies of the bearing are relative to the carrier.
+struct PlanetFrequencies {
+  double carrier = 0.0;                         // [Hz]  turns of the carrier in the housing
+  double planet = 0.0;                          // [Hz]  turns of the planet relative to the carrier
+  double mesh = 0.0;                            // [Hz]
+  int planets = 0;                              // each passes the instrument once a turn of the carrier
+  bearing::defect::PassingFrequencies bearing;  // of which `shaft` is `planet`
+};
+
+PlanetFrequencies planet_frequencies(const PlanetaryDrivetrain& drivetrain);
+
+/// At even times.
+struct PlanetVibration {
+  double rate = 0.0;             // [Hz]
+  double begin = 0.0;            // [s]
+  Eigen::Array2Xd acceleration;  // [m/s^2]  (outward and along, samples)
+  Eigen::ArrayXd housing;        // [N]
+  Eigen::ArrayXd carrier_angle;  // [rad]  (samples)
+  Eigen::ArrayXd planet_angle;   // [rad]  (samples)  of the damaged planet relative to the carrier
+  double largest_load = 0.0;     // [N]      of any roller of the damaged bearing at any sample
+  double cage_speed = 0.0;       // [rad/s]  mean of the damaged bearing, relative to the carrier
+  double planet_speed = 0.0;     // [rad/s]  mean, relative to the carrier
+  double roller_speed = 0.0;     // [rad/s]  mean rotation of its scratched roller, or of the first, likewise
+  integration::IntegrationReport report;
+};
+
+/// The drivetrain at its power and speed with `scratched` bearings, of which the first gives the
+/// carrier-frame signal; without any, the first bearing of the first planet does. `progress` gets the share
+/// done, if any. Throws std::invalid_argument for what coupled_model() refuses; a run that ends early says so
+/// in the report.
+PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
+                                 const std::vector<system::ScratchedPlanet>& scratched,
+                                 const PlanetSampling& sampling,
+                                 const std::function<void(double)>& progress = {});
+
+}  // namespace orbearing::study

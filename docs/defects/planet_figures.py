@@ -1,0 +1,73 @@
+"""`python3 planet_figures.py PROGRAM CASE`: planet.png beside this file, spectra of envelopes of the case with a scratch on bore, pin and roller, in the
+carrier's frame and on the housing, with the lines that are derived on paper (planet.md).
+
+Needs numpy, matplotlib and netCDF4, as the reports do.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import matplotlib
+import netCDF4
+import numpy as np
+
+matplotlib.use("agg")
+from matplotlib.figure import Figure  # noqa: E402
+
+HIGHEST = 1300.0  # [Hz]
+SURFACES = {"outer": "planet's bore", "inner": "pin", "roller": "roller"}
+UNITS = {"carrier": "m/s²", "housing": "N"}
+
+
+def run(program, case, race):
+    """Variables of the run's file, and its JSON."""
+    with tempfile.TemporaryDirectory() as folder:
+        target = pathlib.Path(folder) / "out"
+        command = [program, "run", case, "-o", target, "--set", f"defect.race={race}", "--json", "--quiet"]
+        result = json.loads(subprocess.run([str(part) for part in command], check=True, capture_output=True, text=True).stdout)
+        with netCDF4.Dataset(target / "points" / "00000.nc") as data:
+            return {name: np.asarray(variable[...]) for name, variable in data.variables.items()}, result
+
+
+def lines(race, at, housing):
+    """Name and frequency of the lines on paper, with the slip that the run has."""
+    if race == "inner":
+        base = [("f_i", at["inner_pass_Hz"])]
+    elif race == "outer":
+        base = [(f"f_o {n:+d} f_p" if n else "f_o", at["outer_pass_Hz"] + n * at["planet_Hz"]) for n in (-2, -1, 0, 1, 2)] + [("f_p", at["planet_Hz"])]
+    else:
+        base = [(f"f_w {n:+d} f_k" if n else "f_w", at["roller_pass_Hz"] + n * at["cage_Hz"]) for n in (-1, 0, 1)] + [("f_k", at["cage_Hz"])]
+    beside = [(f"{name} {sign:+d} f_c", line + sign * at["carrier_Hz"]) for name, line in base[:1] for sign in (-1, 1)] if race == "inner" else []
+    return base + ([("f_c", at["carrier_Hz"]), *beside] if housing else [])
+
+
+def envelope(axes, data, view, marks):
+    place, level = data[f"{view}_envelope_spectrum_place"], data[f"{view}_envelope_spectrum"]
+    shown = (place > 8.0) & (place <= HIGHEST)
+    axes.plot(place[shown], level[shown], linewidth=0.7, color="#1f4e79")
+    top = level[shown].max()
+    for name, line in marks:
+        axes.axvline(line, color="#c0392b", linewidth=0.5, alpha=0.5, zorder=0)
+        axes.text(line, 1.02 * top, name, rotation=90, fontsize=6, ha="center", va="bottom", color="#c0392b")
+    axes.set_xlim(0.0, HIGHEST)
+    axes.set_ylim(0.0, 1.3 * top)
+    axes.set_xlabel("frequency (Hz)")
+    axes.set_ylabel(f"envelope ({UNITS[view]})")
+
+
+def main(program, case):
+    figure = Figure(figsize=(13, 9), layout="constrained")
+    axes = figure.subplots(3, 2)
+    for row, race in enumerate(SURFACES):
+        data, result = run(program, case, race)
+        for column, view in enumerate(UNITS):
+            envelope(axes[row][column], data, view, lines(race, result["turned"], view == "housing"))
+            axes[row][column].set_title(f"{SURFACES[race]}, {'carrier frame' if view == 'carrier' else 'housing'}", fontsize=9)
+    figure.savefig(pathlib.Path(__file__).with_name("planet.png"), dpi=80)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:3])
