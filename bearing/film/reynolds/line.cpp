@@ -44,7 +44,7 @@ class LineFilmEquations {
     P = (1.0 - (X / wide).square()).max(0.0).sqrt();
     P[0] = P[n_] = 0.0;
     P *= 0.5 * pi / (P.sum() * step_);
-    for (Eigen::ArrayXd* one : {&e_, &e_slope_, &density_, &density_slope_}) one->resize(n_ + 1);
+    for (Eigen::ArrayXd* one : {&e_, &e_slope_, &e_power_, &density_, &density_slope_}) one->resize(n_ + 1);
   }
 
   double influence(Index i, Index k) const { return kernel_[std::abs(i - k)]; }
@@ -60,22 +60,23 @@ class LineFilmEquations {
     for (Index i = 0; i <= n_; ++i) {
       const OilState oil = oil_.at(pressure_ * P[i]);
       const double h = std::max(H[i], kLeastFilm);
-      double flow = 1.0;
+      EyringFlow flow;
       if (contact_.oil.eyring_stress > 0.0)
         flow = eyring_flow(contact_.oil.viscosity * oil.viscosity * std::abs(contact_.sliding) /
-                           (unit_film_ * h * contact_.oil.eyring_stress))
-                   .along;
+                           (unit_film_ * h * contact_.oil.eyring_stress));
       density_[i] = oil.density;
       density_slope_[i] = oil.density_slope * pressure_;
-      e_[i] = oil.density * h * h * h / oil.viscosity * diffusion_ * flow;
-      e_slope_[i] = (oil.density_slope / oil.density - oil.viscosity_log_slope) * pressure_;
+      e_[i] = oil.density * h * h * h / oil.viscosity * diffusion_ * flow.along;
+      e_power_[i] = 3.0 - flow.along_power;
+      e_slope_[i] =
+          (oil.density_slope / oil.density - (1.0 - flow.along_power) * oil.viscosity_log_slope) * pressure_;
     }
   }
 
   // Flow through the face between i and i + 1: pressure's less the surfaces'.
   double flow(Index i) const {
-    double carried = 1.5 * density_[i] * H[i];
-    carried = i > 0 ? carried - 0.5 * density_[i - 1] * H[i - 1] : density_[i] * H[i];
+    const auto oil = [&](Index k) { return density_[k] * H[k]; };
+    const double carried = i > 0 ? 1.5 * oil(i) - 0.5 * oil(i - 1) : 0.5 * (oil(0) + oil(1));
     return 0.5 * (e_[i] + e_[i + 1]) * (P[i + 1] - P[i]) / step_ - carried;
   }
 
@@ -104,14 +105,19 @@ class LineFilmEquations {
             by_pressure[static_cast<std::size_t>(m)] += sign * pressure;
           };
           for (const Index one : {left, left + 1}) {
-            const double by_h = H[one] > kLeastFilm ? 3.0 / H[one] : 0.0;
+            const double by_h = H[one] > kLeastFilm ? e_power_[one] / H[one] : 0.0;
             put(one - i + 2, 0.5 * e_[one] * by_h * drop, 0.5 * e_[one] * e_slope_[one] * drop);
           }
           put(at, 0.0, -mean);
           put(at + 1, 0.0, mean);
-          const double own = left > 0 ? 1.5 : 1.0;
-          put(at, -own * density_[left], -own * density_slope_[left] * H[left]);
-          if (left > 0) put(at - 1, 0.5 * density_[left - 1], 0.5 * density_slope_[left - 1] * H[left - 1]);
+          const auto carry = [&](Index node, double share) {
+            put(node - i + 2, -share * density_[node], -share * density_slope_[node] * H[node]);
+          };
+          carry(left, left > 0 ? 1.5 : 0.5);
+          if (left > 0)
+            carry(left - 1, -0.5);
+          else
+            carry(1, 0.5);
         };
         face(i, 1.0);
         face(i - 1, -1.0);
@@ -167,7 +173,7 @@ class LineFilmEquations {
   OilUnderPressure oil_;
   double pressure_, step_, unit_film_ = 0.0, diffusion_ = 0.0;
   Index n_;
-  Eigen::ArrayXd kernel_, e_, e_slope_, density_, density_slope_;
+  Eigen::ArrayXd kernel_, e_, e_slope_, e_power_, density_, density_slope_;
 };
 
 }  // namespace

@@ -69,12 +69,15 @@ class OilUnderPressure {
 struct EyringFlow {
   double along = 1.0;
   double across = 1.0;
+  double along_power = 0.0;   // d ln(along)/d ln(shear)
+  double across_power = 0.0;  // d ln(across)/d ln(shear)
 };
 
 inline EyringFlow eyring_flow(double shear) {
   constexpr double kNewtonian = 1e-4;  // below it both differ from 1 by less than 1e-8
   if (shear < kNewtonian) return {};
-  return {std::sqrt(1.0 + shear * shear), shear / std::asinh(shear)};
+  const double root = std::sqrt(1.0 + shear * shear), stress = std::asinh(shear);
+  return {root, shear / stress, shear * shear / (root * root), 1.0 - shear / (root * stress)};
 }
 
 }  // namespace orbearing::bearing::film

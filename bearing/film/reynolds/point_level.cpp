@@ -19,7 +19,7 @@ std::size_t at(Index i) {
 }
 
 // Coefficients on five nodes in line of what leaves the middle one less what enters it, per oil at each
-// node, from face velocities `before` and `after`: upstream and linear, constant where the domain ends.
+// node, from face velocities `before` and `after`: upstream and linear, the mean where the domain begins.
 std::array<double, 5> wedge(double before, double after, Index node, Index last, double step) {
   std::array<double, 5> c{};
   const auto face = [&](double velocity, int left, double sign) {  // between left and left + 1, from the node
@@ -27,7 +27,8 @@ std::array<double, 5> wedge(double before, double after, Index node, Index last,
     const int up = velocity > 0.0 ? left : left + 1, further = velocity > 0.0 ? left - 1 : left + 2;
     const Index beyond = node + further;
     if (beyond < 0 || beyond > last) {
-      c[static_cast<std::size_t>(up + 2)] += flow;
+      c[static_cast<std::size_t>(left + 2)] += 0.5 * flow;
+      c[static_cast<std::size_t>(left + 3)] += 0.5 * flow;
       return;
     }
     c[static_cast<std::size_t>(up + 2)] += 1.5 * flow;
@@ -49,8 +50,8 @@ PointFilmLevel::PointFilmLevel(const PointFilmNumbers& numbers, const PointFilmD
   gap_.resize(nx + 1, ny + 1);
   for (Index j = 0; j <= ny; ++j)
     for (Index i = 0; i <= nx; ++i) gap_(i, j) = numbers.gap(domain.x_at(i), domain.y_at(j));
-  for (Field* field : {&pressure, &film, &source, &film_source, &along_, &across_, &along_slope_, &density_,
-                       &density_slope_})
+  for (Field* field : {&pressure, &film, &source, &film_source, &along_, &across_, &across_slope_,
+                       &along_power_, &across_power_, &along_slope_, &density_, &density_slope_})
     field->setZero(nx + 1, ny + 1);
   fraction.setOnes(nx + 1, ny + 1);
   load = numbers.load;
@@ -93,7 +94,9 @@ void PointFilmLevel::properties() {
       density_slope_(i, j) = oil.density_slope * numbers_.pressure;
       const double e = oil.density * h * h * h / oil.viscosity * numbers_.diffusion * ease;
       along_(i, j) = across_(i, j) = e;
-      along_slope_(i, j) = (oil.density_slope / oil.density - oil.viscosity_log_slope) * numbers_.pressure;
+      along_power_(i, j) = across_power_(i, j) = 3.0;
+      along_slope_(i, j) = across_slope_(i, j) =
+          (oil.density_slope / oil.density - oil.viscosity_log_slope) * numbers_.pressure;
       if (!shear) continue;
       const double slip_x = numbers_.sliding + 2.0 * numbers_.spin * domain_.y_at(j);
       const double slip_y = -2.0 * numbers_.spin * domain_.x_at(i);
@@ -101,8 +104,16 @@ void PointFilmLevel::properties() {
       if (!(slip > 0.0)) continue;
       const EyringFlow flow = eyring_flow(numbers_.shear * oil.viscosity * slip / h);
       const double xx = slip_x * slip_x / (slip * slip);
-      along_(i, j) *= flow.across + (flow.along - flow.across) * xx;
-      across_(i, j) *= flow.across + (flow.along - flow.across) * (1.0 - xx);
+      const auto apply = [&](double share, double& coefficient, double& slope, double& power) {
+        const double lengthwise = share * flow.along, crosswise = (1.0 - share) * flow.across;
+        const double by_shear =
+            (lengthwise * flow.along_power + crosswise * flow.across_power) / (lengthwise + crosswise);
+        coefficient *= lengthwise + crosswise;
+        slope += by_shear * oil.viscosity_log_slope * numbers_.pressure;
+        power -= by_shear;
+      };
+      apply(xx, along_(i, j), along_slope_(i, j), along_power_(i, j));
+      apply(1.0 - xx, across_(i, j), across_slope_(i, j), across_power_(i, j));
     }
 }
 
@@ -124,16 +135,23 @@ PointFilmLevel::Row PointFilmLevel::row(Index i, Index j) const {
   row.by_pressure[6] = south;
   row.by_pressure[7] = north;
   // By the coefficients: e grows as H^3 and with its own pressure.
-  const auto by_coefficient = [&](std::size_t node, double change, Index x, Index y, double e) {
-    row.by_pressure[node] += change * e * along_slope_(x, y);
-    row.by_film[node] += 3.0 * change * e / std::max(film(x, y), kLeastFilm);
+  const auto by_coefficient = [&](std::size_t node, double change, Index x, Index y, const Field& e,
+                                  const Field& slope, const Field& power) {
+    row.by_pressure[node] += change * e(x, y) * slope(x, y);
+    row.by_film[node] += power(x, y) * change * e(x, y) / std::max(film(x, y), kLeastFilm);
   };
-  by_coefficient(0, xx * (to_west + to_east), i, j, along_(i, j));
-  by_coefficient(0, yy * (to_south + to_north), i, j, across_(i, j));
-  by_coefficient(2, xx * to_west, i - 1, j, along_(i - 1, j));
-  by_coefficient(3, xx * to_east, i + 1, j, along_(i + 1, j));
-  by_coefficient(6, yy * to_south, i, j - 1, across_(i, j - 1));
-  by_coefficient(7, yy * to_north, i, j + 1, across_(i, j + 1));
+  const auto by_along = [&](std::size_t node, double change, Index x) {
+    by_coefficient(node, xx * change, x, j, along_, along_slope_, along_power_);
+  };
+  const auto by_across = [&](std::size_t node, double change, Index y) {
+    by_coefficient(node, yy * change, i, y, across_, across_slope_, across_power_);
+  };
+  by_along(0, to_west + to_east, i);
+  by_along(2, to_west, i - 1);
+  by_along(3, to_east, i + 1);
+  by_across(0, to_south + to_north, j);
+  by_across(6, to_south, j - 1);
+  by_across(7, to_north, j + 1);
   // The wedge.
   const auto carried = [&](std::size_t node, double c) {
     if (c == 0.0) return;

@@ -118,8 +118,9 @@ class PointFilmLevel {
   OilUnderPressure oil_;
   HalfSpacePotential potential_;
   Field gap_;
-  Field along_, across_;  // e in both directions
-  Field along_slope_;     // d ln e / dP
+  Field along_, across_;              // e in both directions
+  Field along_slope_, across_slope_;  // d ln e / dP
+  Field along_power_, across_power_;  // d ln e / d ln H
   Field density_, density_slope_;
   std::vector<double> stream_x_, stream_y_;  // U of each line, V of each column
   double dipole_x_ = 0.0, dipole_y_ = 0.0;   // shares of a dipole's neighbours
