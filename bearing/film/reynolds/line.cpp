@@ -21,7 +21,7 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-constexpr double kLeastFilm = 1e-7;  // below it a film of an unfinished solution counts as this
+constexpr double kLeastLineFilm = 1e-7;  // below it a film of an unfinished solution counts as this
 
 // Integral of ln|x - s| over a cell of width h about s, x away.
 double line_potential(double x, double h) {
@@ -59,7 +59,7 @@ class LineFilmEquations {
   void properties() {
     for (Index i = 0; i <= n_; ++i) {
       const OilState oil = oil_.at(pressure_ * P[i]);
-      const double h = std::max(H[i], kLeastFilm);
+      const double h = std::max(H[i], kLeastLineFilm);
       EyringFlow flow;
       if (contact_.oil.eyring_stress > 0.0)
         flow = eyring_flow(contact_.oil.viscosity * oil.viscosity * std::abs(contact_.sliding) /
@@ -105,7 +105,7 @@ class LineFilmEquations {
             by_pressure[static_cast<std::size_t>(m)] += sign * pressure;
           };
           for (const Index one : {left, left + 1}) {
-            const double by_h = H[one] > kLeastFilm ? e_power_[one] / H[one] : 0.0;
+            const double by_h = H[one] > kLeastLineFilm ? e_power_[one] / H[one] : 0.0;
             put(one - i + 2, 0.5 * e_[one] * by_h * drop, 0.5 * e_[one] * e_slope_[one] * drop);
           }
           put(at, 0.0, -mean);

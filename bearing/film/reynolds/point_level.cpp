@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kLeastFilm = 1e-7;  // of a^2/R: below it a film of an unfinished solution counts as this
+constexpr double kLeastPointFilm =
+    1e-7;                            // of a^2/R: below it a film of an unfinished solution counts as this
 constexpr double kMostChange = 0.2;  // of pressure in one sweep, in Hertz's largest one
 
 std::size_t at(Index i) {
@@ -89,7 +90,7 @@ void PointFilmLevel::properties() {
   for (Index j = 0; j <= domain_.ny; ++j)
     for (Index i = 0; i <= domain_.nx; ++i) {
       const OilState oil = oil_.at(numbers_.pressure * pressure(i, j));
-      const double h = std::max(film(i, j), kLeastFilm);
+      const double h = std::max(film(i, j), kLeastPointFilm);
       density_(i, j) = oil.density;
       density_slope_(i, j) = oil.density_slope * numbers_.pressure;
       const double e = oil.density * h * h * h / oil.viscosity * numbers_.diffusion * ease;
@@ -138,7 +139,7 @@ PointFilmLevel::Row PointFilmLevel::row(Index i, Index j) const {
   const auto by_coefficient = [&](std::size_t node, double change, Index x, Index y, const Field& e,
                                   const Field& slope, const Field& power) {
     row.by_pressure[node] += change * e(x, y) * slope(x, y);
-    row.by_film[node] += power(x, y) * change * e(x, y) / std::max(film(x, y), kLeastFilm);
+    row.by_film[node] += power(x, y) * change * e(x, y) / std::max(film(x, y), kLeastPointFilm);
   };
   const auto by_along = [&](std::size_t node, double change, Index x) {
     by_coefficient(node, xx * change, x, j, along_, along_slope_, along_power_);
