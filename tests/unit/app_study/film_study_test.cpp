@@ -56,21 +56,18 @@ TEST(FilmStudy, WhatIsBeyondTheRangesIsTold) {
   EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("spin [rad/s] is 5000")));
 }
 
-// By Reynolds' equation the central film is that of the regressions, which have it from there; so is Hamrock
-// and Dowson's beside it. No range is left, and spin lowers the least film by less than the regression says.
+// Central films are near those of Hamrock and Dowson, which have them from such solutions; spin lowers the least one.
 TEST(FilmStudy, BySolvingReynoldsEquation) {
-  const std::vector<std::string> points{"points=[[500 N, 10 m/s, 300 rad/s], [500 N, 10 m/s, 0 rad/s]]"};
+  const std::vector<std::string> points{"contact.ellipticity=3",
+                                        "points=[[20 N, 5 m/s, 3000 rad/s], [20 N, 5 m/s, 0 rad/s]]"};
   std::vector<std::string> settings = points;
   settings.emplace_back("film.solver=reynolds");
   const FilmStudy study = film_study(shipped("spin_film_guo2013", settings));
-  const FilmStudy regression = film_study(shipped("spin_film_guo2013", points));
   ASSERT_EQ(study.points.size(), 2u);
   EXPECT_THAT(study.warnings, IsEmpty());
   for (std::size_t i = 0; i < 2; ++i) {
     ASSERT_TRUE(study.points[i].solution && study.points[i].solution->converged);
-    EXPECT_NEAR(study.points[i].films.central / regression.points[i].films.central, 1.0, 0.15);
-    EXPECT_EQ(study.points[i].films.central_hamrock_dowson,
-              regression.points[i].films.central_hamrock_dowson);
+    EXPECT_NEAR(study.points[i].films.central / study.points[i].films.central_hamrock_dowson, 1.0, 0.15);
     EXPECT_GT(study.points[i].films.rigid, 0.0);
   }
   EXPECT_LT(study.points[0].films.least, study.points[1].films.least);
