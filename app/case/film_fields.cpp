@@ -1,12 +1,13 @@
 // Fields of a contact that rolls and spins, by itself.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "bearing/film/spin_film.hpp"
+#include "bearing/film/film_choice.hpp"
 
 namespace orbearing::app::table {
 
 void add_film_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::film::EllipticalContact{});
+  add_described(fields, bearing::film::FilmChoice{});
   fields.push_back({.path = "points",
                     .kind = Kind::list,
                     .meaning = "loads and motions for which the film is computed",

@@ -1,5 +1,7 @@
 #include "app/commands/film_run.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "app/case/resolved_writer.hpp"
@@ -23,7 +25,13 @@ int run_film_case(const ResolvedCase& resolved, const Options& options) {
   FilmStudy study = film_study(resolved);
   study.warnings.insert(study.warnings.begin(), unused.begin(), unused.end());
   if (!folder.finished().contains(0)) {
-    if (!folder.path().empty()) write_aside_and_rename(folder.path() / "film.csv", film_csv(study));
+    if (!folder.path().empty()) {
+      write_aside_and_rename(folder.path() / "film.csv", film_csv(study));
+      for (std::size_t i = 0; i < study.points.size(); ++i)
+        if (study.points[i].solution && study.points[i].solution->converged)
+          write_aside_and_rename(folder.path() / fmt::format("film_map_{}.csv", i + 1),
+                                 film_map_csv(*study.points[i].solution));
+    }
     folder.keep(
         {{0, lone_result_file(header, "film of a contact", film_content(study)), lone_row(folder.head())}});
   }

@@ -23,11 +23,11 @@ struct FilmQuantity {
 };
 
 constexpr std::array<FilmQuantity, 5> film_quantities{
-    {{"h_c", "central film, Eq. (11) of [Guo2013]", &film::Films::central},
-     {"h_min", "least film, Eq. (12)", &film::Films::least},
+    {{"h_c", "central film, Eq. (11) of [Guo2013] or by Reynolds' equation", &film::Films::central},
+     {"h_min", "least film, Eq. (12) or by Reynolds' equation", &film::Films::least},
      {"h_c_HamrockDowson", "central film without spin, Eq. (13)", &film::Films::central_hamrock_dowson},
      {"h_min_HamrockDowson", "least film without spin, Eq. (13)", &film::Films::least_hamrock_dowson},
-     {"h_0", "approach of the rigid bodies, Eq. (10)", &film::Films::rigid}}};
+     {"h_0", "approach of the rigid bodies, Eq. (10) or by Reynolds' equation", &film::Films::rigid}}};
 
 struct MotionQuantity {
   const char* name;  // as in results
@@ -46,6 +46,15 @@ NamedArray over_points(std::string name, std::string units, std::string meaning)
   return {std::move(name), {"point"}, std::move(units), std::move(meaning), {}};
 }
 
+FilmPoint solved(const film::EllipticalContact& contact, const bearing::Lubricant& oil,
+                 const film::ContactMotion& motion) {
+  FilmPoint point{.motion = motion, .films = {}, .solution = film::PointFilm{}};
+  if (motion.rolling != 0.0)
+    point.solution = film::solve_point_film(film::point_film_case(contact, oil, motion));
+  point.films = film::films_of(*point.solution, contact, oil, motion);
+  return point;
+}
+
 }  // namespace
 
 bool is_spin_film(const ResolvedCase& resolved) {
@@ -55,11 +64,19 @@ bool is_spin_film(const ResolvedCase& resolved) {
 FilmStudy film_study(const ResolvedCase& in) {
   const auto contact = from_case<film::EllipticalContact>(in);
   const auto oil = from_case<bearing::Lubricant>(in);
+  const auto choice = from_case<film::FilmChoice>(in);
   const std::vector<double>& rows = in.list("points");
   FilmStudy study;
   for (std::size_t i = 0; i < rows.size(); i += motion_quantities.size()) {
     const film::ContactMotion motion{.load = rows[i], .rolling = rows[i + 1], .spin = rows[i + 2]};
-    study.points.push_back({motion, film::spin_films(contact, oil, motion)});
+    if (choice.solver == film::FilmSolver::reynolds) {
+      study.points.push_back(solved(contact, oil, motion));
+      if (!study.points.back().solution->converged)
+        study.warnings.push_back(
+            fmt::format("points: in row {} Reynolds' equation was not solved", study.points.size()));
+      continue;
+    }
+    study.points.push_back({motion, film::spin_films(contact, oil, motion), {}});
     for (const std::string& what : film::outside_of_range(contact, motion))
       study.warnings.push_back(fmt::format("points: in row {} the {}", study.points.size(), what));
   }
@@ -125,6 +142,15 @@ std::string film_csv(const FilmStudy& study) {
       text += fmt::format("{:.9g},", 1e6 * point.films.*one.value);
     text.back() = '\n';
   }
+  return text;
+}
+
+std::string film_map_csv(const film::PointFilm& solution) {
+  std::string text = "x_mm,y_mm,pressure_GPa,film_um,oil_fraction\n";
+  for (Eigen::Index j = 0; j < solution.y.size(); ++j)
+    for (Eigen::Index i = 0; i < solution.x.size(); ++i)
+      text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.4g}\n", 1e3 * solution.x[i], 1e3 * solution.y[j],
+                          1e-9 * solution.pressure(i, j), 1e6 * solution.film(i, j), solution.fraction(i, j));
   return text;
 }
 

@@ -1,24 +1,26 @@
-// Films of a contact that rolls and spins, by the regressions of bearing/film.
+// Films of a contact that rolls and spins, by the regressions of bearing/film or by Reynolds' equation.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
 #include "app/results/point_content.hpp"
-#include "bearing/film/spin_film.hpp"
+#include "bearing/film/film_choice.hpp"
 
 namespace orbearing::app {
 
 struct FilmPoint {
   bearing::film::ContactMotion motion;
   bearing::film::Films films;
+  std::optional<bearing::film::PointFilm> solution{};  // of Reynolds' equation
 };
 
 struct FilmStudy {
   std::vector<FilmPoint> points;
-  std::vector<std::string> warnings;  // what lies outside of the ranges of the regressions
+  std::vector<std::string> warnings;  // what lies outside of the ranges of the regressions, or was not solved
 };
 
 /// Whether a case is that of a contact by itself.
@@ -37,5 +39,7 @@ std::string film_text(const FilmStudy& study);
 PointContent film_content(const FilmStudy& study);
 /// The same as rows of text.
 std::string film_csv(const FilmStudy& study);
+/// Pressure and film at each node of a solution of Reynolds' equation, as rows of text.
+std::string film_map_csv(const bearing::film::PointFilm& solution);
 
 }  // namespace orbearing::app

@@ -56,6 +56,31 @@ TEST(FilmStudy, WhatIsBeyondTheRangesIsTold) {
   EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("spin [rad/s] is 5000")));
 }
 
+// Central films are near those of Hamrock and Dowson, which have them from such solutions; spin lowers the least one.
+TEST(FilmStudy, BySolvingReynoldsEquation) {
+  const std::vector<std::string> points{"contact.ellipticity=3",
+                                        "points=[[20 N, 5 m/s, 3000 rad/s], [20 N, 5 m/s, 0 rad/s]]"};
+  std::vector<std::string> settings = points;
+  settings.emplace_back("film.solver=reynolds");
+  const FilmStudy study = film_study(shipped("spin_film_guo2013", settings));
+  ASSERT_EQ(study.points.size(), 2u);
+  EXPECT_THAT(study.warnings, IsEmpty());
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_TRUE(study.points[i].solution && study.points[i].solution->converged);
+    EXPECT_NEAR(study.points[i].films.central / study.points[i].films.central_hamrock_dowson, 1.0, 0.15);
+    EXPECT_GT(study.points[i].films.rigid, 0.0);
+  }
+  EXPECT_LT(study.points[0].films.least, study.points[1].films.least);
+  EXPECT_THAT(film_map_csv(*study.points[0].solution), HasSubstr("x_mm,y_mm,pressure_GPa,film_um"));
+}
+
+TEST(FilmStudy, WithoutRollingReynoldsEquationHasNoFilm) {
+  const FilmStudy study = film_study(
+      shipped("spin_film_guo2013", {"points=[[500 N, 0 m/s, 300 rad/s]]", "film.solver=reynolds"}));
+  EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("row 1 Reynolds' equation was not solved")));
+  EXPECT_TRUE(std::isnan(study.points[0].films.central));
+}
+
 TEST(BallFilms, OfLoadedBallsAlone) {
   const StaticStudy study = static_study(
       shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=500 N", "operation.shaft_speed=6000 rpm",

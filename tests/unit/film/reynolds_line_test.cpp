@@ -1,0 +1,91 @@
+// Reynolds' equation of a line contact.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "bearing/film/reynolds/line.hpp"
+
+namespace orbearing::bearing::film::reynolds_line_test {
+namespace {
+
+constexpr double radius = 0.01, modulus = 2.28e11;
+
+// In the groups of [DowsonHigginson1966]: U = eta u/(E' R), W = q/(E' R).
+LineFilmCase of_groups(double speed, double load) {
+  const ReynoldsOil oil{.viscosity = 0.02, .pressure_viscosity = 2e-8};
+  return {.radius = radius,
+          .modulus = modulus,
+          .oil = oil,
+          .load = load * modulus * radius,
+          .rolling = speed * modulus * radius / oil.viscosity};
+}
+
+TEST(ReynoldsLine, LoadBalancesAndMassIsKept) {
+  for (const double load : {1e-6, 1e-5, 1e-4}) {
+    const LineFilm film = solve_line_film(of_groups(1e-11, load));
+    ASSERT_TRUE(film.converged) << load;
+    EXPECT_LT(film.load_error, 1e-5);
+    EXPECT_LT(film.mass_error, 1e-9);
+    const double step = film.x[1] - film.x[0];
+    EXPECT_NEAR(film.pressure.sum() * step / (load * modulus * radius), 1.0, 1e-9);
+    // Beyond its edge the film carries the same oil in a part of the gap.
+    const Eigen::Index n = film.x.size() - 1;
+    EXPECT_LT(film.fraction[n], 1.0);
+    EXPECT_NEAR(film.fraction[n] * film.film[n] / (film.fraction[n - 5] * film.film[n - 5]), 1.0, 1e-12);
+  }
+}
+
+// Rigid cylinders and oil of one viscosity: least film 4.896 U/W R [Martin1916], with the domain's end taken
+// out by two domains: what lies beyond an inlet of gap h costs in proportion to (h/h_0)^-3/2.
+TEST(ReynoldsLine, MartinsFilmOfRigidCylinders) {
+  LineFilmCase rigid = of_groups(1e-11, 1e-7);
+  rigid.oil.pressure_viscosity = 0.0;
+  rigid.oil.compressible = false;
+  rigid.modulus *= 1e4;  // stiff, at the same load and speed
+  const double martin = 4.896 * 1e-11 / 1e-7 * radius;
+  const double half_width = std::sqrt(8.0 * rigid.load * radius / (std::numbers::pi * rigid.modulus));
+  const double unit = std::sqrt(2.0 * radius * martin) / half_width;
+  const LineFilm film = solve_line_film(rigid, {.cells = 1200, .inlet = 24.0 * unit, .outlet = 2.0 * unit});
+  ASSERT_TRUE(film.converged);
+  EXPECT_NEAR(film.least / martin, 1.0, 5e-3);
+}
+
+TEST(ReynoldsLine, HertzsContactIsTheLimit) {
+  const LineFilm film = solve_line_film(of_groups(1e-13, 1e-4), {.cells = 1200, .inlet = 2.5, .outlet = 1.3});
+  ASSERT_TRUE(film.converged);
+  const double hertz = modulus * std::sqrt(8.0 * 1e-4 / std::numbers::pi) / 4.0;
+  EXPECT_NEAR(film.pressure[static_cast<Eigen::Index>(std::lround(2.5 / 3.8 * 1200))] / hertz, 1.0, 0.01);
+}
+
+TEST(ReynoldsLine, SecondOrder) {
+  for (const double shift : {0.0, 0.37}) {
+    double central[3], least[3], traction[3];
+    for (int level = 0; level < 3; ++level) {
+      const LineFilm film = solve_line_film(
+          of_groups(1e-11, 3e-5),
+          {.cells = 192 << level, .inlet = 4.0, .outlet = 1.5, .shift = shift * (1 << level)});
+      ASSERT_TRUE(film.converged);
+      central[level] = film.central;
+      least[level] = film.least;
+      traction[level] = film.rolling_traction;
+    }
+    for (const double* f : {central, least, traction}) {
+      const double ratio = (f[1] - f[0]) / (f[2] - f[1]);
+      EXPECT_GT(ratio, f == traction ? 2.5 : 3.0) << shift;  // two small errors of opposite sign
+      EXPECT_LT(ratio, 5.5) << shift;
+    }
+  }
+}
+
+TEST(ReynoldsLine, EyringsOilThinsTheFilmThatSlides) {
+  LineFilmCase slides = of_groups(1e-11, 3e-5);
+  const double newton = solve_line_film(slides).central;
+  slides.oil.eyring_stress = 5e5;
+  EXPECT_EQ(solve_line_film(slides).central, newton);
+  slides.sliding = 0.5 * slides.rolling;
+  EXPECT_LT(solve_line_film(slides).central, newton);
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::film::reynolds_line_test
