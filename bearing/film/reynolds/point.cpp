@@ -159,8 +159,9 @@ class PointFilmSolver {
         report.residual = fine.balance().residual;
         const bool hopeless = report.cycles > kPatience && report.change > kStillMoving;
         if (!std::isfinite(report.change) || !std::isfinite(report.residual) || hopeless) break;
+        // Bodies that run through each other balance the load too.
         report.converged = report.change < grid.tolerance && report.load_error < grid.tolerance &&
-                           report.residual < grid.tolerance;
+                           report.residual < grid.tolerance && fine.film.minCoeff() > 0.0;
       }
     };
     settle();

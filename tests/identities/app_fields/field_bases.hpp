@@ -317,7 +317,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"contact.boundary_friction", {"0.13", {"contact.lubrication=mixed"}}},
       {"film.approach", {"as-printed", {"film.enabled=true"}}},
       {"film.enabled", {"true", turning_balls}},
-      {"film.solver", {"reynolds"}},
+      {"film.solver", {"reynolds", {"contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"}}},
       {"lubricant.viscosity", {"0.02 Pa.s", filmed}},
       {"lubricant.pressure_viscosity", {"2e-8 Pa-1", filmed}},
       {"operation.speeds", {"[1000 rpm, 2000 rpm]"}},
