@@ -48,9 +48,8 @@ NamedArray over_points(std::string name, std::string units, std::string meaning)
 
 FilmPoint solved(const film::EllipticalContact& contact, const bearing::Lubricant& oil,
                  const film::ContactMotion& motion) {
-  FilmPoint point{.motion = motion, .films = {}, .solution = film::PointFilm{}};
-  if (motion.rolling != 0.0)
-    point.solution = film::solve_point_film(film::point_film_case(contact, oil, motion));
+  FilmPoint point{.motion = motion, .films = {}, .solution = {}};
+  point.solution = film::solve_point_film(film::point_film_case(contact, oil, motion));
   point.films = film::films_of(*point.solution, contact, oil, motion);
   return point;
 }

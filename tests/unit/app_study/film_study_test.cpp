@@ -74,13 +74,6 @@ TEST(FilmStudy, BySolvingReynoldsEquation) {
   EXPECT_THAT(film_map_csv(*study.points[0].solution), HasSubstr("x_mm,y_mm,pressure_GPa,film_um"));
 }
 
-TEST(FilmStudy, WithoutRollingReynoldsEquationHasNoFilm) {
-  const FilmStudy study = film_study(
-      shipped("spin_film_guo2013", {"points=[[500 N, 0 m/s, 300 rad/s]]", "film.solver=reynolds"}));
-  EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("row 1 Reynolds' equation was not solved")));
-  EXPECT_TRUE(std::isnan(study.points[0].films.central));
-}
-
 TEST(BallFilms, OfLoadedBallsAlone) {
   const StaticStudy study = static_study(
       shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=500 N", "operation.shaft_speed=6000 rpm",
