@@ -15,6 +15,7 @@
 #include "coupling/integration/window.hpp"
 #include "coupling/study/low_pass.hpp"
 #include "coupling/system/ball_run.hpp"
+#include "coupling/system/bearing_steps.hpp"
 
 namespace orbearing::study {
 
@@ -173,7 +174,7 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratche
   Recorder record = recorder_of(scratched.shaft_speed, sampling, vibration);
   std::vector<double> x = start_state(scratched.bearing, model, scratched.bearing.first_element), now(x.size());
   SteppedBalls system(model);
-  integration::Rosenbrock2 stepper = system::ball_stepper(model.numbers(), length_error);
+  integration::Rosenbrock2 stepper = system::ball_stepper(model.numbers(), length_error, system::kStepOfImpact);
   integration::IntegrationOptions limits;
   limits.most_seconds = std::numeric_limits<double>::infinity();
   integration::Run budget(limits, vibration.report);

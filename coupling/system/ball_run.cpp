@@ -26,10 +26,6 @@ using bearing::balls::BallPowerLoss;
 using bearing::balls::BallSnapshot;
 using bearing::balls::StateLayout;
 
-// Of a ball's vibration between its races in the longest step [rad]. What is not resolved is damped by the method:
-// loads follow from balance there. Where a ball is struck the allowed error shortens the step.
-constexpr double kStepOfBalls = 10.0;
-
 // Of a ball between its races [rad/s].
 double ball_frequency(const BallNumbers& c) {
   const double slope = 1.5 * (c.inner.stiffness + c.outer.stiffness) * std::sqrt(kTypicalApproach);
@@ -250,9 +246,9 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
   return allowed;
 }
 
-integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length) {
+integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length, double longest) {
   return integration::Rosenbrock2(ball_allowed_errors(numbers, kLinearlyImplicitErrorFactor * length),
-                                  kStepOfBalls / ball_frequency(numbers));
+                                  longest / ball_frequency(numbers));
 }
 
 std::string balls_out_of_place(const BallNumbers& c, const double* x) {

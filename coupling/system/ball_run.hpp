@@ -125,8 +125,14 @@ struct BallRunResult {
 /// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
 std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
 
-/// The linearly implicit stepper for balls whose lengths may err by `length` [m] in one step.
-integration::Rosenbrock2 ball_stepper(const bearing::balls::BallNumbers& numbers, double length);
+/// Of a ball's vibration between its races in the longest step [rad]. Where it is not resolved the method damps it:
+/// loads then follow from balance, and where a ball is struck the allowed error shortens the step.
+inline constexpr double kStepOfBalancedBalls = 10.0;
+
+/// The linearly implicit stepper for balls whose lengths may err by `length` [m] in one step. Who looks at the
+/// vibration itself takes kStepOfImpact as the longest step.
+integration::Rosenbrock2 ball_stepper(const bearing::balls::BallNumbers& numbers, double length,
+                                      double longest = kStepOfBalancedBalls);
 
 /// Empty where balls are between the races and in their pockets in the padded state `x`; else what came out.
 std::string balls_out_of_place(const bearing::balls::BallNumbers& numbers, const double* x);
