@@ -60,6 +60,27 @@ class BallRun(unittest.TestCase):
             self.assertEqual(page.count("<svg"), 5)
             self.assertIn("its cage slips", page)
 
+    def test_temperatures_follow_from_the_friction_where_asked(self):
+        stated = json.loads(run("run", MOTOR, "--json", *SHORT).stdout)
+        self.assertIsNone(stated["temperature_C"])
+        self.assertLess(stated["life_with_balls_h"], stated["life_h"])
+        done = run("run", MOTOR, "--json", "--set", "heat.enabled=true", "--set", "heat.surroundings=40 degC", *SHORT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        warm = json.loads(done.stdout)
+        self.assertEqual(list(warm["temperature_C"]), ["balls", "inner_ring", "outer_ring", "oil", "housing"])
+        for temperature in warm["temperature_C"].values():
+            self.assertTrue(40.0 < temperature < 60.0)
+        self.assertGreater(warm["heat_W"]["total"], stated["heat_W"]["total"])  # the oil is stated at 70 degC
+        unused = run("run", MOTOR, "--json", "--set", "heat.inlet=50 degC", *SHORT)
+        self.assertTrue(any("heat.inlet" in warning for warning in json.loads(unused.stdout)["warnings"]))
+
+    def test_the_printed_form_gives_like_statistics(self):
+        complete = json.loads(run("run", MOTOR, "--json", *SHORT).stdout)
+        done = run("run", MOTOR, "--json", "--set", "simulation.form=printed", "--set", "simulation.step=2 us", *SHORT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        printed = json.loads(done.stdout)
+        self.assertAlmostEqual(printed["inner"]["load_rms_N"] / complete["inner"]["load_rms_N"], 1.0, delta=0.01)
+
     def test_refusals_name_the_field(self):
         without_cage = run("run", CASES / "ball_6305_iso16281" / "case.yaml", "--json",
                            "--set", "simulation.duration=0.1 s")
