@@ -22,21 +22,31 @@ void check_scratch_profile(const ResolvedCase& in, std::vector<Mistake>& mistake
             "at least three, at even places from edge to edge, are required", mistakes);
 }
 
-void check_scratch(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+// What is stated of the scratch itself; `element` is a ball or a roller.
+void check_scratch(const ResolvedCase& in, const char* element, std::vector<Mistake>& mistakes) {
   if (!in.has("defect.race") || in.choice("defect.race") == "none") return;
   check_scratch_profile(in, mistakes);
   for (const char* path : {"defect.width", "defect.depth"})
     if (!in.has(path))
       object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
                 "width and depth of the scratch, or none, are required", mistakes);
-  if (!has_all(in, {"defect.width", "bearing.ball_diameter", "bearing.balls", "bearing.pitch_diameter"}))
-    return;
-  // A ball on a wider one would fall to where it touches nothing that eq. 4 knows; two balls share none.
-  const double widest = 0.5 * in.quantity("bearing.ball_diameter");
+  const std::string diameter = fmt::format("bearing.{}_diameter", element);
+  if (!in.has("defect.width") || !in.has(diameter)) return;
+  // An element on a wider one would fall to where it touches nothing that eq. 4 knows; two share none.
+  const double widest = 0.5 * in.quantity(diameter);
   if (in.quantity("defect.width") > widest)
     object_to(in, "defect.width",
-              fmt::format("{} for balls that sink between its edges", in.given("defect.width")),
-              fmt::format("at most half a ball diameter, {:.4g} mm, is required", 1e3 * widest), mistakes);
+              fmt::format("{} for {}s that sink between its edges", in.given("defect.width"), element),
+              fmt::format("at most half a {} diameter, {:.4g} mm, is required", element, 1e3 * widest), mistakes);
+}
+
+void check_band(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!in.has("signal.band")) return;
+  const std::vector<double> band = in.list("signal.band");
+  const double highest = 0.5 * in.quantity("signal.sampling_rate");
+  if (band.size() != 2 || !(band[0] < band[1]) || band[1] > highest)
+    object_to(in, "signal.band", in.given("signal.band"),
+              fmt::format("its lower and upper end, at most {:.4g} Hz, are required", highest), mistakes);
 }
 
 void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
@@ -60,11 +70,7 @@ void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
               fmt::format("{} at {:.4g} revolutions a second", in.given("signal.sampling_rate"), turns),
               fmt::format("at least 100 samples a revolution, {:.4g} Hz, are required", 100.0 * turns),
               mistakes);
-  if (!in.has("signal.band")) return;
-  const std::vector<double> band = in.list("signal.band");
-  if (band.size() != 2 || !(band[0] < band[1]) || band[1] > 0.5 * rate)
-    object_to(in, "signal.band", in.given("signal.band"),
-              fmt::format("its lower and upper end, at most {:.4g} Hz, are required", 0.5 * rate), mistakes);
+  check_band(in, mistakes);
 }
 
 // A drivetrain with a scratched planet bearing.
@@ -77,17 +83,7 @@ void check_planet_surface(const ResolvedCase& in, std::vector<Mistake>& mistakes
   if (in.choice("defect.race") == "ball")
     object_to(in, "defect.race", "'ball' in a bearing of rollers", "outer, inner, roller or none is required", mistakes);
   if (in.choice("defect.race") == "none") return;
-  check_scratch_profile(in, mistakes);
-  for (const char* path : {"defect.width", "defect.depth"})
-    if (!in.has(path))
-      object_to(in, "defect.race", fmt::format("'{}' without {}", in.choice("defect.race"), path),
-                "width and depth of the scratch, or none, are required", mistakes);
-  if (has_all(in, {"defect.width", "bearing.roller_diameter"}) &&
-      in.quantity("defect.width") > 0.5 * in.quantity("bearing.roller_diameter"))
-    object_to(in, "defect.width", fmt::format("{} for rollers that sink between its edges", in.given("defect.width")),
-              fmt::format("at most half a roller diameter, {:.4g} mm, is required",
-                          500.0 * in.quantity("bearing.roller_diameter")),
-              mistakes);
+  check_scratch(in, "roller", mistakes);
   if (in.choice("defect.form") == "as-printed")
     object_to(in, "defect.form", "'as-printed', which jumps at both edges",
               "a continuous form is required where all of the bearing moves", mistakes);
@@ -104,13 +100,7 @@ void check_place(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   at_most("defect.planet", "gearset.planets");
   at_most("defect.bearing", "bearing.per_planet");
   at_most("defect.element", "bearing.rollers");
-  if (!in.has("signal.band")) return;
-  const std::vector<double> band = in.list("signal.band");
-  if (band.size() != 2 || !(band[0] < band[1]) || band[1] > 0.5 * in.quantity("signal.sampling_rate"))
-    object_to(in, "signal.band", in.given("signal.band"),
-              fmt::format("its lower and upper end, at most {:.4g} Hz, are required",
-                          0.5 * in.quantity("signal.sampling_rate")),
-              mistakes);
+  check_band(in, mistakes);
 }
 
 }  // namespace
@@ -160,7 +150,7 @@ void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.model() != raceway_defect) return;
   if (in.has("defect.race") && in.choice("defect.race") == "roller")
     object_to(in, "defect.race", "'roller' in a bearing of balls", "outer, inner, ball or none is required", mistakes);
-  check_scratch(in, mistakes);
+  check_scratch(in, "ball", mistakes);
   check_signal(in, mistakes);
 }
 
