@@ -73,11 +73,6 @@ void check_signal(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_band(in, mistakes);
 }
 
-// A drivetrain with a scratched planet bearing.
-bool is_planet_defect_case(const ResolvedCase& in) {
-  return in.model() == planetary_drivetrain && in.shape().defect && in.shape().bearing && !in.shape().several;
-}
-
 void check_planet_surface(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!in.has("defect.race")) return;
   if (in.choice("defect.race") == "ball")
@@ -104,6 +99,10 @@ void check_place(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 }
 
 }  // namespace
+
+bool is_planet_defect(const ResolvedCase& in) {
+  return in.model() == planetary_drivetrain && in.shape().defect && in.shape().bearing && !in.shape().several;
+}
 
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& in) {
   return {.bearing = from_case(in, bearing::Bearing{.elements = bearing::Balls{}}),
@@ -140,7 +139,7 @@ std::optional<signals::Band> stated_band_of(const ResolvedCase& in) {
 }
 
 void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (is_planet_defect_case(in)) {
+  if (is_planet_defect(in)) {
     if (!in.has("defect.race"))
       mistakes.push_back({{}, "defect.race", {"a block defect without it", "outer, inner, roller or none is required"}});
     check_planet_surface(in, mistakes);

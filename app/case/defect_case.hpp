@@ -11,6 +11,10 @@
 
 namespace orbearing::app {
 
+/// Whether a case is that of a gear set with a scratched planet bearing: a planetary drivetrain with a block
+/// `defect`.
+bool is_planet_defect(const ResolvedCase& resolved);
+
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& resolved);
 
 /// Of the balls, the cage and the oil of such a case, for run --fidelity dynamic. Throws BadInput where it lacks

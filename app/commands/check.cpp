@@ -5,6 +5,7 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/check_table.hpp"
+#include "app/case/defect_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/defect_study.hpp"

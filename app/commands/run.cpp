@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include "app/case/case_file.hpp"
+#include "app/case/defect_case.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/commands/defect_run.hpp"
 #include "app/commands/duplex_run.hpp"

@@ -19,37 +19,6 @@ using defect::Scratched;
 
 constexpr const char* kPassage = "ball passage";  // the compliance that varies as balls pass the load zone
 
-std::string defect_name(Scratched scratched) {
-  switch (scratched) {
-    case Scratched::outer:
-      return "outer race defect";
-    case Scratched::inner:
-      return "inner race defect";
-    case Scratched::ball:
-      return "ball defect";
-    case Scratched::roller:
-      return "roller defect";
-    case Scratched::none:
-      break;
-  }
-  return kPassage;
-}
-
-std::optional<double> defect_frequency(Scratched scratched, const defect::PassingFrequencies& passing) {
-  switch (scratched) {
-    case Scratched::outer:
-      return passing.outer_pass;
-    case Scratched::inner:
-      return passing.inner_pass;
-    case Scratched::ball:
-    case Scratched::roller:
-      return passing.element_pass;
-    case Scratched::none:
-      break;
-  }
-  return std::nullopt;
-}
-
 // Up to `highest` [Hz]. A scratch that goes round meets the load zone once in each turn of what carries it.
 std::vector<signals::ExpectedLine> expected_lines(Scratched scratched,
                                                   const defect::PassingFrequencies& passing, double highest) {
@@ -128,6 +97,37 @@ double peak_frequency(const DefectStudy& study, const std::string& name) {
 }
 
 }  // namespace
+
+std::string defect_name(Scratched scratched) {
+  switch (scratched) {
+    case Scratched::outer:
+      return "outer race defect";
+    case Scratched::inner:
+      return "inner race defect";
+    case Scratched::ball:
+      return "ball defect";
+    case Scratched::roller:
+      return "roller defect";
+    case Scratched::none:
+      break;
+  }
+  return kPassage;
+}
+
+std::optional<double> defect_frequency(Scratched scratched, const defect::PassingFrequencies& passing) {
+  switch (scratched) {
+    case Scratched::outer:
+      return passing.outer_pass;
+    case Scratched::inner:
+      return passing.inner_pass;
+    case Scratched::ball:
+    case Scratched::roller:
+      return passing.element_pass;
+    case Scratched::none:
+      break;
+  }
+  return std::nullopt;
+}
 
 bool is_defect(const ResolvedCase& resolved) {
   return resolved.model() == raceway_defect;

@@ -56,6 +56,12 @@ DefectStudy defect_study(const ResolvedCase& resolved, DefectRung rung = DefectR
                          const std::function<void(double)>& progress = {},
                          const std::function<void(study::RingVibration&)>& disturb = {});
 
+/// What lines of a scratch are called; without one, those of the balls that pass the load zone.
+std::string defect_name(bearing::defect::Scratched scratched);
+/// How often a scratch is met [Hz]; none without one.
+std::optional<double> defect_frequency(bearing::defect::Scratched scratched,
+                                       const bearing::defect::PassingFrequencies& passing);
+
 /// A number by its name in the validation table: "shaft_Hz", "cage_Hz", "defect_Hz", "defect_peak_Hz",
 /// "side_band_Hz", "passage_peak_Hz"; NaN for a name that is not known or a peak that is not there.
 double defect_property(const DefectStudy& study, const std::string& quantity);

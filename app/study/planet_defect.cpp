@@ -21,28 +21,6 @@ namespace {
 using bearing::defect::Scratched;
 using boost::math::double_constants::two_pi;
 
-const char* surface_name(Scratched scratched) {
-  switch (scratched) {
-    case Scratched::outer:
-      return "outer race defect";
-    case Scratched::inner:
-      return "inner race defect";
-    case Scratched::ball:
-    case Scratched::roller:
-      return "roller defect";
-    case Scratched::none:
-      break;
-  }
-  return "";
-}
-
-std::optional<double> pass_of(Scratched scratched, const bearing::defect::PassingFrequencies& passing) {
-  if (scratched == Scratched::outer) return passing.outer_pass;
-  if (scratched == Scratched::inner) return passing.inner_pass;
-  if (of_element(scratched)) return passing.element_pass;
-  return std::nullopt;
-}
-
 study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling, const study::PlanetVibration& out,
                                    int rollers) {
   study::PlanetFrequencies turned = rolling;
@@ -115,30 +93,25 @@ InstrumentView view_of(const ResolvedCase& in, const PlanetDefectStudy& study, E
 
 }  // namespace
 
-bool is_planet_defect(const ResolvedCase& resolved) {
-  return resolved.model() == planetary_drivetrain && resolved.shape().defect && !resolved.shape().several &&
-         resolved.shape().bearing;
-}
-
 std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& scratched,
                                                 const study::PlanetFrequencies& at, bool on_housing,
                                                 double highest, double unit) {
   constexpr int bands = 3, common = 1, rare = 2;
   std::vector<signals::ExpectedLine> lines;
-  const auto add = [&](double frequency, const char* name, double spacing, const char* of, int order) {
+  const auto add = [&](double frequency, const std::string& name, double spacing, const char* of, int order) {
     const int harmonics = static_cast<int>(std::ceil(highest / frequency)) + 1;
     signals::add_lines(frequency / unit, name, harmonics, spacing / unit, of, spacing > 0.0 ? bands : 0,
                        order, lines);
   };
   for (const Scratched one : scratched) {
-    const std::optional<double> pass = pass_of(one, at.bearing);
+    const std::optional<double> pass = defect_frequency(one, at.bearing);
     if (!pass) continue;
     // The planet carries its race's scratch into the load zone and out again, the cage a roller; the pin
     // stands.
-    if (one == Scratched::outer) add(*pass, surface_name(one), at.planet, "planet", 0);
-    if (one == Scratched::inner) add(*pass, surface_name(one), 0.0, "", 0);
+    if (one == Scratched::outer) add(*pass, defect_name(one), at.planet, "planet", 0);
+    if (one == Scratched::inner) add(*pass, defect_name(one), 0.0, "", 0);
     if (of_element(one)) {
-      add(*pass, surface_name(one), at.bearing.cage, "cage", 0);
+      add(*pass, defect_name(one), at.bearing.cage, "cage", 0);
       add(0.5 * *pass, "roller spin", at.bearing.cage, "cage", rare);
     }
   }
@@ -183,7 +156,7 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
   for (const system::ScratchedPlanet& planet : scratched)
     for (const bearing::defect::Scratch& one : planet.scratches) study.scratched.push_back(one.race);
   if (!study.scratched.empty())
-    study.defect_frequency = pass_of(study.scratched.front(), study.rolling.bearing);
+    study.defect_frequency = defect_frequency(study.scratched.front(), study.rolling.bearing);
   study.vibration = study::sample_vibration(drivetrain, scratched, sampling, progress);
   const study::PlanetVibration& motion = study.vibration;
   if (!motion.report.completed) throw ComputationFailed(in.text("name") + ": " + motion.report.message);
@@ -257,7 +230,7 @@ double planet_defect_property(const PlanetDefectStudy& study, const std::string&
       if (one.is == name) return one.frequency;
     return std::numeric_limits<double>::quiet_NaN();
   };
-  const std::string name = study.scratched.empty() ? "" : surface_name(study.scratched.front());
+  const std::string name = study.scratched.empty() ? "" : defect_name(study.scratched.front());
   if (quantity == "cage_Hz") return study.rolling.bearing.cage;
   if (quantity == "defect_peak_Hz") return peak(study.carrier.envelope_peaks, name);
   if (quantity == "planet_band_Hz")

@@ -40,10 +40,6 @@ struct PlanetDefectStudy {
   std::vector<std::string> warnings;
 };
 
-/// Whether a case is that of a gear set with a scratched planet bearing: a planetary drivetrain with a block
-/// `defect`.
-bool is_planet_defect(const ResolvedCase& resolved);
-
 /// `progress` gets the share done, if any. Throws ComputationFailed where the motion cannot be followed.
 PlanetDefectStudy planet_defect_study(const ResolvedCase& resolved,
                                       const std::function<void(double)>& progress = {});

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "app/case/defect_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/planet_defect.hpp"
