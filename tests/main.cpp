@@ -1,14 +1,15 @@
-// One program for all kinds of C++ tests. Beside the patterns of GoogleTest, --gtest_filter takes a folder of
-// tests/ that ends in "/": --gtest_filter=unit/bearing/ means the tests whose sources stand there.
+// One program for all kinds of C++ tests. Beside the patterns of GoogleTest, --gtest_filter takes a folder or a file
+// of tests/: --gtest_filter=unit/bearing/ or --gtest_filter=unit/life/damage_test.cpp means the tests that stand there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iostream>
 #include <string>
 
 namespace {
 
-std::string tests_in(const std::string& folder) {
-  const std::string place = "/tests/" + folder;
+std::string tests_in(const std::string& folder_or_file) {
+  const std::string place = "/tests/" + folder_or_file;
   const testing::UnitTest& all = *testing::UnitTest::GetInstance();
   std::string names;
   for (int i = 0; i < all.total_test_suite_count(); ++i) {
@@ -28,6 +29,13 @@ std::string tests_in(const std::string& folder) {
 int main(int argc, char** argv) {
   testing::InitGoogleMock(&argc, argv);
   const std::string filter = GTEST_FLAG_GET(filter);
-  if (filter.ends_with('/')) GTEST_FLAG_SET(filter, tests_in(filter));
+  if (filter.ends_with('/') || filter.ends_with(".cpp")) {
+    const std::string names = tests_in(filter);
+    if (names.empty()) {
+      std::cerr << "no test stands in tests/" << filter << '\n';
+      return 2;
+    }
+    GTEST_FLAG_SET(filter, names);
+  }
   return RUN_ALL_TESTS();
 }

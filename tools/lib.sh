@@ -109,7 +109,17 @@ run_tests() {
   local preset=$1
   shift
   say "running the tests of preset $preset"
-  ctest --test-dir "$root/build/$preset" --output-on-failure --no-tests=error -j 2 "$@"
+  local result=0
+  ctest --test-dir "$root/build/$preset" --output-on-failure --no-tests=error -j 2 "$@" || result=$?
+  skipped_within "$root/build/$preset/Testing/Temporary/LastTest.log"
+  return "$result"
+}
+
+# ctest tells of programs that are skipped; what one of them leaves out is in its log, with the reason in the next line.
+skipped_within() {
+  local reasons
+  reasons=$(sed -n -E "s|^$root/tests/([^:]*):[0-9]+: Skipped\$|\1|p;T;n;p" "$1" | paste -d: - - | sort | uniq -c) || return 0
+  [ -z "$reasons" ] || printf 'Left out within these files:\n%s\n' "$reasons"
 }
 
 minutes_since() {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <numeric>
+#include <unordered_map>
 
 #include "app/case/described_fields.hpp"
 #include "gearset/gear_pair.hpp"
@@ -115,6 +116,12 @@ std::vector<Field> build_table() {
   return grouped(std::move(fields));
 }
 
+std::unordered_map<std::string_view, const Field*> fields_by_path() {
+  std::unordered_map<std::string_view, const Field*> by_path;
+  for (const Field& field : all_fields()) by_path.emplace(field.path, &field);
+  return by_path;
+}
+
 // Levenshtein's distance: least number of characters put in, taken out or replaced.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -180,10 +187,9 @@ const Field* find_field(std::string_view path) {
     const Field* field = find_field(path.substr(prefix));
     return field != nullptr && in_each_set(*field) ? field : nullptr;
   }
-  const std::vector<Field>& fields = all_fields();
-  const auto found =
-      std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.path == path; });
-  return found == fields.end() ? nullptr : &*found;
+  static const std::unordered_map<std::string_view, const Field*> by_path = fields_by_path();
+  const auto found = by_path.find(path);
+  return found == by_path.end() ? nullptr : found->second;
 }
 
 std::vector<const Field*> fields_of(unsigned models) {

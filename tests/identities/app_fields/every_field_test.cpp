@@ -102,7 +102,7 @@ class EveryField : public testing::TestWithParam<Subject> {
       for (const std::string& warning : require_used(other, GetParam().analysis))
         if (warning.starts_with(input.path + ":")) verdict.text += warning;
       verdict.warned = !verdict.text.empty();
-      verdict.changed = result_of(other, GetParam().analysis) != reference(beside);
+      verdict.changed = result(changed(input, beside, change)) != result(beside);
     } catch (const BadInput& refusal) {
       verdict.refused = true;
       verdict.text = refusal.what();
@@ -118,13 +118,14 @@ class EveryField : public testing::TestWithParam<Subject> {
   const Base& base() const { return *GetParam().base; }
 
  private:
-  const std::string& reference(const std::vector<std::string>& settings) {
-    const auto found = references_.find(settings);
-    if (found != references_.end()) return found->second;
-    return references_[settings] = result_of(case_of(base(), settings), GetParam().analysis);
+  // What one field is compared with is the change of another one now and then.
+  const std::string& result(const std::vector<std::string>& settings) {
+    const auto found = results_.find(settings);
+    if (found != results_.end()) return found->second;
+    return results_[settings] = result_of(case_of(base(), settings), GetParam().analysis);
   }
 
-  std::map<std::vector<std::string>, std::string> references_;
+  std::map<std::vector<std::string>, std::string> results_;
 };
 
 struct Count {

@@ -44,5 +44,16 @@ TEST(Repository, FoldersExplainThemselves) {
   }
 }
 
+// ctest runs them by file: what stands elsewhere, in a header say, would never run.
+TEST(Repository, EveryTestStandsInAFileThatCtestRuns) {
+  static const std::regex file(R"(.*/tests/(unit|identities|literature|regression)/.*_test\.cpp)");
+  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  for (int i = 0; i < all.total_test_suite_count(); ++i) {
+    const testing::TestSuite& suite = *all.GetTestSuite(i);
+    for (int j = 0; j < suite.total_test_count(); ++j)
+      EXPECT_TRUE(std::regex_match(suite.GetTestInfo(j)->file(), file)) << suite.GetTestInfo(j)->file();
+  }
+}
+
 }  // namespace
 }  // namespace orbearing::repository::repository_test
