@@ -10,6 +10,7 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/oil_case.hpp"
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/case/refinement_consistency.hpp"
@@ -272,6 +273,8 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_widths(check);
   check_refinements(resolved, mistakes);
   check_profile(resolved, mistakes);
+  check_grade(resolved, mistakes);
+  check_cleanliness(resolved, mistakes);
   check_static_bearing(resolved, mistakes);
   check_defect(resolved, mistakes);
   check_duplex(resolved, mistakes);

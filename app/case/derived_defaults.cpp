@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/case/field_table.hpp"
+#include "app/case/oil_case.hpp"
 #include "app/case/settings.hpp"
 #include "bearing/usual_design.hpp"
 
@@ -166,6 +167,7 @@ void fill_derived_defaults(CaseData& data) {
   const Model model = model_of(found->second.value.given) == ball_bearing && data.values.contains("simulation.duration")
                           ? ball_motion
                           : model_of(found->second.value.given);
+  fill_from_grade(data, model);
   if ((model & described::in_time) == 0) return;
   std::vector<std::string> prefixes{""};
   if (data.shape.several) {

@@ -111,6 +111,7 @@ std::vector<Field> build_table() {
   table::add_defect_fields(fields);
   table::add_duplex_fields(fields);
   table::add_film_fields(fields);
+  table::add_oil_fields(fields);
   for (Field& field : fields)
     if ((field.models & planetary_drivetrain) != 0) field.use = with_planet_defect(field.use, field.path);
   return grouped(std::move(fields));

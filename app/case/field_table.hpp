@@ -53,6 +53,7 @@ void add_static_fields(std::vector<Field>& fields);
 void add_defect_fields(std::vector<Field>& fields);
 void add_duplex_fields(std::vector<Field>& fields);
 void add_film_fields(std::vector<Field>& fields);
+void add_oil_fields(std::vector<Field>& fields);
 }  // namespace table
 
 }  // namespace orbearing::app

@@ -174,8 +174,13 @@ Use with_turning_rings(const Use& use, const described::Facts& facts) {
     turning.paths.emplace_back("input.speed");  // planets turn always
     return also_used(use, use::lone_balance).when(turning);
   }
+  if (facts.path == "lubricant.density")
+    return use.felt_too(use::rollers_at_rest,
+                        where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"}));
   if (facts.path != "lubricant.viscosity" && facts.path != "lubricant.pressure_viscosity") return use;
-  return also_used(use, use::spin_film).felt_too(use::lone_balance, where("film.enabled", {"true"}));
+  return also_used(use, use::spin_film)
+      .felt_too(use::lone_balance, where("film.enabled", {"true"}))
+      .when(where_absent("lubricant.grade"));
 }
 
 }  // namespace

@@ -62,6 +62,11 @@ Place ResolvedCase::item_place(std::string_view path, std::size_t item) const {
   return item < value.item_places.size() ? value.item_places[item] : value.place;
 }
 
+const std::string& ResolvedCase::written(std::string_view path) const {
+  const StoredValue& value = stored(path);
+  return value.replaced.empty() ? value.value.given : value.replaced;
+}
+
 std::string ResolvedCase::origin(std::string_view path) const {
   const StoredValue& value = stored(path);
   if (value.from_default) return "default";

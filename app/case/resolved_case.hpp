@@ -40,6 +40,7 @@ struct StoredValue {
   Place place;
   bool from_default = false;
   std::vector<Place> item_places{};  // list: of its elements, where they stand apart
+  std::string replaced{};            // as written, where another input stands in its place
 };
 
 /// What a resolved case consists of.
@@ -72,6 +73,8 @@ class ResolvedCase {
   const FieldValue& value(std::string_view path) const { return stored(path).value; }
   /// The value as written: "150 kW".
   const std::string& given(std::string_view path) const;
+  /// The same, also where another input stands in its place.
+  const std::string& written(std::string_view path) const;
   /// "FILE:LINE:COLUMN", "--set" or "default".
   std::string origin(std::string_view path) const;
   Place place(std::string_view path) const;

@@ -22,6 +22,8 @@ set(ORBEARING_CASE_SOURCES
   case/key_hints.cpp
   case/gear_dynamics_fields.cpp
   case/mistake.cpp
+  case/oil_case.cpp
+  case/oil_fields.cpp
   case/pair_case.cpp
   case/printable.cpp
   case/profile_case.cpp

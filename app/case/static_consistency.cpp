@@ -69,8 +69,8 @@ void check_motion(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 }
 
 void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (in.has("lubricant.grade")) return;  // a viscosity that is always there
   check_either(in, "life.viscosity_ratio", "lubricant.kinematic_viscosity", mistakes);
-  check_either(in, "life.contamination_factor", "life.cleanliness", mistakes);
   const bool film = in.has("life.viscosity_ratio") || in.has("lubricant.kinematic_viscosity");
   for (const char* path : {"life.contamination_factor", "life.cleanliness"})
     if (in.has(path) && !film)
@@ -85,13 +85,21 @@ void check_life(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
       in.quantity("operation.shaft_speed") == in.quantity("operation.outer_speed"))
     object_to(in, "lubricant.kinematic_viscosity", "a viscosity for rings that do not turn",
               "operation.shaft_speed is required, from which the viscosity ratio follows", mistakes);
-  if (in.has("life.cleanliness") && in.has("life.lubrication") && in.choice("life.cleanliness") == "lowest" &&
-      in.choice("life.lubrication") == "circulating-oil")
-    object_to(in, "life.cleanliness", "'lowest' for circulating oil",
-              "one of highest, high, medium, low is required with a filter", mistakes);
 }
 
 }  // namespace
+
+void check_cleanliness(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  check_either(in, "life.contamination_factor", "life.cleanliness", mistakes);
+  if (!has_all(in, {"life.cleanliness", "life.lubrication"})) return;
+  const std::string &level = in.choice("life.cleanliness"), &how = in.choice("life.lubrication");
+  if ((level == "lowest" || level == "-/21/18") && how == "circulating-oil")
+    object_to(in, "life.cleanliness", fmt::format("'{}' for circulating oil", level),
+              "one of highest, high, medium, low is required with a filter", mistakes);
+  if (level.front() == '-' && how == "grease")
+    object_to(in, "life.cleanliness", fmt::format("'{}' for grease", level),
+              "one of highest, high, medium, low, lowest is required: codes of ISO 4406 are those of oil", mistakes);
+}
 
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if ((resolved.model() & with_balls) != 0) check_balls(resolved, mistakes);

@@ -10,4 +10,7 @@ namespace orbearing::app {
 /// Adds what is wrong to `mistakes`; nothing for cases of other models.
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
+/// Whether level and manner of lubrication fit, in cases of any model that know them.
+void check_cleanliness(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
 }  // namespace orbearing::app

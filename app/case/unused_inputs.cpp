@@ -93,7 +93,7 @@ std::string users_text(const ResolvedCase& in, const Input& input) {
 
 std::string warning_of(const ResolvedCase& in, const Input& input, use::Analysis analysis,
                        Standing standing) {
-  const std::string found = fmt::format("{}: {}", input.path, in.given(input.path));
+  const std::string found = fmt::format("{}: {}", input.path, in.written(input.path));
   if (standing == Standing::idle)
     return fmt::format("{} has no effect: {}", found, condition_text(in, input, *first_unmet(in, input)));
   return fmt::format("{} has no effect on {}; {}", found, analysis_name(analysis), users_text(in, input));

@@ -17,6 +17,7 @@ constexpr double million_revolutions = 1e-6;
 constexpr double micrometres = 1e6;
 constexpr double microseconds = 1e6;
 constexpr double megapascals = 1e-6;
+constexpr double static_pressure = 4e9;  // [Pa]  at which ISO 76 sets the static capacity of roller bearings
 
 /// Messages of libraries may hold line ends or bytes that are not UTF-8; tables and JSON need neither.
 std::string printable(const std::string& status) {
@@ -54,7 +55,16 @@ double shortest_life(const PointResult& result) {
 }
 
 using gearset::dynamics::AffineBearing;
+using study::ModifiedRecord;
 using study::OneWayRecord;
+
+// By film and cleanliness.
+Column modified_column(const std::string& name, const std::string& variable, const std::string& units,
+                       const std::string& meaning, double per_unit, double ModifiedRecord::*member) {
+  return {name, variable, units, meaning, per_unit, [member](const PointResult& r) {
+            return r.modified ? (*r.modified).*member : not_given;
+          }};
+}
 
 // What stood for the bearings in gears that drive one of them.
 Column fit_column(const std::string& name, const std::string& units, const std::string& meaning,
@@ -125,6 +135,24 @@ const std::vector<Column>& trailing_columns() {
       {"contact_pressure_max_MPa", "contact_pressure_max", "Pa",
        "largest pressure of roller and race, after Hertz", megapascals,
        [](const PointResult& r) { return r.contact_pressure; }},
+      modified_column("kappa", "kappa", "1", "viscosity ratio of ISO 281", 1.0, &ModifiedRecord::viscosity_ratio),
+      modified_column("e_C", "e_C", "1", "contamination factor of ISO 281", 1.0,
+                      &ModifiedRecord::contamination_factor),
+      modified_column("a_ISO", "a_ISO", "1", "life modification factor of one bearing, lamina by lamina", 1.0,
+                      &ModifiedRecord::life_modification),
+      modified_column("L10mh", "L10mh", "h", "life of one bearing with a_1 and a_ISO", 1.0,
+                      &ModifiedRecord::life_hours),
+      modified_column("system_L10mh", "system_L10mh", "h", "the same of all planet bearings together", 1.0,
+                      &ModifiedRecord::system_life_hours),
+      modified_column("inner_L10m_Mrev", "inner_L10m", "revolution", "life of the inner race with a_1 and a_ISO",
+                      million_revolutions, &ModifiedRecord::inner_life),
+      modified_column("outer_L10m_Mrev", "outer_L10m", "revolution", "life of the outer race with a_1 and a_ISO",
+                      million_revolutions, &ModifiedRecord::outer_life),
+      {"static_safety", "static_safety", "1",
+       "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa", 1.0,
+       [](const PointResult& r) {
+         return r.modified ? std::pow(static_pressure / r.contact_pressure, 2) : not_given;
+       }},
       {"roller_slip", "roller_slip", "1", "one less the mean roller spin over that at pure rolling", 1.0,
        [](const PointResult& r) { return r.dynamic ? r.dynamic->roller_slip : not_given; }},
       {"friction_moment_N_m", "friction_moment", "N m", "friction moment of the bearing on the bore", 1.0,
@@ -201,7 +229,9 @@ const std::vector<SetColumn>& set_columns() {
       {"outer_load_max_N", "outer_load_max", "N", "largest load of one roller on the outer race", 1.0,
        [](const SetResult& r) { return r.outer.load_max; }},
       {"life_h", "life", "h", "fatigue life of one bearing", 1.0,
-       [](const SetResult& r) { return r.life_hours; }}};
+       [](const SetResult& r) { return r.life_hours; }},
+      {"L10mh", "L10mh", "h", "the same with a_1 and a_ISO", 1.0,
+       [](const SetResult& r) { return r.modified ? r.modified->life_hours : not_given; }}};
   return columns;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/case/described_case.hpp"
 #include "app/case/profile_case.hpp"
+#include "app/study/rated_oil.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
@@ -68,6 +69,7 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.bearing.inner.form = form_of(in, "bearing.inner_race");
   out.bearing.outer.form = form_of(in, "bearing.outer_race");
   out.pins_displaced = has_displaced_pins(in);
+  out.rated = rated_bearing(in, out.bearing);
   return out;
 }
 

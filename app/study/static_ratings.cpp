@@ -8,6 +8,7 @@
 
 #include "app/case/static_case.hpp"
 #include "app/errors.hpp"
+#include "app/study/rated_oil.hpp"
 #include "app/units.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/life/life_modification.hpp"
@@ -18,38 +19,14 @@ namespace {
 
 namespace rating = bearing::rating;
 
-rating::Lubrication lubrication_of(const ResolvedCase& in) {
-  const std::string& found = in.choice("life.lubrication");
-  if (found == "oil-bath") return rating::Lubrication::oil_bath;
-  return found == "grease" ? rating::Lubrication::grease : rating::Lubrication::circulating_oil;
-}
-
-rating::Cleanliness cleanliness_of(const ResolvedCase& in) {
-  const std::string& found = in.choice("life.cleanliness");
-  if (found == "highest") return rating::Cleanliness::highest;
-  if (found == "high") return rating::Cleanliness::high;
-  if (found == "medium") return rating::Cleanliness::medium;
-  return found == "low" ? rating::Cleanliness::low : rating::Cleanliness::lowest;
-}
-
-double viscosity_ratio_of(const ResolvedCase& in) {
-  if (in.has("life.viscosity_ratio")) return in.number("life.viscosity_ratio");
-  const double speed = in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed");
-  return rating::viscosity_ratio(in.quantity("lubricant.kinematic_viscosity"),
-                                 rating::required_viscosity(speed, in.quantity("bearing.pitch_diameter")));
-}
-
-double contamination_of(const ResolvedCase& in, double kappa) {
-  if (in.has("life.contamination_factor")) return in.number("life.contamination_factor");
-  return rating::contamination_factor(lubrication_of(in), cleanliness_of(in), kappa,
-                                      in.quantity("bearing.pitch_diameter"));
-}
-
 std::optional<FilmState> film_of(const ResolvedCase& in, rating::RollingElement element,
                                  const StaticStudy& study) {
-  if (!in.has("life.viscosity_ratio") && !in.has("lubricant.kinematic_viscosity")) return {};
-  FilmState film{.viscosity_ratio = viscosity_ratio_of(in)};
-  film.contamination_factor = contamination_of(in, film.viscosity_ratio);
+  const std::optional<rating::StatedOil> stated = stated_oil(in);
+  if (!stated) return {};
+  const double speed = in.quantity("operation.shaft_speed") - in.quantity("operation.outer_speed");
+  const rating::OilCondition oil =
+      rating::oil_condition(*stated, speed, in.quantity("bearing.pitch_diameter"));
+  FilmState film{oil.viscosity_ratio, oil.contamination_factor};
   const double load =
       rating::reference_load(element, study.ratings.dynamic_capacity, study.reference_life.bearing);
   const double ratio = load > 0.0 ? film.contamination_factor * study.ratings.fatigue_load_limit / load
@@ -65,6 +42,7 @@ std::optional<FilmState> film_of(const ResolvedCase& in, rating::RollingElement 
 
 void warn(const ResolvedCase& in, StaticStudy& study) {
   const rating::Ratings& ratings = study.ratings;
+  for (std::string& text : oil_warnings(in)) study.warnings.push_back(std::move(text));
   if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
     study.warnings.push_back(fmt::format(
         "bearing: D cos(alpha)/d_m is {:.3g}; the table of f_c in ISO 281 ends at {:.2g}: its formula is "

@@ -6,6 +6,7 @@
 
 #include "app/case/unused_inputs.hpp"
 #include "app/study/planetary_case.hpp"
+#include "app/study/rated_oil.hpp"
 
 namespace orbearing::app {
 
@@ -35,6 +36,8 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
       require_used(resolved, rung_of(resolved, outcome.header.fidelity), Axes::all);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+  const std::vector<std::string> oil = oil_warnings(resolved);
+  warnings.insert(warnings.end(), oil.begin(), oil.end());
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);
   };
@@ -46,6 +49,10 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
         fmt::format("contact: pressure above {:g} MPa, where rollers yield and elastic contact and "
                     "life have no meaning: {}",
                     kStaticPressureMPa, yielding));
+  const std::string starved =
+      rows_where(outcome, [&](const ResultRow& row) { return column(row, "kappa") < 0.1; });
+  if (!starved.empty())
+    warnings.push_back("life: kappa below 0.1, where ISO 281 gives no a_ISO and no modified life: " + starved);
   const std::string drifting =
       rows_where(outcome, [&](const ResultRow& row) { return column(row, "steady") == 0.0; });
   if (!drifting.empty())

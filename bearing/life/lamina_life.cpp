@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
 #include "bearing/life/basic_life.hpp"
 
 namespace orbearing::bearing::life {
@@ -42,20 +43,20 @@ Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& po
   return (powers * powers.sqrt().sqrt().sqrt()).rowwise().mean();
 }
 
-double damage(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
-  return (motion == RaceMotion::turning ? Eigen::ArrayXd(weight * mean.pow(4.5 / 4.0)) : weight * mean).sum();
+Eigen::ArrayXd by_lamina(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
+  if (motion == RaceMotion::turning) return weight * mean.pow(4.5 / 4.0);
+  return weight * mean;
 }
 
-double life_of(double damage) {
-  return damage > 0.0 ? kMillionRevolutions * std::pow(damage, -1.0 / kWeibullSlope)
-                      : std::numeric_limits<double>::infinity();
+double damage(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {
+  return by_lamina(weight, mean, motion).sum();
 }
 
 BearingLife lives(const LaminaRating& rating, const Eigen::ArrayXd& inner_mean,
                   const Eigen::ArrayXd& outer_mean) {
   const double inner = damage(rating.inner_weight, inner_mean, rating.motions.inner);
   const double outer = damage(rating.outer_weight, outer_mean, rating.motions.outer);
-  return {life_of(inner), life_of(outer), life_of(inner + outer)};
+  return {life_of_damage(inner), life_of_damage(outer), life_of_damage(inner + outer)};
 }
 
 // d(damage)/d(load), by the chain damage - mean - load.
@@ -74,6 +75,16 @@ std::string name_of(LifeMeasure measure) {
   return measure == LifeMeasure::iso16281 ? "iso16281" : "lundberg-palmgren";
 }
 
+double life_of_damage(double damage) {
+  return damage > 0.0 ? kMillionRevolutions * std::pow(damage, -1.0 / kWeibullSlope)
+                      : std::numeric_limits<double>::infinity();
+}
+
+LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae, const RaceMotions& motions) {
+  const Eigen::ArrayXd even = Eigen::ArrayXd::Ones(laminae);
+  return {weights(even, capacities.inner), weights(even, capacities.outer), motions};
+}
+
 LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double lambda) {
   const rating::ContactCapacities capacities = capacities_of(bearing, measure, lambda);
   const Eigen::ArrayXd riser = riser_of(std::max(bearing.rollers().laminae, 1), measure);
@@ -90,13 +101,19 @@ BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<c
                mean_of_fourth_powers(outer, rating.motions.outer));
 }
 
+LaminaDamage lamina_damage(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
+                           const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
+  return {by_lamina(rating.inner_weight, mean_of_fourth_powers(inner, rating.motions.inner), rating.motions.inner),
+          by_lamina(rating.outer_weight, mean_of_fourth_powers(outer, rating.motions.outer), rating.motions.outer)};
+}
+
 LogLife log_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {
   const Eigen::ArrayXd inner_mean = mean_power(inner, rating.motions.inner);
   const Eigen::ArrayXd outer_mean = mean_power(outer, rating.motions.outer);
   const double all = damage(rating.inner_weight, inner_mean, rating.motions.inner) +
                      damage(rating.outer_weight, outer_mean, rating.motions.outer);
   const double by_damage = all > 0.0 ? -1.0 / (kWeibullSlope * all) : 0.0;
-  return {std::log(life_of(all)),
+  return {std::log(life_of_damage(all)),
           by_damage * damage_slope(rating.inner_weight, inner, inner_mean, rating.motions.inner),
           by_damage * damage_slope(rating.outer_weight, outer, outer_mean, rating.motions.outer)};
 }

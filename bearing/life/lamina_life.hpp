@@ -36,6 +36,9 @@ struct LaminaRating {
 /// `lambda` [-] enters the capacities of Lundberg and Palmgren only. A bearing without laminae has one.
 LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double lambda);
 
+/// The same for stated capacities [N] of a whole contact, without stress riser.
+LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae, const RaceMotions& motions);
+
 using LaminaLoads = Eigen::Ref<const Eigen::ArrayXXd>;  // [N]  (laminae, places)
 
 /// Life [rev] for loads at evenly spaced places; infinite at no load.
@@ -44,6 +47,19 @@ BearingLife lamina_life(const LaminaRating& rating, const LaminaLoads& inner, co
 /// Life [rev] by (3), for means of fourth powers [N^4] (laminae, places); infinite at no load.
 BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
                                   const Eigen::Ref<const Eigen::ArrayXXd>& outer);
+
+/// Terms of the sum in (1), by race and lamina.
+struct LaminaDamage {
+  Eigen::ArrayXd inner;  // [-]  (laminae)
+  Eigen::ArrayXd outer;  // [-]  (laminae)
+};
+
+/// By (3), from fourth powers [N^4] (laminae, places).
+LaminaDamage lamina_damage(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
+                             const Eigen::Ref<const Eigen::ArrayXXd>& outer);
+
+/// Life [rev] of damages that add up to `damage` [-]; infinite without.
+double life_of_damage(double damage);
 
 /// ln of the bearing's life with its derivatives by the loads [1/N] (laminae, places).
 struct LogLife {

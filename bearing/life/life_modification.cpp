@@ -13,8 +13,6 @@ namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kLargestFactor = 50.0;
-
 // Film in the bracket of a_ISO: numerator and power of kappa.
 struct FilmTerm {
   double numerator;
@@ -85,6 +83,19 @@ double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, do
   return std::max(0.0, film * (1.0 - term.size / std::cbrt(pitch_mm)));
 }
 
+OilCondition oil_condition(const StatedOil& oil, double speed, double pitch_diameter) {
+  const double kappa = oil.viscosity_ratio ? *oil.viscosity_ratio
+                                           : viscosity_ratio(oil.kinematic_viscosity,
+                                                             required_viscosity(speed, pitch_diameter));
+  return {kappa, oil.contamination_factor ? *oil.contamination_factor
+                                          : contamination_factor(oil.lubrication, oil.cleanliness, kappa,
+                                                                 pitch_diameter)};
+}
+
+double viscosity_ratio_of_film(double least_film, double roughness) {
+  return std::pow(least_film / roughness, 1.3);
+}
+
 double life_modification_factor(RollingElement element, double kappa, double fatigue_ratio) {
   if (!(kappa >= 0.1)) mechanics::refuse("viscosity ratio kappa", kappa, "at least 0.1, where a_ISO begins");
   if (!(fatigue_ratio >= 0.0)) mechanics::refuse("e_C C_u/P", fatigue_ratio, "at least 0");
@@ -94,8 +105,8 @@ double life_modification_factor(RollingElement element, double kappa, double fat
   const bool ball = element == RollingElement::ball;
   const double stress = ball ? std::pow(std::max(0.0, 2.5671 - thickness), 0.83) * std::cbrt(fatigue_ratio)
                              : (1.5859 - thickness) * std::pow(fatigue_ratio, 0.4);
-  if (stress >= 1.0) return kLargestFactor;
-  return std::min(kLargestFactor, 0.1 * std::pow(1.0 - stress, ball ? -9.3 : -9.185));
+  if (stress >= 1.0) return kLargestLifeModification;
+  return std::min(kLargestLifeModification, 0.1 * std::pow(1.0 - stress, ball ? -9.3 : -9.185));
 }
 
 }  // namespace orbearing::bearing::rating

@@ -1,9 +1,14 @@
 // Life modification factor a_ISO of [ISO281]: lubrication, contamination and fatigue load limit.
 #pragma once
 
+#include <optional>
+
 #include "bearing/life/basic_life.hpp"
 
 namespace orbearing::bearing::rating {
+
+/// The largest a_ISO [-] of [ISO281].
+inline constexpr double kLargestLifeModification = 50.0;
 
 /// Viscosity nu_1 [m^2/s] that a bearing of `pitch_diameter` [m] needs at `speed` [rad/s] between its rings:
 /// in mm^2/s, rpm and mm 45000 n^-0.83 d_m^-0.5 below 1000 rpm, else 4500 n^-0.5 d_m^-0.5. (The two differ by
@@ -30,6 +35,27 @@ enum class Cleanliness { highest, high, medium, low, lowest };
 /// negative. Throws std::invalid_argument for a level that the annex does not have.
 double contamination_factor(Lubrication lubrication, Cleanliness cleanliness, double kappa,
                             double pitch_diameter);
+
+/// What a_ISO needs beside the loads.
+struct OilCondition {
+  double viscosity_ratio = 0.0;       // [-]  kappa
+  double contamination_factor = 0.0;  // [-]  e_C
+};
+
+/// How a film and its cleanliness are stated.
+struct StatedOil {
+  std::optional<double> viscosity_ratio{};  // [-]      kappa; none: of the viscosity and the speed
+  double kinematic_viscosity = 0.0;         // [m^2/s]  at running temperature
+  std::optional<double> contamination_factor{};  // [-]  e_C; none: by the two below
+  Lubrication lubrication = Lubrication::circulating_oil;
+  Cleanliness cleanliness = Cleanliness::high;
+};
+
+/// Both for rings that turn at `speed` [rad/s] against each other. Throws as the functions above do.
+OilCondition oil_condition(const StatedOil& oil, double speed, double pitch_diameter);
+
+/// kappa [-] of a film: (least film/composite roughness)^1.3, as [ISO281] has it. Both [m].
+double viscosity_ratio_of_film(double least_film, double roughness);
 
 /// a_ISO [-] of radial bearings for kappa [-] and contamination factor times fatigue load limit over
 /// equivalent load e_C C_u/P [-]. At most 50; kappa above 4 counts as 4. Throws std::invalid_argument for

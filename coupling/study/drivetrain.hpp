@@ -5,6 +5,8 @@
 #include <functional>
 #include <optional>
 
+#include "bearing/life/life_modification.hpp"
+#include "bearing/life/standard_life.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/motion/parameters.hpp"
@@ -68,6 +70,14 @@ void describe(Visitor& visit, Misalignment& m) {
             angle));
 }
 
+/// What the modified life of [ISO281] asks of a bearing and its oil.
+struct RatedBearing {
+  bearing::rating::Ratings ratings;
+  bearing::rating::StatedOil oil;
+  std::optional<double> roughness{};  // [m]  composite: kappa by the film that was computed; none: as `oil` says
+  double reliability_factor = 1.0;    // [-]  a_1
+};
+
 /// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
 /// other and derives anew.
 struct PlanetaryDrivetrain {
@@ -93,6 +103,7 @@ struct PlanetaryDrivetrain {
   std::function<gearset::dynamics::SetParameters()> gear_set;
   bool pins_displaced = false;  // of gear_set: pins stand off their places, so that planets load unevenly
   bool mesh_variation = true;   // false: the meshes keep their mean stiffness, and give their mean forces
+  std::optional<RatedBearing> rated;  // none: lives of Lundberg and Palmgren alone
   int cage_positions = 16;      // cage angles over one roller pitch that the quasi-static model averages
 };
 
@@ -107,7 +118,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
       apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
       apart(m.film_approach),  // dynamics' own
       system::lambda_row(m.lambda), part(m.misalignment), part(m.dynamics), part(m.steady_state),
-      part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.pins_displaced),
+      part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.pins_displaced), apart(m.rated),
       field(m.mesh_variation, "gearset.mesh_variation", Felt::gear_motion,
             "the stiffness of a mesh varies as teeth pass, and shakes gears and planet bearings; false: it "
             "keeps "

@@ -15,7 +15,8 @@ SetResult summary(const std::string& name, const PointResult& point) {
           .planet_load = point.planet_load,
           .inner = point.inner,
           .outer = point.outer,
-          .life_hours = point.life_hours};
+          .life_hours = point.life_hours,
+          .modified = point.modified};
 }
 
 PointResult evaluate_named(const NamedSet& set, Fidelity fidelity) {
@@ -39,10 +40,15 @@ PointResult evaluate(const std::vector<NamedSet>& sets, Fidelity fidelity) {
       [](const PointResult& a, const PointResult& b) { return a.life_hours < b.life_hours; });
   PointResult result = *shortest;
   result.limiting_set = sets[static_cast<std::size_t>(shortest - points.begin())].name;
-  double together = points.front().system_life_hours;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    together = bearing::combined_life(together, points[i].system_life_hours);
-  result.system_life_hours = together;
+  const auto together = [&](auto life_of) {
+    double all = life_of(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) all = bearing::combined_life(all, life_of(points[i]));
+    return all;
+  };
+  result.system_life_hours = together([](const PointResult& point) { return point.system_life_hours; });
+  if (result.modified)
+    result.modified->system_life_hours =
+        together([](const PointResult& point) { return point.modified->system_life_hours; });
   for (std::size_t i = 0; i < points.size(); ++i) result.sets.push_back(summary(sets[i].name, points[i]));
   return result;
 }

@@ -10,6 +10,7 @@
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
+#include "bearing/life/modified_life.hpp"
 #include "bearing/motion/layout.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/bearing_tangent.hpp"
@@ -37,15 +38,6 @@ double least_film(const bearing::Film& film, double load) {
 double hours_of(const bearing::BearingLife& life, const PlanetaryDrivetrain& drivetrain,
                 const BearingDuty& duty) {
   return bearing::hours(life.bearing, turning_speed(drivetrain.bearing, duty.point));
-}
-
-void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-              const bearing::BearingLife& life, PointResult& result) {
-  result.inner.life = life.inner;
-  result.outer.life = life.outer;
-  result.life_hours = hours_of(life, drivetrain, duty);
-  result.system_life_hours =
-      bearing::system_life(result.life_hours, drivetrain.set.planets * drivetrain.bearings_per_planet);
 }
 
 std::vector<double> as_vector(const Eigen::ArrayXXd& array) {
@@ -130,6 +122,52 @@ bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, con
   return bearing::motion::dynamic_life(drivetrain.bearing, drivetrain.lambda, means);
 }
 
+bearing::motion::RaceDamage damage_of(const RaceStatistics& race) {
+  return {race.damage, race.lamina_damage};
+}
+
+bearing::rating::OilCondition oil_of(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+                                     const WindowStatistics& means) {
+  bearing::rating::StatedOil oil = drivetrain.rated->oil;
+  if (drivetrain.rated->roughness)
+    oil.viscosity_ratio = bearing::rating::viscosity_ratio_of_film(
+        std::min(means.inner.least_film, means.outer.least_film), *drivetrain.rated->roughness);
+  return bearing::rating::oil_condition(oil, turning_speed(drivetrain.bearing, duty.point),
+                                        drivetrain.bearing.pitch_diameter);
+}
+
+// Of one bearing; the system's life follows where its planets are known.
+std::optional<ModifiedRecord> modified_under_means(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+                                                   const WindowStatistics& means) {
+  if (!drivetrain.rated) return std::nullopt;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const bearing::rating::OilCondition oil = oil_of(drivetrain, duty, means);
+  ModifiedRecord record{oil.viscosity_ratio, oil.contamination_factor, none, none, none, none, none};
+  const auto modified =
+      bearing::rating::modified_life(drivetrain.bearing, drivetrain.lambda, drivetrain.rated->ratings, oil,
+                                     damage_of(means.inner), damage_of(means.outer));
+  if (!modified) return record;
+  const double reliability = drivetrain.rated->reliability_factor;
+  record.life_modification = modified->factor;
+  record.inner_life = reliability * modified->life.inner;
+  record.outer_life = reliability * modified->life.outer;
+  record.life_hours = reliability * hours_of(modified->life, drivetrain, duty);
+  return record;
+}
+
+void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const WindowStatistics& means,
+              PointResult& result) {
+  const bearing::BearingLife life = life_under_means(drivetrain, means);
+  const int bearings = drivetrain.set.planets * drivetrain.bearings_per_planet;
+  result.inner.life = life.inner;
+  result.outer.life = life.outer;
+  result.life_hours = hours_of(life, drivetrain, duty);
+  result.system_life_hours = bearing::system_life(result.life_hours, bearings);
+  result.modified = modified_under_means(drivetrain, duty, means);
+  if (result.modified)
+    result.modified->system_life_hours = bearing::system_life(result.modified->life_hours, bearings);
+}
+
 // Bearings of which none may fail: the product law over unlike lives.
 double life_together(const std::vector<double>& lives) {
   double together = lives.front();
@@ -150,17 +188,31 @@ void put_planets(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
   for (const WindowStatistics& one : means) {
     const Eigen::Vector2d force = mean_bore_force(one.outer, angle, drivetrain.bearing.rollers().count);
     const double life = hours_of(life_under_means(drivetrain, one), drivetrain, duty);
-    result.planets.push_back({.load_share = force.y(), .load = force.norm(), .life_hours = life});
+    const auto modified = modified_under_means(drivetrain, duty, one);
+    result.planets.push_back({.load_share = force.y(),
+                              .load = force.norm(),
+                              .life_hours = life,
+                              .modified_life_hours = modified ? modified->life_hours : 0.0});
     tangential += force.y() / static_cast<double>(means.size());
   }
   for (PlanetResult& planet : result.planets) planet.load_share /= tangential;
 }
 
-double system_life_of(const std::vector<PlanetResult>& planets, int bearings_per_planet) {
+double system_life_of(const std::vector<PlanetResult>& planets, int bearings_per_planet,
+                      double PlanetResult::*hours) {
   std::vector<double> lives;
   for (const PlanetResult& planet : planets)
-    lives.push_back(bearing::system_life(planet.life_hours, bearings_per_planet));
+    lives.push_back(bearing::system_life(planet.*hours, bearings_per_planet));
   return life_together(lives);
+}
+
+// Of unlike planets.
+void put_system_life(const PlanetaryDrivetrain& drivetrain, PointResult& result) {
+  const int per_planet = drivetrain.bearings_per_planet;
+  result.system_life_hours = system_life_of(result.planets, per_planet, &PlanetResult::life_hours);
+  if (result.modified)
+    result.modified->system_life_hours =
+        system_life_of(result.planets, per_planet, &PlanetResult::modified_life_hours);
 }
 
 std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
@@ -184,12 +236,12 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   result.outer = race_result(all.outer);
   const Eigen::ArrayXd& angle = bearings.front().angle;
   result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load)};
-  put_life(drivetrain, duties.front(), life_under_means(drivetrain, all), result);
+  put_life(drivetrain, duties.front(), all, result);
   result.laminae = bearings.front().laminae;
   if (duties.size() == 1) return result;
   put_planets(drivetrain, duties.front(), angle, means, result);
   result.laminae = bearings[shortest_lived(result.planets)].laminae;
-  result.system_life_hours = system_life_of(result.planets, drivetrain.bearings_per_planet);
+  put_system_life(drivetrain, result);
   return result;
 }
 
@@ -251,7 +303,7 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDu
   result.cage_slip = run.cage_slip();
   result.distribution = distribution_of(run.statistics);
   result.dynamic = record_of(run);
-  put_life(drivetrain, mean_duty(drivetrain, duty), life_under_means(drivetrain, run.statistics), result);
+  put_life(drivetrain, mean_duty(drivetrain, duty), run.statistics, result);
   return result;
 }
 
@@ -286,7 +338,7 @@ PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
   PointResult result = dynamic_point(drivetrain, duties.front(), together(runs, means));
   put_planets(drivetrain, mean_duty(drivetrain, duties.front()),
               place_angles(means.front().outer.mean_load.size()), means, result);
-  result.system_life_hours = system_life_of(result.planets, drivetrain.bearings_per_planet);
+  put_system_life(drivetrain, result);
   return result;
 }
 
@@ -328,6 +380,7 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
     record.bearing_life_hours.push_back(hours_of(life_under_means(drivetrain, one), drivetrain, duty));
   put_planets(drivetrain, duty, place_angles(run.statistics.outer.mean_load.size()),
               by_planet(run.bearings, drivetrain.bearings_per_planet), result);
+  put_system_life(drivetrain, result);
   result.system_life_hours = life_together(record.bearing_life_hours);
   result.two_way = record;
   return result;

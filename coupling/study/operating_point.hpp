@@ -56,11 +56,24 @@ struct CoupledRecord {
   double window = 0.0;                     // [s]  mean time between exchanges; 0: one system
 };
 
+/// Life by film and cleanliness [ISO281], beside that of Lundberg and Palmgren and on the same loads.
+struct ModifiedRecord {
+  double viscosity_ratio = 0.0;       // [-]  kappa
+  double contamination_factor = 0.0;  // [-]  e_C
+  // Not numbers where kappa is below 0.1, where the standard gives none:
+  double life_modification = 0.0;  // [-]    a_ISO of one bearing
+  double inner_life = 0.0;         // [rev]  with a_1
+  double outer_life = 0.0;         // [rev]
+  double life_hours = 0.0;         // [h]    L_10mh of one bearing; with a_1 L_nmh
+  double system_life_hours = 0.0;  // [h]    of all planet bearings of all sets
+};
+
 /// One planet where planets differ or were computed one by one. Loads and life are those of one bearing.
 struct PlanetResult {
   double load_share = 1.0;  // [-]  tangential load, mean over time, over the mean of all planets
   double load = 0.0;        // [N]  of the rollers on the bore, mean over time
   double life_hours = 0.0;  // [h]
+  double modified_life_hours = 0.0;  // [h]  zero where nothing is said of the oil
 };
 
 /// One of several sets at an operating point. Loads and life are those of one bearing.
@@ -71,6 +84,7 @@ struct SetResult {
   RaceResult inner;
   RaceResult outer;
   double life_hours = 0.0;  // [h]
+  std::optional<ModifiedRecord> modified{};
 };
 
 /// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one
@@ -89,6 +103,7 @@ struct PointResult {
   double contact_pressure =
       0.0;                 // [Pa] largest of both races, after Hertz; of laminae, the most loaded one's
   double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed
+  std::optional<ModifiedRecord> modified;  // none where nothing is said of the oil
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts

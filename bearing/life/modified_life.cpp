@@ -1,0 +1,61 @@
+#include "bearing/life/modified_life.hpp"
+
+#include <cmath>
+
+#include "bearing/life/lamina_life.hpp"
+#include "bearing/life/life_modification.hpp"
+#include "bearing/life/roller_capacity.hpp"
+
+namespace orbearing::bearing::rating {
+
+namespace {
+
+constexpr double kLeastViscosityRatio = 0.1;
+constexpr double kSlopeOfLines = weibull_slope(RollingElement::roller);
+
+// (3); exponent 4 of lives over loads, and 8/9 from damages to lives.
+double load_of_damage(double capacity, double damage) {
+  return capacity * std::pow(damage, 2.0 / 9.0);
+}
+
+// Loads of whole contacts are those of one lamina.
+life::LaminaDamage damage_of(const ContactCapacities& capacities, const Bearing& bearing,
+                             const motion::RaceDamage& inner, const motion::RaceDamage& outer) {
+  const auto laminae = static_cast<int>(inner.laminae.rows());
+  if (laminae > 0)
+    return life::lamina_damage(life::lamina_rating(capacities, laminae, bearing.motions), inner.laminae,
+                               outer.laminae);
+  return life::lamina_damage(life::lamina_rating(capacities, 1, bearing.motions), inner.whole.transpose(),
+                             outer.whole.transpose());
+}
+
+}  // namespace
+
+std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
+                                          const OilCondition& oil, const motion::RaceDamage& inner,
+                                          const motion::RaceDamage& outer) {
+  if (!(oil.viscosity_ratio >= kLeastViscosityRatio)) return std::nullopt;
+  const ContactCapacities own{contact_capacity(bearing, Race::inner, lambda),
+                              contact_capacity(bearing, Race::outer, lambda)};
+  const life::LaminaDamage plain = damage_of(own, bearing, inner, outer);
+  const life::LaminaDamage standard = damage_of(ratings.contacts, bearing, inner, outer);
+  const auto laminae = static_cast<double>(plain.inner.size());
+  const double capacity = ratings.dynamic_capacity / roller_set(bearing).lambda;
+  double modified_inner = 0.0, modified_outer = 0.0;
+  for (Eigen::Index k = 0; k < plain.inner.size(); ++k) {
+    if (plain.inner[k] + plain.outer[k] == 0.0) continue;
+    const double load = load_of_damage(capacity, laminae * (standard.inner[k] + standard.outer[k]));
+    const double factor = life_modification_factor(
+        RollingElement::roller, oil.viscosity_ratio, oil.contamination_factor * ratings.fatigue_load_limit / load);
+    modified_inner += plain.inner[k] * std::pow(factor, -kSlopeOfLines);
+    modified_outer += plain.outer[k] * std::pow(factor, -kSlopeOfLines);
+  }
+  const double all = plain.inner.sum() + plain.outer.sum(), modified = modified_inner + modified_outer;
+  return ModifiedLife{
+      .life = {life::life_of_damage(modified_inner), life::life_of_damage(modified_outer),
+               life::life_of_damage(modified)},
+      .load = load_of_damage(capacity, standard.inner.sum() + standard.outer.sum()),
+      .factor = modified > 0.0 ? std::pow(modified / all, -1.0 / kSlopeOfLines) : kLargestLifeModification};
+}
+
+}  // namespace orbearing::bearing::rating
