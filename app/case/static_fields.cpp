@@ -54,7 +54,7 @@ Field speed_of_ring(std::string path, std::string meaning) {
 void add_operation(std::vector<Field>& fields) {
   Field shaft = speed_of_ring("operation.shaft_speed", "speed of the inner ring");
   shaft.use.by |= use::defect | use::moving_defect;
-  shaft.models |= raceway_defect;
+  shaft.models |= described::lone_scratched;
   fields.push_back(std::move(shaft));
   fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
   fields.push_back({.path = "operation.speeds",
