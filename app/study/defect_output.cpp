@@ -15,13 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json peaks_json(const std::vector<NamedPeak>& peaks, const char* where) {
-  Json list = Json::array();
-  for (const NamedPeak& peak : peaks)
-    list.push_back({{where, peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
-  return list;
-}
-
 // Lines stand at frequencies or, in a run-up, at orders.
 Json lines_json(const DefectStudy& study, const std::vector<NamedPeak>& peaks) {
   return study.run_up ? Json::array() : peaks_json(peaks, "frequency_Hz");
@@ -104,6 +97,13 @@ void append_number(std::uint32_t number, int bytes, std::string& text) {
 }
 
 }  // namespace
+
+Json peaks_json(const std::vector<NamedPeak>& peaks, const char* where) {
+  Json list = Json::array();
+  for (const NamedPeak& peak : peaks)
+    list.push_back({{where, peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
+  return list;
+}
 
 Json defect_json(const DefectStudy& study) {
   const Eigen::ArrayXd signal = signal_of(study);

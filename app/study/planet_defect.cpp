@@ -11,6 +11,7 @@
 #include "app/errors.hpp"
 #include "app/results/json_number.hpp"
 #include "app/signals/residual.hpp"
+#include "app/study/defect_output.hpp"
 #include "app/study/planet_defect_case.hpp"
 #include "app/study/planetary_case.hpp"
 
@@ -174,13 +175,6 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json peaks_json(const std::vector<NamedPeak>& peaks, const char* where) {
-  Json list = Json::array();
-  for (const NamedPeak& peak : peaks)
-    list.push_back({{where, peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
-  return list;
-}
 
 double rms(const Eigen::ArrayXd& signal) {
   return std::sqrt((signal - signal.mean()).square().mean());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bearing/life/standard_life.hpp"
+#include "tests/unit/system/small_ball_bearing.hpp"
 
 namespace orbearing::system::heated_balls_test {
 namespace {
@@ -68,22 +69,13 @@ TEST(WarmUp, EndsWhereAsMuchLeavesAsArises) {
 }
 
 struct Small {
-  bearing::Bearing bearing;
-  bearing::balls::MotionParameters parameters;
+  bearing::Bearing bearing = small_ball_bearing(5e-6);
+  bearing::balls::MotionParameters parameters = small_ball_motion();
   bearing::balls::BallDuty duty;
   bearing::rating::ContactCapacities capacities;
   BallRunOptions options;
 
   Small() {
-    bearing.elements = bearing::Balls{7, 9.52e-3, 0.0};
-    bearing.pitch_diameter = 36e-3;
-    bearing.radial_clearance = 5e-6;
-    bearing.width = 15e-3;
-    bearing.inner.seat_diameter = 20e-3;
-    bearing.outer.seat_diameter = 52e-3;
-    bearing.cage = {33e-3, 39e-3, 13e-3, 1310.0, bearing::Race::outer};
-    bearing.motions = {bearing::RaceMotion::turning, bearing::RaceMotion::standing};
-    parameters.cage.pocket_clearance = 0.2e-3;
     parameters.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
     duty.inner = bearing::balls::RingDrive::steady(400.0);
     duty.on_inner = {{500.0, 0.0, 800.0, 0.0, 0.0}};
