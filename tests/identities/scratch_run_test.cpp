@@ -80,12 +80,13 @@ TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
   EXPECT_DOUBLE_EQ(run_up.turned_at(2.0), 1.3);
   EXPECT_DOUBLE_EQ(run_up.turned_at(5.0), 4.3);
   for (const double now : {0.1, 0.7, 1.9, 2.4})
-    EXPECT_NEAR((run_up.turned_at(now + 1e-5) - run_up.turned_at(now - 1e-5)) / 2e-5, run_up.share_at(now), 1e-9);
+    EXPECT_NEAR((run_up.turned_at(now + 1e-5) - run_up.turned_at(now - 1e-5)) / 2e-5, run_up.share_at(now),
+                1e-9);
   EXPECT_EQ(RunUp{}.turned_at(0.123), 0.123);
 }
 
-// As many revolutions as are asked for, the speed of the case at the last of them; the way of the ring follows from
-// the equations of the steady motion where the run-up begins at (nearly) all of the speed.
+// As many revolutions as are asked for, the speed of the case at the last of them; the way of the ring
+// follows from the equations of the steady motion where the run-up begins at (nearly) all of the speed.
 TEST(ScratchRun, RunsUpOverTheRevolutionsAskedFor) {
   const ScratchedBearing in = scratched(Scratched::inner);
   Sampling sampling = brief();

@@ -73,14 +73,17 @@ TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
   order(inner, "inner race defect + shaft", 123.73 / 25.0 + 1.0);
   EXPECT_NEAR(inner.turned.shaft, 0.75 * 25.0, 0.5);
   // Over frequency the same signal has no such line: the largest stays below half of that over orders.
-  const signals::Spectrum smeared = signals::spectrum_of(outer.envelope, outer.vibration.rate, signals::Window::hann);
+  const signals::Spectrum smeared =
+      signals::spectrum_of(outer.envelope, outer.vibration.rate, signals::Window::hann);
   const auto from = static_cast<Eigen::Index>(30.0 / smeared.resolution);
   const auto to = static_cast<Eigen::Index>(90.0 / smeared.resolution);
-  EXPECT_LT(smeared.amplitude.segment(from, to - from).maxCoeff(), 0.5 * peak(outer.peaks, "outer race defect")->amplitude);
+  EXPECT_LT(smeared.amplitude.segment(from, to - from).maxCoeff(),
+            0.5 * peak(outer.peaks, "outer race defect")->amplitude);
 }
 
-// Issue 14, Build 7: 14 rollers of 10 mm on 65 mm at 25 turns a second. By hand, g = 10/65: cage 25 (1 - g)/2 = 10.577,
-// outer race 14 x 10.577 = 148.08, inner race 14 (25 - 10.577) = 201.92, a place of a roller 25 (1/g - g) = 158.65 Hz.
+// Issue 14, Build 7: 14 rollers of 10 mm on 65 mm at 25 turns a second. By hand, g = 10/65: cage 25 (1 - g)/2
+// = 10.577, outer race 14 x 10.577 = 148.08, inner race 14 (25 - 10.577) = 201.92, a place of a roller 25
+// (1/g - g) = 158.65 Hz.
 TEST(ScratchedRollers, LinesOnPaperAreThoseOfTheRun) {
   const auto of = [](const std::string& race) {
     return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratched_rollers/case.yaml",
@@ -97,7 +100,8 @@ TEST(ScratchedRollers, LinesOnPaperAreThoseOfTheRun) {
   const DefectStudy roller = of("roller");
   expect_peak(roller, "roller defect", 158.65);
   expect_peak(roller, "cage", 10.577);
-  EXPECT_TRUE(peak(roller.peaks, "roller defect - cage") != nullptr || peak(roller.peaks, "roller defect + cage") != nullptr);
+  EXPECT_TRUE(peak(roller.peaks, "roller defect - cage") != nullptr ||
+              peak(roller.peaks, "roller defect + cage") != nullptr);
   const DefectStudy sound = of("none");
   for (const NamedPeak& one : sound.spectrum_peaks)
     EXPECT_NE(one.is.find("roller passage"), std::string::npos) << one.frequency << " " << one.is;
@@ -108,7 +112,8 @@ TEST(ScratchedRollers, ABallInThemIsRefused) {
     read_case(ORBEARING_SOURCE_DIR "/cases/scratched_rollers/case.yaml", {"defect.race=ball"});
     FAIL() << "not refused";
   } catch (const std::exception& error) {
-    EXPECT_NE(std::string(error.what()).find("'ball' in a bearing of rollers"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("'ball' in a bearing of rollers"), std::string::npos)
+        << error.what();
   }
 }
 

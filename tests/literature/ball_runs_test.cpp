@@ -1,5 +1,6 @@
-// Issue 14, "Done when": what [Chen2026] says of a motor's bearing under four conditions, and the heat of NASA's 35 mm
-// bearing, beside the runs of the shipped cases. docs/deep_groove.md says what is reproduced and what is missed.
+// Issue 14, "Done when": what [Chen2026] says of a motor's bearing under four conditions, and the heat of
+// NASA's 35 mm bearing, beside the runs of the shipped cases. docs/deep_groove.md says what is reproduced and
+// what is missed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,16 +22,16 @@ BallStudy study_of(const std::string& name, const std::vector<std::string>& sett
 // From rest: a fifth of a second holds a turn of the cage at the lowest speed.
 std::vector<BallStudy> conditions() {
   std::vector<BallStudy> all;
-  for (const auto& [speed, load] : {std::pair{"1730 rpm", "938 N"}, {"3703 rpm", "903 N"}, {"1785 rpm", "266 N"},
-                                    {"3998 rpm", "206 N"}})
-    all.push_back(study_of("deep_groove_motor", {std::string("operation.shaft_speed=") + speed,
-                                                 std::string("load.radial=") + load, "simulation.duration=0.2 s",
-                                                 "simulation.observed_share=0.7"}));
+  for (const auto& [speed, load] :
+       {std::pair{"1730 rpm", "938 N"}, {"3703 rpm", "903 N"}, {"1785 rpm", "266 N"}, {"3998 rpm", "206 N"}})
+    all.push_back(study_of("deep_groove_motor",
+                           {std::string("operation.shaft_speed=") + speed, std::string("load.radial=") + load,
+                            "simulation.duration=0.2 s", "simulation.observed_share=0.7"}));
   return all;
 }
 
-// Figs. 7 and 8: heavy loads and high speeds give short lives, with the balls' own failure (Eq. (35)) and without; slip
-// falls from all of it; the cage is struck at the start and hardly after.
+// Figs. 7 and 8: heavy loads and high speeds give short lives, with the balls' own failure (Eq. (35)) and
+// without; slip falls from all of it; the cage is struck at the start and hardly after.
 TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
   const std::vector<BallStudy> all = conditions();
   for (const auto life : {&BallStudy::life_hours, &BallStudy::life_with_balls_hours}) {
@@ -46,13 +47,14 @@ TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
     const auto late = series.pocket_load.begin() + static_cast<std::ptrdiff_t>(series.pocket_load.size() / 2);
     EXPECT_LT(*std::max_element(late, series.pocket_load.end()), 0.1 * study.run.pocket_load_max);
   }
-  // Not reproduced: impacts that grow with the load. Here they grow with the speed that is to be caught up with.
+  // Not reproduced: impacts that grow with the load. Here they grow with the speed that is to be caught up
+  // with.
   EXPECT_GT(all[1].run.pocket_load_max, 1.5 * all[0].run.pocket_load_max);
   EXPECT_NEAR(all[0].run.pocket_load_max / all[2].run.pocket_load_max, 1.0, 0.1);
 }
 
-// Untuned: within a factor of two of the measurement at all speeds, most of all at the highest. Oil that goes round takes
-// less than at rest, and its heat no longer grows the fastest.
+// Untuned: within a factor of two of the measurement at all speeds, most of all at the highest. Oil that goes
+// round takes less than at rest, and its heat no longer grows the fastest.
 TEST(Nasa35mm, HeatIsWithinAFactorOfTwo) {
   const std::pair<const char*, double> measured[] = {
       {"28000 rpm", 350.0}, {"48000 rpm", 700.0}, {"64000 rpm", 1100.0}, {"72000 rpm", 1400.0}};

@@ -268,8 +268,8 @@ void drag(const BallNumbers& b, const Body& ball, Wrench& on_ball, Outcome& tota
   total.loss.churning -= force.dot(ball.velocity) + moment.dot(ball.turning);
 }
 
-// Shear of the oil that goes round, on both walls: half of the friction that [BilgenBoulos1973] have for a cylinder in
-// another, at twice the wall's own speed.
+// Shear of the oil that goes round, on both walls: half of the friction that [BilgenBoulos1973] have for a
+// cylinder in another, at twice the wall's own speed.
 void stir(const BallNumbers& b, const Body& inner, const Body& outer, Wrench& on_inner, Wrench& on_outer,
           Outcome& total) {
   const auto& m = b.drag.mixture;

@@ -230,8 +230,8 @@ inline const std::vector<Base>& bases() {
                                      {"raceway_defect", kScratch, "", use::moving_defect},
                                      {"raceway_defect_in_motion", kScratchInMotion, "", use::defect},
                                      {"scratched_rollers", kScratchedRollers},
-                                     {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet, "",
-                                      use::all & ~unsigned{use::planet_defect}},
+                                     {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet,
+                                      "", use::all & ~unsigned{use::planet_defect}},
                                      {"duplex_pair", kDuplex},
                                      {"spin_film", kSpinFilm}};
   return all;
@@ -426,7 +426,8 @@ inline Change quantity_change(const std::string& given) {
 inline Change change_of(const Field& field, const ResolvedCase& in, const std::string& path) {
   if (field.path == "gearset.planets" && in.has("gearset.dynamics.pin_error.tangential"))
     return {"4", {}, {"gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]"}};
-  if (field.path == "operation.shaft_speed" && (in.model() & described::lone_scratched) != 0) return {"6400 rpm"};
+  if (field.path == "operation.shaft_speed" && (in.model() & described::lone_scratched) != 0)
+    return {"6400 rpm"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
   if (field.path.find("_form.") != std::string::npos) return wave_change(field.path);

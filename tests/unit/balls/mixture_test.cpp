@@ -41,7 +41,8 @@ TEST(Mixture, AngularMomentumIsBalanced) {
   const MixtureNumbers m = jet();
   const double speed = mixture_speed(m, kShaft, 0.0);
   const double dragged = drag_of_balls_and_cage(m, speed) + wall_torque(m, m.inner_radius, kShaft - speed);
-  const double held = -wall_torque(m, m.outer_radius, -speed) + m.flow * m.pitch_radius * m.pitch_radius * speed;
+  const double held =
+      -wall_torque(m, m.outer_radius, -speed) + m.flow * m.pitch_radius * m.pitch_radius * speed;
   EXPECT_NEAR(held, dragged, 1e-9 * dragged);
   EXPECT_GT(speed, 0.0);
   EXPECT_LT(speed, kShaft);
@@ -52,7 +53,8 @@ TEST(Mixture, WithoutWallsAndFlowItGoesWithTheCage) {
   MixtureNumbers m = jet();
   m.width = m.flow = 0.0;
   EXPECT_NEAR(mixture_speed(m, kShaft, 0.0), rolling_speed(m, kShaft, 0.0), 1e-5 * kShaft);
-  const DragNumbers drag = carried_drag({.translation = 1.8e-4, .churning = 0.0, .cage_churning = 4e-9, .mixture = m}, kShaft, 0.0);
+  const DragNumbers drag = carried_drag(
+      {.translation = 1.8e-4, .churning = 0.0, .cage_churning = 4e-9, .mixture = m}, kShaft, 0.0);
   EXPECT_LT(drag.translation, 1e-9 * 1.8e-4);
   EXPECT_LT(drag.cage_churning, 1e-9 * 4e-9);
 }
@@ -68,8 +70,8 @@ TEST(Mixture, WithoutWallsALittleFlowTakesItsMomentumFromTheCage) {
   EXPECT_NEAR(speed, cage, 1e-3 * cage);
 }
 
-// A standing wall without bound, about a shaft too thin to stir, or a flow without bound, keeps it at rest: the upper
-// bound of drag.
+// A standing wall without bound, about a shaft too thin to stir, or a flow without bound, keeps it at rest:
+// the upper bound of drag.
 TEST(Mixture, BeforeEndlessWallsOrInEndlessFlowItRests) {
   MixtureNumbers walls = jet(), flow = jet();
   walls.width = 1e9;
@@ -83,8 +85,8 @@ TEST(Mixture, BeforeEndlessWallsOrInEndlessFlowItRests) {
   }
 }
 
-// Nothing but two cylinders close to each other: the published torque of one that turns in the other, in all four
-// regimes.
+// Nothing but two cylinders close to each other: the published torque of one that turns in the other, in all
+// four regimes.
 TEST(Mixture, BetweenBareCylindersTheTorqueIsThatOfBilgenAndBoulos) {
   MixtureNumbers m = jet();
   m.balls = m.cage = m.flow = 0.0;
@@ -120,8 +122,8 @@ TEST(Mixture, NeverGivesPower) {
   }
 }
 
-// In motion: the heat is what balls, cage and the turning ring pay, and the mixture at rest is the bound of the first
-// two.
+// In motion: the heat is what balls, cage and the turning ring pay, and the mixture at rest is the bound of
+// the first two.
 TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
   RandomBalls random(5);
   for (int draw = 0; draw < 40; ++draw) {
@@ -153,7 +155,8 @@ TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
 TEST(Mixture, SlowsTheDragOnce) {
   RandomBalls random(7);
   const DrawnBalls drawn = random.next();
-  const BallBearing once(ball_numbers(drawn.bearing, drawn.parameters), drawn.duty), twice(once.numbers(), drawn.duty);
+  const BallBearing once(ball_numbers(drawn.bearing, drawn.parameters), drawn.duty),
+      twice(once.numbers(), drawn.duty);
   EXPECT_GT(once.numbers().drag.translation, 0.0);
   EXPECT_EQ(once.numbers().drag.translation, twice.numbers().drag.translation);
   EXPECT_EQ(once.numbers().drag.cage_churning, twice.numbers().drag.cage_churning);

@@ -128,7 +128,8 @@ TEST(HeatedBalls, GroovesGrowWithTheirOwnRings) {
   small.bearing.elements = bearing::Balls{7, 9.52e-3, 0.3};
   const HeatParameters heat{.on = true};
   const auto numbers = [&](const bearing::Bearing& b) { return ball_numbers(b, small.parameters); };
-  const auto cold = numbers(small.bearing), warm = numbers(warm_bearing(small.bearing, heat, at(60.0, 80.0, 40.0)));
+  const auto cold = numbers(small.bearing),
+             warm = numbers(warm_bearing(small.bearing, heat, at(60.0, 80.0, 40.0)));
   const double by[] = {1.0 + 11.5e-6 * 40.0, 1.0 + 11.5e-6 * 60.0, 1.0 + 11.5e-6 * 20.0};
   EXPECT_NEAR(warm.radius, by[0] * cold.radius, 1e-15);
   EXPECT_NEAR(warm.inner.centre_radius, by[1] * cold.inner.centre_radius, 1e-14);
