@@ -43,7 +43,8 @@ Field speed_of_ring(std::string path, std::string meaning) {
           .meaning = std::move(meaning),
           .use = Use(use::static_load | use::ball_run, use::stiffness)
                      .felt_too(use::stiffness, where_given({"bearing.balls"}))
-                     .when(where_given({"lubricant.kinematic_viscosity", "bearing.balls"})),
+                     .when(where_given(
+                         {"lubricant.kinematic_viscosity", "bearing.balls", "bearing.outer_ring_mass"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},

@@ -16,6 +16,7 @@
 #include "coupling/study/low_pass.hpp"
 #include "coupling/system/ball_run.hpp"
 #include "coupling/system/bearing_steps.hpp"
+#include "mechanics/easy_length.hpp"
 
 namespace orbearing::study {
 
@@ -105,8 +106,9 @@ Recorder recorder_of(double shaft_speed, const Sampling& sampling, RingVibration
     settling *= 2.0 / (from + std::sqrt(from * from + 2.0 * (1.0 - from) * settling / run_up.time));
     sampled = run_up.time - settling;
   }
-  return {std::lround(settling * sampling.rate), std::max(2L, std::lround(sampled * sampling.rate)), sampling.rate,
-          into};
+  long samples = std::max(2L, std::lround(sampled * sampling.rate));
+  if (sampling.run_up_from < 1.0) samples = mechanics::easy_length_within(samples);
+  return {std::lround(settling * sampling.rate), samples, sampling.rate, into};
 }
 
 // How far and how fast the shaft turned while `vibration` was sampled.

@@ -73,7 +73,7 @@ TEST(ScratchRun, MeanForcesBalance) {
 
 // What the shaft turned is the integral of its speed, and goes on at the speed of the end.
 TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
-  const RunUp run_up{.from = 0.3, .time = 2.0};
+  const bearing::defect::RunUp run_up{.from = 0.3, .time = 2.0};
   EXPECT_EQ(run_up.share_at(0.0), 0.3);
   EXPECT_DOUBLE_EQ(run_up.share_at(1.0), 0.65);
   EXPECT_EQ(run_up.share_at(5.0), 1.0);
@@ -82,7 +82,7 @@ TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
   for (const double now : {0.1, 0.7, 1.9, 2.4})
     EXPECT_NEAR((run_up.turned_at(now + 1e-5) - run_up.turned_at(now - 1e-5)) / 2e-5, run_up.share_at(now),
                 1e-9);
-  EXPECT_EQ(RunUp{}.turned_at(0.123), 0.123);
+  EXPECT_EQ(bearing::defect::RunUp{}.turned_at(0.123), 0.123);
 }
 
 // As many revolutions as are asked for, the speed of the case at the last of them; the way of the ring
