@@ -96,7 +96,9 @@ TEST(ScratchRun, RunsUpOverTheRevolutionsAskedFor) {
   const Eigen::ArrayXd& angle = run_up.shaft_angle;
   const Eigen::Index last = angle.size() - 1;
   const double turn = 2.0 * 3.14159265358979324;
-  EXPECT_NEAR((angle[last] - angle[0]) / turn, 3.0, 0.01);
+  // Less what the length that transforms fast leaves out.
+  EXPECT_LT((angle[last] - angle[0]) / turn, 3.0);
+  EXPECT_GT((angle[last] - angle[0]) / turn, 2.95);
   EXPECT_NEAR((angle[last] - angle[last - 1]) * sampling.rate, in.shaft_speed, 0.01 * in.shaft_speed);
   EXPECT_LT((angle[1] - angle[0]) * sampling.rate, 0.7 * in.shaft_speed);
   EXPECT_NEAR(run_up.shaft_speed, (angle[last] - angle[0]) * sampling.rate / static_cast<double>(last), 1e-9);

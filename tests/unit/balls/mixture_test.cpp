@@ -154,7 +154,9 @@ TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
 // The same numbers made into a bearing twice are those made once.
 TEST(Mixture, SlowsTheDragOnce) {
   RandomBalls random(7);
-  const DrawnBalls drawn = random.next();
+  DrawnBalls drawn = random.next();
+  drawn.duty.inner = RingDrive::steady(2000.0);
+  drawn.duty.outer = {};
   const BallBearing once(ball_numbers(drawn.bearing, drawn.parameters), drawn.duty),
       twice(once.numbers(), drawn.duty);
   EXPECT_GT(once.numbers().drag.translation, 0.0);
