@@ -312,7 +312,8 @@ void describe(Visitor& visit, Bearing& m) {
       of_rings(m.width, "bearing.width", Felt::carrier, "width of the rings"), part(m.cage), part(m.material),
       field(m.contact_law, "contact.law", Felt::balance,
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
-            {.models = with_rollers | roller_defect, .reason = "each contact on its own, as the film needs it"}),
+            {.models = with_rollers | roller_defect,
+             .reason = "each contact on its own, as the film needs it"}),
       apart(m.motions),  // of a single bearing a case states operation.turning_race
       field(m.first_element, "bearing.first_element_angle", Felt::lone,
             "angle of the first rolling element from the radial load",

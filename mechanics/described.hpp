@@ -78,8 +78,8 @@ enum Model : unsigned {
   ball_bearing = 8,
   raceway_defect = 16,
   spin_film = 64,
-  duplex_pair = 1u << 11,  // two rows of balls on one shaft
-  ball_motion = 1u << 12,  // a ball bearing whose case has a block `simulation`: in time
+  duplex_pair = 1u << 11,   // two rows of balls on one shaft
+  ball_motion = 1u << 12,   // a ball bearing whose case has a block `simulation`: in time
   roller_defect = 1u << 13  // a raceway-defect whose bearing has rollers
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;

@@ -3,8 +3,8 @@
 
 namespace orbearing::mechanics {
 
-/// The largest number up to `most` (at least 1) without a prime factor beyond 5. Fourier transforms of such a length
-/// take moments, those of a prime length of 100,000 minutes.
+/// The largest number up to `most` (at least 1) without a prime factor beyond 5. Fourier transforms of such a
+/// length take moments, those of a prime length of 100,000 minutes.
 constexpr long easy_length_within(long most) {
   for (long length = most;; --length) {
     long rest = length;

@@ -25,7 +25,8 @@ std::string defect_file(const ManifestHeader& header, const DefectStudy& study) 
 void require_rung(const ResolvedCase& resolved, bool moving) {
   if (moving && resolved.model() == roller_defect)
     throw BadInput(
-        "--fidelity: found dynamic for a scratched bearing of rollers by itself; required: none, or a planetary "
+        "--fidelity: found dynamic for a scratched bearing of rollers by itself; required: none, or a "
+        "planetary "
         "drivetrain with a block 'defect', where all of its bearings move");
 }
 

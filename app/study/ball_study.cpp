@@ -103,8 +103,8 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const bearing::Bearing running =
       study.warming.empty() ? bearing : system::warm_bearing(bearing, heat, study.warming.back().temperature);
   study.radial_clearance = running.radial_clearance;
-  const bearing::equilibrium::RingState balance = bearing::equilibrium::balance_bearing(
-      running, {.speeds = {inner, outer}}, ring_load_of(in));
+  const bearing::equilibrium::RingState balance =
+      bearing::equilibrium::balance_bearing(running, {.speeds = {inner, outer}}, ring_load_of(in));
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
   study.warnings = warnings_of_balls(study, duty, options);
   return study;

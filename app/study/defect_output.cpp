@@ -75,11 +75,12 @@ void add_spectra(const DefectStudy& study, PointContent& content) {
   const signals::Spectrum& spectrum = study.spectrum;
   const Eigen::Index lines = spectrum.amplitude.size();
   content.dimensions.push_back({"line", static_cast<std::size_t>(lines)});
-  content.arrays.push_back({study.run_up ? "order" : "frequency",
-                            {"line"},
-                            study.run_up ? "1" : "s-1",
-                            study.run_up ? "lines of both spectra, turns of the shaft" : "lines of both spectra",
-                            values_of(evenly_spaced(lines, spectrum.resolution))});
+  content.arrays.push_back(
+      {study.run_up ? "order" : "frequency",
+       {"line"},
+       study.run_up ? "1" : "s-1",
+       study.run_up ? "lines of both spectra, turns of the shaft" : "lines of both spectra",
+       values_of(evenly_spaced(lines, spectrum.resolution))});
   content.arrays.push_back({"acceleration_spectrum",
                             {"line"},
                             "m s-2",
@@ -144,8 +145,8 @@ std::string defect_text(const DefectStudy& study) {
       "shaft {:.4g} Hz, cage {:.4g} Hz; a place is passed by {}s at {:.5g} Hz on the outer and {:.5g} Hz "
       "on the inner race,\n"
       "one of a {} by races at {:.5g} Hz; defect: {}\n",
-      study.passing.shaft, study.passing.cage, element, study.passing.outer_pass, study.passing.inner_pass, element,
-      study.passing.element_pass,
+      study.passing.shaft, study.passing.cage, element, study.passing.outer_pass, study.passing.inner_pass,
+      element, study.passing.element_pass,
       study.defect_frequency ? fmt::format("{:.5g} Hz", *study.defect_frequency) : std::string("none"));
   text += fmt::format(
       "at rest: outer ring {:.4g} um along the load, largest contact load {:.4g} N, natural frequency {:.0f} "
@@ -155,9 +156,9 @@ std::string defect_text(const DefectStudy& study) {
       "in motion: acceleration {:.4g} m/s2 rms, at most {:.4g} m/s2; largest contact load {:.4g} N\n",
       root_mean_square(signal), signal.abs().maxCoeff(), study.vibration.largest_load);
   if (study.moving)
-    text += fmt::format("as turned: cage {:.5g} Hz, slip {:.3g} %; passes {:.5g} Hz (outer), {:.5g} Hz (inner)\n",
-                        study.turned.cage, 100.0 * cage_slip(study),
-                        study.turned.outer_pass, study.turned.inner_pass);
+    text += fmt::format(
+        "as turned: cage {:.5g} Hz, slip {:.3g} %; passes {:.5g} Hz (outer), {:.5g} Hz (inner)\n",
+        study.turned.cage, 100.0 * cage_slip(study), study.turned.outer_pass, study.turned.inner_pass);
   text += fmt::format("envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}; lines {:.3g} {} apart\n",
                       study.band.band.low, study.band.band.high, study.band.kurtosis,
                       study.envelope_spectrum.resolution, study.run_up ? "orders of the shaft" : "Hz");
@@ -197,7 +198,8 @@ PointContent defect_content(const DefectStudy& study) {
 }
 
 std::string signal_csv(const DefectStudy& study) {
-  std::string text = study.run_up ? "time_s,acceleration_m_s2,shaft_angle_rad\n" : "time_s,acceleration_m_s2\n";
+  std::string text =
+      study.run_up ? "time_s,acceleration_m_s2,shaft_angle_rad\n" : "time_s,acceleration_m_s2\n";
   const Eigen::ArrayXd signal = signal_of(study);
   for (Eigen::Index k = 0; k < signal.size(); ++k) {
     text += fmt::format("{:.9g},{:.9g}", static_cast<double>(k) / study.vibration.rate, signal[k]);

@@ -30,8 +30,10 @@ struct DefectStudy {
   bool rollers = false;                        // in place of balls
   bool run_up = false;                         // spectra are over orders of the shaft
   bearing::defect::PassingFrequencies passing;  // at pure rolling, at the end of a run-up
-  bearing::defect::PassingFrequencies turned;   // means, as the cage turned: those of pure rolling unless moving
-  std::optional<double> defect_frequency;  // [Hz]  at pure rolling, at the end of a run-up; none without a scratch
+  bearing::defect::PassingFrequencies
+      turned;  // means, as the cage turned: those of pure rolling unless moving
+  std::optional<double>
+      defect_frequency;  // [Hz]  at pure rolling, at the end of a run-up; none without a scratch
   bearing::defect::StaticPlace at_rest;
   double inner_sinking = 0.0;  // [m]  deepest, on a scratch of the inner race
   double outer_sinking = 0.0;  // [m]

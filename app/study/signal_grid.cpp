@@ -54,8 +54,9 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, con
       if (value.empty()) throw BadInput("--vary: found '" + option + "'; required: a value between commas");
   }
   if (axes.empty())
-    axes.push_back({"defect.race",
-                    {"none", "outer", "inner", resolved.model() == described::roller_defect ? "roller" : "ball"}});
+    axes.push_back(
+        {"defect.race",
+         {"none", "outer", "inner", resolved.model() == described::roller_defect ? "roller" : "ball"}});
   return axes;
 }
 

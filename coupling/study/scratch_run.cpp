@@ -98,7 +98,8 @@ class Recorder {
 
 Recorder recorder_of(double shaft_speed, const Sampling& sampling, RingVibration& into) {
   const double revolution = 2.0 * kHalfTurn / std::abs(shaft_speed);  // [s]
-  double settling = sampling.settling_revolutions * revolution, sampled = sampling.revolutions * revolution;  // [s]
+  double settling = sampling.settling_revolutions * revolution,
+         sampled = sampling.revolutions * revolution;  // [s]
   if (sampling.run_up_from < 1.0) {
     const bearing::defect::RunUp run_up = run_up_of(shaft_speed, sampling);
     // Root of RunUp::turned_at.
@@ -117,7 +118,8 @@ void add_shaft(const bearing::defect::ScratchedBearing& scratched, RingVibration
   vibration.shaft_angle.resize(samples);
   for (Eigen::Index k = 0; k < samples; ++k)
     vibration.shaft_angle[k] =
-        scratched.shaft_speed * scratched.run_up.turned_at(vibration.begin + static_cast<double>(k) / vibration.rate);
+        scratched.shaft_speed *
+        scratched.run_up.turned_at(vibration.begin + static_cast<double>(k) / vibration.rate);
   vibration.shaft_speed = scratched.shaft_speed;
   if (scratched.run_up.time > 0.0)
     vibration.shaft_speed = (vibration.shaft_angle[samples - 1] - vibration.shaft_angle[0]) * vibration.rate /

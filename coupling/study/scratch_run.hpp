@@ -53,9 +53,7 @@ void describe(Visitor& visit, Sampling& m) {
           m.run_up_from, "signal.run_up_from", Felt::defect,
           "share of the speed at which the motion begins, to rise evenly to all of it; spectra are then over "
           "orders of the shaft, in a gear set over those of the carrier",
-          {.models = scratched_bearings,
-           .range = {.least = 0.05, .most = 1.0},
-           .reason = "a steady speed"}));
+          {.models = scratched_bearings, .range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"}));
 }
 
 /// The ring's motion at even times; place and acceleration along the load and across it. The acceleration has
@@ -74,7 +72,8 @@ struct RingVibration {
   integration::IntegrationReport report;
 };
 
-/// The run-up that `sampling` asks for: settling and sampled revolutions take as long as they do at the mean speed.
+/// The run-up that `sampling` asks for: settling and sampled revolutions take as long as they do at the mean
+/// speed.
 bearing::defect::RunUp run_up_of(double shaft_speed, const Sampling& sampling);
 
 /// From the static balance on. A run that ends early says so in the report and has no samples.

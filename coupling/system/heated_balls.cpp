@@ -58,8 +58,8 @@ Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss) {
   return heat;
 }
 
-// Circles of the grooves' centres and radii of grooves and balls grow each by its own temperature; pitch diameter and
-// clearance are those that lead to the circles that then are.
+// Circles of the grooves' centres and radii of grooves and balls grow each by its own temperature; pitch
+// diameter and clearance are those that lead to the circles that then are.
 bearing::Bearing warm_bearing(const bearing::Bearing& cold, const HeatParameters& heat,
                               const Eigen::VectorXd& temperature) {
   const auto larger = [&](Body body) { return 1.0 + heat.expansion * (temperature[body] - heat.sizes_at); };
@@ -159,8 +159,8 @@ BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::b
     return failed;
   }
   warm.lubricant.viscosity = viscosity_at(parameters.lubricant.viscosity, heat, warming.back().temperature[oil]);
-  BallRunResult result =
-      run_balls(warm_bearing(bearing, heat, warming.back().temperature), warm, duty, capacities, options, progress);
+  BallRunResult result = run_balls(warm_bearing(bearing, heat, warming.back().temperature), warm, duty,
+                                   capacities, options, progress);
   // What the whole run says of the heat closes the balance.
   if (result.completed) {
     const Eigen::VectorXd last = heat_by_body(result.means.loss);

@@ -45,28 +45,30 @@ void describe(Visitor& visit, HeatParameters& m) {
   };
   const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
   rows(visit,
-       field(m.on, "heat.enabled", Felt::lone_run, "temperatures and the oil's viscosity follow from the friction",
+       field(m.on, "heat.enabled", Felt::lone_run,
+             "temperatures and the oil's viscosity follow from the friction",
              {.models = ball_motion, .reason = "the viscosity is stated at running temperature"}),
-       row(m.surroundings, "heat.surroundings", "temperature around housing and shaft", dimension::temperature, temperature,
-           "a warm room"),
-       row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring", dimension::conductance,
-           conductance, "small bearing, contacts that sweep the races"),
+       row(m.surroundings, "heat.surroundings", "temperature around housing and shaft",
+           dimension::temperature, temperature, "a warm room"),
+       row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring",
+           dimension::conductance, conductance, "small bearing, contacts that sweep the races"),
        row(m.to_oil, "heat.oil_conductance", "conductance of the balls and of each ring to the oil",
            dimension::conductance, conductance, "small bearing, splashed"),
-       row(m.fit, "heat.fit_conductance", "conductance of the outer ring to the housing", dimension::conductance,
-           conductance, "tight seat"),
+       row(m.fit, "heat.fit_conductance", "conductance of the outer ring to the housing",
+           dimension::conductance, conductance, "tight seat"),
        row(m.housing, "heat.housing_conductance", "conductance of the housing to its surroundings",
            dimension::conductance, positive(1e5), "a housing of some square decimetres in still air"),
-       row(m.shaft, "heat.shaft_conductance", "conductance of the inner ring along the shaft to the surroundings",
-           dimension::conductance, conductance, "a shaft of the bore's diameter"),
+       row(m.shaft, "heat.shaft_conductance",
+           "conductance of the inner ring along the shaft to the surroundings", dimension::conductance,
+           conductance, "a shaft of the bore's diameter"),
        row(m.inlet, "heat.inlet", "temperature of the oil that flows in", dimension::temperature, temperature,
            "a tank's"),
        row(m.stated_at, "heat.viscosity_temperature", "temperature at which lubricant.viscosity holds",
            dimension::temperature, temperature, "running temperature"),
        row(m.viscosity_slope, "heat.viscosity_slope", "share by which the viscosity falls with each kelvin",
            dimension::per_kelvin, Range{0.0, 0.2}, "a mineral oil when warm"),
-       row(m.expansion, "heat.expansion", "linear thermal expansion of rings and balls", dimension::per_kelvin,
-           Range{0.0, 1e-4}, "through-hardened bearing steel"),
+       row(m.expansion, "heat.expansion", "linear thermal expansion of rings and balls",
+           dimension::per_kelvin, Range{0.0, 1e-4}, "through-hardened bearing steel"),
        row(m.sizes_at, "heat.sizes_temperature", "temperature at which sizes and clearance are stated",
            dimension::temperature, temperature, "reference temperature of ISO 1"));
 }
@@ -78,12 +80,12 @@ ThermalNetwork thermal_network(const bearing::balls::BallNumbers& bearing, const
 /// to the oil.
 Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss);
 
-/// `bearing` where rings and balls have these temperatures [degC, (kWarmBodies)], each free to expand with its own:
-/// grooves, balls and with them the clearance G, of which
-/// G' - G = a [d_o (T_o - T_0) - d_i (T_i - T_0) - 2 D (T_b - T_0)], d_o and d_i the diameters of the races, D that of
-/// the balls. The clearance stated is that of the mounted bearing: what fits take of it when cold is in it, and no
-/// more is taken or given back, as with a shaft as warm as the inner ring and a housing as warm as the outer one, both
-/// of the bearing's steel. The cage and its pockets keep their sizes.
+/// `bearing` where rings and balls have these temperatures [degC, (kWarmBodies)], each free to expand with
+/// its own: grooves, balls and with them the clearance G, of which G' - G = a [d_o (T_o - T_0) - d_i (T_i -
+/// T_0) - 2 D (T_b - T_0)], d_o and d_i the diameters of the races, D that of the balls. The clearance stated
+/// is that of the mounted bearing: what fits take of it when cold is in it, and no more is taken or given
+/// back, as with a shaft as warm as the inner ring and a housing as warm as the outer one, both of the
+/// bearing's steel. The cage and its pockets keep their sizes.
 bearing::Bearing warm_bearing(const bearing::Bearing& bearing, const HeatParameters& heat,
                               const Eigen::VectorXd& temperature);
 

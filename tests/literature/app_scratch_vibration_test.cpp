@@ -65,8 +65,9 @@ TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
     EXPECT_NEAR(found->frequency, expected, kHalfPercent * expected) << is;
   };
   const auto run_up = [](const std::string& race) {
-    return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml",
-                                  {"defect.race=" + race, "signal.run_up_from=0.5", "signal.revolutions=16"}));
+    return defect_study(
+        read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml",
+                  {"defect.race=" + race, "signal.run_up_from=0.5", "signal.revolutions=16"}));
   };
   const DefectStudy outer = run_up("outer");
   order(outer, "outer race defect", 76.27 / 25.0);

@@ -54,7 +54,7 @@ struct BallPowerLoss {
   double rolling = 0.0;
   double damping = 0.0;       // of the race contacts
   double cage = 0.0;          // pockets and lands
-  double churning = 0.0;      // drag and churning of balls and cage, and what turning rings pay to stir the oil
+  double churning = 0.0;  // drag and churning of balls and cage, and what turning rings pay to stir the oil
 
   double total() const { return sliding + differential + spin + rolling + damping + cage + churning; }
 };

@@ -32,8 +32,8 @@ double cylinder_friction(double reynolds) {
 double wall_torque(const MixtureNumbers& m, double radius, double difference) {
   if (difference == 0.0 || m.viscosity <= 0.0) return 0.0;
   const double speed = radius * difference, gap = m.outer_radius - m.inner_radius;
-  const double friction = cylinder_friction(2.0 * std::abs(speed) * gap / m.viscosity) *
-                          std::pow(gap / m.inner_radius, 0.3);
+  const double friction =
+      cylinder_friction(2.0 * std::abs(speed) * gap / m.viscosity) * std::pow(gap / m.inner_radius, 0.3);
   return two_pi * radius * radius * m.width * m.density * friction * squared(speed);
 }
 
@@ -50,8 +50,8 @@ double mixture_speed(const MixtureNumbers& m, double inner, double outer) {
   if (!(low > 0.0)) return least;
   if (!(high < 0.0)) return most;
   std::uintmax_t steps = 100;
-  const auto [below, above] = boost::math::tools::toms748_solve(balance, least, most, low, high,
-                                                                boost::math::tools::eps_tolerance<double>(48), steps);
+  const auto [below, above] = boost::math::tools::toms748_solve(
+      balance, least, most, low, high, boost::math::tools::eps_tolerance<double>(48), steps);
   return 0.5 * (below + above);
 }
 

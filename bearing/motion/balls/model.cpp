@@ -191,12 +191,12 @@ DragNumbers drag(const Bearing& bearing, const MotionParameters& parameters) {
   const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
   const double section = std::max(0.0, 0.25 * pi * diameter * diameter - height * diameter);
   const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);
-  DragNumbers at_rest{
-      .translation = 0.5 * kSphereDrag * density * section,
-      .churning = 0.5 * given.churning_coefficient * density * std::pow(0.5 * diameter, 5),
-      .cage_churning =
-          motion::churning_drag(density, given.churning_coefficient, cage_radius, bearing.cage.width).coefficient,
-      .mixture = {}};
+  DragNumbers at_rest{.translation = 0.5 * kSphereDrag * density * section,
+                      .churning = 0.5 * given.churning_coefficient * density * std::pow(0.5 * diameter, 5),
+                      .cage_churning = motion::churning_drag(density, given.churning_coefficient, cage_radius,
+                                                             bearing.cage.width)
+                                           .coefficient,
+                      .mixture = {}};
   at_rest.mixture = mixture(bearing, parameters, at_rest);
   return at_rest;
 }

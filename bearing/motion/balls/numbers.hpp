@@ -99,8 +99,8 @@ struct MixtureNumbers {
   double share = 0.0;         // [-]  its speed over that of the cage at pure rolling
 };
 
-/// How a body stands in the oil: forces -coefficient speed |speed|, speeds in the axes of the housing. In a mixture
-/// that goes round at a fixed share of the cage's speed, coefficients hold what is left of these.
+/// How a body stands in the oil: forces -coefficient speed |speed|, speeds in the axes of the housing. In a
+/// mixture that goes round at a fixed share of the cage's speed, coefficients hold what is left of these.
 struct DragNumbers {
   double translation = 0.0;    // [N s^2/m^2]       of a ball
   double churning = 0.0;       // [N m s^2/rad^2]   of a ball
@@ -122,7 +122,7 @@ struct BallNumbers {
   PocketNumbers pocket;
   LandNumbers land;
   DragNumbers drag;
-  double oil_flow = 0.0;           // [m^3/s]  through the bearing
+  double oil_flow = 0.0;  // [m^3/s]  through the bearing
   SpotNumbers spots;
   BodyNumbers inner_ring;
   BodyNumbers outer_ring;

@@ -104,20 +104,21 @@ template <class Visitor>
 void describe(Visitor& visit, MotionParameters& m) {
   using namespace described;
   const std::string_view ring_alone = "the ring alone: a light shaft";
-  members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.mixture), part(m.lubricant), part(m.ellipse),
-          part(m.pocket),
-          together(field(m.inner.mass, "rotor.mass", Felt::motion,
-                         "mass that moves with the inner ring, its own in it; 0: the ring's own",
-                         {.models = ball_motion,
-                          .dimension = dimension::mass,
-                          .range = {0.0, 1e6},
-                          .reason = ring_alone}),
-                   field(m.inner.across, "rotor.inertia", Felt::motion,
-                         "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
-                         {.models = ball_motion,
-                          .dimension = dimension::inertia,
-                          .range = {0.0, 1e6},
-                          .reason = ring_alone})),
+  members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.mixture), part(m.lubricant),
+          part(m.ellipse), part(m.pocket),
+          together(
+              field(m.inner.mass, "rotor.mass", Felt::motion,
+                    "mass that moves with the inner ring, its own in it; 0: the ring's own",
+                    {.models = ball_motion,
+                     .dimension = dimension::mass,
+                     .range = {0.0, 1e6},
+                     .reason = ring_alone}),
+              field(m.inner.across, "rotor.inertia", Felt::motion,
+                    "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
+                    {.models = ball_motion,
+                     .dimension = dimension::inertia,
+                     .range = {0.0, 1e6},
+                     .reason = ring_alone})),
           apart(m.outer));
 }
 

@@ -216,24 +216,25 @@ inline std::string rollers_case() {
 }
 
 inline const std::vector<Base>& bases() {
-  static const std::vector<Base> all{{"bearing_in_a_set", kDrivetrain + kGears + kBearing + kShortRun},
-                                     // What pins load is seen at rest, and in motion as one system: the other
-                                     // rungs in motion know the same fields and take much longer.
-                                     {"displaced_pins", displaced_pins(), "", use::dynamic | use::co_simulated},
-                                     {"gears_alone", kDrivetrain + kGears},
-                                     {"masses_and_springs", kToothless},
-                                     {"multi_stage", multi_stage(), "first"},
-                                     {"pair_of_gears", kPair},
-                                     {"roller_bearing", rollers_case()},
-                                     {"ball_bearing", kBalls},
-                                     {"ball_bearing_in_time", kBallsInTime},
-                                     {"raceway_defect", kScratch, "", use::moving_defect},
-                                     {"raceway_defect_in_motion", kScratchInMotion, "", use::defect},
-                                     {"scratched_rollers", kScratchedRollers},
-                                     {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet,
-                                      "", use::all & ~unsigned{use::planet_defect}},
-                                     {"duplex_pair", kDuplex},
-                                     {"spin_film", kSpinFilm}};
+  static const std::vector<Base> all{
+      {"bearing_in_a_set", kDrivetrain + kGears + kBearing + kShortRun},
+      // What pins load is seen at rest, and in motion as one system: the other
+      // rungs in motion know the same fields and take much longer.
+      {"displaced_pins", displaced_pins(), "", use::dynamic | use::co_simulated},
+      {"gears_alone", kDrivetrain + kGears},
+      {"masses_and_springs", kToothless},
+      {"multi_stage", multi_stage(), "first"},
+      {"pair_of_gears", kPair},
+      {"roller_bearing", rollers_case()},
+      {"ball_bearing", kBalls},
+      {"ball_bearing_in_time", kBallsInTime},
+      {"raceway_defect", kScratch, "", use::moving_defect},
+      {"raceway_defect_in_motion", kScratchInMotion, "", use::defect},
+      {"scratched_rollers", kScratchedRollers},
+      {"scratched_planet", kDrivetrain + kGears + kBearing + kScratchedPlanet, "",
+       use::all & ~unsigned{use::planet_defect}},
+      {"duplex_pair", kDuplex},
+      {"spin_film", kSpinFilm}};
   return all;
 }
 
