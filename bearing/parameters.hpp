@@ -212,8 +212,8 @@ void describe(Visitor& visit, CylindricalRollers& m) {
   using namespace described;
   const auto length = [](double& member, std::string path, std::string meaning) {
     return field(member, std::move(path), Felt::balance, std::move(meaning),
-                 {.models = with_rollers,
-                  .required_by = with_rollers,
+                 {.models = with_rollers | roller_defect,
+                  .required_by = with_rollers | roller_defect,
                   .dimension = dimension::length,
                   .range = positive(1e4),
                   .fmu = InFmu::parameter});
@@ -221,7 +221,10 @@ void describe(Visitor& visit, CylindricalRollers& m) {
   members(
       visit, m,
       field(m.count, "bearing.rollers", Felt::balance, "number of rollers",
-            {.models = with_rollers, .required_by = with_rollers, .range = {3, 500}, .fmu = InFmu::constant}),
+            {.models = with_rollers | roller_defect,
+             .required_by = with_rollers | roller_defect,
+             .range = {3, 500},
+             .fmu = InFmu::constant}),
       length(m.diameter, "bearing.roller_diameter", "diameter of a roller"),
       length(m.length, "bearing.roller_length", "effective contact length of a roller"),
       field(m.laminae, "bearing.laminae", Felt::life,
@@ -272,7 +275,7 @@ void describe(Visitor& visit, Ring& m, const std::string& name, const Seat& seat
 template <class Visitor>
 void describe(Visitor& visit, Bearing& m) {
   using namespace described;
-  constexpr unsigned any_bearing = with_rollers | with_balls;
+  constexpr unsigned any_bearing = with_rollers | with_balls | roller_defect;
   const auto of_rings = [](double& member, std::string path, Felt felt, std::string meaning) {
     return field(member, std::move(path), felt, std::move(meaning),
                  {.models = with_rollers | ball_motion,
@@ -309,11 +312,12 @@ void describe(Visitor& visit, Bearing& m) {
       of_rings(m.width, "bearing.width", Felt::carrier, "width of the rings"), part(m.cage), part(m.material),
       field(m.contact_law, "contact.law", Felt::balance,
             "stiffness of roller and race: Palmgren's for each contact, or ISO/TS 16281's for both",
-            {.models = with_rollers, .reason = "each contact on its own, as the film needs it"}),
+            {.models = with_rollers | roller_defect,
+             .reason = "each contact on its own, as the film needs it"}),
       apart(m.motions),  // of a single bearing a case states operation.turning_race
       field(m.first_element, "bearing.first_element_angle", Felt::lone,
             "angle of the first rolling element from the radial load",
-            {.models = roller_bearing | with_balls,
+            {.models = roller_bearing | with_balls | roller_defect,
              .dimension = dimension::angle,
              .range = {-360.0, 360.0},
              .reason = "the first one stands on the line of the radial load"}));

@@ -78,8 +78,9 @@ enum Model : unsigned {
   ball_bearing = 8,
   raceway_defect = 16,
   spin_film = 64,
-  duplex_pair = 1u << 11,  // two rows of balls on one shaft
-  ball_motion = 1u << 12   // a ball bearing whose case has a block `simulation`: in time
+  duplex_pair = 1u << 11,   // two rows of balls on one shaft
+  ball_motion = 1u << 12,   // a ball bearing whose case has a block `simulation`: in time
+  roller_defect = 1u << 13  // a raceway-defect whose bearing has rollers
 };
 inline constexpr unsigned with_rollers = planetary_drivetrain | roller_bearing;
 /// A ball bearing under a load of its own, at rest or in time.
@@ -91,8 +92,11 @@ inline constexpr unsigned in_motion = planetary_drivetrain | ball_motion;
 inline constexpr unsigned balls_in_time = ball_motion | raceway_defect;
 inline constexpr unsigned in_time = in_motion | raceway_defect;
 /// Bearings that may have scratches: by themselves, or in a planet.
-inline constexpr unsigned scratched_bearings = raceway_defect | planetary_drivetrain;
-inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | spin_film;
+inline constexpr unsigned lone_scratched = raceway_defect | roller_defect;
+inline constexpr unsigned scratched_bearings = lone_scratched | planetary_drivetrain;
+inline constexpr unsigned every_model = with_rollers | gear_pair | with_balls | roller_defect | spin_film;
+/// Those whose results the material decides: rollers on a ring that vibrates have contact laws of steel.
+inline constexpr unsigned of_material = every_model & ~unsigned{roller_defect};
 
 /// In `required_by`: a planetary set that is stated by masses and stiffnesses in place of teeth.
 inline constexpr unsigned toothless_set = 1u << 16;

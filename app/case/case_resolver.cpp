@@ -46,7 +46,10 @@ class Resolver {
     const Member* member = find_member(root_, "model");
     if (member == nullptr || member->value.shape != Entry::Shape::scalar) return;
     model_ = model_of(member->value.text);
-    if (model_ == ball_bearing && find_member(root_, "simulation") != nullptr) model_ = ball_motion;
+    const Member* bearing = find_member(root_, "bearing");
+    const bool rollers = bearing != nullptr && bearing->value.shape == Entry::Shape::block &&
+                         find_member(bearing->value, "rollers") != nullptr;
+    model_ = told_apart(model_, find_member(root_, "simulation") != nullptr, rollers);
     if (model_ != no_model) allowed_ = model_;
   }
 

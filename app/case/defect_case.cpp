@@ -105,7 +105,9 @@ bool is_planet_defect(const ResolvedCase& in) {
 }
 
 bearing::defect::ScratchedBearing scratched_bearing_of(const ResolvedCase& in) {
-  return {.bearing = from_case(in, bearing::Bearing{.elements = bearing::Balls{}}),
+  bearing::Bearing like{.elements = bearing::Balls{}};
+  if (in.model() == roller_defect) like.elements = bearing::CylindricalRollers{};
+  return {.bearing = from_case(in, like),
           .ring = from_case<bearing::defect::VibratingRing>(in),
           .load = in.quantity("load.radial"),
           .shaft_speed = in.quantity("operation.shaft_speed"),
@@ -146,10 +148,14 @@ void check_defect(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     check_place(in, mistakes);
     return;
   }
-  if (in.model() != raceway_defect) return;
-  if (in.has("defect.race") && in.choice("defect.race") == "roller")
-    object_to(in, "defect.race", "'roller' in a bearing of balls", "outer, inner, ball or none is required", mistakes);
-  check_scratch(in, "ball", mistakes);
+  if ((in.model() & described::lone_scratched) == 0) return;
+  const bool rollers = in.model() == roller_defect;
+  const char* const own = rollers ? "roller" : "ball";
+  const char* const other = rollers ? "ball" : "roller";
+  if (in.has("defect.race") && in.choice("defect.race") == other)
+    object_to(in, "defect.race", fmt::format("'{}' in a bearing of {}s", other, own),
+              fmt::format("outer, inner, {} or none is required", own), mistakes);
+  check_scratch(in, own, mistakes);
   check_signal(in, mistakes);
 }
 

@@ -164,9 +164,9 @@ std::string_view default_rule(std::string_view path) {
 void fill_derived_defaults(CaseData& data) {
   const auto found = data.values.find("model");
   if (found == data.values.end()) return;
-  const Model model = model_of(found->second.value.given) == ball_bearing && data.values.contains("simulation.duration")
-                          ? ball_motion
-                          : model_of(found->second.value.given);
+  const Model model =
+      told_apart(model_of(found->second.value.given), data.values.contains("simulation.duration"),
+                 data.values.contains("bearing.rollers"));
   fill_from_grade(data, model);
   if ((model & described::in_time) == 0) return;
   std::vector<std::string> prefixes{""};

@@ -214,6 +214,8 @@ std::string_view model_name(Model model) {
       return "ball-bearing with a block 'simulation'";
     case raceway_defect:
       return "raceway-defect";
+    case roller_defect:
+      return "raceway-defect of rollers";
     case duplex_pair:
       return "duplex-pair";
     case spin_film:
@@ -234,6 +236,11 @@ Model model_of(std::string_view name) {
   for (const Model model : models())
     if (model_name(model) == name) return model;
   return no_model;
+}
+
+Model told_apart(Model named, bool simulation, bool rollers) {
+  if (named == ball_bearing && simulation) return ball_motion;
+  return named == raceway_defect && rollers ? roller_defect : named;
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {

@@ -90,8 +90,10 @@ Json& block_of(Json& root, std::string_view path, bool required) {
   return *block;
 }
 
-// A ball bearing is one model to a schema, with or without a block `simulation`.
+// A ball bearing is one model to a schema, with or without a block `simulation`; so is a scratched bearing of
+// balls or rollers.
 unsigned kinds_of(Model model) {
+  if (model == raceway_defect) return described::lone_scratched;
   return model == ball_bearing ? lone_balls : unsigned{model};
 }
 

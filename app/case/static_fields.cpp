@@ -53,7 +53,8 @@ Field speed_of_ring(std::string path, std::string meaning) {
           .meaning = std::move(meaning),
           .use = Use(use::static_load | use::ball_run, use::stiffness)
                      .felt_too(use::stiffness, where_given({"bearing.balls"}))
-                     .when(where_given({"lubricant.kinematic_viscosity", "lubricant.grade", "bearing.balls"})),
+                     .when(where_given({"lubricant.kinematic_viscosity", "lubricant.grade", "bearing.balls",
+                                        "bearing.outer_ring_mass"})),
           .models = single_bearing,
           .dimension = dimension::angular_speed,
           .range = {-1e6, 1e6},
@@ -64,7 +65,7 @@ Field speed_of_ring(std::string path, std::string meaning) {
 void add_operation(std::vector<Field>& fields) {
   Field shaft = speed_of_ring("operation.shaft_speed", "speed of the inner ring");
   shaft.use.by |= use::defect | use::moving_defect;
-  shaft.models |= raceway_defect;
+  shaft.models |= described::lone_scratched;
   fields.push_back(std::move(shaft));
   fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
   fields.push_back({.path = "operation.speeds",

@@ -194,6 +194,7 @@ std::vector<use::Analysis> analyses_of(const ResolvedCase& resolved) {
   if (resolved.model() == ball_motion) allowed = use::ball_run;
   if (resolved.model() == gear_pair) allowed = use::mesh;
   if (resolved.model() == raceway_defect) allowed = use::defect | use::moving_defect;
+  if (resolved.model() == roller_defect) allowed = use::defect;
   if (resolved.model() == duplex_pair) allowed = use::duplex;
   if (resolved.model() == spin_film) allowed = use::spin_film;
   if (resolved.model() == planetary_drivetrain) {

@@ -22,6 +22,14 @@ std::string defect_file(const ManifestHeader& header, const DefectStudy& study) 
   return lone_result_file(header, "vibration of a bearing with scratches", defect_content(study));
 }
 
+void require_rung(const ResolvedCase& resolved, bool moving) {
+  if (moving && resolved.model() == roller_defect)
+    throw BadInput(
+        "--fidelity: found dynamic for a scratched bearing of rollers by itself; required: none, or a "
+        "planetary "
+        "drivetrain with a block 'defect', where all of its bearings move");
+}
+
 namespace {
 
 void keep(const ManifestHeader& header, const nlohmann::ordered_json& result, const DefectStudy& study,
@@ -48,6 +56,7 @@ DefectStudy study_of(const ResolvedCase& resolved, bool moving, const Options& o
 
 int run_defect_case(const ResolvedCase& resolved, const Options& options) {
   const bool moving = options.fidelity == "dynamic";
+  require_rung(resolved, moving);
   if (!moving && options.fidelity != "quasi-static")
     throw BadInput("--fidelity: found " + options.fidelity +
                    "; required: none for the model raceway-defect, whose ring moves on balls without mass, or "

@@ -17,6 +17,9 @@ std::string defect_file(const ManifestHeader& header, const DefectStudy& study);
 /// Its row in the table of a folder, whose columns are of lives: all but the largest load stay empty.
 ResultRow defect_row(const TableHead& head, const DefectStudy& study);
 
+/// Throws BadInput where all of the bearing is to move and cannot.
+void require_rung(const ResolvedCase& resolved, bool moving);
+
 /// Runs, writes the folder, prints. Returns the exit code. Throws BadInput and ComputationFailed.
 int run_defect_case(const ResolvedCase& resolved, const Options& options);
 

@@ -128,9 +128,10 @@ int signals_command(const Options& options) {
     throw BadInput(fmt::format("signals: found a case of the model {}; required: raceway-defect",
                                resolved.choice("model")));
   const bool moving = options.fidelity == "dynamic";
+  require_rung(resolved, moving);
   const std::vector<std::string> warnings =
       require_used(resolved, moving ? use::moving_defect : use::defect);
-  const std::vector<SignalAxis> axes = signal_axes(options.varied);
+  const std::vector<SignalAxis> axes = signal_axes(options.varied, resolved);
   std::vector<SignalVariant> variants = signal_variants(resolved, axes);
   const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());
   ResultFolder folder =

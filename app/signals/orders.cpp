@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mechanics/easy_length.hpp"
+
 namespace orbearing::app::signals {
 
 namespace {
@@ -59,7 +61,8 @@ AngleSignal resampled(const Eigen::ArrayXd& signal, const Eigen::ArrayXd& angle)
   const Eigen::Index edge = std::min(kReach, samples / 4);
   const double begin = turned[edge], end = turned[samples - 1 - edge];
   const double spacing = two_pi / out.per_revolution;
-  const auto count = static_cast<Eigen::Index>(std::floor((end - begin) / spacing)) + 1;
+  const auto most = static_cast<long>(std::floor((end - begin) / spacing)) + 1;
+  const auto count = static_cast<Eigen::Index>(mechanics::easy_length_within(most));
   out.value.resize(count);
   Eigen::Index k = edge;
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -100,8 +100,11 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   study.life_hours = bearing::hours(means.life.bearing, turning);
   study.life_with_balls_hours =
       bearing::hours(bearing::rating::life_of_both(means.life.bearing, means.balls_life), turning);
-  const bearing::equilibrium::RingState balance = bearing::equilibrium::balance_bearing(
-      bearing, {.speeds = {inner, outer}}, ring_load_of(in));
+  const bearing::Bearing running =
+      study.warming.empty() ? bearing : system::warm_bearing(bearing, heat, study.warming.back().temperature);
+  study.radial_clearance = running.radial_clearance;
+  const bearing::equilibrium::RingState balance =
+      bearing::equilibrium::balance_bearing(running, {.speeds = {inner, outer}}, ring_load_of(in));
   if (balance.report.converged) study.stiffness = bearing::equilibrium::stiffness_by_axes(balance);
   study.warnings = warnings_of_balls(study, duty, options);
   return study;
@@ -132,6 +135,7 @@ Json ball_json(const BallStudy& study) {
           {"cage_slip", m.cage_slip},
           {"heat_W", heat_by_cause(m.loss)},
           {"temperature_C", temperatures(study)},
+          {"running_clearance_um", 1e6 * study.radial_clearance},
           {"friction_torque_N_mm", 1e3 * m.inner_torque},
           {"cage_speed_rpm", kRpm * m.cage_speed},
           {"inner", race(m.inner_load_rms, m.inner_load_max, m.inner_angle, m.inner_film, m.life.inner)},
@@ -166,6 +170,7 @@ std::string ball_text(const BallStudy& study) {
   text += fmt::format("\n{:<20} {:>12}\n", "steady temperature", "[degC]");
   for (int i = 0; i < system::kWarmBodies; ++i)
     text += fmt::format("{:<20} {:>12.4g}\n", system::kWarmBodyNames[i], study.warming.back().temperature[i]);
+  text += fmt::format("radial clearance at these temperatures {:.4g} um\n", 1e6 * study.radial_clearance);
   return text;
 }
 

@@ -22,7 +22,9 @@ struct BallStudy {
   double life_hours = 0.0;          // [h]      of the bearing at the speed of the end
   double life_with_balls_hours = 0.0;  // [h]   where its balls may fail too, Eq. (35) of [Chen2026]
   double dynamic_capacity = 0.0;    // [N]
-  /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there is none.
+  double radial_clearance = 0.0;    // [m]      at the temperatures of the run
+  /// Of the balance under the same load at the final speeds, as orbearing stiffness has it; none where there
+  /// is none.
   std::optional<bearing::equilibrium::RingStiffness> stiffness;
   std::vector<std::string> warnings;
 };

@@ -15,11 +15,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json peaks_json(const std::vector<NamedPeak>& peaks) {
-  Json list = Json::array();
-  for (const NamedPeak& peak : peaks)
-    list.push_back({{"frequency_Hz", peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
-  return list;
+// Lines stand at frequencies or, in a run-up, at orders.
+Json lines_json(const DefectStudy& study, const std::vector<NamedPeak>& peaks) {
+  return study.run_up ? Json::array() : peaks_json(peaks, "frequency_Hz");
+}
+Json orders_json(const DefectStudy& study, const std::vector<NamedPeak>& peaks) {
+  return study.run_up ? peaks_json(peaks, "order") : Json(nullptr);
+}
+
+// Of the cage against pure rolling at the same turns of the shaft.
+double cage_slip(const DefectStudy& study) {
+  return 1.0 - study.turned.cage / (study.passing.cage * (study.turned.shaft / study.passing.shaft));
 }
 
 double root_mean_square(const Eigen::ArrayXd& signal) {
@@ -30,9 +36,9 @@ Eigen::ArrayXd signal_of(const DefectStudy& study) {
   return study.vibration.acceleration.row(0).transpose();
 }
 
-std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks) {
-  std::string text =
-      fmt::format("\n{}\n{:>14} {:>18}  {}\n", title, "frequency [Hz]", "amplitude [m/s2]", "is");
+std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks, bool run_up) {
+  std::string text = fmt::format("\n{}\n{:>14} {:>18}  {}\n", title, run_up ? "order" : "frequency [Hz]",
+                                 "amplitude [m/s2]", "is");
   for (const NamedPeak& peak : peaks)
     text += fmt::format("{:>14.2f} {:>18.4g}  {}\n", peak.frequency, peak.amplitude, peak.is);
   return text;
@@ -69,11 +75,12 @@ void add_spectra(const DefectStudy& study, PointContent& content) {
   const signals::Spectrum& spectrum = study.spectrum;
   const Eigen::Index lines = spectrum.amplitude.size();
   content.dimensions.push_back({"line", static_cast<std::size_t>(lines)});
-  content.arrays.push_back({"frequency",
-                            {"line"},
-                            "s-1",
-                            "lines of both spectra",
-                            values_of(evenly_spaced(lines, spectrum.resolution))});
+  content.arrays.push_back(
+      {study.run_up ? "order" : "frequency",
+       {"line"},
+       study.run_up ? "1" : "s-1",
+       study.run_up ? "lines of both spectra, turns of the shaft" : "lines of both spectra",
+       values_of(evenly_spaced(lines, spectrum.resolution))});
   content.arrays.push_back({"acceleration_spectrum",
                             {"line"},
                             "m s-2",
@@ -92,22 +99,31 @@ void append_number(std::uint32_t number, int bytes, std::string& text) {
 
 }  // namespace
 
+Json peaks_json(const std::vector<NamedPeak>& peaks, const char* where) {
+  Json list = Json::array();
+  for (const NamedPeak& peak : peaks)
+    list.push_back({{where, peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
+  return list;
+}
+
 Json defect_json(const DefectStudy& study) {
   const Eigen::ArrayXd signal = signal_of(study);
   Json object{
       {"shaft_Hz", study.passing.shaft},
       {"cage_Hz", study.passing.cage},
       {"defect_Hz", study.defect_frequency ? Json(*study.defect_frequency) : Json(nullptr)},
-      {"envelope_peaks", peaks_json(study.peaks)},
+      {"envelope_peaks", lines_json(study, study.peaks)},
+      {"orders", orders_json(study, study.peaks)},
       {"amplitude_unit", "m/s2"},
       {"outer_pass_Hz", study.passing.outer_pass},
       {"inner_pass_Hz", study.passing.inner_pass},
-      {"ball_pass_Hz", study.passing.element_pass},
+      {study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", study.passing.element_pass},
       {"natural_frequency_Hz", study.at_rest.natural_frequency},
       {"band_Hz", {study.band.band.low, study.band.band.high}},
       {"band_kurtosis", study.band.kurtosis},
-      {"resolution_Hz", study.envelope_spectrum.resolution},
-      {"spectrum_peaks", peaks_json(study.spectrum_peaks)},
+      {study.run_up ? "order_resolution" : "resolution_Hz", study.envelope_spectrum.resolution},
+      {"spectrum_peaks", lines_json(study, study.spectrum_peaks)},
+      {"spectrum_orders", orders_json(study, study.spectrum_peaks)},
       {"acceleration", {{"rms_m_s2", root_mean_square(signal)}, {"max_m_s2", signal.abs().maxCoeff()}}},
       {"at_rest",
        {{"displacement_um", kMicro * study.at_rest.place[0]},
@@ -116,7 +132,7 @@ Json defect_json(const DefectStudy& study) {
       {"sinking", {{"inner_um", kMicro * study.inner_sinking}, {"outer_um", kMicro * study.outer_sinking}}}};
   if (study.moving)
     object["turned"] = {{"cage_Hz", study.turned.cage},
-                        {"cage_slip", 1.0 - study.turned.cage / study.passing.cage},
+                        {"cage_slip", cage_slip(study)},
                         {"outer_pass_Hz", study.turned.outer_pass},
                         {"inner_pass_Hz", study.turned.inner_pass}};
   return object;
@@ -124,12 +140,13 @@ Json defect_json(const DefectStudy& study) {
 
 std::string defect_text(const DefectStudy& study) {
   const Eigen::ArrayXd signal = signal_of(study);
+  const char* const element = study.rollers ? "roller" : "ball";
   std::string text = fmt::format(
-      "shaft {:.4g} Hz, cage {:.4g} Hz; a place is passed by balls at {:.5g} Hz on the outer and {:.5g} Hz "
+      "shaft {:.4g} Hz, cage {:.4g} Hz; a place is passed by {}s at {:.5g} Hz on the outer and {:.5g} Hz "
       "on the inner race,\n"
-      "one of a ball by races at {:.5g} Hz; defect: {}\n",
-      study.passing.shaft, study.passing.cage, study.passing.outer_pass, study.passing.inner_pass,
-      study.passing.element_pass,
+      "one of a {} by races at {:.5g} Hz; defect: {}\n",
+      study.passing.shaft, study.passing.cage, element, study.passing.outer_pass, study.passing.inner_pass,
+      element, study.passing.element_pass,
       study.defect_frequency ? fmt::format("{:.5g} Hz", *study.defect_frequency) : std::string("none"));
   text += fmt::format(
       "at rest: outer ring {:.4g} um along the load, largest contact load {:.4g} N, natural frequency {:.0f} "
@@ -139,14 +156,14 @@ std::string defect_text(const DefectStudy& study) {
       "in motion: acceleration {:.4g} m/s2 rms, at most {:.4g} m/s2; largest contact load {:.4g} N\n",
       root_mean_square(signal), signal.abs().maxCoeff(), study.vibration.largest_load);
   if (study.moving)
-    text += fmt::format("as turned: cage {:.5g} Hz, slip {:.3g} %; passes {:.5g} Hz (outer), {:.5g} Hz (inner)\n",
-                        study.turned.cage, 100.0 * (1.0 - study.turned.cage / study.passing.cage),
-                        study.turned.outer_pass, study.turned.inner_pass);
-  text += fmt::format("envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}; lines {:.3g} Hz apart\n",
+    text += fmt::format(
+        "as turned: cage {:.5g} Hz, slip {:.3g} %; passes {:.5g} Hz (outer), {:.5g} Hz (inner)\n",
+        study.turned.cage, 100.0 * cage_slip(study), study.turned.outer_pass, study.turned.inner_pass);
+  text += fmt::format("envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}; lines {:.3g} {} apart\n",
                       study.band.band.low, study.band.band.high, study.band.kurtosis,
-                      study.envelope_spectrum.resolution);
-  return text + peaks_text("envelope", study.peaks) +
-         peaks_text("acceleration along the load", study.spectrum_peaks);
+                      study.envelope_spectrum.resolution, study.run_up ? "orders of the shaft" : "Hz");
+  return text + peaks_text("envelope", study.peaks, study.run_up) +
+         peaks_text("acceleration along the load", study.spectrum_peaks, study.run_up);
 }
 
 PointContent defect_content(const DefectStudy& study) {
@@ -168,6 +185,7 @@ PointContent defect_content(const DefectStudy& study) {
     content.arrays.push_back(std::move(array));
   };
   along_time("time", "s", "time since the signal began", evenly_spaced(samples, 1.0 / vibration.rate));
+  if (study.run_up) along_time("shaft_angle", "rad", "since the motion began", vibration.shaft_angle);
   both("acceleration", "m s-2", "outer ring, along the load and across it", vibration.acceleration);
   both("displacement", "m", "outer ring from the concentric place, along the load and across it",
        vibration.place);
@@ -180,10 +198,13 @@ PointContent defect_content(const DefectStudy& study) {
 }
 
 std::string signal_csv(const DefectStudy& study) {
-  std::string text = "time_s,acceleration_m_s2\n";
+  std::string text =
+      study.run_up ? "time_s,acceleration_m_s2,shaft_angle_rad\n" : "time_s,acceleration_m_s2\n";
   const Eigen::ArrayXd signal = signal_of(study);
-  for (Eigen::Index k = 0; k < signal.size(); ++k)
-    text += fmt::format("{:.9g},{:.9g}\n", static_cast<double>(k) / study.vibration.rate, signal[k]);
+  for (Eigen::Index k = 0; k < signal.size(); ++k) {
+    text += fmt::format("{:.9g},{:.9g}", static_cast<double>(k) / study.vibration.rate, signal[k]);
+    text += study.run_up ? fmt::format(",{:.12g}\n", study.vibration.shaft_angle[k]) : "\n";
+  }
   return text;
 }
 

@@ -3,11 +3,15 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "app/results/point_content.hpp"
 #include "app/study/defect_study.hpp"
 
 namespace orbearing::app {
+
+/// Peaks as objects; `where` is the key of their place, "frequency_Hz" or "order".
+nlohmann::ordered_json peaks_json(const std::vector<NamedPeak>& peaks, const char* where);
 
 nlohmann::ordered_json defect_json(const DefectStudy& study);
 std::string defect_text(const DefectStudy& study);

@@ -9,6 +9,7 @@
 
 #include "app/case/defect_case.hpp"
 #include "app/errors.hpp"
+#include "app/signals/orders.hpp"
 
 namespace orbearing::app {
 
@@ -17,10 +18,12 @@ namespace {
 namespace defect = bearing::defect;
 using defect::Scratched;
 
-constexpr const char* kPassage = "ball passage";  // the compliance that varies as balls pass the load zone
+// The compliance that varies as balls or rollers pass the load zone.
+constexpr const char* kPassage = "ball passage";
+constexpr const char* kRollerPassage = "roller passage";
 
 // Up to `highest` [Hz]. A scratch that goes round meets the load zone once in each turn of what carries it.
-std::vector<signals::ExpectedLine> expected_lines(Scratched scratched,
+std::vector<signals::ExpectedLine> expected_lines(Scratched scratched, bool rollers,
                                                   const defect::PassingFrequencies& passing, double highest) {
   constexpr int bands = 6, rare = 3;
   std::vector<signals::ExpectedLine> lines;
@@ -36,15 +39,29 @@ std::vector<signals::ExpectedLine> expected_lines(Scratched scratched,
     // It meets both races, each once a turn, and sinks less on the outer one.
     add(0.5 * passing.element_pass, scratched == Scratched::ball ? "ball spin" : "roller spin", passing.cage, "cage", rare);
   }
-  add(passing.outer_pass, kPassage, 0.0, "", 1);
+  add(passing.outer_pass, rollers ? kRollerPassage : kPassage, 0.0, "", 1);
   add(passing.shaft, "shaft", 0.0, "", 1);
   add(passing.cage, "cage", 0.0, "", rare);
   return lines;
 }
 
+// What a line of the spectra is counted in [Hz]: orders of a run-up are turns of the shaft.
+double unit_of(const DefectStudy& study) {
+  return study.run_up ? study.turned.shaft : 1.0;
+}
+
+// At a speed lower by `share`.
+defect::PassingFrequencies slower(const defect::PassingFrequencies& full, double share) {
+  return {share * full.shaft, share * full.cage, share * full.outer_pass, share * full.inner_pass,
+          share * full.element_pass};
+}
+
 std::vector<NamedPeak> named_peaks(const signals::Spectrum& spectrum, double highest,
                                    const DefectStudy& study) {
-  const std::vector<signals::ExpectedLine> lines = expected_lines(study.scratched, study.turned, highest);
+  const double unit = unit_of(study);
+  highest /= unit;
+  const std::vector<signals::ExpectedLine> lines =
+      expected_lines(study.scratched, study.rollers, slower(study.turned, 1.0 / unit), highest);
   std::vector<NamedPeak> named;
   for (const signals::Peak& peak : signals::peaks_of(spectrum, {.highest = highest}))
     named.push_back(
@@ -60,7 +77,12 @@ void analyse(const ResolvedCase& in, DefectStudy& study) {
   constexpr double passes_in_band = 8.0, passes_shown = 8.0;
   const Eigen::ArrayXd signal = study.vibration.acceleration.row(0).transpose();
   const double rate = study.vibration.rate, pass = highest_pass(study.passing);
-  study.spectrum = signals::spectrum_of(signal, rate, signals::Window::hann);
+  const auto spectrum = [&](const Eigen::ArrayXd& of) {
+    using namespace signals;
+    return study.run_up ? order_spectrum(resampled(of, study.vibration.shaft_angle), Window::hann)
+                        : spectrum_of(of, rate, Window::hann);
+  };
+  study.spectrum = spectrum(signal);
   // Up to beyond the vibration that a scratch strikes.
   study.spectrum_peaks = named_peaks(study.spectrum, 2.0 * study.at_rest.natural_frequency, study);
   if (const std::optional<signals::Band> stated = stated_band_of(in))
@@ -68,7 +90,7 @@ void analyse(const ResolvedCase& in, DefectStudy& study) {
   else
     study.band = signals::most_impulsive_band(signal, rate, passes_in_band * pass);
   study.envelope = signals::envelope_of(signal, rate, study.band.band);
-  study.envelope_spectrum = signals::spectrum_of(study.envelope, rate, signals::Window::hann);
+  study.envelope_spectrum = spectrum(study.envelope);
   study.peaks = named_peaks(study.envelope_spectrum, passes_shown * pass, study);
 }
 
@@ -83,7 +105,7 @@ void warn(const ResolvedCase& in, DefectStudy& study) {
 // Balls pass where the cage takes them, whatever its slip.
 defect::PassingFrequencies as_turned(const defect::ScratchedBearing& scratched, const DefectStudy& study) {
   const double balls = scratched.bearing.element_count();
-  defect::PassingFrequencies turned = study.passing;
+  defect::PassingFrequencies turned = study.turned;
   turned.cage = std::abs(study.vibration.cage_speed) / boost::math::double_constants::two_pi;
   turned.outer_pass = balls * turned.cage;
   turned.inner_pass = balls * (turned.shaft - turned.cage);
@@ -130,7 +152,7 @@ std::optional<double> defect_frequency(Scratched scratched, const defect::Passin
 }
 
 bool is_defect(const ResolvedCase& resolved) {
-  return resolved.model() == raceway_defect;
+  return (resolved.model() & described::lone_scratched) != 0;
 }
 
 DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::function<void(double)>& progress,
@@ -145,6 +167,7 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
     study.inner_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::inner, geometry);
     study.outer_sinking = defect::deepest_sinking(scratched.scratch.width, bearing::Race::outer, geometry);
   }
+  study.rollers = scratched.bearing.has_rollers();
   study.moving = rung == DefectRung::all;
   study.vibration = study.moving ? study::sample_vibration(scratched, scratched_motion_of(in),
                                                            scratched_length_error_of(in), sampling_of(in), progress)
@@ -152,7 +175,10 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
   if (!study.vibration.report.completed)
     throw ComputationFailed(in.text("name") + ": " + study.vibration.report.message);
   if (disturb) disturb(study.vibration);
-  study.turned = study.moving ? as_turned(scratched, study) : study.passing;
+  study.run_up = sampling_of(in).run_up_from < 1.0;
+  study.turned = study.passing;
+  if (study.run_up) study.turned = slower(study.passing, study.vibration.shaft_speed / scratched.shaft_speed);
+  if (study.moving) study.turned = as_turned(scratched, study);
   analyse(in, study);
   warn(in, study);
   return study;

@@ -18,7 +18,7 @@ namespace orbearing::app {
 
 /// A peak of the envelope's spectrum and what it is: "inner race defect - shaft".
 struct NamedPeak {
-  double frequency = 0.0;  // [Hz]
+  double frequency = 0.0;  // [Hz], of a run-up the order [-]
   double amplitude = 0.0;  // [m/s^2]
   std::string is;
 };
@@ -27,9 +27,13 @@ struct NamedPeak {
 struct DefectStudy {
   bearing::defect::Scratched scratched = bearing::defect::Scratched::none;
   bool moving = false;                         // all bodies, balls and cage too
-  bearing::defect::PassingFrequencies passing;  // at pure rolling
-  bearing::defect::PassingFrequencies turned;   // as the cage turned: those of pure rolling unless moving
-  std::optional<double> defect_frequency;  // [Hz]  none without a scratch
+  bool rollers = false;                        // in place of balls
+  bool run_up = false;                         // spectra are over orders of the shaft
+  bearing::defect::PassingFrequencies passing;  // at pure rolling, at the end of a run-up
+  bearing::defect::PassingFrequencies
+      turned;  // means, as the cage turned: those of pure rolling unless moving
+  std::optional<double>
+      defect_frequency;  // [Hz]  at pure rolling, at the end of a run-up; none without a scratch
   bearing::defect::StaticPlace at_rest;
   double inner_sinking = 0.0;  // [m]  deepest, on a scratch of the inner race
   double outer_sinking = 0.0;  // [m]

@@ -11,6 +11,7 @@
 #include "app/errors.hpp"
 #include "app/results/json_number.hpp"
 #include "app/signals/residual.hpp"
+#include "app/study/defect_output.hpp"
 #include "app/study/planet_defect_case.hpp"
 #include "app/study/planetary_case.hpp"
 
@@ -175,13 +176,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json peaks_json(const std::vector<NamedPeak>& peaks, const char* where) {
-  Json list = Json::array();
-  for (const NamedPeak& peak : peaks)
-    list.push_back({{where, peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
-  return list;
-}
-
 double rms(const Eigen::ArrayXd& signal) {
   return std::sqrt((signal - signal.mean()).square().mean());
 }
@@ -247,7 +241,9 @@ nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study) {
       {"shaft_Hz", at.planet},
       {"cage_Hz", at.bearing.cage},
       {"defect_Hz", study.defect_frequency ? Json(*study.defect_frequency) : Json(nullptr)},
-      {"envelope_peaks", peaks_json(study.carrier.envelope_peaks, study.run_up ? "order" : "frequency_Hz")},
+      {"envelope_peaks",
+       study.run_up ? Json::array() : peaks_json(study.carrier.envelope_peaks, "frequency_Hz")},
+      {"orders", study.run_up ? peaks_json(study.carrier.envelope_peaks, "order") : Json(nullptr)},
       {"amplitude_unit", "m/s2"},
       {"at_pure_rolling", frequencies_json(at)},
       {"turned", frequencies_json(study.turned)},

@@ -38,7 +38,7 @@ bool felt_by_scratches_alone(const std::string& path) {
 
 }  // namespace
 
-std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options) {
+std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, const ResolvedCase& resolved) {
   std::vector<SignalAxis> axes;
   for (const std::string& option : options) {
     const std::size_t equals = option.find('=');
@@ -54,7 +54,9 @@ std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options) {
       if (value.empty()) throw BadInput("--vary: found '" + option + "'; required: a value between commas");
   }
   if (axes.empty())
-    axes.push_back({"defect.race", std::vector<std::string>{"none", "outer", "inner", "ball"}});
+    axes.push_back(
+        {"defect.race",
+         {"none", "outer", "inner", resolved.model() == described::roller_defect ? "roller" : "ball"}});
   return axes;
 }
 
@@ -97,17 +99,24 @@ nlohmann::ordered_json signal_labels(const ResolvedCase& in, const DefectStudy& 
   const auto of_scratch = [&](const char* path) {
     return scratched ? nlohmann::ordered_json(1e3 * in.quantity(path)) : nlohmann::ordered_json(nullptr);
   };
+  // Means of a run-up; orders keep.
+  const double slower_by = study.turned.shaft / study.passing.shaft;
+  const auto of_defect = [&](double factor) {
+    return study.defect_frequency ? nlohmann::ordered_json(factor * *study.defect_frequency)
+                                  : nlohmann::ordered_json(nullptr);
+  };
   return {{"defect", in.choice("defect.race")},
           {"width_mm", of_scratch("defect.width")},
           {"depth_mm", of_scratch("defect.depth")},
-          {"shaft_Hz", study.passing.shaft},
+          {"shaft_Hz", study.turned.shaft},
+          {"run_up_from", in.number("signal.run_up_from")},
           {"load_N", in.quantity("load.radial")},
           {"cage_Hz", study.turned.cage},
           {"outer_pass_Hz", study.turned.outer_pass},
           {"inner_pass_Hz", study.turned.inner_pass},
-          {"ball_pass_Hz", study.turned.element_pass},
-          {"defect_Hz", study.defect_frequency ? nlohmann::ordered_json(*study.defect_frequency)
-                                               : nlohmann::ordered_json(nullptr)},
+          {study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", study.turned.element_pass},
+          {"defect_Hz", of_defect(slower_by)},
+          {"defect_order", of_defect(1.0 / study.passing.shaft)},
           {"sampling_rate_Hz", study.vibration.rate},
           {"samples", signal.size()},
           {"rms_m_s2", std::sqrt((signal - signal.mean()).square().mean())},

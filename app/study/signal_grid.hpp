@@ -28,9 +28,9 @@ struct SignalNoise {
   std::uint64_t seed = 1;  // of the first signal; each has its own
 };
 
-/// From options such as "operation.shaft_speed=[1000 rpm, 1500 rpm]"; without any, all that can be scratched.
-/// Throws BadInput for a text that is no path and list.
-std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options);
+/// From options such as "operation.shaft_speed=[1000 rpm, 1500 rpm]"; without any, all that can be scratched
+/// in that case. Throws BadInput for a text that is no path and list.
+std::vector<SignalAxis> signal_axes(const std::vector<std::string>& options, const ResolvedCase& resolved);
 
 /// All combinations, the last axis fastest. What only a scratch feels does not vary without one: a sound
 /// bearing stands in the grid once. Throws BadInput where the case cannot be changed so.

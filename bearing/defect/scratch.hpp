@@ -53,7 +53,7 @@ void describe(Visitor& visit, Scratch& m) {
   members(
       visit, m,
       field(m.race, "defect.race", Felt::defect, "what is scratched: a race, one ball, one roller or none",
-            {.models = scratched_bearings, .required_by = raceway_defect}),
+            {.models = scratched_bearings, .required_by = lone_scratched}),
       field(m.width, "defect.width", Felt::defect, "width of the scratch along the track",
             {.models = scratched_bearings,
              .dimension = dimension::length,

@@ -71,7 +71,10 @@ balls::BallNumbers scratched_numbers(const ScratchedBearing& scratched, balls::M
 balls::BallDuty scratched_duty(const ScratchedBearing& scratched) {
   mechanics::require_positive(scratched.load, "radial load [N]");
   balls::BallDuty duty;
-  duty.inner = balls::RingDrive::steady(scratched.shaft_speed);
+  const RunUp& run_up = scratched.run_up;
+  const double speed = scratched.shaft_speed, from = run_up.from * speed;
+  duty.inner = run_up.time > 0.0 ? balls::RingDrive{from, (speed - from) / run_up.time, speed}
+                                 : balls::RingDrive::steady(speed);
   duty.on_outer = {{-(scratched.load + weight_of(scratched.ring)), 0.0, 0.0, 0.0, 0.0}};
   return duty;
 }

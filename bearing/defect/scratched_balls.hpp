@@ -16,7 +16,7 @@ namespace orbearing::bearing::defect {
 /// since a ball may turn it out of its track.
 balls::BallNumbers scratched_numbers(const ScratchedBearing& scratched, balls::MotionParameters motion);
 
-/// The shaft at its speed, load and weight on the outer ring.
+/// The shaft at its speed or on its way to it, load and weight on the outer ring.
 balls::BallDuty scratched_duty(const ScratchedBearing& scratched);
 
 }  // namespace orbearing::bearing::defect

@@ -106,7 +106,8 @@ double ScratchedMotion::from_middle(Eigen::Index element, Eigen::Index scratch, 
   const bool own = of_element(in_.scratch.race);
   if (own && element != in_.scratch.element - 1) return std::numeric_limits<double>::max();
   const double start = own ? 0.0 : first_angle_[element];
-  const double angle = start - middle_[static_cast<std::size_t>(scratch)] + track_speed_ * time;
+  const double angle =
+      start - middle_[static_cast<std::size_t>(scratch)] + track_speed_ * in_.run_up.turned_at(time);
   return track_radius_ * std::remainder(angle, between_);
 }
 
@@ -117,7 +118,7 @@ Sinking<double> ScratchedMotion::sinking_of(Eigen::Index element, double time) c
     if (!on_[elements() + element * scratches + i]) continue;
     bool outer = in_.scratch.race == Scratched::outer;
     if (of_element(in_.scratch.race)) {
-      const double turned = track_speed_ * time - middle_[static_cast<std::size_t>(i)];
+      const double turned = track_speed_ * in_.run_up.turned_at(time) - middle_[static_cast<std::size_t>(i)];
       outer = std::abs(std::remainder(turned, 2.0 * kHalfTurn)) < 0.5 * kHalfTurn;
     }
     const Sinking<double> one = sinking(outer ? on_outer_ : on_inner_, from_middle(element, i, time));
@@ -129,13 +130,14 @@ Sinking<double> ScratchedMotion::sinking_of(Eigen::Index element, double time) c
 
 ScratchedMotion::Contact ScratchedMotion::contact(Eigen::Index element, double time,
                                                   const ConstState& x) const {
-  Contact now{.angle = first_angle_[element] + cage_speed_ * time};
+  const double share = in_.run_up.share_at(time);
+  Contact now{.angle = first_angle_[element] + cage_speed_ * in_.run_up.turned_at(time)};
   const double cosine = std::cos(now.angle), sine = std::sin(now.angle);
   const Sinking<double> sunk = sinking_of(element, time);
   const double along = x[0] * cosine + x[1] * sine, across = x[1] * cosine - x[0] * sine;
   now.approach = (along - 0.5 * in_.bearing.radial_clearance) * cosine_ - sunk.depth;
-  now.approach_speed = (x[2] * cosine + x[3] * sine + cage_speed_ * across) * cosine_ -
-                       sunk.slope * track_radius_ * track_speed_;
+  now.approach_speed = (x[2] * cosine + x[3] * sine + share * cage_speed_ * across) * cosine_ -
+                       sunk.slope * track_radius_ * share * track_speed_;
   if (!on_[element]) return now;
   now.elastic_load = elastic(constant_, exponent_, now.approach);
   now.load = in_.ring.damping_law == DampingLaw::viscous

@@ -51,30 +51,46 @@ void describe(Visitor& visit, VibratingRing& m) {
   members(visit, m,
           field(m.mass, "bearing.outer_ring_mass", Felt::defect,
                 "mass of the outer ring and of what moves with it",
-                {.models = raceway_defect,
-                 .required_by = raceway_defect,
+                {.models = lone_scratched,
+                 .required_by = lone_scratched,
                  .dimension = dimension::mass,
                  .range = positive(1e6)}),
           field(m.damping_ratio, "contact.damping_ratio", Felt::defect,
                 "damping of the ring's vibration along the load, over the critical one",
-                {.models = raceway_defect,
+                {.models = lone_scratched,
                  .range = {0.0, 1.0},
                  .reason = "within 0.25e-5 to 2.5e-5 s times the stiffness, usual for rolling bearings"}),
           field(m.damping_law, "contact.damping_model", Felt::defect,
                 "damping of a contact: of its speed alone, or of its load and speed",
-                {.models = raceway_defect, .reason = "as the source writes it"}));
+                {.models = lone_scratched, .reason = "as the source writes it"}));
 }
 
 /// [N]
 double weight_of(const VibratingRing& ring);
+
+/// How the shaft comes to its speed: evenly, from a share of it.
+struct RunUp {
+  double from = 1.0;  // [-]
+  double time = 0.0;  // [s]  that it takes; 0: a steady speed
+
+  /// Speed at `now` [s] over that of the end.
+  double share_at(double now) const { return now < time ? from + (1.0 - from) * now / time : 1.0; }
+  /// Time [s] in which the shaft turns as far at its speed of the end.
+  double turned_at(double now) const {
+    if (!(time > 0.0)) return now;
+    const double rising = now < time ? now : time;
+    return rising * (from + 0.5 * (1.0 - from) * rising / time) + (now - rising);
+  }
+};
 
 /// What does not change in time. Scratches are of one kind.
 struct ScratchedBearing {
   Bearing bearing;
   VibratingRing ring;
   double load = 0.0;         // [N]  on the outer ring
-  double shaft_speed = 0.0;  // [rad/s]
+  double shaft_speed = 0.0;  // [rad/s]  at the end of the run-up, if there is one
   Scratch scratch;
+  RunUp run_up;
 };
 
 /// Where the ring rests, and how it would vibrate there.

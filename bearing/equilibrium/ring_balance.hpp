@@ -42,8 +42,8 @@ void describe(Visitor& visit, RingLoad& m) {
   members(
       visit, m,
       field(m.radial, "load.radial", Felt::lone, "radial load on the bearing",
-            {.models = single_bearing | raceway_defect,
-             .required_by = single_bearing | raceway_defect,
+            {.models = single_bearing | lone_scratched,
+             .required_by = single_bearing | lone_scratched,
              .dimension = dimension::force,
              .range = {0.0, 1e9}}),
       field(m.axial, "load.axial", Felt::lone, "axial load on the bearing",

@@ -46,13 +46,8 @@ void describe(Visitor& visit, PlanetSampling& m) {
           m.settling_revolutions, "signal.carrier_settling", Felt::defect,
           "revolutions of the carrier before, in which the start dies away",
           {.models = planetary_drivetrain, .range = {0.0, 1e4}, .reason = "some turns of planets and cages"}),
-      field(
-          m.run_up_from, "signal.run_up_from", Felt::defect,
-          "share of the speed at which the motion begins, to rise evenly to all of it; spectra are then over "
-          "orders of the carrier",
-          {.models = planetary_drivetrain,
-           .range = {.least = 0.05, .most = 1.0},
-           .reason = "a steady speed"}));
+      field(m.run_up_from, "signal.run_up_from", Felt::defect,
+            "share of the speed at which the motion begins", {.models = scratched_bearings}));
 }
 
 /// Which bearing is scratched, and what of it besides.

@@ -16,6 +16,7 @@
 #include "coupling/study/low_pass.hpp"
 #include "coupling/system/ball_run.hpp"
 #include "coupling/system/bearing_steps.hpp"
+#include "mechanics/easy_length.hpp"
 
 namespace orbearing::study {
 
@@ -97,9 +98,32 @@ class Recorder {
 
 Recorder recorder_of(double shaft_speed, const Sampling& sampling, RingVibration& into) {
   const double revolution = 2.0 * kHalfTurn / std::abs(shaft_speed);  // [s]
-  const long settling = std::lround(sampling.settling_revolutions * revolution * sampling.rate);
-  const long samples = std::max(2L, std::lround(sampling.revolutions * revolution * sampling.rate));
-  return {settling, samples, sampling.rate, into};
+  double settling = sampling.settling_revolutions * revolution,
+         sampled = sampling.revolutions * revolution;  // [s]
+  if (sampling.run_up_from < 1.0) {
+    const bearing::defect::RunUp run_up = run_up_of(shaft_speed, sampling);
+    // Root of RunUp::turned_at.
+    const double from = run_up.from;
+    settling *= 2.0 / (from + std::sqrt(from * from + 2.0 * (1.0 - from) * settling / run_up.time));
+    sampled = run_up.time - settling;
+  }
+  long samples = std::max(2L, std::lround(sampled * sampling.rate));
+  if (sampling.run_up_from < 1.0) samples = mechanics::easy_length_within(samples);
+  return {std::lround(settling * sampling.rate), samples, sampling.rate, into};
+}
+
+// How far and how fast the shaft turned while `vibration` was sampled.
+void add_shaft(const bearing::defect::ScratchedBearing& scratched, RingVibration& vibration) {
+  const Eigen::Index samples = vibration.ball_load.size();
+  vibration.shaft_angle.resize(samples);
+  for (Eigen::Index k = 0; k < samples; ++k)
+    vibration.shaft_angle[k] =
+        scratched.shaft_speed *
+        scratched.run_up.turned_at(vibration.begin + static_cast<double>(k) / vibration.rate);
+  vibration.shaft_speed = scratched.shaft_speed;
+  if (scratched.run_up.time > 0.0)
+    vibration.shaft_speed = (vibration.shaft_angle[samples - 1] - vibration.shaft_angle[0]) * vibration.rate /
+                            static_cast<double>(samples - 1);
 }
 
 Instant state_of(const ScratchedMotion& motion, double time, const ConstState& x) {
@@ -143,12 +167,21 @@ Instant state_of(const BallBearing& model, double time, const double* x) {
 
 }  // namespace
 
-RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched, const Sampling& sampling) {
+bearing::defect::RunUp run_up_of(double shaft_speed, const Sampling& sampling) {
+  if (!(sampling.run_up_from < 1.0)) return {};
+  const double angle = 2.0 * kHalfTurn * (sampling.settling_revolutions + sampling.revolutions);
+  return {sampling.run_up_from, angle / (0.5 * (1.0 + sampling.run_up_from) * std::abs(shaft_speed))};
+}
+
+RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given, const Sampling& sampling) {
+  bearing::defect::ScratchedBearing scratched = given;
+  scratched.run_up = run_up_of(given.shaft_speed, sampling);
   ScratchedMotion motion(scratched);
   RingVibration vibration;
   Recorder record = recorder_of(scratched.shaft_speed, sampling, vibration);
+  add_shaft(scratched, vibration);
   vibration.cage_speed =
-      bearing::kinematic_cage_speed(geometry_of(scratched.bearing), scratched.shaft_speed, 0.0);
+      bearing::kinematic_cage_speed(geometry_of(scratched.bearing), vibration.shaft_speed, 0.0);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(4), now(4);
   x.head<2>() = motion.static_place().place;
   const auto rates = [&motion](double time, const ConstState& at, Eigen::Ref<Eigen::VectorXd> dx) {
@@ -164,14 +197,17 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratche
   return {.rate = sampling.rate, .report = vibration.report};
 }
 
-RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched,
+RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given,
                                const bearing::balls::MotionParameters& parameters, double length_error,
                                const Sampling& sampling, const std::function<void(double)>& progress) {
   constexpr long kShown = 100;  // times that progress is told
+  bearing::defect::ScratchedBearing scratched = given;
+  scratched.run_up = run_up_of(given.shaft_speed, sampling);
   BallBearing model(scratched_numbers(scratched, parameters), scratched_duty(scratched));
   const bearing::balls::StateLayout layout = model.layout();
   RingVibration vibration;
   Recorder record = recorder_of(scratched.shaft_speed, sampling, vibration);
+  add_shaft(scratched, vibration);
   std::vector<double> x = start_state(scratched.bearing, model, scratched.bearing.first_element), now(x.size());
   SteppedBalls system(model);
   integration::Rosenbrock2 stepper = system::ball_stepper(model.numbers(), length_error, system::kStepOfImpact);

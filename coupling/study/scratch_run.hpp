@@ -18,6 +18,7 @@ struct Sampling {
   double revolutions = 50.0;          // [-]  of the shaft
   double settling_revolutions = 2.0;  // [-]  left out before
   double length_error = 1e-14;        // [m]  of a step
+  double run_up_from = 1.0;           // [-]  share of the speed at which the motion begins; it ends at 1
 };
 
 template <class Visitor>
@@ -32,22 +33,27 @@ void describe(Visitor& visit, Sampling& m) {
              .reason = "a usual rate of instruments, far above the vibration of the ring"}),
       field(m.revolutions, "signal.revolutions", Felt::defect,
             "revolutions of the shaft that are sampled; lines as close as its speed over them are told apart",
-            {.models = raceway_defect,
+            {.models = lone_scratched,
              .range = {2.0, 1e5},
              .reason = "lines a fiftieth of the shaft's frequency apart"}),
       field(m.settling_revolutions, "signal.settling_revolutions", Felt::defect,
             "revolutions of the shaft before, in which the start dies away",
-            {.models = raceway_defect,
+            {.models = lone_scratched,
              .range = {0.0, 1e5},
              .reason = "hundreds of periods of the ring's vibration"}),
       field(
           m.length_error, "signal.length_error", Felt::defect,
           "allowed error of the ring's place in one step",
-          {.models = raceway_defect,
+          {.models = lone_scratched,
            .dimension = dimension::length,
            .range = {1e-16, 1e-3},
            .reason = "the vibration of a sound bearing stands clear of the error of its sampled acceleration",
-           .written = "mm"}));
+           .written = "mm"}),
+      field(
+          m.run_up_from, "signal.run_up_from", Felt::defect,
+          "share of the speed at which the motion begins, to rise evenly to all of it; spectra are then over "
+          "orders of the shaft, in a gear set over those of the carrier",
+          {.models = scratched_bearings, .range = {.least = 0.05, .most = 1.0}, .reason = "a steady speed"}));
 }
 
 /// The ring's motion at even times; place and acceleration along the load and across it. The acceleration has
@@ -60,9 +66,15 @@ struct RingVibration {
   Eigen::ArrayXd ball_approach;  // [m]      of the first element, negative where it is free
   Eigen::ArrayXd ball_load;      // [N]      of the first element, with damping
   double largest_load = 0.0;     // [N]      of any element at any sample; on the inner race
+  Eigen::ArrayXd shaft_angle;    // [rad]    since the motion began
+  double shaft_speed = 0.0;      // [rad/s]  mean while sampled
   double cage_speed = 0.0;       // [rad/s]  mean while sampled
   integration::IntegrationReport report;
 };
+
+/// The run-up that `sampling` asks for: settling and sampled revolutions take as long as they do at the mean
+/// speed.
+bearing::defect::RunUp run_up_of(double shaft_speed, const Sampling& sampling);
 
 /// From the static balance on. A run that ends early says so in the report and has no samples.
 RingVibration sample_vibration(const bearing::defect::ScratchedBearing& scratched, const Sampling& sampling);

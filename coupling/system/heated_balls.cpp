@@ -44,7 +44,7 @@ ThermalNetwork thermal_network(const bearing::balls::BallNumbers& c, const HeatP
   Eigen::VectorXd outside = Eigen::VectorXd::Constant(kWarmBodies, heat.surroundings);
   outward[housing] = heat.housing;
   outward[inner_ring] = heat.shaft;
-  outward[oil] = kOilCapacity * heat.oil_flow;
+  outward[oil] = kOilCapacity * c.oil_flow;
   outside[oil] = heat.inlet;
   return {capacity, between, outward, outside};
 }
@@ -56,6 +56,31 @@ Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss) {
   heat[inner_ring] = heat[outer_ring] = 0.25 * contacts;
   heat[oil] = loss.total() - contacts;
   return heat;
+}
+
+// Circles of the grooves' centres and radii of grooves and balls grow each by its own temperature; pitch
+// diameter and clearance are those that lead to the circles that then are.
+bearing::Bearing warm_bearing(const bearing::Bearing& cold, const HeatParameters& heat,
+                              const Eigen::VectorXd& temperature) {
+  const auto larger = [&](Body body) { return 1.0 + heat.expansion * (temperature[body] - heat.sizes_at); };
+  const double ball = cold.balls().diameter, cosine = std::cos(cold.balls().contact_angle);
+  bearing::Balls warm_balls = cold.balls();
+  warm_balls.diameter = ball * larger(balls);
+  bearing::Bearing warm = cold;
+  warm.elements = warm_balls;
+  warm.inner.osculation = cold.inner.osculation * larger(inner_ring) / larger(balls);
+  warm.outer.osculation = cold.outer.osculation * larger(outer_ring) / larger(balls);
+  // Of a groove's centre circle the part that the pitch circle does not give, towards the ball.
+  const auto beyond = [&](const bearing::Bearing& of, bearing::Race race) {
+    return (of.ring(race).osculation - 0.5) * of.balls().diameter * cosine;
+  };
+  using bearing::Race;
+  const double quarter = 0.25 * cold.radial_clearance, middle = 0.5 * cold.pitch_diameter;
+  const double inner = larger(inner_ring) * (middle + beyond(cold, Race::inner) - quarter);
+  const double outer = larger(outer_ring) * (middle - beyond(cold, Race::outer) + quarter);
+  warm.pitch_diameter = inner + outer - beyond(warm, Race::inner) + beyond(warm, Race::outer);
+  warm.radial_clearance = 2.0 * (outer - inner + beyond(warm, Race::inner) + beyond(warm, Race::outer));
+  return warm;
 }
 
 double viscosity_at(double stated, const HeatParameters& heat, double temperature) {
@@ -121,7 +146,7 @@ BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::b
   const HeatSource source = [&](const Eigen::VectorXd& temperature) {
     warm.lubricant.viscosity = viscosity_at(parameters.lubricant.viscosity, heat, temperature[oil]);
     look.from = state;
-    BallRunResult run = run_balls(bearing, warm, duty, capacities, look);
+    BallRunResult run = run_balls(warm_bearing(bearing, heat, temperature), warm, duty, capacities, look);
     if (!run.completed) throw std::runtime_error(run.message);
     state = std::move(run.final_state);
     return heat_by_body(run.means.loss);
@@ -134,7 +159,8 @@ BallRunResult run_heated_balls(const bearing::Bearing& bearing, const bearing::b
     return failed;
   }
   warm.lubricant.viscosity = viscosity_at(parameters.lubricant.viscosity, heat, warming.back().temperature[oil]);
-  BallRunResult result = run_balls(bearing, warm, duty, capacities, options, progress);
+  BallRunResult result = run_balls(warm_bearing(bearing, heat, warming.back().temperature), warm, duty,
+                                   capacities, options, progress);
   // What the whole run says of the heat closes the balance.
   if (result.completed) {
     const Eigen::VectorXd last = heat_by_body(result.means.loss);

@@ -25,10 +25,11 @@ struct HeatParameters {
   double fit = 20.0;                  // [W/K]  of outer ring to housing
   double housing = 3.0;               // [W/K]  of housing to surroundings
   double shaft = 1.0;                 // [W/K]  of inner ring by the shaft to surroundings
-  double oil_flow = 0.0;              // [m^3/s]
   double inlet = 40.0;                // [degC]  of the oil that flows in
   double stated_at = 70.0;            // [degC]  at which lubricant.viscosity holds
   double viscosity_slope = 0.03;      // [1/K]  by which it falls: eta = eta_0 exp(-slope (T - T_0)) [Reynolds1886]
+  double expansion = 11.5e-6;         // [1/K]  of rings and balls
+  double sizes_at = 20.0;             // [degC]  at which sizes and clearance hold
   double housing_capacity = 400.0;    // [J/K]
   double oil_capacity = 5.0;          // [J/K]  of the oil in the bearing
 };
@@ -44,28 +45,32 @@ void describe(Visitor& visit, HeatParameters& m) {
   };
   const Range conductance{0.0, 1e5}, temperature{-60.0, 400.0};
   rows(visit,
-       field(m.on, "heat.enabled", Felt::lone_run, "temperatures and the oil's viscosity follow from the friction",
+       field(m.on, "heat.enabled", Felt::lone_run,
+             "temperatures and the oil's viscosity follow from the friction",
              {.models = ball_motion, .reason = "the viscosity is stated at running temperature"}),
-       row(m.surroundings, "heat.surroundings", "temperature around housing and shaft", dimension::temperature, temperature,
-           "a warm room"),
-       row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring", dimension::conductance,
-           conductance, "small bearing, contacts that sweep the races"),
+       row(m.surroundings, "heat.surroundings", "temperature around housing and shaft",
+           dimension::temperature, temperature, "a warm room"),
+       row(m.contact, "heat.contact_conductance", "conductance of the balls to each ring",
+           dimension::conductance, conductance, "small bearing, contacts that sweep the races"),
        row(m.to_oil, "heat.oil_conductance", "conductance of the balls and of each ring to the oil",
            dimension::conductance, conductance, "small bearing, splashed"),
-       row(m.fit, "heat.fit_conductance", "conductance of the outer ring to the housing", dimension::conductance,
-           conductance, "tight seat"),
+       row(m.fit, "heat.fit_conductance", "conductance of the outer ring to the housing",
+           dimension::conductance, conductance, "tight seat"),
        row(m.housing, "heat.housing_conductance", "conductance of the housing to its surroundings",
            dimension::conductance, positive(1e5), "a housing of some square decimetres in still air"),
-       row(m.shaft, "heat.shaft_conductance", "conductance of the inner ring along the shaft to the surroundings",
-           dimension::conductance, conductance, "a shaft of the bore's diameter"),
-       row(m.oil_flow, "heat.oil_flow", "oil that flows through the bearing", dimension::flow, Range{0.0, 1000.0},
-           "grease, or a bath"),
+       row(m.shaft, "heat.shaft_conductance",
+           "conductance of the inner ring along the shaft to the surroundings", dimension::conductance,
+           conductance, "a shaft of the bore's diameter"),
        row(m.inlet, "heat.inlet", "temperature of the oil that flows in", dimension::temperature, temperature,
            "a tank's"),
        row(m.stated_at, "heat.viscosity_temperature", "temperature at which lubricant.viscosity holds",
            dimension::temperature, temperature, "running temperature"),
        row(m.viscosity_slope, "heat.viscosity_slope", "share by which the viscosity falls with each kelvin",
-           dimension::per_kelvin, Range{0.0, 0.2}, "a mineral oil when warm"));
+           dimension::per_kelvin, Range{0.0, 0.2}, "a mineral oil when warm"),
+       row(m.expansion, "heat.expansion", "linear thermal expansion of rings and balls",
+           dimension::per_kelvin, Range{0.0, 1e-4}, "through-hardened bearing steel"),
+       row(m.sizes_at, "heat.sizes_temperature", "temperature at which sizes and clearance are stated",
+           dimension::temperature, temperature, "reference temperature of ISO 1"));
 }
 
 /// The network of a bearing: capacities of steel from the masses, 460 J/(kg K); oil takes 1.7 MJ/(m^3 K) along.
@@ -74,6 +79,15 @@ ThermalNetwork thermal_network(const bearing::balls::BallNumbers& bearing, const
 /// Heat by body [W]: what contacts of the races lose falls half to the balls and a quarter to each ring, all else
 /// to the oil.
 Eigen::VectorXd heat_by_body(const bearing::balls::BallPowerLoss& loss);
+
+/// `bearing` where rings and balls have these temperatures [degC, (kWarmBodies)], each free to expand with
+/// its own: grooves, balls and with them the clearance G, of which G' - G = a [d_o (T_o - T_0) - d_i (T_i -
+/// T_0) - 2 D (T_b - T_0)], d_o and d_i the diameters of the races, D that of the balls. The clearance stated
+/// is that of the mounted bearing: what fits take of it when cold is in it, and no more is taken or given
+/// back, as with a shaft as warm as the inner ring and a housing as warm as the outer one, both of the
+/// bearing's steel. The cage and its pockets keep their sizes.
+bearing::Bearing warm_bearing(const bearing::Bearing& bearing, const HeatParameters& heat,
+                              const Eigen::VectorXd& temperature);
 
 /// Viscosity [Pa s] of the oil at `temperature` [degC].
 double viscosity_at(double stated, const HeatParameters& heat, double temperature);

@@ -84,7 +84,9 @@ def nasa_worth(program, work):
     """What single assumptions are worth at 64,000 rpm."""
     changes = {"as assumed": [], "viscosity 0.0025 Pa s": ["lubricant.viscosity=0.0025 Pa.s"],
                "viscosity 0.005 Pa s": ["lubricant.viscosity=0.005 Pa.s"], "oil share 0.02": ["lubricant.share=0.02"],
-               "oil share 0.15": ["lubricant.share=0.15"], "cage guided by the inner ring":
+               "oil share 0.15": ["lubricant.share=0.15"],
+               "oil at rest": ["drag.mixture=at-rest"], "oil flow 0.3 L/min": ["lubricant.flow=0.3 L/min"],
+               "oil flow 1.9 L/min": ["lubricant.flow=1.9 L/min"], "cage guided by the inner ring":
                ["bearing.cage.guidance=inner", "bearing.cage.guide_land_diameter=43.6 mm"],
                "limiting friction 0.04": ["traction.limiting_friction=0.04"],
                "Newtonian up to the limit": ["traction.law=limiting-shear"], "pocket clearance 0.2 mm":

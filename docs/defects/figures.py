@@ -1,4 +1,5 @@
-"""`python3 figures.py PROGRAM CASE`: figures.png beside this file, the vibration of the case without a scratch, with one on the outer and on the inner race.
+"""`python3 figures.py PROGRAM CASE`: figures.png beside this file, the vibration of the case without a scratch, with one on the outer and on the inner race,
+and orders.png, the envelope of a run-up over frequency and over orders.
 
 Needs numpy, matplotlib and netCDF4, as the reports do.
 """
@@ -21,11 +22,12 @@ HIGHEST = 600.0  # [Hz]
 RACES = {"none": "no scratch", "outer": "outer race", "inner": "inner race"}
 
 
-def run(program, case, race):
+def run(program, case, race, *settings):
     """Variables of the run's file, and its JSON."""
     with tempfile.TemporaryDirectory() as folder:
         target = pathlib.Path(folder) / "out"
-        command = [program, "run", case, "-o", target, "--set", f"defect.race={race}", "--json"]
+        options = [part for setting in (f"defect.race={race}", *settings) for part in ("--set", setting)]
+        command = [program, "run", case, "-o", target, *options, "--json"]
         result = json.loads(subprocess.run([str(part) for part in command], check=True, capture_output=True, text=True).stdout)
         with netCDF4.Dataset(target / "points" / "00000.nc") as data:
             return {name: np.asarray(variable[...]) for name, variable in data.variables.items()}, result
@@ -45,6 +47,27 @@ def envelope(axes, data, result):
         axes.annotate(f"{peak['frequency_Hz']:.1f}", (peak["frequency_Hz"], peak["amplitude"]), fontsize=7)
     axes.set_xlabel("frequency (Hz)")
     axes.set_ylabel("envelope (m/s²)")
+
+
+def orders(program, case):
+    figure = Figure(figsize=(11, 6), layout="constrained")
+    for row, race in zip(figure.subplots(2, 2), ("outer", "inner")):
+        data, result = run(program, case, race, "signal.run_up_from=0.4")
+        signal = data["envelope"] - data["envelope"].mean()
+        amplitude = 2.0 * np.abs(np.fft.rfft(signal * np.hanning(len(signal)))) / np.hanning(len(signal)).sum()
+        frequency = np.fft.rfftfreq(len(signal), 1.0 / float(data["sampling_rate"]))
+        shown = (frequency > 1.0) & (frequency <= HIGHEST)
+        row[0].plot(frequency[shown], amplitude[shown], linewidth=0.7)
+        row[0].set_xlabel("frequency (Hz)")
+        shown = (data["order"] > 0.1) & (data["order"] <= HIGHEST / 25.0)
+        row[1].plot(data["order"][shown], data["envelope_spectrum"][shown], linewidth=0.7)
+        for peak in [p for p in result["orders"] if p["order"] <= HIGHEST / 25.0][:5]:
+            row[1].annotate(f"{peak['order']:.2f}", (peak["order"], peak["amplitude"]), fontsize=7)
+        row[1].set_xlabel("order of the shaft")
+        for axes in row:
+            axes.set_ylabel("envelope (m/s²)")
+            axes.set_title(f"{race} race, run-up from 10 to 25 turns a second", fontsize=9)
+    figure.savefig(pathlib.Path(__file__).with_name("orders.png"), dpi=80)
 
 
 def main(program, case):
@@ -68,3 +91,4 @@ def main(program, case):
 
 if __name__ == "__main__":
     main(*sys.argv[1:3])
+    orders(*sys.argv[1:3])

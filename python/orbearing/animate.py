@@ -152,7 +152,7 @@ def animate(folder: Path, into: Path, begin: float, seconds: float, frames: int)
     from matplotlib.animation import FuncAnimation, PillowWriter  # pylint: disable=import-outside-toplevel
     from matplotlib.figure import Figure  # pylint: disable=import-outside-toplevel
 
-    values, run = resolved(folder / "case.resolved.yaml"), series(folder)
+    run, values = series(folder), resolved(folder / "case.resolved.yaml")
     end = run["time"][-1]
     start = max(run["time"][0], end - seconds) if begin < 0 else min(begin, end)
     times = np.linspace(start, min(start + seconds, end), frames)

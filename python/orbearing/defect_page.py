@@ -17,20 +17,24 @@ def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
 
 def headline(study: Report) -> str:
     """The strongest line of the envelope in one sentence."""
-    peaks = study.records("envelope_peaks")
+    run_up = study.content.get("orders") is not None
+    peaks = study.records("orders" if run_up else "envelope_peaks")
     if not peaks:
         return "The envelope of the vibration has no line that stands out."
     most = peaks[0]
+    if run_up:
+        return f"The strongest line of the envelope stands at {format_number(most.get('order'), 4)} turns of the shaft: {most.get('is')}."
     return f"The strongest line of the envelope stands at {format_quantity(most.get('frequency_Hz'), 'Hz', 4)}: {most.get('is')}."
 
 
 def _summary(study: Report) -> Table:
     get = study.content.get
+    element = "roller" if "roller_pass_Hz" in study.content else "ball"
     moving, resting, band = study.record("acceleration"), study.record("at_rest"), numbers(get("band_Hz"))
     rows = [("Shaft, cage", f"{format_quantity(get('shaft_Hz'), 'Hz')}, {format_quantity(get('cage_Hz'), 'Hz')}"),
-            ("Balls over a place of the outer race", format_quantity(get("outer_pass_Hz"), "Hz")),
-            ("Balls over a place of the inner race", format_quantity(get("inner_pass_Hz"), "Hz")),
-            ("A place of a ball over either race", format_quantity(get("ball_pass_Hz"), "Hz")),
+            (f"{element.capitalize()}s over a place of the outer race", format_quantity(get("outer_pass_Hz"), "Hz")),
+            (f"{element.capitalize()}s over a place of the inner race", format_quantity(get("inner_pass_Hz"), "Hz")),
+            (f"A place of a {element} over either race", format_quantity(get(f"{element}_pass_Hz"), "Hz")),
             ("Passings of the defect", format_quantity(get("defect_Hz"), "Hz") if get("defect_Hz") is not None else "no defect"),
             ("Outer ring at rest", f"{format_quantity(resting.get('displacement_um'), 'µm', 4)} along the load; it would vibrate at "
                                    f"{format_quantity(get('natural_frequency_Hz'), 'Hz', 4)}"),

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "bearing/defect/frequencies.hpp"
+#include "bearing/geometry.hpp"
 #include "coupling/study/scratch_run.hpp"
 #include "tests/unit/defect/scratched_bearings.hpp"
 
@@ -68,6 +69,48 @@ TEST(ScratchRun, MeanForcesBalance) {
     const Eigen::ArrayXd along = vibration.acceleration.row(0).head(whole).transpose();
     EXPECT_LT(std::abs(along.mean()) * in.ring.mass, 2e-3 * in.load);
   }
+}
+
+// What the shaft turned is the integral of its speed, and goes on at the speed of the end.
+TEST(ScratchRun, AnglesOfARunUpAreTheIntegralOfItsSpeed) {
+  const bearing::defect::RunUp run_up{.from = 0.3, .time = 2.0};
+  EXPECT_EQ(run_up.share_at(0.0), 0.3);
+  EXPECT_DOUBLE_EQ(run_up.share_at(1.0), 0.65);
+  EXPECT_EQ(run_up.share_at(5.0), 1.0);
+  EXPECT_DOUBLE_EQ(run_up.turned_at(2.0), 1.3);
+  EXPECT_DOUBLE_EQ(run_up.turned_at(5.0), 4.3);
+  for (const double now : {0.1, 0.7, 1.9, 2.4})
+    EXPECT_NEAR((run_up.turned_at(now + 1e-5) - run_up.turned_at(now - 1e-5)) / 2e-5, run_up.share_at(now),
+                1e-9);
+  EXPECT_EQ(bearing::defect::RunUp{}.turned_at(0.123), 0.123);
+}
+
+// As many revolutions as are asked for, the speed of the case at the last of them; the way of the ring
+// follows from the equations of the steady motion where the run-up begins at (nearly) all of the speed.
+TEST(ScratchRun, RunsUpOverTheRevolutionsAskedFor) {
+  const ScratchedBearing in = scratched(Scratched::inner);
+  Sampling sampling = brief();
+  sampling.run_up_from = 0.4;
+  const RingVibration run_up = sample_vibration(in, sampling);
+  ASSERT_TRUE(run_up.report.completed) << run_up.report.message;
+  const Eigen::ArrayXd& angle = run_up.shaft_angle;
+  const Eigen::Index last = angle.size() - 1;
+  const double turn = 2.0 * 3.14159265358979324;
+  // Less what the length that transforms fast leaves out.
+  EXPECT_LT((angle[last] - angle[0]) / turn, 3.0);
+  EXPECT_GT((angle[last] - angle[0]) / turn, 2.95);
+  EXPECT_NEAR((angle[last] - angle[last - 1]) * sampling.rate, in.shaft_speed, 0.01 * in.shaft_speed);
+  EXPECT_LT((angle[1] - angle[0]) * sampling.rate, 0.7 * in.shaft_speed);
+  EXPECT_NEAR(run_up.shaft_speed, (angle[last] - angle[0]) * sampling.rate / static_cast<double>(last), 1e-9);
+  EXPECT_NEAR(run_up.cage_speed / run_up.shaft_speed,
+              bearing::kinematic_cage_speed(geometry_of(in.bearing), 1.0, 0.0), 1e-12);
+
+  const RingVibration steady = sample_vibration(in, brief());
+  EXPECT_EQ(steady.shaft_speed, in.shaft_speed);
+  sampling.run_up_from = 1.0 - 1e-9;
+  const RingVibration nearly = sample_vibration(in, sampling);
+  ASSERT_EQ(nearly.ball_load.size(), steady.ball_load.size());
+  EXPECT_LT(largest_difference(nearly, steady), 1e-10);
 }
 
 TEST(ScratchRun, OneScratchMoreIsMetAsOften) {

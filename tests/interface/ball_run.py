@@ -71,8 +71,37 @@ class BallRun(unittest.TestCase):
         for temperature in warm["temperature_C"].values():
             self.assertTrue(40.0 < temperature < 60.0)
         self.assertGreater(warm["heat_W"]["total"], stated["heat_W"]["total"])  # the oil is stated at 70 degC
+        # Races of 36 -+ (9.52 + 0.01) mm and balls of 9.52 mm, stated at 20 degC.
+        above = {body: temperature - 20 for body, temperature in warm["temperature_C"].items()}
+        clearance = 20 + 11.5e-6 * 1e3 * (45.53 * above["outer_ring"] - 26.47 * above["inner_ring"] - 2 * 9.52 * above["balls"])
+        self.assertAlmostEqual(warm["running_clearance_um"], clearance, delta=0.02)
+        self.assertAlmostEqual(stated["running_clearance_um"], 20.0, places=9)
         unused = run("run", MOTOR, "--json", "--set", "heat.inlet=50 degC", *SHORT)
         self.assertTrue(any("heat.inlet" in warning for warning in json.loads(unused.stdout)["warnings"]))
+
+    def test_oil_that_goes_round_churns_less_and_is_told_of(self):
+        rest = json.loads(run("run", MOTOR, "--json", *SHORT).stdout)
+        done = run("run", MOTOR, "--json", "--set", "drag.mixture=carried", *SHORT)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotEqual(json.loads(done.stdout)["heat_W"]["churning"], rest["heat_W"]["churning"])
+        self.assertEqual(run("run", MOTOR, "--json", "--set", "drag.mixture=still", *SHORT).returncode, 2)
+
+    def test_animation_plays_the_run(self):
+        try:
+            import matplotlib  # noqa: F401
+            import netCDF4  # noqa: F401
+        except ImportError:
+            self.skipTest("pictures need matplotlib and netCDF4")
+        with tempfile.TemporaryDirectory() as folder:
+            out, film = Path(folder) / "out", Path(folder) / "motor.gif"
+            self.assertEqual(run("run", MOTOR, "-o", out, "--quiet", *SHORT).returncode, 0)
+            animate = [sys.executable, "-m", "orbearing.animate"]
+            done = subprocess.run([*animate, str(out), "-o", str(film), "--frames", "4"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(film.read_bytes()[:6], b"GIF89a")
+            nothing = subprocess.run([*animate, folder, "-o", str(film)], capture_output=True, text=True)
+            self.assertNotEqual(nothing.returncode, 0)
+            self.assertIn("required: the folder of a run of a ball bearing in time", nothing.stderr)
 
     def test_the_printed_form_gives_like_statistics(self):
         complete = json.loads(run("run", MOTOR, "--json", *SHORT).stdout)

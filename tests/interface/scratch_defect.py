@@ -83,6 +83,51 @@ class Json(unittest.TestCase):
         self.assertAlmostEqual(derived["defect.outer_pass_frequency"], 76.3, delta=0.05)
 
 
+class RunUp(unittest.TestCase):
+    def test_orders_beside_the_envelope_and_in_the_picture(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place) / "out"
+            result = call("run", CASE, "-o", folder, "--json", *options(["defect.race=inner", "signal.run_up_from=0.5", BRIEF]))
+            self.assertEqual(result.returncode, 0, result.stderr)
+            found = json.loads(result.stdout)
+            self.assertEqual((found["envelope_peaks"], found["spectrum_peaks"]), ([], []))
+            for one in found["orders"]:
+                self.assertEqual(set(one), {"order", "amplitude", "is"})
+            order = next(one["order"] for one in found["orders"] if one["is"] == "inner race defect")
+            self.assertAlmostEqual(order, 123.73 / 25, delta=0.005 * 123.73 / 25)
+            with netCDF4.Dataset(folder / "points" / "00000.nc") as data:
+                self.assertEqual(data["order"].units, "1")
+                self.assertTrue((numpy.diff(data["shaft_angle"][...]) > 0).all())
+            report = call("report", folder)
+            self.assertEqual(report.returncode, 0, report.stderr)
+            page = (folder / "report.html").read_text()
+            self.assertIn("order of the shaft", page)
+            self.assertIn("turns of the shaft: ", page)
+
+    def test_a_steady_run_has_none(self):
+        self.assertIsNone(run(BRIEF)["orders"])
+
+
+class Rollers(unittest.TestCase):
+    ROLLERS = CASE.parents[1] / "scratched_rollers" / "case.yaml"
+
+    def test_a_scratched_roller(self):
+        result = call("run", self.ROLLERS, "--json", "--set", "defect.race=roller", "--set", BRIEF)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        found = json.loads(result.stdout)
+        self.assertEqual(found["warnings"], [])
+        self.assertAlmostEqual(found["defect_Hz"], 25 * (6.5 - 1 / 6.5), places=9)
+        self.assertAlmostEqual(peak(found, "roller defect")["frequency_Hz"], found["defect_Hz"], delta=0.005 * found["defect_Hz"])
+
+    def test_what_it_cannot(self):
+        for arguments, words in ((["--fidelity", "dynamic"], "planetary drivetrain with a block 'defect'"),
+                                 (["--set", "defect.race=ball"], "'ball' in a bearing of rollers"),
+                                 (["--set", "bearing.balls=8"], "bearing.balls")):
+            result = call("run", self.ROLLERS, "--json", *arguments)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), arguments)
+            self.assertIn(words, result.stderr)
+
+
 class Files(unittest.TestCase):
     def test_folder_and_report(self):
         with tempfile.TemporaryDirectory() as place:

@@ -79,6 +79,24 @@ class Signals(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual([one["defect"] for one in json.loads(result.stdout)["signals"]], ["none", "outer", "inner", "ball"])
 
+    def test_run_ups_are_labelled_by_orders(self):
+        folder = self.place / "run_up"
+        grid = ("--vary", "defect.race=[outer, inner]", "--vary", "signal.run_up_from=[0.5, 1]")
+        result = signals(*grid, "--quiet", "-o", str(folder))
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = rows_of(folder)
+        for row, (race, start) in zip(rows, (("outer", 0.5), ("outer", 1.0), ("inner", 0.5), ("inner", 1.0)), strict=True):
+            self.assertEqual((row["defect"], float(row["run_up_from"])), (race, start))
+            self.assertAlmostEqual(float(row["defect_order"]), {"outer": 76.27, "inner": 123.73}[race] / 25, delta=1e-3)
+            self.assertAlmostEqual(float(row["defect_Hz"]) / float(row["shaft_Hz"]), float(row["defect_order"]), delta=1e-9)
+            with open(folder / row["file"], encoding="utf-8", newline="") as file:
+                lines = list(csv.DictReader(file))
+            self.assertEqual("shaft_angle_rad" in lines[0], start < 1.0)
+            if start < 1.0:
+                angle = [float(line["shaft_angle_rad"]) for line in lines]
+                self.assertAlmostEqual(angle[-1] - angle[0], 3 * 2 * 3.14159265, delta=0.1)
+                self.assertGreater(angle[-1] - angle[-2], 1.3 * (angle[1] - angle[0]))
+
     def test_a_set_has_no_page(self):
         report = run([PROGRAM, "report", str(self.place / "whole")])
         self.assertEqual(report.returncode, 2)

@@ -57,6 +57,72 @@ TEST(ScratchVibration, InnerRace) {
   expect_peak(study, "inner race defect + shaft", 123.7 + 25.0);
 }
 
+// Issue 14, Build 9: a run-up, whose lines are smeared over frequency, has them at orders of the shaft.
+TEST(ScratchVibration, RunUpsHaveTheirLinesOverOrders) {
+  const auto order = [](const DefectStudy& study, const std::string& is, double expected) {
+    const NamedPeak* found = peak(study.peaks, is);
+    ASSERT_NE(found, nullptr) << is;
+    EXPECT_NEAR(found->frequency, expected, kHalfPercent * expected) << is;
+  };
+  const auto run_up = [](const std::string& race) {
+    return defect_study(
+        read_case(ORBEARING_SOURCE_DIR "/cases/scratch_defect/case.yaml",
+                  {"defect.race=" + race, "signal.run_up_from=0.5", "signal.revolutions=16"}));
+  };
+  const DefectStudy outer = run_up("outer");
+  order(outer, "outer race defect", 76.27 / 25.0);
+  order(outer, "2 x outer race defect", 2.0 * 76.27 / 25.0);
+  const DefectStudy inner = run_up("inner");
+  order(inner, "inner race defect", 123.73 / 25.0);
+  order(inner, "inner race defect - shaft", 123.73 / 25.0 - 1.0);
+  order(inner, "inner race defect + shaft", 123.73 / 25.0 + 1.0);
+  // Squares of the speed grow with the angle; two revolutions of 18 are left out.
+  EXPECT_NEAR(inner.turned.shaft, 0.5 * (std::sqrt(0.25 + 0.75 * 2.0 / 18.0) + 1.0) * 25.0, 0.1);
+  // Over frequency the same signal has no such line: the largest stays below half of that over orders.
+  const signals::Spectrum smeared =
+      signals::spectrum_of(outer.envelope, outer.vibration.rate, signals::Window::hann);
+  const auto from = static_cast<Eigen::Index>(30.0 / smeared.resolution);
+  const auto to = static_cast<Eigen::Index>(90.0 / smeared.resolution);
+  EXPECT_LT(smeared.amplitude.segment(from, to - from).maxCoeff(),
+            0.5 * peak(outer.peaks, "outer race defect")->amplitude);
+}
+
+// Issue 14, Build 7: 14 rollers of 10 mm on 65 mm at 25 turns a second. By hand, g = 10/65: cage 25 (1 - g)/2
+// = 10.577, outer race 14 x 10.577 = 148.08, inner race 14 (25 - 10.577) = 201.92, a place of a roller 25
+// (1/g - g) = 158.65 Hz.
+TEST(ScratchedRollers, LinesOnPaperAreThoseOfTheRun) {
+  const auto of = [](const std::string& race) {
+    return defect_study(read_case(ORBEARING_SOURCE_DIR "/cases/scratched_rollers/case.yaml",
+                                  {"defect.race=" + race, "signal.revolutions=16"}));
+  };
+  const DefectStudy outer = of("outer");
+  expect_peak(outer, "outer race defect", 148.08);
+  for (const NamedPeak& one : outer.peaks)
+    EXPECT_NE(one.is.find("outer race defect"), std::string::npos) << one.frequency << " " << one.is;
+  const DefectStudy inner = of("inner");
+  expect_peak(inner, "inner race defect", 201.92);
+  expect_peak(inner, "inner race defect - shaft", 201.92 - 25.0);
+  expect_peak(inner, "inner race defect + shaft", 201.92 + 25.0);
+  const DefectStudy roller = of("roller");
+  expect_peak(roller, "roller defect", 158.65);
+  expect_peak(roller, "cage", 10.577);
+  EXPECT_TRUE(peak(roller.peaks, "roller defect - cage") != nullptr ||
+              peak(roller.peaks, "roller defect + cage") != nullptr);
+  const DefectStudy sound = of("none");
+  for (const NamedPeak& one : sound.spectrum_peaks)
+    EXPECT_NE(one.is.find("roller passage"), std::string::npos) << one.frequency << " " << one.is;
+}
+
+TEST(ScratchedRollers, ABallInThemIsRefused) {
+  try {
+    read_case(ORBEARING_SOURCE_DIR "/cases/scratched_rollers/case.yaml", {"defect.race=ball"});
+    FAIL() << "not refused";
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find("'ball' in a bearing of rollers"), std::string::npos)
+        << error.what();
+  }
+}
+
 // Balls slip as they leave the load zone: the lines stand where the cage really turns.
 TEST(ScratchVibration, OuterRaceWithAllInMotion) {
   const DefectStudy study = study_in_motion("outer");

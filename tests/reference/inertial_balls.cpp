@@ -268,6 +268,34 @@ void drag(const BallNumbers& b, const Body& ball, Wrench& on_ball, Outcome& tota
   total.loss.churning -= force.dot(ball.velocity) + moment.dot(ball.turning);
 }
 
+// Shear of the oil that goes round, on both walls: half of the friction that [BilgenBoulos1973] have for a
+// cylinder in another, at twice the wall's own speed.
+void stir(const BallNumbers& b, const Body& inner, const Body& outer, Wrench& on_inner, Wrench& on_outer,
+          Outcome& total) {
+  const auto& m = b.drag.mixture;
+  if (!m.carried) return;
+  const auto spin = [](const Body& ring) { return ring.turning.dot(axis_of(ring)); };
+  const double ball = m.slenderness * b.pitch_radius;
+  const double low = b.pitch_radius - ball, high = b.pitch_radius + ball;
+  const double oil = m.share * (low * spin(inner) + high * spin(outer)) / (2.0 * b.pitch_radius);
+  const double gap = 2.0 * b.radius, inside = b.pitch_radius - b.radius;
+  const auto shear = [&](double radius, const Body& ring, Wrench& on_ring) {
+    const double speed = radius * (spin(ring) - oil);
+    if (speed == 0.0) return;
+    const double re = 2.0 * std::abs(speed) * gap / m.viscosity, r = std::pow(gap / inside, 0.3);
+    double c = 0.065 * std::pow(re, -0.2);
+    if (re < 1e4) c = std::max(c, 1.03 / std::sqrt(re));
+    if (re < 1e3) c = std::max(c, 2.0 / std::pow(re, 0.6));
+    if (re < 1e2) c = std::max(c, 10.0 / re);
+    const double stress = c * r * m.density * speed * std::abs(speed);
+    const Vector moment = -stress * radius * 6.283185307179586 * radius * m.width * axis_of(ring);
+    on_ring.moment += moment;
+    total.loss.churning -= moment.dot(ring.turning);
+  };
+  shear(inside, inner, on_inner);
+  shear(b.pitch_radius + b.radius, outer, on_outer);
+}
+
 // J w' = M - w x J w.
 Body rate_of(const BodyNumbers& numbers, const Body& body, const Wrench& load) {
   Body rate;
@@ -358,6 +386,7 @@ Outcome outcome(const BallNumbers& b, const Surroundings& around, const Bodies& 
   on_cage.moment -= b.drag.cage_churning * cage_spin * std::abs(cage_spin) * cage_axis;
   result.loss.churning += b.drag.cage_churning * std::pow(std::abs(cage_spin), 3.0);
   result.rate.cage = rate_of(b.cage, bodies.cage, on_cage);
+  stir(b, bodies.inner, bodies.outer, on_inner, on_outer, result);
   result.rate.inner =
       ring_rate(b.inner_ring, bodies.inner, on_inner, around.inner_acceleration, result.inner_torque);
   result.rate.outer =

@@ -7,6 +7,7 @@
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
 #include "bearing/motion/balls/land.hpp"
+#include "bearing/motion/balls/mixture.hpp"
 #include "bearing/motion/balls/pocket_contact.hpp"
 #include "bearing/motion/balls/race_contact.hpp"
 
@@ -109,6 +110,11 @@ double axial_moment(const SeenBody<double>& ring, const BallWrench<double>& on_b
   return -dot(on_ball.moment + cross(ring.from_centre, on_ball.force), ring.axis);
 }
 
+BallNumbers with_moving_oil(BallNumbers numbers, const BallDuty& duty) {
+  numbers.drag = carried_drag(numbers.drag, duty.inner.final_speed, duty.outer.final_speed);
+  return numbers;
+}
+
 template <class Visit>
 void visit_lands(const BallNumbers& c, const Bodies& bodies, const Visit& visit) {
   if (!c.land.present) return;
@@ -132,7 +138,7 @@ double RingDrive::angle_at(double time) const {
 }
 
 BallBearing::BallBearing(const BallNumbers& numbers, const BallDuty& duty, mechanics::InstructionSet set)
-    : numbers_(numbers),
+    : numbers_(with_moving_oil(numbers, duty)),
       duty_(duty),
       layout_{numbers.balls, numbers.spots.count},
       engine_(make_engine(set, numbers_)),
@@ -191,6 +197,10 @@ BallSnapshot BallBearing::snapshot(double time, const double* x) const {
   }
   const double cage = bodies.cage.spin;
   s.loss.churning += numbers_.drag.cage_churning * cage * cage * std::abs(cage);
+  const WallTorques walls = wall_torques(numbers_.drag.mixture, now.inner_spin, now.outer_spin);
+  s.inner_torque += walls.inner;
+  s.outer_torque += walls.outer;
+  s.loss.churning += walls.inner * now.inner_spin + walls.outer * now.outer_spin;
   visit_lands(numbers_, bodies, [&](const LandOffset&, const LandForce<double>& land) {
     s.loss.cage += land.power;
     (numbers_.land.on_outer ? s.outer_torque : s.inner_torque) -= land.on_ring;

@@ -54,7 +54,7 @@ struct BallPowerLoss {
   double rolling = 0.0;
   double damping = 0.0;       // of the race contacts
   double cage = 0.0;          // pockets and lands
-  double churning = 0.0;      // drag and churning of balls and cage
+  double churning = 0.0;  // drag and churning of balls and cage, and what turning rings pay to stir the oil
 
   double total() const { return sliding + differential + spin + rolling + damping + cage + churning; }
 };
@@ -82,6 +82,7 @@ struct BallEnergy {
 
 class BallBearing {
  public:
+  /// Oil that is carried round has its share of the cage's speed as at the final speeds of the rings.
   BallBearing(const BallNumbers& numbers, const BallDuty& duty,
               mechanics::InstructionSet set = mechanics::best_instruction_set());
 

@@ -161,20 +161,44 @@ LandNumbers lands(const Bearing& bearing, const MotionParameters& given) {
 // [-]  of a sphere in a stream of Reynolds numbers from 1e3 to 1e5 [Schlichting2000].
 constexpr double kSphereDrag = 0.45;
 
+// Walls are where the grooves are deepest: the balls fill the gap between them.
+MixtureNumbers mixture(const Bearing& bearing, const MotionParameters& given, const DragNumbers& at_rest) {
+  const motion::OilDragParameters& oil = given.drag;
+  const double radius = 0.5 * bearing.pitch_diameter, ball = 0.5 * bearing.balls().diameter;
+  require(given.mixture.flow >= 0.0, "flow of oil [m^3/s]", given.mixture.flow, "0 or more");
+  return {.carried = given.mixture.motion == OilMotion::carried,
+          .count = bearing.balls().count,
+          .slenderness = slenderness(bearing),
+          .pitch_radius = radius,
+          .inner_radius = radius - ball,
+          .outer_radius = radius + ball,
+          .width = bearing.width,
+          .density = oil.oil_share * oil.oil_density,
+          .viscosity = given.lubricant.viscosity / oil.oil_density,
+          .flow = oil.oil_density * given.mixture.flow,
+          .balls = bearing.balls().count * at_rest.translation * radius * radius * radius,
+          .cage = at_rest.cage_churning,
+          .share = 0.0};
+}
+
 // A ball shows the mixture its section, and turns in it with its fifth power, Eqs. (29) and (30) of
 // [Chen2026], the latter with the square of the ball's own turning.
-DragNumbers drag(const Bearing& bearing, const motion::OilDragParameters& given) {
+DragNumbers drag(const Bearing& bearing, const MotionParameters& parameters) {
+  const motion::OilDragParameters& given = parameters.drag;
   if (!given.on) return {};
   const double density = given.oil_share * given.oil_density, diameter = bearing.balls().diameter;
   // What the cage does not hide of the ball, Eq. (29).
   const double height = 0.5 * (bearing.cage.outer_diameter - bearing.cage.inner_diameter);
   const double section = std::max(0.0, 0.25 * pi * diameter * diameter - height * diameter);
   const double cage_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter);
-  return {.translation = 0.5 * kSphereDrag * density * section,
-          .churning = 0.5 * given.churning_coefficient * density * std::pow(0.5 * diameter, 5),
-          .cage_churning =
-              motion::churning_drag(density, given.churning_coefficient, cage_radius, bearing.cage.width)
-                  .coefficient};
+  DragNumbers at_rest{.translation = 0.5 * kSphereDrag * density * section,
+                      .churning = 0.5 * given.churning_coefficient * density * std::pow(0.5 * diameter, 5),
+                      .cage_churning = motion::churning_drag(density, given.churning_coefficient, cage_radius,
+                                                             bearing.cage.width)
+                                           .coefficient,
+                      .mixture = {}};
+  at_rest.mixture = mixture(bearing, parameters, at_rest);
+  return at_rest;
 }
 
 // A hollow cylinder about its own middle.
@@ -217,7 +241,8 @@ BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& given) 
   c.points = ellipse_points(given.ellipse.slices, given.ellipse.rows);
   c.pocket = pocket(bearing, given);
   c.land = lands(bearing, given);
-  c.drag = drag(bearing, given.drag);
+  c.drag = drag(bearing, given);
+  c.oil_flow = given.mixture.flow;
   c.cage = hollow(geometry.cage_mass, 0.5 * bearing.cage.inner_diameter, 0.5 * bearing.cage.outer_diameter,
                   bearing.cage.width);
   c.cage.polar = geometry.cage_inertia;

@@ -82,11 +82,30 @@ struct LandNumbers {
   LandLaw law;          // of one land
 };
 
-/// How a body stands in the oil: forces -coefficient speed |speed|.
+/// What drags the oil-air mixture round the bearing and what holds it back (mixture.hpp).
+struct MixtureNumbers {
+  bool carried = false;       // else it rests in the housing, the upper bound of drag
+  int count = 0;              // of balls
+  double slenderness = 0.0;   // [-]
+  double pitch_radius = 0.0;  // [m]
+  double inner_radius = 0.0;  // [m]  of the walls
+  double outer_radius = 0.0;  // [m]
+  double width = 0.0;         // [m]
+  double density = 0.0;       // [kg/m^3]
+  double viscosity = 0.0;     // [m^2/s]          kinematic
+  double flow = 0.0;          // [kg/s]           oil that comes in and goes out
+  double balls = 0.0;         // [N m s^2/rad^2]  drag of all balls about the axis, the mixture at rest
+  double cage = 0.0;          // [N m s^2/rad^2]
+  double share = 0.0;         // [-]  its speed over that of the cage at pure rolling
+};
+
+/// How a body stands in the oil: forces -coefficient speed |speed|, speeds in the axes of the housing. In a
+/// mixture that goes round at a fixed share of the cage's speed, coefficients hold what is left of these.
 struct DragNumbers {
   double translation = 0.0;    // [N s^2/m^2]       of a ball
   double churning = 0.0;       // [N m s^2/rad^2]   of a ball
   double cage_churning = 0.0;  // [N m s^2/rad^2]
+  MixtureNumbers mixture;
 };
 
 struct BallNumbers {
@@ -103,6 +122,7 @@ struct BallNumbers {
   PocketNumbers pocket;
   LandNumbers land;
   DragNumbers drag;
+  double oil_flow = 0.0;  // [m^3/s]  through the bearing
   SpotNumbers spots;
   BodyNumbers inner_ring;
   BodyNumbers outer_ring;

@@ -48,6 +48,38 @@ void describe(Visitor& visit, PocketParameters& m) {
                  .reason = "round pockets"}));
 }
 
+/// How the oil-air mixture round the balls moves.
+enum class OilMotion {
+  carried,  // with a speed of its own, by its balance of angular momentum (mixture.hpp)
+  at_rest,  // in the housing: the upper bound of drag, Eqs. (29) and (30) of [Chen2026]
+};
+
+constexpr described::Names<OilMotion, 2> names_of(OilMotion) {
+  return {{{OilMotion::carried, "carried"}, {OilMotion::at_rest, "at-rest"}}};
+}
+
+struct MixtureParameters {
+  OilMotion motion = OilMotion::carried;
+  double flow = 0.0;  // [m^3/s]
+};
+
+template <class Visitor>
+void describe(Visitor& visit, MixtureParameters& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.motion, "drag.mixture", Felt::motion,
+                "oil and air round the balls go round by their balance of angular momentum, or rest",
+                {.models = balls_in_time,
+                 .reason = "balls, cage and shaft drag them along",
+                 .where = {"drag.enabled", "true"}}),
+          field(m.flow, "lubricant.flow", Felt::motion,
+                "oil that flows through the bearing: brought to the mixture's speed, and takes heat along",
+                {.models = ball_motion,
+                 .dimension = dimension::flow,
+                 .range = {0.0, 1000.0},
+                 .reason = "grease, or a bath"}));
+}
+
 /// A ring and what it carries along.
 struct RingBodyParameters {
   double mass = 0.0;    // [kg]      0: that of the ring
@@ -60,6 +92,7 @@ struct MotionParameters {
   motion::RaceContactParameters race;
   motion::CageParameters cage;
   motion::OilDragParameters drag;
+  MixtureParameters mixture;
   Lubricant lubricant{.viscosity = 0.01, .pressure_viscosity = 1.5e-8};
   EllipseParameters ellipse;
   PocketParameters pocket;
@@ -71,20 +104,21 @@ template <class Visitor>
 void describe(Visitor& visit, MotionParameters& m) {
   using namespace described;
   const std::string_view ring_alone = "the ring alone: a light shaft";
-  members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.lubricant), part(m.ellipse),
-          part(m.pocket),
-          together(field(m.inner.mass, "rotor.mass", Felt::motion,
-                         "mass that moves with the inner ring, its own in it; 0: the ring's own",
-                         {.models = ball_motion,
-                          .dimension = dimension::mass,
-                          .range = {0.0, 1e6},
-                          .reason = ring_alone}),
-                   field(m.inner.across, "rotor.inertia", Felt::motion,
-                         "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
-                         {.models = ball_motion,
-                          .dimension = dimension::inertia,
-                          .range = {0.0, 1e6},
-                          .reason = ring_alone})),
+  members(visit, m, part(m.race), part(m.cage), part(m.drag), part(m.mixture), part(m.lubricant),
+          part(m.ellipse), part(m.pocket),
+          together(
+              field(m.inner.mass, "rotor.mass", Felt::motion,
+                    "mass that moves with the inner ring, its own in it; 0: the ring's own",
+                    {.models = ball_motion,
+                     .dimension = dimension::mass,
+                     .range = {0.0, 1e6},
+                     .reason = ring_alone}),
+              field(m.inner.across, "rotor.inertia", Felt::motion,
+                    "moment of inertia about a diameter of what moves with the inner ring; 0: the ring's own",
+                    {.models = ball_motion,
+                     .dimension = dimension::inertia,
+                     .range = {0.0, 1e6},
+                     .reason = ring_alone})),
           apart(m.outer));
 }
 

@@ -50,50 +50,60 @@ def vibration(study: Report, file: PointFile) -> FigureBlock:
     return FigureBlock(slug, title, caption, (style.to_svg(figure, slug, "Acceleration of the outer ring over time"),))
 
 
-def _mark(axes: Axes, peaks: list[dict], highest: float) -> None:
-    for number, peak in enumerate(p for p in peaks if p["frequency_Hz"] <= highest):
+def is_run_up(study: Report) -> bool:
+    """Whether lines stand at orders of the shaft in place of frequencies."""
+    return study.content.get("orders") is not None
+
+
+def _mark(axes: Axes, peaks: list[dict], where: str, highest: float) -> None:
+    for number, peak in enumerate(p for p in peaks if p[where] <= highest):
         if number == MOST_MARKED:
             break
-        axes.plot([peak["frequency_Hz"]], [peak["amplitude"]], color=style.VERMILION, marker="v", linestyle="")
-        axes.annotate(peak["is"], (peak["frequency_Hz"], peak["amplitude"]), textcoords="offset points", xytext=(4, 3), fontsize=7,
-                      color=style.BLACK)
+        axes.plot([peak[where]], [peak["amplitude"]], color=style.VERMILION, marker="v", linestyle="")
+        axes.annotate(peak["is"], (peak[where], peak["amplitude"]), textcoords="offset points", xytext=(4, 3), fontsize=7, color=style.BLACK)
 
 
-def _lines(study: Report, file: PointFile, name: str, peaks: str, slug: str, title: str, caption: str, highest: float, logarithmic: bool) -> FigureBlock:
-    found = file.get("frequency", name)
+def _lines(study: Report, file: PointFile, name: str, peaks: dict[bool, str], slug: str, title: str, caption: str, highest: float,
+           logarithmic: bool) -> FigureBlock:
+    """`highest` in Hz; `peaks` are the keys over frequency and over orders."""
+    run_up = is_run_up(study)
+    where, unit = ("order", "order of the shaft") if run_up else ("frequency_Hz", "frequency (Hz)")
+    if run_up:
+        highest /= study.content.get("shaft_Hz") or 1.0
+    found = file.get("order" if run_up else "frequency", name)
     if found is None:
         return _missing(slug, title, file)
     frequency, amplitude = found
     shown = (frequency > 0) & (frequency <= highest)
     figure, axes = style.panel(WIDE)
     axes.plot(frequency[shown], amplitude[shown], color=style.BLUE, linewidth=0.8)
-    marked = study.records(peaks)
-    _mark(axes, marked, highest)
+    marked = study.records(peaks[run_up])
+    _mark(axes, marked, where, highest)
     if logarithmic and amplitude[shown].max() > 0:
         axes.set_yscale("log")
         axes.set_ylim(1e-5 * amplitude[shown].max(), 3 * amplitude[shown].max())
-    axes.set_xlabel("frequency (Hz)")
+    axes.set_xlabel(unit)
     axes.set_ylabel("amplitude (m/s²)")
     style.thousands(axes.xaxis)
-    rows = [(p["frequency_Hz"], p["amplitude"], p["is"]) for p in marked]
-    return FigureBlock(slug, title, caption, (style.to_svg(figure, slug, title),), data=Table(("frequency (Hz)", "amplitude (m/s²)", "is"), rows))
+    rows = [(p[where], p["amplitude"], p["is"]) for p in marked]
+    return FigureBlock(slug, title, caption, (style.to_svg(figure, slug, title),), data=Table((unit, "amplitude (m/s²)", "is"), rows))
 
 
 def envelope_spectrum(study: Report, file: PointFile) -> FigureBlock:
     """Up to some passes of the balls, the strongest lines named."""
-    passes = [study.content.get(key) or 0.0 for key in ("outer_pass_Hz", "inner_pass_Hz", "ball_pass_Hz")]
+    passes = [study.content.get(key) or 0.0 for key in ("outer_pass_Hz", "inner_pass_Hz", "ball_pass_Hz", "roller_pass_Hz")]
     band = study.content.get("band_Hz") or [0.0, 0.0]
     caption = (f"Of the acceleration between {format_number(band[0], 4)} and {format_number(band[1], 4)} Hz, the band whose power comes most unevenly in "
                "time unless the case states one. The strongest lines have their names: passings of the defect, their harmonics and side bands.")
-    return _lines(study, file, "envelope_spectrum", "envelope_peaks", "defect-envelope", "Spectrum of the envelope", caption,
+    return _lines(study, file, "envelope_spectrum", {False: "envelope_peaks", True: "orders"}, "defect-envelope", "Spectrum of the envelope", caption,
                   SHOWN_PASSES * max(passes), False)
 
 
 def spectrum(study: Report, file: PointFile) -> FigureBlock:
     """Up to twice the natural frequency."""
     caption = "Lines of the passings, highest about the natural frequency of the ring that they strike."
-    return _lines(study, file, "acceleration_spectrum", "spectrum_peaks", "defect-spectrum", "Spectrum of the acceleration", caption,
-                  2.0 * (study.content.get("natural_frequency_Hz") or 0.0), True)
+    return _lines(study, file, "acceleration_spectrum", {False: "spectrum_peaks", True: "spectrum_orders"}, "defect-spectrum",
+                  "Spectrum of the acceleration", caption, 2.0 * (study.content.get("natural_frequency_Hz") or 0.0), True)
 
 
 def one_ball(study: Report, file: PointFile) -> FigureBlock:

@@ -221,10 +221,11 @@ TEST(FieldUse, ANewAnalysisCannotForgetAField) {
 // What cannot be felt is no nuisance where the file gives it: one case serves all rungs.
 TEST(FieldUse, AFileIsNotWarnedOfWhatCannotBeFeltByNature) {
   EXPECT_TRUE(require_used(case_of(bases().front(), {}), use::quasi_static).empty());
-  for (const char* name : {"reducer_150kW", "coupling_set_150kW", "three_sets_150kW", "lin_parker_1999",
-                           "mesh_62_62", "planet_bearing_iso16281", "harris_209", "ball_6305_iso16281",
-                           "deep_groove_acceleration", "deep_groove_motor", "nasa_35mm", "scratch_defect",
-                           "jones_218", "duplex_7020", "spin_film_guo2013", "spin_bearing_7210"}) {
+  for (const char* name :
+       {"reducer_150kW", "coupling_set_150kW", "three_sets_150kW", "lin_parker_1999", "mesh_62_62",
+        "planet_bearing_iso16281", "harris_209", "ball_6305_iso16281", "deep_groove_acceleration",
+        "deep_groove_motor", "nasa_35mm", "scratch_defect", "scratched_rollers", "jones_218", "duplex_7020",
+        "spin_film_guo2013", "spin_bearing_7210"}) {
     const ResolvedCase in = read_case(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml");
     for (const use::Analysis analysis : analyses_of(in))
       EXPECT_THAT(require_used(in, analysis), testing::IsEmpty()) << name << ", " << analysis_name(analysis);

@@ -5,6 +5,7 @@
 
 #include "bearing/life/standard_life.hpp"
 #include "coupling/system/ball_run.hpp"
+#include "tests/unit/system/small_ball_bearing.hpp"
 
 namespace orbearing::system::ball_run_test {
 namespace {
@@ -36,32 +37,12 @@ TEST(SettlingTime, IsWhereTheSlipLastEntersItsBand) {
   EXPECT_FALSE(settled({0.4, 0.5, 0.6, 0.5, 0.6, 0.4}, 0.4).has_value());
 }
 
-bearing::Bearing small_bearing() {
-  bearing::Bearing b;
-  b.elements = bearing::Balls{7, 9.52e-3, 0.0};
-  b.pitch_diameter = 36e-3;
-  b.radial_clearance = 20e-6;
-  b.width = 15e-3;
-  b.inner.seat_diameter = 20e-3;
-  b.outer.seat_diameter = 52e-3;
-  b.cage = {33e-3, 39e-3, 13e-3, 1310.0, bearing::Race::outer};
-  b.motions = {bearing::RaceMotion::turning, bearing::RaceMotion::standing};
-  return b;
-}
-
-bearing::balls::MotionParameters parameters() {
-  bearing::balls::MotionParameters p;
-  p.cage.pocket_clearance = 0.2e-3;
-  return p;
-}
-
 BallRunResult run(double load, double speed, const BallRunOptions& options, double clearance = 20e-6) {
-  bearing::Bearing b = small_bearing();
-  b.radial_clearance = clearance;
+  const bearing::Bearing b = small_ball_bearing(clearance);
   BallDuty duty;
   duty.inner = RingDrive::steady(speed);
   duty.on_inner = {{load, 0.0, 0.0, 0.0, 0.0}};
-  return run_balls(b, parameters(), duty, bearing::rating::ratings_of(b, {}).contacts, options);
+  return run_balls(b, small_ball_motion(), duty, bearing::rating::ratings_of(b, {}).contacts, options);
 }
 
 BallRunOptions short_run() {
@@ -146,7 +127,7 @@ TEST(BallRun, RefusesWhatHasNoMeaning) {
   options = short_run();
   options.observed = 1.5;
   EXPECT_THROW(run(500.0, 300.0, options), std::invalid_argument);
-  EXPECT_THROW(bearing::balls::ball_numbers(bearing::Bearing{}, parameters()), std::invalid_argument);
+  EXPECT_THROW(bearing::balls::ball_numbers(bearing::Bearing{}, small_ball_motion()), std::invalid_argument);
 }
 
 }  // namespace

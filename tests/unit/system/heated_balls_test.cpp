@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bearing/life/standard_life.hpp"
+#include "tests/unit/system/small_ball_bearing.hpp"
 
 namespace orbearing::system::heated_balls_test {
 namespace {
@@ -68,22 +69,13 @@ TEST(WarmUp, EndsWhereAsMuchLeavesAsArises) {
 }
 
 struct Small {
-  bearing::Bearing bearing;
-  bearing::balls::MotionParameters parameters;
+  bearing::Bearing bearing = small_ball_bearing(5e-6);
+  bearing::balls::MotionParameters parameters = small_ball_motion();
   bearing::balls::BallDuty duty;
   bearing::rating::ContactCapacities capacities;
   BallRunOptions options;
 
   Small() {
-    bearing.elements = bearing::Balls{7, 9.52e-3, 0.0};
-    bearing.pitch_diameter = 36e-3;
-    bearing.radial_clearance = 5e-6;
-    bearing.width = 15e-3;
-    bearing.inner.seat_diameter = 20e-3;
-    bearing.outer.seat_diameter = 52e-3;
-    bearing.cage = {33e-3, 39e-3, 13e-3, 1310.0, bearing::Race::outer};
-    bearing.motions = {bearing::RaceMotion::turning, bearing::RaceMotion::standing};
-    parameters.cage.pocket_clearance = 0.2e-3;
     parameters.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
     duty.inner = bearing::balls::RingDrive::steady(400.0);
     duty.on_inner = {{500.0, 0.0, 800.0, 0.0, 0.0}};
@@ -93,6 +85,58 @@ struct Small {
     options.samples = 200;
   }
 };
+
+Eigen::VectorXd at(double of_balls, double inner, double outer) {
+  return of({of_balls, inner, outer, 50.0, 30.0});
+}
+
+// Warm alike all through, the bearing is a larger one of the same shape.
+TEST(HeatedBalls, EvenHeatingScalesTheFreeBearing) {
+  Small small;
+  for (const double angle : {0.0, 0.4}) {
+    small.bearing.elements = bearing::Balls{7, 9.52e-3, angle};
+    const HeatParameters heat{.on = true, .expansion = 12e-6, .sizes_at = 20.0};
+    const bearing::Bearing warm = warm_bearing(small.bearing, heat, at(70.0, 70.0, 70.0));
+    const double scale = 1.0 + 12e-6 * 50.0;
+    EXPECT_NEAR(warm.balls().diameter, scale * 9.52e-3, 1e-15);
+    EXPECT_NEAR(warm.pitch_diameter, scale * 36e-3, 1e-14);
+    EXPECT_NEAR(warm.radial_clearance, scale * 5e-6, 1e-14);
+    EXPECT_NEAR(warm.inner.osculation, small.bearing.inner.osculation, 1e-14);
+    EXPECT_NEAR(warm.outer.osculation, small.bearing.outer.osculation, 1e-14);
+    EXPECT_EQ(warm.contact_angle(), angle);
+  }
+}
+
+// Races of 36 - 9.52 - 0.0025 and 36 + 9.52 + 0.0025 mm, 11.5e-6 1/K.
+TEST(HeatedBalls, ClearanceFollowsTheTemperaturesByHand) {
+  const Small small;
+  const HeatParameters heat{.on = true};
+  const auto clearance = [&](double of_balls, double inner, double outer) {
+    return warm_bearing(small.bearing, heat, at(of_balls, inner, outer)).radial_clearance;
+  };
+  EXPECT_NEAR(clearance(20.0, 20.0, 20.0), 5e-6, 1e-15);
+  EXPECT_NEAR(clearance(20.0, 30.0, 20.0) - 5e-6, -11.5e-6 * 10.0 * 26.4775e-3, 1e-12);
+  EXPECT_NEAR(clearance(20.0, 20.0, 30.0) - 5e-6, 11.5e-6 * 10.0 * 45.5225e-3, 1e-12);
+  EXPECT_NEAR(clearance(30.0, 20.0, 20.0) - 5e-6, -11.5e-6 * 10.0 * 2.0 * 9.52e-3, 1e-12);
+  // An inner ring 16.4 K warmer than the outer one closes it.
+  EXPECT_NEAR(clearance(20.0, 20.0 + 5e-6 / (11.5e-6 * 26.4775e-3), 20.0), 0.0, 1e-12);
+}
+
+// What moves has the clearance: grooves stand apart by what their own circles and radii leave.
+TEST(HeatedBalls, GroovesGrowWithTheirOwnRings) {
+  Small small;
+  small.bearing.elements = bearing::Balls{7, 9.52e-3, 0.3};
+  const HeatParameters heat{.on = true};
+  const auto numbers = [&](const bearing::Bearing& b) { return ball_numbers(b, small.parameters); };
+  const auto cold = numbers(small.bearing),
+             warm = numbers(warm_bearing(small.bearing, heat, at(60.0, 80.0, 40.0)));
+  const double by[] = {1.0 + 11.5e-6 * 40.0, 1.0 + 11.5e-6 * 60.0, 1.0 + 11.5e-6 * 20.0};
+  EXPECT_NEAR(warm.radius, by[0] * cold.radius, 1e-15);
+  EXPECT_NEAR(warm.inner.centre_radius, by[1] * cold.inner.centre_radius, 1e-14);
+  EXPECT_NEAR(warm.outer.centre_radius, by[2] * cold.outer.centre_radius, 1e-14);
+  EXPECT_NEAR(warm.inner.play + warm.radius, by[1] * (cold.inner.play + cold.radius), 1e-15);
+  EXPECT_NEAR(warm.outer.play + warm.radius, by[2] * (cold.outer.play + cold.radius), 1e-15);
+}
 
 // Heat capacities made so small that the bearing is warm after a tenth of a second: followed step by step, and
 // by looks of a millisecond at every fifth.

@@ -1,0 +1,72 @@
+// Issue 14, "Done when": what [Chen2026] says of a motor's bearing under four conditions, and the heat of
+// NASA's 35 mm bearing, beside the runs of the shipped cases. docs/deep_groove.md says what is reproduced and
+// what is missed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/case/case_file.hpp"
+#include "app/study/ball_study.hpp"
+
+namespace orbearing::app::ball_runs_test {
+namespace {
+
+BallStudy study_of(const std::string& name, const std::vector<std::string>& settings) {
+  return ball_study(read_case(ORBEARING_SOURCE_DIR "/cases/" + name + "/case.yaml", settings));
+}
+
+// From rest: a fifth of a second holds a turn of the cage at the lowest speed.
+std::vector<BallStudy> conditions() {
+  std::vector<BallStudy> all;
+  for (const auto& [speed, load] :
+       {std::pair{"1730 rpm", "938 N"}, {"3703 rpm", "903 N"}, {"1785 rpm", "266 N"}, {"3998 rpm", "206 N"}})
+    all.push_back(study_of("deep_groove_motor",
+                           {std::string("operation.shaft_speed=") + speed, std::string("load.radial=") + load,
+                            "simulation.duration=0.2 s", "simulation.observed_share=0.7"}));
+  return all;
+}
+
+// Figs. 7 and 8: heavy loads and high speeds give short lives, with the balls' own failure (Eq. (35)) and
+// without; slip falls from all of it; the cage is struck at the start and hardly after.
+TEST(ChenMotor, LivesSlipAndImpactsGoAsTheSourceHasThem) {
+  const std::vector<BallStudy> all = conditions();
+  for (const auto life : {&BallStudy::life_hours, &BallStudy::life_with_balls_hours}) {
+    EXPECT_LT(all[1].*life, all[0].*life);
+    EXPECT_LT(all[0].*life, all[3].*life);
+    EXPECT_LT(all[3].*life, all[2].*life);
+  }
+  for (const BallStudy& study : all) {
+    EXPECT_LT(study.life_with_balls_hours, study.life_hours);
+    const system::BallSeries& series = study.run.series;
+    EXPECT_EQ(series.cage_slip.front(), 1.0);
+    EXPECT_LT(std::abs(study.run.means.cage_slip), 0.05);
+    const auto late = series.pocket_load.begin() + static_cast<std::ptrdiff_t>(series.pocket_load.size() / 2);
+    EXPECT_LT(*std::max_element(late, series.pocket_load.end()), 0.1 * study.run.pocket_load_max);
+  }
+  // Not reproduced: impacts that grow with the load. Here they grow with the speed that is to be caught up
+  // with.
+  EXPECT_GT(all[1].run.pocket_load_max, 1.5 * all[0].run.pocket_load_max);
+  EXPECT_NEAR(all[0].run.pocket_load_max / all[2].run.pocket_load_max, 1.0, 0.1);
+}
+
+// Untuned: within a factor of two of the measurement at all speeds, most of all at the highest. Oil that goes
+// round takes less than at rest, and its heat no longer grows the fastest.
+TEST(Nasa35mm, HeatIsWithinAFactorOfTwo) {
+  const std::pair<const char*, double> measured[] = {
+      {"28000 rpm", 350.0}, {"48000 rpm", 700.0}, {"64000 rpm", 1100.0}, {"72000 rpm", 1400.0}};
+  for (const auto& [speed, heat] : measured) {
+    const std::string at = std::string("operation.shaft_speed=") + speed;
+    const BallStudy study = study_of("nasa_35mm", {at, "simulation.duration=0.04 s"});
+    const bearing::balls::BallPowerLoss& loss = study.run.means.loss;
+    EXPECT_GT(loss.total(), 0.5 * heat) << speed;
+    EXPECT_LT(loss.total(), 2.0 * heat) << speed;
+    EXPECT_LT(loss.churning, 0.35 * loss.total()) << speed;
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::app::ball_runs_test
