@@ -205,13 +205,11 @@ void PointFilmLevel::relax_line(Index j, Field& dipoles) {
   const Index n = domain_.nx - 1, width = 2 * kBand + 1;
   matrix_.assign(at(n * width), 0.0);
   right_.assign(at(n), 0.0);
-  static const double slender = domain_.hy / domain_.hx;
-  const double elongation = relaxation.elongated ? std::max(1.0, slender * slender) : 1.0;
   const double wedge_size = 1.5 * std::abs(stream_x_[at(j)]) * single_(0, 0) / domain_.hx;
   for (Index i = 1; i <= n; ++i) {
     rows_[at(i)] = row(i, j);
     // A dipole must not push its neighbours below zero.
-    as_dipole_[at(i)] = rows_[at(i)].diffusion < 2.0 * relaxation.diffusive * elongation * wedge_size &&
+    as_dipole_[at(i)] = rows_[at(i)].diffusion < 2.0 * relaxation.diffusive * wedge_size &&
                         pressure(i - 1, j) > 0.0 && pressure(i + 1, j) > 0.0 && pressure(i, j - 1) > 0.0 &&
                         pressure(i, j + 1) > 0.0;
   }
