@@ -20,9 +20,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kBefore = 2, kAfter = 1;   // relaxations of a cycle
-constexpr Index kCoarsest = 16;          // cells each way of the grid that Newton's method solves
-constexpr double kMostCorrection = 0.1;  // of pressure by a coarser grid, in Hertz's largest one
+constexpr int kBefore = 2, kAfter = 1;    // relaxations of a cycle
+constexpr Index kCoarsest = 16;           // cells each way of the grid that Newton's method solves
+constexpr double kMostCorrection = 0.05;  // of pressure by a coarser grid, in Hertz's largest one
 // Another attempt is made where pressure changes by more than this share after so many cycles.
 struct Hopeless {
   int cycles;
@@ -73,7 +73,7 @@ struct Attempt {
   bool eased = false;  // whether coarse grids begin with the film of a higher speed, which they can tell
 };
 constexpr std::array<Attempt, 3> attempts{
-    {{{0.7, 0.6, 2.0}, false}, {{0.5, 0.6, 2.0}, true}, {{0.4, 0.4, 2.0}, true}}};
+    {{{0.5, 0.6, 2.0}, false}, {{0.7, 0.6, 2.0}, true}, {{0.4, 0.4, 2.0}, true}}};
 
 class PointFilmSolver {
  public:

@@ -38,7 +38,7 @@ struct PointFilmNumbers {
 /// after the other with films that do not know yet of each other's changes: those of many lines add up, above
 /// all where contacts are long across, and more than about 0.7 of single changes overshoots then.
 struct Relaxation {
-  double single = 0.7;
+  double single = 0.5;
   double dipole = 0.6;
   double diffusive = 2.0;  // diffusion over wedge from which changes are single
 };
