@@ -20,9 +20,15 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kBefore = 2, kAfter = 1;  // relaxations of a cycle
-constexpr int kPatience = 20;           // cycles after which a change above the next means another attempt
-constexpr double kStillMoving = 5e-2;
+constexpr int kBefore = 2, kAfter = 1;    // relaxations of a cycle
+constexpr Index kCoarsest = 16;           // cells each way of the grid that Newton's method solves
+constexpr double kMostCorrection = 0.05;  // of pressure by a coarser grid, in Hertz's largest one
+// Another attempt is made where pressure changes by more than this share after so many cycles.
+struct Hopeless {
+  int cycles;
+  double change;
+};
+constexpr std::array<Hopeless, 2> hopeless{{{5, 0.3}, {25, 5e-3}}};
 constexpr int kClimbing = 3;  // cycles on each grid on the way up
 
 double difference(double axis_ratio) {
@@ -61,18 +67,13 @@ double between(const Field& coarse, Index i, Index j) {
   return 0.25 * (coarse(x, y) + coarse(right, y) + coarse(x, above) + coarse(right, above));
 }
 
-// From the fastest to the surest: heavy loads and slender ellipses need a coarsest grid that still shows
-// them.
+// From the fastest to the surest; all of them together have the cycles that the grid allows.
 struct Attempt {
   Relaxation relaxation;
-  Index coarsest = 16;  // cells
-  bool eased = false;   // whether coarse grids begin with the film of a higher speed, which they can tell
+  bool eased = false;  // whether coarse grids begin with the film of a higher speed, which they can tell
 };
-constexpr std::array<Attempt, 5> attempts{{{{1.0, 0.6}, 16, false},
-                                           {{1.0, 0.6}, 32, false},
-                                           {{1.0, 0.6, 0.3, false}, 16, false},
-                                           {{1.0, 0.4}, 32, true},
-                                           {{0.8, 0.2}, 32, true}}};
+constexpr std::array<Attempt, 3> attempts{
+    {{{0.5, 0.6, 2.0}, false}, {{0.7, 0.6, 2.0}, true}, {{0.4, 0.4, 2.0}, true}}};
 
 class PointFilmSolver {
  public:
@@ -80,8 +81,7 @@ class PointFilmSolver {
       : eased_(attempt.eased) {
     PointFilmDomain domain = finest;
     std::vector<PointFilmDomain> domains{domain};
-    while (domain.nx % 2 == 0 && domain.ny % 2 == 0 && domain.nx > attempt.coarsest &&
-           domain.ny > attempt.coarsest) {
+    while (domain.nx % 2 == 0 && domain.ny % 2 == 0 && domain.nx > kCoarsest && domain.ny > kCoarsest) {
       domain.nx /= 2;
       domain.ny /= 2;
       domain.hx *= 2.0;
@@ -114,7 +114,7 @@ class PointFilmSolver {
     rigid_ = central * std::pow(ease(level, central), -0.67) - deformation(i, j);
     level.ease = ease(level, central);
     level.update_film(rigid_);
-    level.solve(rigid_, 60, 1e-6);
+    level.solve(rigid_, 40, 1e-6);
   }
 
   // Share of the diffusion with which the film is as thick as a grid can tell: its error is about 1.2 steps
@@ -143,13 +143,13 @@ class PointFilmSolver {
   }
 
   /// Cycles on the finest grid; where oil that left a gap comes back to one, with its share.
-  PointFilm finish(const PointFilmGrid& grid) {
+  PointFilm finish(const PointFilmGrid& grid, int most_cycles) {
     PointFilmLevel& fine = finest();
     PointFilm report;
     Field before = fine.pressure;
     const auto settle = [&] {
       report.converged = false;
-      while (report.cycles < grid.cycles && !report.converged) {
+      while (report.cycles < most_cycles && !report.converged) {
         cycle(levels_.size() - 1);
         if (fine.starved) fine.carry_oil();
         ++report.cycles;
@@ -157,8 +157,10 @@ class PointFilmSolver {
         before = fine.pressure;
         report.load_error = std::abs(fine.load_of(fine.pressure) / fine.load - 1.0);
         report.residual = fine.balance().residual;
-        const bool hopeless = report.cycles > kPatience && report.change > kStillMoving;
-        if (!std::isfinite(report.change) || !std::isfinite(report.residual) || hopeless) break;
+        const bool stuck = std::any_of(hopeless.begin(), hopeless.end(), [&](const Hopeless& one) {
+          return report.cycles > one.cycles && report.change > one.change;
+        });
+        if (!std::isfinite(report.change) || !std::isfinite(report.residual) || stuck) break;
         // Bodies that run through each other balance the load too.
         report.converged = report.change < grid.tolerance && report.load_error < grid.tolerance &&
                            report.residual < grid.tolerance && fine.film.minCoeff() > 0.0;
@@ -207,7 +209,8 @@ class PointFilmSolver {
     restrict_residual(residual, fine.pressure, moved);
     coarse.source = moved - left;
     cycle(l - 1);
-    const Field change = coarse.pressure - start;
+    Field change = coarse.pressure - start;
+    change *= std::min(1.0, kMostCorrection / std::max(change.abs().maxCoeff(), 1e-300));
     for (Index j = 1; j < fine.domain().ny; ++j)
       for (Index i = 1; i < fine.domain().nx; ++i) {
         double& p = fine.pressure(i, j);
@@ -336,7 +339,7 @@ PointFilm solve_point_film(const PointFilmCase& contact, const PointFilmGrid& gr
   const double far = std::sqrt(20.0 * central);
   const double inlet = grid.inlet > 0.0 ? grid.inlet : std::max(4.5, 1.0 + far);
   const double outlet = grid.outlet > 0.0 ? grid.outlet : std::max(1.5, 0.5 * far);
-  const double side = grid.side > 0.0 ? grid.side : std::max(2.5, 1.0 + far * a / b);
+  const double side = grid.side > 0.0 ? grid.side : 1.0 + std::max(1.5, far) * a / b;
   PointFilmDomain domain{.nx = grid.along, .ny = grid.across};
   domain.hx = (inlet + outlet) / grid.along;
   domain.hy = 2.0 * side * b / a / grid.across;
@@ -349,11 +352,13 @@ PointFilm solve_point_film(const PointFilmCase& contact, const PointFilmGrid& gr
   const double wide = std::max(1.0, 0.2 * far);
   for (double& one : ellipse) one /= wide * wide;
   PointFilm result;
+  int cycles = 0;
   for (const Attempt& attempt : attempts) {
     PointFilmSolver solver(numbers, domain, attempt);
     solver.start(ellipse, central);
     solver.climb(central);
-    result = solver.finish(grid);
+    result = solver.finish(grid, grid.cycles - cycles);
+    cycles += result.cycles;
     const PointFilmLevel& fine = solver.finest();
     result.x = a * Eigen::ArrayXd::LinSpaced(domain.nx + 1, domain.x, domain.x_at(domain.nx));
     result.y = a * Eigen::ArrayXd::LinSpaced(domain.ny + 1, domain.y, domain.y_at(domain.ny));
@@ -362,7 +367,7 @@ PointFilm solve_point_film(const PointFilmCase& contact, const PointFilmGrid& gr
     result.fraction = fine.fraction;
     result.approach = -unit_film * solver.rigid();
     measure(fine, contact, result);
-    if (result.converged) break;
+    if (result.converged || cycles >= grid.cycles) break;
   }
   return result;
 }

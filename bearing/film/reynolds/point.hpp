@@ -32,10 +32,10 @@ struct PointFilmGrid {
   int across = 128;      // [-]
   double inlet = 0.0;    // [-]  from the centre upstream; 0: 4.5, or as far as the film of a light load needs
   double outlet = 0.0;   // [-]  0: 1.5, or more
-  double side = 0.0;     // [-]  0: 2.5, or more
+  double side = 0.0;     // [-]  0: 1.5 half-widths beyond the contact, or more
   double shift_x = 0.0;  // [-]  of the contact against the grid, in cells
   double shift_y = 0.0;  // [-]
-  int cycles = 60;       // [-]  at most, on the finest grid
+  int cycles = 60;       // [-]  at most, on the finest grid, all attempts together
   double tolerance = 1e-5;  // [-]  of load, of the change of pressure in a cycle and of the residual
 };
 

@@ -15,6 +15,10 @@ constexpr double kLeastPointFilm =
     1e-7;                            // of a^2/R: below it a film of an unfinished solution counts as this
 constexpr double kMostChange = 0.2;  // of pressure in one sweep, in Hertz's largest one
 
+// Diffusion over wedge from which no changes of films add up; the edge of cavitation wants whole changes
+// there.
+constexpr double kFilmsHardlyMatter = 100.0;
+
 std::size_t at(Index i) {
   return static_cast<std::size_t>(i);
 }
@@ -205,13 +209,11 @@ void PointFilmLevel::relax_line(Index j, Field& dipoles) {
   const Index n = domain_.nx - 1, width = 2 * kBand + 1;
   matrix_.assign(at(n * width), 0.0);
   right_.assign(at(n), 0.0);
-  static const double slender = domain_.hy / domain_.hx;
-  const double elongation = relaxation.elongated ? std::max(1.0, slender * slender) : 1.0;
   const double wedge_size = 1.5 * std::abs(stream_x_[at(j)]) * single_(0, 0) / domain_.hx;
   for (Index i = 1; i <= n; ++i) {
     rows_[at(i)] = row(i, j);
     // A dipole must not push its neighbours below zero.
-    as_dipole_[at(i)] = rows_[at(i)].diffusion < 2.0 * relaxation.diffusive * elongation * wedge_size &&
+    as_dipole_[at(i)] = rows_[at(i)].diffusion < 2.0 * relaxation.diffusive * wedge_size &&
                         pressure(i - 1, j) > 0.0 && pressure(i + 1, j) > 0.0 && pressure(i, j - 1) > 0.0 &&
                         pressure(i, j + 1) > 0.0;
   }
@@ -262,7 +264,8 @@ void PointFilmLevel::relax_line(Index j, Field& dipoles) {
   for (Index i = 1; i <= n; ++i) {
     const double change = std::clamp(right_[at(i - 1)], -kMostChange, kMostChange);
     if (!as_dipole_[at(i)]) {
-      pressure(i, j) = std::max(0.0, pressure(i, j) + relaxation.single * change);
+      const bool whole = rows_[at(i)].diffusion > kFilmsHardlyMatter * wedge_size;
+      pressure(i, j) = std::max(0.0, pressure(i, j) + (whole ? 1.0 : relaxation.single) * change);
       continue;
     }
     const double moved = relaxation.dipole * change;

@@ -34,12 +34,13 @@ struct PointFilmNumbers {
   }
 };
 
-/// How much of a computed change is applied, and where changes are those of single nodes.
+/// How much of a computed change is applied, and where changes are those of single nodes. Lines change one
+/// after the other with films that do not know yet of each other's changes: those of many lines add up, above
+/// all where contacts are long across, and more than about 0.7 of single changes overshoots then.
 struct Relaxation {
-  double single = 1.0;
+  double single = 0.5;
   double dipole = 0.6;
-  double diffusive = 0.5;  // diffusion over wedge from which changes are single, cells as long as wide
-  bool elongated = true;   // whether that ratio grows with the cells' length across
+  double diffusive = 2.0;  // diffusion over wedge from which changes are single
 };
 
 /// Rectangle of nodes.

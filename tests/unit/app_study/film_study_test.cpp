@@ -56,7 +56,8 @@ TEST(FilmStudy, WhatIsBeyondTheRangesIsTold) {
   EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("spin [rad/s] is 5000")));
 }
 
-// Central films are near those of Hamrock and Dowson, which have them from such solutions; spin lowers the least one.
+// Central films are near those of Hamrock and Dowson, which have them from such solutions; spin lowers the
+// least one.
 TEST(FilmStudy, BySolvingReynoldsEquation) {
   const std::vector<std::string> points{"contact.ellipticity=3",
                                         "points=[[20 N, 5 m/s, 3000 rad/s], [20 N, 5 m/s, 0 rad/s]]"};
@@ -72,6 +73,27 @@ TEST(FilmStudy, BySolvingReynoldsEquation) {
   }
   EXPECT_LT(study.points[0].films.least, study.points[1].films.least);
   EXPECT_THAT(film_map_csv(*study.points[0].solution), HasSubstr("x_mm,y_mm,pressure_GPa,film_um"));
+}
+
+// A film of a tenth of a squared step: null in the results, with a warning that names the row.
+TEST(FilmStudy, APointThatReynoldsEquationDoesNotSolveIsNullAndWarned) {
+  const FilmStudy study =
+      film_study(shipped("spin_film_guo2013", {"film.solver=reynolds", "contact.ellipticity=1",
+                                               "points=[[2000 N, 0.001 m/s, 0 rad/s]]"}));
+  ASSERT_FALSE(study.points.at(0).solution->converged);
+  EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("row 1 Reynolds' equation was not solved")));
+  const nlohmann::ordered_json row = film_json(study).at("film").at(0);
+  EXPECT_TRUE(row.at("h_c_um").is_null());
+  EXPECT_TRUE(row.at("h_min_um").is_null());
+  EXPECT_TRUE(row.at("h_0_um").is_null());
+  EXPECT_TRUE(row.at("h_c_HamrockDowson_um").is_number());
+}
+
+// The case's own contact, without its regression.
+TEST(FilmStudy, ThePublishedContactIsSolvedByReynoldsEquation) {
+  const FilmStudy study = film_study(shipped("spin_film_guo2013", {"film.solver=reynolds"}));
+  EXPECT_THAT(study.warnings, IsEmpty());
+  for (const FilmPoint& point : study.points) EXPECT_TRUE(point.solution->converged);
 }
 
 TEST(BallFilms, OfLoadedBallsAlone) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "bearing/film/reynolds/point.hpp"
@@ -124,6 +125,44 @@ TEST(ReynoldsPoint, SpinLowersTheLeastFilmOnTheSlowSideAndLeavesTheCentralOne) {
     const PointFilm mirrored = solve_point_film(spun, grid);
     EXPECT_NEAR(mirrored.least / film.least, 1.0, 1e-3) << spin;
     EXPECT_NEAR(mirrored.least_y / film.least_y, -1.0, 1e-2) << spin;
+  }
+}
+
+// The contact of [Guo2013] at 500 N and more, heavy loads on slender ellipses, much spin on them: cells are
+// then several times as long across as along.
+TEST(ReynoldsPoint, SolvesHeavilyLoadedSlenderEllipsesAlsoWithMuchSpin) {
+  PointFilmCase guo{.modulus = 226e9, .oil = {.viscosity = 0.01988, .pressure_viscosity = 19.75e-9}};
+  set_ellipse(guo, 5.24e-3, 8.813);
+  struct {
+    double load, rolling, spin;
+  } const points[]{{500.0, 5.0, 0.0},
+                   {500.0, 5.0, 200.0},
+                   {500.0, 15.0, 400.0},
+                   {500.0, 5.0, 3000.0},
+                   {2000.0, 5.0, 200.0}};
+  for (const auto& point : points) {
+    PointFilmCase one = guo;
+    one.load = point.load;
+    one.rolling = point.rolling;
+    one.spin = point.spin;
+    EXPECT_TRUE(solve_point_film(one).converged) << point.load << " N, " << point.spin << " rad/s";
+  }
+  PointFilmCase six = of_groups(1e-11, 1e-5, 6.0);
+  EXPECT_TRUE(solve_point_film(six).converged);
+  six = of_groups(1e-11, 1e-6, 6.0);
+  six.spin = 3000.0;
+  EXPECT_TRUE(solve_point_film(six).converged);
+}
+
+// Surfaces that turn against each other ten times as fast as they roll, and a film of a tenth of a squared
+// step: no solution, and it is said before anybody loses patience.
+TEST(ReynoldsPoint, WhatIsNotSolvedIsSaidWithinTwoSeconds) {
+  PointFilmCase turns = of_groups(1e-11, 1e-6, 6.0), thin = of_groups(1e-14, 1e-4, 1.0);
+  turns.spin = 20000.0;
+  for (const PointFilmCase& contact : {turns, thin}) {
+    const std::clock_t start = std::clock();
+    EXPECT_FALSE(solve_point_film(contact).converged);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2.0);
   }
 }
 
