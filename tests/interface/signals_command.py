@@ -94,7 +94,8 @@ class Signals(unittest.TestCase):
             self.assertEqual("shaft_angle_rad" in lines[0], start < 1.0)
             if start < 1.0:
                 angle = [float(line["shaft_angle_rad"]) for line in lines]
-                self.assertAlmostEqual(angle[-1] - angle[0], 3 * 2 * 3.14159265, delta=0.1)
+                # Cut to a length that transforms fast.
+                self.assertTrue(0.97 < (angle[-1] - angle[0]) / (3 * 2 * 3.14159265) <= 1.0, angle[-1] - angle[0])
                 self.assertGreater(angle[-1] - angle[-2], 1.3 * (angle[1] - angle[0]))
 
     def test_a_set_has_no_page(self):
