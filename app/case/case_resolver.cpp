@@ -246,6 +246,7 @@ class Resolver {
     }
     // A value put in its place by an option is no longer the one that the file gives reasons for.
     if (value->second.place.option && !reason.place.option) return;
+    if (!value->second.replaced.empty()) return;  // nor is one that another input replaced
     data_.assumed[member.key] = reason.text;
   }
 

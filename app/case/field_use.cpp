@@ -177,6 +177,8 @@ Use with_turning_rings(const Use& use, const described::Facts& facts) {
   if (facts.path == "lubricant.density")
     return use.felt_too(use::rollers_at_rest,
                         where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"}));
+  if (facts.path == "lubricant.flow")
+    return use.when({.paths = {"drag.enabled", "heat.enabled"}, .values = {"true"}});
   if (facts.path != "lubricant.viscosity" && facts.path != "lubricant.pressure_viscosity") return use;
   return also_used(use, use::spin_film)
       .felt_too(use::lone_balance, where("film.enabled", {"true"}))
@@ -201,13 +203,14 @@ Use use_of(const described::Facts& facts) {
 Use with_planet_defect(const Use& use, std::string_view path) {
   Use more = use;
   const auto is_one_of = [&](std::initializer_list<std::string_view> parts) {
-    return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) { return path.starts_with(part); });
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](std::string_view part) { return path.starts_with(part); });
   };
   if (is_one_of({"defect.", "signal."})) return more;
   unsigned* const standings[] = {&more.by, &more.unfelt_by, &more.refused_by};
   for (unsigned* standing : standings) *standing &= ~unsigned{use::planet_defect};
-  if (is_one_of({"life.", "lubricant.kinematic", "simulation.observed", "simulation.most_rev", "simulation.load_drift",
-                 "simulation.cage_drift"})) {
+  if (is_one_of({"life.", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
+                 "simulation.load_drift", "simulation.cage_drift"})) {
     more.unfelt_by |= use::planet_defect;
     return more;
   }
@@ -247,10 +250,11 @@ Use Use::felt_too(unsigned analyses, Condition condition) const {
 
 const std::vector<use::Analysis>& analyses() {
   static const std::vector<use::Analysis> every{
-      use::quasi_static, use::dynamic,     use::dynamic_of_sets, use::co_simulated,   use::monolithic,
-      use::crown,        use::gears,       use::modes,           use::modes_at_speed, use::mesh,
-      use::fmu_bearing,  use::fmu_gearset, use::static_load,     use::ball_run,       use::defect,
-      use::moving_defect, use::planet_defect, use::duplex_modes, use::duplex_run, use::spin_film, use::stiffness, use::planet_stiffness};
+      use::quasi_static,  use::dynamic,         use::dynamic_of_sets, use::co_simulated,   use::monolithic,
+      use::crown,         use::gears,           use::modes,           use::modes_at_speed, use::mesh,
+      use::fmu_bearing,   use::fmu_gearset,     use::static_load,     use::ball_run,       use::defect,
+      use::moving_defect, use::planet_defect,   use::duplex_modes,    use::duplex_run,     use::spin_film,
+      use::stiffness,     use::planet_stiffness};
   return every;
 }
 

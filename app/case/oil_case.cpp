@@ -46,7 +46,8 @@ std::vector<OilProperty> properties_of_grade(const std::string& grade,
   const std::string reason = fmt::format("a mineral oil {} of viscosity index {:g} at {:g} degC", grade,
                                          oil.viscosity_index, temperature);
   return {{"lubricant.viscosity", fmt::format("{:.6g} Pa.s", lubricant.viscosity), reason},
-          {"lubricant.pressure_viscosity", fmt::format("{:.6g} GPa-1", 1e9 * lubricant.pressure_viscosity), reason},
+          {"lubricant.pressure_viscosity", fmt::format("{:.6g} GPa-1", 1e9 * lubricant.pressure_viscosity),
+           reason},
           {"lubricant.kinematic_viscosity",
            fmt::format("{:.6g} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
 }
@@ -56,7 +57,8 @@ void fill_from_grade(CaseData& data, Model model) {
   if (grade == data.values.end()) return;
   const auto has = [&](const char* path) { return data.values.contains(path); };
   const auto number = [&](const char* path) {
-    const bool counts = path != kDensity || (has(kDensity) && has(kDrag) && data.values.at(kDrag).value.number != 0.0);
+    const bool counts =
+        path != kDensity || (has(kDensity) && has(kDrag) && data.values.at(kDrag).value.number != 0.0);
     return counts ? data.values.at(path).value.number : kUsualDensity;
   };
   for (const char* needed : {"lubricant.temperature", "lubricant.viscosity_index"})

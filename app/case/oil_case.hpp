@@ -20,8 +20,8 @@ struct OilProperty {
 /// Density of the oil [kg/m^3]: the stated one where it counts, that of a mineral oil where it does not.
 double oil_density(const ResolvedCase& resolved);
 
-/// All of them. `number` gives the value of a field [SI]. Throws std::invalid_argument for an oil of which nothing
-/// is known.
+/// All of them. `number` gives the value of a field [SI]. Throws std::invalid_argument for an oil of which
+/// nothing is known.
 std::vector<OilProperty> properties_of_grade(const std::string& grade,
                                              const std::function<double(const char*)>& number);
 

@@ -61,7 +61,8 @@ void check_balls(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 void check_motion(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.model() != ball_motion) return;
   const auto positive = [&](const char* path) { return in.has(path) && in.quantity(path) > 0.0; };
-  if (!(positive("rotor.mass") && positive("rotor.inertia")) && !has_all(in, {"bearing.bore", "bearing.width"}))
+  if (!(positive("rotor.mass") && positive("rotor.inertia")) &&
+      !has_all(in, {"bearing.bore", "bearing.width"}))
     object_to(in, "simulation.duration", "an inner ring in motion whose mass is not known",
               "bearing.bore and bearing.width are required, or rotor.mass and rotor.inertia", mistakes);
   if (positive("load.axial") || positive("load.radial")) return;
@@ -98,13 +99,15 @@ void check_cleanliness(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
               "one of highest, high, medium, low is required with a filter", mistakes);
   if (level.front() == '-' && how == "grease")
     object_to(in, "life.cleanliness", fmt::format("'{}' for grease", level),
-              "one of highest, high, medium, low, lowest is required: codes of ISO 4406 are those of oil", mistakes);
+              "one of highest, high, medium, low, lowest is required: codes of ISO 4406 are those of oil",
+              mistakes);
 }
 
 void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if ((resolved.model() & with_balls) != 0) check_balls(resolved, mistakes);
   if (resolved.model() == ball_motion) check_motion(resolved, mistakes);
-  if (resolved.model() != roller_bearing && resolved.model() != ball_bearing && resolved.model() != ball_motion)
+  if (resolved.model() != roller_bearing && resolved.model() != ball_bearing &&
+      resolved.model() != ball_motion)
     return;
   check_load(resolved, mistakes);
   check_life(resolved, mistakes);

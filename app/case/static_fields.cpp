@@ -22,10 +22,9 @@ const Use& by_static_load() {
 
 constexpr unsigned rated = static_bearing | planetary_drivetrain;
 
-// Lives by film and cleanliness; crowns are rated without them.
+// Lives by film and cleanliness.
 const Use& by_rated_life() {
-  constexpr unsigned lives = use::lives & ~unsigned{use::crown};
-  static const Use use(use::static_load | lives,
+  static const Use use(use::static_load | use::lives,
                        use::stiffness | (use::of_a_drivetrain & ~unsigned{use::lives}));
   return use;
 }
@@ -126,9 +125,10 @@ void add_life(std::vector<Field>& fields) {
   Field reliability = life_number("life.reliability", "share of bearings that reach the life",
                                   {.least = 0.0, .most = 1.0, .least_allowed = false, .most_allowed = false});
   // A static case has a load and is rated always.
-  reliability.use = by_rated_life().when(
-      where_given({"load.radial", "load.axial", "load.moment", "load.moment_across", "lubricant.grade", "life.cleanliness",
-                   "life.contamination_factor", "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
+  reliability.use =
+      by_rated_life().when(where_given({"load.radial", "load.axial", "load.moment", "load.moment_across",
+                                        "lubricant.grade", "life.cleanliness", "life.contamination_factor",
+                                        "life.viscosity_ratio", "lubricant.kinematic_viscosity"}));
   reliability.default_text = "0.9";
   reliability.default_reason = "rating lives are those of 90 %";
   fields.push_back(reliability);
@@ -143,27 +143,30 @@ void add_life(std::vector<Field>& fields) {
                     .choices = {"circulating-oil", "oil-bath", "grease"},
                     .default_text = "circulating-oil",
                     .default_reason = "oil with a filter in its line"});
-  fields.push_back({.path = "life.cleanliness",
-                    .kind = Kind::choice,
-                    .meaning = "level of cleanliness, or the code of ISO 4406 that stands for it where oil is filtered, in "
-                               "place of the contamination factor",
-                    .use = by_rated_life(),
-                    .models = rated,
-                    .choices = {"highest", "high", "medium", "low", "lowest", "-/13/10", "-/15/12", "-/17/14", "-/19/16",
-                                "-/21/18"}});
-  fields.push_back({.path = "life.viscosity_ratio_by",
-                    .kind = Kind::choice,
-                    .meaning = "where kappa comes from: the speed and the viscosity, or the least film that was "
-                               "computed over contact.roughness, to the power of 1.3",
-                    .use = Use(use::lives & ~unsigned{use::crown}, use::of_a_drivetrain & ~unsigned{use::lives})
-                               .when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"})),
-                    .models = planetary_drivetrain,
-                    .choices = {"speed", "film"},
-                    .default_text = "speed",
-                    .default_reason = "as ISO 281 defines kappa; the film's own is its alternative"});
+  fields.push_back(
+      {.path = "life.cleanliness",
+       .kind = Kind::choice,
+       .meaning =
+           "level of cleanliness, or the code of ISO 4406 that stands for it where oil is filtered, in "
+           "place of the contamination factor",
+       .use = by_rated_life(),
+       .models = rated,
+       .choices = {"highest", "high", "medium", "low", "lowest", "-/13/10", "-/15/12", "-/17/14", "-/19/16",
+                   "-/21/18"}});
+  fields.push_back(
+      {.path = "life.viscosity_ratio_by",
+       .kind = Kind::choice,
+       .meaning = "where kappa comes from: the speed and the viscosity, or the least film that was "
+                  "computed over contact.roughness, to the power of 1.3",
+       .use = Use(use::lives & ~unsigned{use::crown}, use::of_a_drivetrain & ~unsigned{use::lives})
+                  .when(where_given({"lubricant.grade", "life.cleanliness", "life.contamination_factor"})),
+       .models = planetary_drivetrain,
+       .choices = {"speed", "film"},
+       .default_text = "speed",
+       .default_reason = "as ISO 281 defines kappa; the film's own is its alternative"});
   fields.push_back(optional_quantity(dimension::kinematic_viscosity, "lubricant.kinematic_viscosity",
-                                     "kinematic viscosity at running temperature, in place of kappa",
-                                     rated, {.least = 0.0, .most = 1e6, .least_allowed = false},
+                                     "kinematic viscosity at running temperature, in place of kappa", rated,
+                                     {.least = 0.0, .most = 1e6, .least_allowed = false},
                                      by_rated_life().when(where_absent("lubricant.grade"))));
 }
 

@@ -108,8 +108,16 @@ class AxisCheck {
   void add(const SweepAxis& axis, std::vector<Mistake>& mistakes, std::vector<std::string>& warnings) const {
     const std::string path = "sweep." + axis.path;
     const bool goes_through = sweeps_ == Axes::all || (sweeps_ == Axes::speed && axis.path == "input.speed");
-    if (goes_through && standing_in_row(in_, {axis.path, find_field(axis.path)}, analysis_) == Standing::used)
+    const Input input{axis.path, find_field(axis.path)};
+    if (goes_through && standing_in_row(in_, input, analysis_) == Standing::used) {
+      const Condition* unmet = first_unmet(in_, input);
+      if (unmet != nullptr && !is_swept(*unmet))
+        mistakes.push_back({axis.place,
+                            path,
+                            {"a sweep of what has no effect: " + condition_text(in_, input, *unmet),
+                             "a case without this axis is required"}});
       return;
+    }
     if (sweeps_ != Axes::none)
       mistakes.push_back(
           {axis.place,
@@ -120,6 +128,12 @@ class AxisCheck {
   }
 
  private:
+  // Then it may hold at some of the points.
+  bool is_swept(const Condition& condition) const {
+    return std::any_of(in_.axes().begin(), in_.axes().end(), [&](const SweepAxis& axis) {
+      return std::find(condition.paths.begin(), condition.paths.end(), axis.path) != condition.paths.end();
+    });
+  }
   std::string required(const SweepAxis& axis) const {
     if (sweeps_ == Axes::speed) return "one value of it, under " + axis.path + ", is required";
     return "a case without this axis is required; " + users_text(in_, {axis.path, find_field(axis.path)});

@@ -61,9 +61,11 @@ using study::OneWayRecord;
 // By film and cleanliness.
 Column modified_column(const std::string& name, const std::string& variable, const std::string& units,
                        const std::string& meaning, double per_unit, double ModifiedRecord::*member) {
-  return {name, variable, units, meaning, per_unit, [member](const PointResult& r) {
-            return r.modified ? (*r.modified).*member : not_given;
-          }};
+  return {
+      name,     variable,
+      units,    meaning,
+      per_unit, [member](const PointResult& r) {
+            return r.modified ? (*r.modified).*member : not_given; }};
 }
 
 // What stood for the bearings in gears that drive one of them.
@@ -135,7 +137,8 @@ const std::vector<Column>& trailing_columns() {
       {"contact_pressure_max_MPa", "contact_pressure_max", "Pa",
        "largest pressure of roller and race, after Hertz", megapascals,
        [](const PointResult& r) { return r.contact_pressure; }},
-      modified_column("kappa", "kappa", "1", "viscosity ratio of ISO 281", 1.0, &ModifiedRecord::viscosity_ratio),
+      modified_column("kappa", "kappa", "1", "viscosity ratio of ISO 281", 1.0,
+                      &ModifiedRecord::viscosity_ratio),
       modified_column("e_C", "e_C", "1", "contamination factor of ISO 281", 1.0,
                       &ModifiedRecord::contamination_factor),
       modified_column("a_ISO", "a_ISO", "1", "life modification factor of one bearing, lamina by lamina", 1.0,
@@ -144,10 +147,12 @@ const std::vector<Column>& trailing_columns() {
                       &ModifiedRecord::life_hours),
       modified_column("system_L10mh", "system_L10mh", "h", "the same of all planet bearings together", 1.0,
                       &ModifiedRecord::system_life_hours),
-      modified_column("inner_L10m_Mrev", "inner_L10m", "revolution", "life of the inner race with a_1 and a_ISO",
-                      million_revolutions, &ModifiedRecord::inner_life),
-      modified_column("outer_L10m_Mrev", "outer_L10m", "revolution", "life of the outer race with a_1 and a_ISO",
-                      million_revolutions, &ModifiedRecord::outer_life),
+      modified_column("inner_L10m_Mrev", "inner_L10m", "revolution",
+                      "life of the inner race with a_1 and a_ISO", million_revolutions,
+                      &ModifiedRecord::inner_life),
+      modified_column("outer_L10m_Mrev", "outer_L10m", "revolution",
+                      "life of the outer race with a_1 and a_ISO", million_revolutions,
+                      &ModifiedRecord::outer_life),
       {"static_safety", "static_safety", "1",
        "S_0 of ISO 76: static capacity over load, by the largest pressure and 4000 MPa", 1.0,
        [](const PointResult& r) {

@@ -18,6 +18,7 @@ std::optional<bearing::rating::StatedOil> stated_oil(const ResolvedCase& resolve
 std::vector<std::string> oil_warnings(const ResolvedCase& resolved);
 
 /// The same for the bearing of a set. `bearing` is that of the case.
-std::optional<study::RatedBearing> rated_bearing(const ResolvedCase& resolved, const bearing::Bearing& bearing);
+std::optional<study::RatedBearing> rated_bearing(const ResolvedCase& resolved,
+                                                 const bearing::Bearing& bearing);
 
 }  // namespace orbearing::app

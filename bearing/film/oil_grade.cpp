@@ -12,11 +12,11 @@ namespace orbearing::bearing {
 
 namespace {
 
-constexpr double kAbsoluteZero = -273.15;  // [degC]
+constexpr double kAbsoluteZero = -273.15;   // [degC]
 constexpr double kSquareMillimetres = 1e6;  // [mm^2/m^2]
 
-// Viscosities at 40 degC of oils of index 0 (L) and 100 (H) that have Y mm^2/s at 100 degC: a Y^2 + b Y + c from
-// `from` on.
+// Viscosities at 40 degC of oils of index 0 (L) and 100 (H) that have Y mm^2/s at 100 degC: a Y^2 + b Y + c
+// from `from` on.
 struct ReferenceOils {
   double from;  // [mm^2/s]
   double l[3];
@@ -46,8 +46,9 @@ double polynomial(const double (&c)[3], double y) {
 
 // Viscosity at 40 degC [mm^2/s] of an oil of `index` with `y` at 100 degC.
 double viscosity_40_of(double y, double index) {
-  const auto after = std::upper_bound(std::begin(kReferenceOils), std::end(kReferenceOils), y,
-                                      [](double value, const ReferenceOils& oils) { return value < oils.from; });
+  const auto after =
+      std::upper_bound(std::begin(kReferenceOils), std::end(kReferenceOils), y,
+                       [](double value, const ReferenceOils& oils) { return value < oils.from; });
   const ReferenceOils& oils = *std::prev(std::max(after, std::next(std::begin(kReferenceOils))));
   const double low = polynomial(oils.l, y);
   return low - 0.01 * index * (low - polynomial(oils.h, y));
@@ -65,8 +66,8 @@ double viscosity_at_100(double viscosity_40, double viscosity_index) {
   const double wanted = kSquareMillimetres * viscosity_40;
   constexpr double thinnest = 2.0, thickest = 1000.0;  // [mm^2/s]
   const auto miss = [&](double y) { return viscosity_40_of(y, viscosity_index) - wanted; };
-  mechanics::require(miss(thinnest) <= 0.0 && miss(thickest) >= 0.0, "kinematic viscosity at 40 degC [mm2/s]", wanted,
-                     "that of an oil with at least 2 mm2/s at 100 degC, where ASTM D2270 begins");
+  mechanics::require(miss(thinnest) <= 0.0 && miss(thickest) >= 0.0, "kinematic viscosity at 40 degC [mm2/s]",
+                     wanted, "that of an oil with at least 2 mm2/s at 100 degC, where ASTM D2270 begins");
   std::uintmax_t steps = 100;
   const auto found = boost::math::tools::toms748_solve(miss, thinnest, thickest,
                                                        boost::math::tools::eps_tolerance<double>(40), steps);
@@ -86,7 +87,8 @@ double kinematic_viscosity(const OilGrade& oil, double temperature) {
 Lubricant lubricant_at(const OilGrade& oil, double temperature) {
   const double warm = 38.0;  // [degC]
   const double viscosity_38 = kinematic_viscosity(oil, warm) * oil.density;
-  const double by_temperature = 1.0 + 516.0 * (1.0 / (temperature - kAbsoluteZero) - 1.0 / (warm - kAbsoluteZero));
+  const double by_temperature =
+      1.0 + 516.0 * (1.0 / (temperature - kAbsoluteZero) - 1.0 / (warm - kAbsoluteZero));
   return {.viscosity = kinematic_viscosity(oil, temperature) * oil.density,
           .pressure_viscosity = 2.657e-8 * std::pow(viscosity_38, 0.1348) * by_temperature};
 }

@@ -2,7 +2,8 @@
 //
 //   (1)  lg lg (nu + 0.7) = A - B lg T, nu in mm^2/s, T in K [ASTMD341]; through the grade at 40 degC and the
 //        viscosity at 100 degC that the viscosity index gives [ASTMD2270]
-//   (2)  alpha = 2.657e-8 eta_38^0.1348 (1 + 516 (1/T - 1/311)) in 1/Pa, eta_38 in Pa s at 38 degC [ISOTR15144]
+//   (2)  alpha = 2.657e-8 eta_38^0.1348 (1 + 516 (1/T - 1/311)) in 1/Pa, eta_38 in Pa s at 38 degC
+//   [ISOTR15144]
 //
 // The coefficients of (2) are from memory of the source. The density is taken as that at running temperature.
 #pragma once
@@ -19,11 +20,12 @@ struct OilGrade {
 };
 
 /// Grades of [ISO3448] [mm^2/s at 40 degC] that reach 2 mm^2/s at 100 degC.
-inline constexpr int kOilGrades[] = {7,   10,  15,  22,  32,  46,   68,   100,  150,
+inline constexpr int kOilGrades[] = {7,   10,  15,  22,  32,   46,   68,   100, 150,
                                      220, 320, 460, 680, 1000, 1500, 2200, 3200};
 
 /// Kinematic viscosity at 100 degC [m^2/s] of an oil with that viscosity index (at most 100) and
-/// `viscosity_40` [m^2/s]. Throws std::invalid_argument where that is below 2 mm^2/s, at which [ASTMD2270] begins.
+/// `viscosity_40` [m^2/s]. Throws std::invalid_argument where that is below 2 mm^2/s, at which [ASTMD2270]
+/// begins.
 double viscosity_at_100(double viscosity_40, double viscosity_index);
 
 /// Kinematic viscosity [m^2/s] at `temperature` [degC], by (1). Good between -20 and 150 degC.

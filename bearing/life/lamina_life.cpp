@@ -80,7 +80,8 @@ double life_of_damage(double damage) {
                       : std::numeric_limits<double>::infinity();
 }
 
-LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae, const RaceMotions& motions) {
+LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,
+                           const RaceMotions& motions) {
   const Eigen::ArrayXd even = Eigen::ArrayXd::Ones(laminae);
   return {weights(even, capacities.inner), weights(even, capacities.outer), motions};
 }
@@ -103,8 +104,10 @@ BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<c
 
 LaminaDamage lamina_damage(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
                            const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
-  return {by_lamina(rating.inner_weight, mean_of_fourth_powers(inner, rating.motions.inner), rating.motions.inner),
-          by_lamina(rating.outer_weight, mean_of_fourth_powers(outer, rating.motions.outer), rating.motions.outer)};
+  return {by_lamina(rating.inner_weight, mean_of_fourth_powers(inner, rating.motions.inner),
+                    rating.motions.inner),
+          by_lamina(rating.outer_weight, mean_of_fourth_powers(outer, rating.motions.outer),
+                    rating.motions.outer)};
 }
 
 LogLife log_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {

@@ -37,7 +37,8 @@ struct LaminaRating {
 LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double lambda);
 
 /// The same for stated capacities [N] of a whole contact, without stress riser.
-LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae, const RaceMotions& motions);
+LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,
+                           const RaceMotions& motions);
 
 using LaminaLoads = Eigen::Ref<const Eigen::ArrayXXd>;  // [N]  (laminae, places)
 
@@ -56,7 +57,7 @@ struct LaminaDamage {
 
 /// By (3), from fourth powers [N^4] (laminae, places).
 LaminaDamage lamina_damage(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
-                             const Eigen::Ref<const Eigen::ArrayXXd>& outer);
+                           const Eigen::Ref<const Eigen::ArrayXXd>& outer);
 
 /// Life [rev] of damages that add up to `damage` [-]; infinite without.
 double life_of_damage(double damage);

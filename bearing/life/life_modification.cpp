@@ -87,9 +87,9 @@ OilCondition oil_condition(const StatedOil& oil, double speed, double pitch_diam
   const double kappa = oil.viscosity_ratio ? *oil.viscosity_ratio
                                            : viscosity_ratio(oil.kinematic_viscosity,
                                                              required_viscosity(speed, pitch_diameter));
-  return {kappa, oil.contamination_factor ? *oil.contamination_factor
-                                          : contamination_factor(oil.lubrication, oil.cleanliness, kappa,
-                                                                 pitch_diameter)};
+  return {kappa, oil.contamination_factor
+                     ? *oil.contamination_factor
+                     : contamination_factor(oil.lubrication, oil.cleanliness, kappa, pitch_diameter)};
 }
 
 double viscosity_ratio_of_film(double least_film, double roughness) {

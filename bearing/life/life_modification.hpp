@@ -44,8 +44,8 @@ struct OilCondition {
 
 /// How a film and its cleanliness are stated.
 struct StatedOil {
-  std::optional<double> viscosity_ratio{};  // [-]      kappa; none: of the viscosity and the speed
-  double kinematic_viscosity = 0.0;         // [m^2/s]  at running temperature
+  std::optional<double> viscosity_ratio{};       // [-]      kappa; none: of the viscosity and the speed
+  double kinematic_viscosity = 0.0;              // [m^2/s]  at running temperature
   std::optional<double> contamination_factor{};  // [-]  e_C; none: by the two below
   Lubrication lubrication = Lubrication::circulating_oil;
   Cleanliness cleanliness = Cleanliness::high;

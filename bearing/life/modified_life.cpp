@@ -45,8 +45,9 @@ std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda,
   for (Eigen::Index k = 0; k < plain.inner.size(); ++k) {
     if (plain.inner[k] + plain.outer[k] == 0.0) continue;
     const double load = load_of_damage(capacity, laminae * (standard.inner[k] + standard.outer[k]));
-    const double factor = life_modification_factor(
-        RollingElement::roller, oil.viscosity_ratio, oil.contamination_factor * ratings.fatigue_load_limit / load);
+    const double factor =
+        life_modification_factor(RollingElement::roller, oil.viscosity_ratio,
+                                 oil.contamination_factor * ratings.fatigue_load_limit / load);
     modified_inner += plain.inner[k] * std::pow(factor, -kSlopeOfLines);
     modified_outer += plain.outer[k] * std::pow(factor, -kSlopeOfLines);
   }

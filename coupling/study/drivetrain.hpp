@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 
-#include "bearing/life/life_modification.hpp"
-#include "bearing/life/standard_life.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
 #include "bearing/geometry.hpp"
+#include "bearing/life/life_modification.hpp"
+#include "bearing/life/standard_life.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/cosim/coupled_run.hpp"
@@ -74,8 +74,9 @@ void describe(Visitor& visit, Misalignment& m) {
 struct RatedBearing {
   bearing::rating::Ratings ratings;
   bearing::rating::StatedOil oil;
-  std::optional<double> roughness{};  // [m]  composite: kappa by the film that was computed; none: as `oil` says
-  double reliability_factor = 1.0;    // [-]  a_1
+  std::optional<double>
+      roughness{};  // [m]  composite: kappa by the film that was computed; none: as `oil` says
+  double reliability_factor = 1.0;  // [-]  a_1
 };
 
 /// Parameters of a planetary set and what drives it, alone or among several sets. A sweep changes one or the
@@ -104,7 +105,7 @@ struct PlanetaryDrivetrain {
   bool pins_displaced = false;  // of gear_set: pins stand off their places, so that planets load unevenly
   bool mesh_variation = true;   // false: the meshes keep their mean stiffness, and give their mean forces
   std::optional<RatedBearing> rated;  // none: lives of Lundberg and Palmgren alone
-  int cage_positions = 16;      // cage angles over one roller pitch that the quasi-static model averages
+  int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
 
 /// What a case states of it beside the gears.

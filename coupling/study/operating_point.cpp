@@ -137,8 +137,8 @@ bearing::rating::OilCondition oil_of(const PlanetaryDrivetrain& drivetrain, cons
 }
 
 // Of one bearing; the system's life follows where its planets are known.
-std::optional<ModifiedRecord> modified_under_means(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-                                                   const WindowStatistics& means) {
+std::optional<ModifiedRecord> modified_under_means(const PlanetaryDrivetrain& drivetrain,
+                                                   const BearingDuty& duty, const WindowStatistics& means) {
   if (!drivetrain.rated) return std::nullopt;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const bearing::rating::OilCondition oil = oil_of(drivetrain, duty, means);

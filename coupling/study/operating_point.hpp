@@ -70,9 +70,9 @@ struct ModifiedRecord {
 
 /// One planet where planets differ or were computed one by one. Loads and life are those of one bearing.
 struct PlanetResult {
-  double load_share = 1.0;  // [-]  tangential load, mean over time, over the mean of all planets
-  double load = 0.0;        // [N]  of the rollers on the bore, mean over time
-  double life_hours = 0.0;  // [h]
+  double load_share = 1.0;           // [-]  tangential load, mean over time, over the mean of all planets
+  double load = 0.0;                 // [N]  of the rollers on the bore, mean over time
+  double life_hours = 0.0;           // [h]
   double modified_life_hours = 0.0;  // [h]  zero where nothing is said of the oil
 };
 

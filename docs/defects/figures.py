@@ -66,6 +66,7 @@ def orders(program, case):
         row[1].set_xlabel("order of the shaft")
         for axes in row:
             axes.set_ylabel("envelope (m/s²)")
+            axes.margins(y=0.1)
             axes.set_title(f"{race} race, run-up from 10 to 25 turns a second", fontsize=9)
     figure.savefig(pathlib.Path(__file__).with_name("orders.png"), dpi=80)
 

@@ -6,9 +6,11 @@
 
 #include "app/case/case_file.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/study/crown/crown_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
 #include "bearing/life/life_modification.hpp"
+#include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/multi_stage.hpp"
 
 namespace orbearing::app::app_rated_oil_test {
@@ -42,7 +44,8 @@ TEST(RatedOil, StandsBesideTheLifeOfLundbergAndPalmgren) {
   const auto duty = study::bearing_duty(set, study::derive(set));
   const double required = bearing::rating::required_viscosity(bearing::turning_speed(set.bearing, duty.point),
                                                               set.bearing.pitch_diameter);
-  EXPECT_NEAR(rated.modified->viscosity_ratio, in.quantity("lubricant.kinematic_viscosity") / required, 1e-12);
+  EXPECT_NEAR(rated.modified->viscosity_ratio, in.quantity("lubricant.kinematic_viscosity") / required,
+              1e-12);
 }
 
 TEST(RatedOil, CodesOfCleanlinessAreLevels) {
@@ -90,7 +93,8 @@ TEST(RatedOil, CleanlinessThatIsNotSaidIsToldOf) {
 
 // Below 0.1 the standard knows no a_ISO: no number rather than a wrong one.
 TEST(RatedOil, StarvedBearingsHaveNoModifiedLife) {
-  const auto rated = point({"lubricant.grade=ISO VG 7", "lubricant.temperature=120 degC", "input.speed=200 rpm"});
+  const auto rated =
+      point({"lubricant.grade=ISO VG 7", "lubricant.temperature=120 degC", "input.speed=200 rpm"});
   ASSERT_TRUE(rated.modified);
   EXPECT_LT(rated.modified->viscosity_ratio, 0.1);
   EXPECT_TRUE(std::isnan(rated.modified->life_hours));
@@ -108,12 +112,36 @@ TEST(RatedOil, MotionIsRatedByTheSameLaw) {
 }
 
 TEST(RatedOil, OfSeveralSetsAllCountTogether) {
-  const ResolvedCase in =
-      read_point(ORBEARING_SOURCE_DIR "/cases/coupling_set_150kW/case.yaml", {kGrade, kWarm, "life.cleanliness=high"});
+  const ResolvedCase in = read_point(ORBEARING_SOURCE_DIR "/cases/coupling_set_150kW/case.yaml",
+                                     {kGrade, kWarm, "life.cleanliness=high"});
   const study::PointResult all = study::evaluate(bearing_sets(in), study::Fidelity::quasi_static);
   ASSERT_TRUE(all.modified);
   EXPECT_LT(all.modified->system_life_hours, all.modified->life_hours);
   for (const study::SetResult& set : all.sets) EXPECT_TRUE(set.modified) << set.set;
+}
+
+// The crown study rates what a sweep of the same rollers rates.
+TEST(RatedOil, CrownsAreRatedAsInASweep) {
+  using namespace study::crowning;
+  const std::vector<std::string> settings{kGrade,
+                                          kWarm,
+                                          "life.cleanliness=medium",
+                                          "bearing.laminae=40",
+                                          "bearing.profile.kind=straight",
+                                          "bearing.misalignment.planet_tilt=0.3 mrad"};
+  const study::PointResult swept = point(settings);
+  const CrownProblem problem = problem_of(crown_request(reducer(settings), {}));
+  const CrownPoint crown =
+      crown_grid(problem, RollerPressure(problem), {bearing::profile::Profile{}}, {0.0}, {0.3e-3}, 1, {})
+          .front();
+  ASSERT_EQ(crown.status, "ok");
+  EXPECT_NEAR(crown.life_hours, swept.life_hours, 1e-6 * swept.life_hours);
+  EXPECT_NEAR(crown.modified_life_hours, swept.modified->life_hours, 1e-6 * swept.modified->life_hours);
+  const CrownProblem unrated = problem_of(crown_request(reducer({}), {}));
+  EXPECT_TRUE(std::isnan(
+      crown_grid(unrated, RollerPressure(unrated), {bearing::profile::Profile{}}, {0.0}, {0.0}, 1, {})
+          .front()
+          .modified_life_hours));
 }
 
 }  // namespace

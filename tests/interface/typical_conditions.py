@@ -1,4 +1,4 @@
-"""Typical conditions of an operating record: planted ones are found again."""
+"""Typical conditions of an operating record: planted ones are found again (issue 14, Build 8)."""
 
 import json
 import pathlib

@@ -24,6 +24,7 @@ ordered_json point_json(const CrownPoint& point, const std::string& profile) {
           {"peak_pressure_MPa", ok ? number_or_null(kMega * point.pressure.peak) : nullptr},
           {"edge_ratio", ok ? number_or_null(point.pressure.edge_ratio) : nullptr},
           {"profile", profile},
+          {"L10mh", number_or_null(point.modified_life_hours)},
           {"status", point.status}};
 }
 
@@ -36,6 +37,7 @@ ordered_json design_json(const CrownDesign& design, LifeMeasure measure) {
                       {"edge_ratio", number_or_null(design.edge_ratio)},
                       {"untilted_life_h", number_or_null(design.untilted_life_hours)},
                       {other, number_or_null(design.other_life_hours)},
+                      {"L10mh", number_or_null(design.modified_life_hours)},
                       {"half_space_life_h", number_or_null(design.pressure_life_hours)},
                       {"untilted_half_space_life_h", number_or_null(design.untilted_pressure_life_hours)}};
   if (design.has_share) object["crowned_share"] = design.crown.share;
@@ -176,6 +178,8 @@ PointContent crown_content(const CrownStudy& study) {
        "tilt of the planet's bore on its pin in the plane of the load",
        request.tilts},
       grid_array(study, "life", "h", "life of one bearing", [](const CrownPoint& p) { return p.life_hours; }),
+      grid_array(study, "L10mh", "h", "life of one bearing by film and cleanliness",
+                 [](const CrownPoint& p) { return p.modified_life_hours; }),
       grid_array(study, "peak_pressure", "Pa",
                  "greatest pressure of the most loaded roller, mean over a hundredth of its length",
                  [](const CrownPoint& p) { return p.pressure.peak; }),

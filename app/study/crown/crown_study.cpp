@@ -54,10 +54,13 @@ CrownDesign design_of(const Bench& bench, const std::string& name, const Profile
   const std::vector<double>& tilts = bench.request.tilts;
   const auto points = crown_grid(bench.problem, bench.pressure, {made}, {drop}, tilts, bench.jobs, {});
   CrownDesign design{.profile = name, .crown = {drop, 1.0}, .made = made};
-  design.life_hours = design.other_life_hours = std::numeric_limits<double>::infinity();
+  design.life_hours = design.other_life_hours = design.modified_life_hours =
+      std::numeric_limits<double>::infinity();
   for (const CrownPoint& point : points) {
     if (point.status != "ok") throw ComputationFailed("crown: profile " + name + ": " + point.status);
     design.life_hours = std::min(design.life_hours, point.life_hours);
+    if (!(point.modified_life_hours >= design.modified_life_hours))
+      design.modified_life_hours = point.modified_life_hours;
     design.other_life_hours = std::min(design.other_life_hours, life_hours(bench.other, made, point.tilt));
     if (point.pressure.peak <= design.peak_pressure) continue;
     design.peak_pressure = point.pressure.peak;

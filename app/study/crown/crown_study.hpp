@@ -19,6 +19,7 @@ struct CrownDesign {
   double life_hours = 0.0;                    // [h]
   double peak_pressure = 0.0;                 // [Pa]
   double edge_ratio = 0.0;                    // [-]   at that pressure
+  double modified_life_hours = 0.0;           // [h]  worst, by film and cleanliness; NaN without an oil
   double untilted_life_hours = 0.0;           // [h]
   double other_life_hours = 0.0;              // [h]   worst, by the measure that is not optimised
   double pressure_life_hours = 0.0;           // [h]  worst, from half-space pressures

@@ -18,12 +18,14 @@ using bearing::profile::Profile;
 void put_duties(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
                 CrownPoint& point) {
   std::vector<bearing::laminae::LaminaResult> loads;
-  double used = 0.0;  // [1/h]
+  double used = 0.0, used_by_rating = 0.0;  // [1/h]
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
     loads.push_back(loads_at(problem, profile, point.tilt, duty));
     used += problem.duties[duty].share / duty_hours(problem, loads.back(), duty);
+    used_by_rating += problem.duties[duty].share / modified_duty_hours(problem, loads.back(), duty);
   }
   point.life_hours = 1.0 / used;
+  point.modified_life_hours = 1.0 / used_by_rating;
   point.pressure = peak_pressure(problem, pressure, profile, loads);
 }
 
@@ -33,7 +35,7 @@ CrownPoint point_at(const CrownProblem& problem, const RollerPressure& pressure,
   try {
     put_duties(problem, pressure, profile, point);
   } catch (const std::exception& error) {
-    point.life_hours = std::numeric_limits<double>::quiet_NaN();
+    point.life_hours = point.modified_life_hours = std::numeric_limits<double>::quiet_NaN();
     point.status = error.what();
   }
   return point;

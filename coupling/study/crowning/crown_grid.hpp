@@ -11,11 +11,12 @@ namespace orbearing::study::crowning {
 
 /// One profile at one tilt, under the whole spectrum.
 struct CrownPoint {
-  double drop = 0.0;          // [m]    of one roller at profile::kDropPlace
-  double tilt = 0.0;          // [rad]  of the bore on its pin
-  double life_hours = 0.0;    // [h]
-  PeakPressure pressure;      // greatest over the spectrum
-  std::string status = "ok";  // "ok" or why there is no balance
+  double drop = 0.0;                 // [m]    of one roller at profile::kDropPlace
+  double tilt = 0.0;                 // [rad]  of the bore on its pin
+  double life_hours = 0.0;           // [h]
+  double modified_life_hours = 0.0;  // [h]  by film and cleanliness; not a number without an oil
+  PeakPressure pressure;             // greatest over the spectrum
+  std::string status = "ok";         // "ok" or why there is no balance
 };
 
 /// Called as points finish, from several threads, with how many are done.

@@ -1,9 +1,11 @@
 #include "coupling/study/crowning/crown_problem.hpp"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "bearing/equilibrium/drop_gradient.hpp"
+#include "bearing/life/modified_life.hpp"
 
 namespace orbearing::study::crowning {
 
@@ -64,7 +66,10 @@ std::vector<DropSlope> lamina_slopes(const LaminaBearing& bearing, const Profile
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae) {
   require_whole(spectrum);
-  CrownProblem problem{.bearing = drivetrain.bearing, .options = quasi_static_options(drivetrain)};
+  CrownProblem problem{.bearing = drivetrain.bearing,
+                       .options = quasi_static_options(drivetrain),
+                       .rated = drivetrain.rated,
+                       .lambda = drivetrain.lambda};
   problem.bearing.rollers().laminae = laminae;
   for (const SpectrumPoint& at : spectrum) {
     PlanetaryDrivetrain there = drivetrain;
@@ -77,7 +82,9 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
 }
 
 CrownProblem one_duty(const CrownProblem& problem, std::size_t duty) {
-  CrownProblem one{problem.bearing, problem.options, {problem.duties[duty]}, {problem.ratings[duty]}};
+  CrownProblem one = problem;
+  one.duties = {problem.duties[duty]};
+  one.ratings = {problem.ratings[duty]};
   one.duties.front().share = 1.0;
   return one;
 }
@@ -102,6 +109,18 @@ double duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::s
   const double revolutions =
       lamina_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load).bearing;
   return bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[duty].point));
+}
+
+double modified_duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::size_t duty) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (!problem.rated) return none;
+  const double speed = turning_speed(problem.bearing, problem.duties[duty].point);
+  const auto oil = bearing::rating::oil_condition(problem.rated->oil, speed, problem.bearing.pitch_diameter);
+  const auto modified =
+      bearing::rating::modified_life(problem.bearing, problem.lambda, problem.rated->ratings, oil,
+                                     {.whole = {}, .laminae = loads.inner_lamina_load.pow(4)},
+                                     {.whole = {}, .laminae = loads.outer_lamina_load.pow(4)});
+  return modified ? problem.rated->reliability_factor * bearing::hours(modified->life.bearing, speed) : none;
 }
 
 double life_hours(const CrownProblem& problem, const Profile& profile, double tilt) {

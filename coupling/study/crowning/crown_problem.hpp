@@ -1,6 +1,7 @@
 // One planet bearing, where it works, and what a crown of its rollers makes of its life.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct CrownProblem {
   bearing::QuasiStaticOptions options;
   std::vector<Duty> duties;
   std::vector<LaminaRating> ratings;  // (duties)
+  std::optional<RatedBearing> rated;  // none: no life by film and cleanliness
+  double lambda = 0.83;               // [-]  of Lundberg and Palmgren's capacities, whatever the measure
 };
 
 /// Speed [rad/s] of the input and share [-] of the time.
@@ -55,6 +58,11 @@ bearing::OperatingPoint tilted(const Duty& duty, double tilt);
 
 /// Life [h] of one bearing at one duty alone, whose loads are known.
 double duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads, std::size_t duty);
+
+/// The same by film and cleanliness, L_10mh [h]: kappa by speed and viscosity. Not a number where nothing is said of the
+/// oil, or kappa is below 0.1.
+double modified_duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads,
+                           std::size_t duty);
 
 /// Life [h] of one bearing by the rule of Palmgren and Miner over the duties; of one duty, its own.
 double life_hours(const CrownProblem& problem, const bearing::profile::Profile& profile, double tilt);

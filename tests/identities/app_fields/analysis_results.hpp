@@ -69,7 +69,9 @@ inline std::string crown_result(const ResolvedCase& in) {
       crown_grid(problem, RollerPressure(problem), {profile_of(family, {drop, usual_share(family)})}, {drop},
                  {tilt}, 1, {})
           .front();
-  return digits(std::vector{point.life_hours, point.pressure.peak, point.pressure.edge_ratio}) + point.status;
+  return digits(std::vector{point.life_hours, point.modified_life_hours, point.pressure.peak,
+                            point.pressure.edge_ratio}) +
+         point.status;
 }
 
 /// What is inside an FMU, driven for a while at fixed inputs.

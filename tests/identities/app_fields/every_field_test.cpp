@@ -129,8 +129,8 @@ class EveryField : public testing::TestWithParam<Subject> {
   std::map<std::vector<std::string>, std::string> results_;
 };
 
-// Rungs in motion know nearly the same fields and take a quarter of a second for each: every day a third of the fields
-// for each rung, so that each field is tried in motion; all with ORBEARING_FULL=yes.
+// Rungs in motion know nearly the same fields and take a quarter of a second for each: every day a third of
+// the fields for each rung, so that each field is tried in motion; all with ORBEARING_FULL=yes.
 bool is_left_to_full_tests(const Field& field, use::Analysis analysis) {
   const char* full = std::getenv("ORBEARING_FULL");
   if ((analysis & use::in_time) == 0 || (full != nullptr && std::string(full) == "yes")) return false;
@@ -196,7 +196,8 @@ TEST_P(EveryField, WithoutItsConditionIsToldOf) {
     if (is_left_to_full_tests(*input.field, GetParam().analysis)) continue;
     // What counts only without another value is not without its condition here.
     const std::vector<Condition>& conditions = input.field->use.conditions;
-    if (std::all_of(conditions.begin(), conditions.end(), [](const Condition& c) { return c.absent; })) continue;
+    if (std::all_of(conditions.begin(), conditions.end(), [](const Condition& c) { return c.absent; }))
+      continue;
     if ((input.field->use.by & GetParam().analysis) == 0) continue;
     if (set_prefix_length(input.path) > 0 && !input.path.starts_with(set_prefix(base().set))) continue;
     const Change change = change_of(*input.field, plain, input.path);
@@ -275,6 +276,17 @@ TEST(FieldUse, ASweepOfWhatIsNotUsedIsRefused) {
   EXPECT_THAT(refusal_of(bases().front(), pocket, use::quasi_static, Axes::all),
               HasSubstr("sweep.bearing.cage.pocket_friction"));
   EXPECT_EQ(refusal_of(bases().front(), pocket, use::dynamic, Axes::all), "");
+}
+
+TEST(FieldUse, ASweepOfWhatHasNoEffectHereIsRefused) {
+  const std::string axis = "sweep.lubricant.viscosity=[0.01 Pa.s, 0.02 Pa.s]";
+  EXPECT_EQ(refusal_of(bases().front(), {axis}, use::quasi_static, Axes::all), "");
+  EXPECT_THAT(refusal_of(bases().front(), {axis, "lubricant.grade=ISO VG 220"}, use::quasi_static, Axes::all),
+              HasSubstr("it counts only where lubricant.grade is not given"));
+  // What it hangs on may be swept too: then it counts at some of the points.
+  const std::vector<std::string> both{"sweep.gearset.dynamics.run_up.from=[0.2, 0.4]",
+                                      "sweep.gearset.dynamics.run_up.duration=[0 s, 1 s]"};
+  EXPECT_THAT(refusal_of(bases().front(), both, use::gears, Axes::all), Not(HasSubstr("has no effect")));
 }
 
 TEST(FieldUse, ASpectrumOfCrownTakesSpeedsAlone) {

@@ -218,9 +218,11 @@ inline std::string rollers_case() {
 inline const std::vector<Base>& bases() {
   static const std::vector<Base> all{
       {"bearing_in_a_set", kDrivetrain + kGears + kBearing + kShortRun},
-      // What pins load is seen at rest, and in motion as one system: the other
+      // What pins load is seen at rest, and in motion as one system; modes, meshes and
+      // a bearing by itself cannot feel them, and the other
       // rungs in motion know the same fields and take much longer.
-      {"displaced_pins", displaced_pins(), "", use::dynamic | use::co_simulated},
+      {"displaced_pins", displaced_pins(), "",
+       use::dynamic | use::co_simulated | use::natural | use::mesh | use::fmu_bearing},
       {"gears_alone", kDrivetrain + kGears},
       {"masses_and_springs", kToothless},
       {"multi_stage", multi_stage(), "first"},
@@ -292,8 +294,10 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.dynamics.ring.torsional_stiffness", {"1e7 N/m"}},
       {"gearset.dynamics.carrier.torsional_stiffness", {"1e7 N/m"}},
       {"lubricant.grade", {"ISO VG 460", {"film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
-      {"lubricant.temperature", {"50 degC", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
-      {"lubricant.viscosity_index", {"50", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
+      {"lubricant.temperature",
+       {"50 degC", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
+      {"lubricant.viscosity_index",
+       {"50", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
       {"life.viscosity_ratio_by", {"film", {"lubricant.grade=ISO VG 220"}}},
       {"bearing.radial_clearance", {"8 um"}},
       {"bearing.outside_diameter", {"48 mm"}},

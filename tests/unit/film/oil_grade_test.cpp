@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kMm2 = 1e-6;  // [m^2/s]
 
-// Oils of index 0 and 100 as the table of ASTM D2270 prints them, at 40 degC for 2, 4, 10, 20, 50 and 70 mm^2/s at
-// 100 degC.
+// Oils of index 0 and 100 as the table of ASTM D2270 prints them, at 40 degC for 2, 4, 10, 20, 50 and 70
+// mm^2/s at 100 degC.
 TEST(OilGrade, ViscosityIndexAsInTheTableOfTheStandard) {
   struct Row {
     double at_100, low, high;
@@ -42,7 +42,9 @@ TEST(OilGrade, IsItsNumberAt40DegreesAndItsIndexAt100) {
   EXPECT_NEAR(kinematic_viscosity(oil, 40.0) / kMm2, 220.0, 1e-9);
   EXPECT_NEAR(kinematic_viscosity(oil, 100.0), viscosity_at_100(oil.viscosity_40, 95.0), 1e-12);
   // Straight in the double logarithm over the logarithm of the absolute temperature.
-  const auto height = [&](double t) { return std::log10(std::log10(kinematic_viscosity(oil, t) / kMm2 + 0.7)); };
+  const auto height = [&](double t) {
+    return std::log10(std::log10(kinematic_viscosity(oil, t) / kMm2 + 0.7));
+  };
   const auto along = [](double t) { return std::log10(t + 273.15); };
   const double slope = (height(100.0) - height(40.0)) / (along(100.0) - along(40.0));
   EXPECT_NEAR(height(70.0), height(40.0) + slope * (along(70.0) - along(40.0)), 1e-12);

@@ -42,9 +42,9 @@ TEST(ModifiedLife, OfWholeContactsIsThePlainOneTimesAIso) {
   ASSERT_TRUE(modified);
   const double turning = std::pow(whole(1.1).whole.mean(), 0.25);
   const double standing = std::pow(whole().whole.pow(1.125).mean(), 1.0 / 4.5);
-  const double l10r = std::pow(std::pow(standing / ratings.contacts.inner, 4.5) +
-                                   std::pow(turning / ratings.contacts.outer, 4.5),
-                               -8.0 / 9.0);
+  const double l10r = std::pow(
+      std::pow(standing / ratings.contacts.inner, 4.5) + std::pow(turning / ratings.contacts.outer, 4.5),
+      -8.0 / 9.0);
   const double load = ratings.dynamic_capacity / 0.83 * std::pow(l10r, -0.25);
   EXPECT_NEAR(modified->load, load, load * 1e-10);
   const double factor = life_modification_factor(
@@ -54,8 +54,8 @@ TEST(ModifiedLife, OfWholeContactsIsThePlainOneTimesAIso) {
   EXPECT_NEAR(modified->life.bearing, factor * plain, factor * plain * 1e-10);
 }
 
-// A bearing without clearance at rest: P is the load on it. (Sums over fifteen rollers and rounded constants of the
-// standard: some per cent.)
+// A bearing without clearance at rest: P is the load on it. (Sums over fifteen rollers and rounded constants
+// of the standard: some per cent.)
 TEST(ModifiedLife, LoadIsThatOnTheBearing) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.radial_clearance = 0.0;
@@ -80,7 +80,8 @@ TEST(ModifiedLife, EqualLaminaeChangeNothing) {
   EXPECT_NEAR(modified_life(bearing, kLambda, ratings, oil, even, even)->factor, once, once * 1e-10);
 }
 
-// Edges that are loaded more have the smaller a_ISO and the larger share: less than the factor of the mean load.
+// Edges that are loaded more have the smaller a_ISO and the larger share: less than the factor of the mean
+// load.
 TEST(ModifiedLife, LoadedEdgesLowerIt) {
   Bearing bearing = example_bearings::planet_bearing();
   bearing.rollers().laminae = 10;
@@ -104,10 +105,10 @@ TEST(ModifiedLife, LimitsOfFilmDirtAndLoad) {
   const auto factor = [&](double kappa, double e_c, double share) {
     return modified_life(bearing, kLambda, ratings, {kappa, e_c}, whole(share), whole(share));
   };
-  EXPECT_FALSE(factor(0.099, 0.5, 1.0));                      // where the standard begins
-  EXPECT_NEAR(factor(1.0, 0.0, 1.0)->factor, 0.1, 1e-12);     // dirt without end
-  EXPECT_NEAR(factor(4.0, 1.0, 1e-3)->factor, 50.0, 1e-12);            // below the fatigue limit
-  EXPECT_EQ(factor(4.0, 1.0, 0.0)->factor, 50.0);             // no load
+  EXPECT_FALSE(factor(0.099, 0.5, 1.0));                     // where the standard begins
+  EXPECT_NEAR(factor(1.0, 0.0, 1.0)->factor, 0.1, 1e-12);    // dirt without end
+  EXPECT_NEAR(factor(4.0, 1.0, 1e-3)->factor, 50.0, 1e-12);  // below the fatigue limit
+  EXPECT_EQ(factor(4.0, 1.0, 0.0)->factor, 50.0);            // no load
   EXPECT_EQ(factor(4.0, 1.0, 0.0)->life.bearing, kInfinity);
   EXPECT_LT(factor(0.4, 0.5, 1.0)->factor, factor(1.0, 0.5, 1.0)->factor);
   EXPECT_LT(factor(1.0, 0.5, 2.0)->factor, factor(1.0, 0.5, 1.0)->factor);
@@ -115,11 +116,14 @@ TEST(ModifiedLife, LimitsOfFilmDirtAndLoad) {
 
 TEST(OilCondition, ByItsFilmAndByItsSpeed) {
   EXPECT_NEAR(viscosity_ratio_of_film(0.4e-6, 0.2e-6), std::pow(2.0, 1.3), kRoundOff);
-  const OilCondition by_speed = oil_condition({.kinematic_viscosity = 20e-6}, 261.8, 81e-3);  // 2500 rpm: 10 mm^2/s
+  const OilCondition by_speed =
+      oil_condition({.kinematic_viscosity = 20e-6}, 261.8, 81e-3);  // 2500 rpm: 10 mm^2/s
   EXPECT_NEAR(by_speed.viscosity_ratio, 2.0, 1e-4);
-  EXPECT_EQ(by_speed.contamination_factor,
-            contamination_factor(Lubrication::circulating_oil, Cleanliness::high, by_speed.viscosity_ratio, 81e-3));
-  const OilCondition stated = oil_condition({.viscosity_ratio = 0.6, .contamination_factor = 0.3}, 0.0, 81e-3);
+  EXPECT_EQ(
+      by_speed.contamination_factor,
+      contamination_factor(Lubrication::circulating_oil, Cleanliness::high, by_speed.viscosity_ratio, 81e-3));
+  const OilCondition stated =
+      oil_condition({.viscosity_ratio = 0.6, .contamination_factor = 0.3}, 0.0, 81e-3);
   EXPECT_EQ(stated.viscosity_ratio, 0.6);
   EXPECT_EQ(stated.contamination_factor, 0.3);
 }
