@@ -273,8 +273,6 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_widths(check);
   check_refinements(resolved, mistakes);
   check_profile(resolved, mistakes);
-  check_grade(resolved, mistakes);
-  check_cleanliness(resolved, mistakes);
   check_static_bearing(resolved, mistakes);
   check_defect(resolved, mistakes);
   check_duplex(resolved, mistakes);
@@ -310,6 +308,9 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
     check_several_sets(resolved, mistakes);
   else
     check_one_set(resolved, mistakes);
+  // The oil is that of all sets.
+  check_grade(resolved, mistakes);
+  check_cleanliness(resolved, mistakes);
 }
 
 }  // namespace orbearing::app

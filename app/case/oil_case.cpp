@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "app/case/field_table.hpp"
 #include "app/case/objection.hpp"
@@ -14,37 +15,34 @@ namespace orbearing::app {
 
 namespace {
 
-constexpr const char* kGrade = "lubricant.grade";
-// The density, where a model asks for none [kg/m^3].
-constexpr double kUsualDensity = bearing::OilGrade{}.density;
-constexpr const char *kDensity = "lubricant.density", *kDrag = "drag.enabled";
+constexpr const char *kGrade = "lubricant.grade", *kIndex = "lubricant.viscosity_index",
+                     *kTemperature = "lubricant.temperature";
 
-bearing::OilGrade oil_of(const std::string& grade, const std::function<double(const char*)>& number) {
+// A field that follows from the grade: its path, its value as it would be written in a case, and why.
+struct OilProperty {
+  const char* path;
+  std::string text;
+  std::string reason;
+};
+
+double viscosity_40_of(const std::string& grade) {
   constexpr std::size_t prefix = 7;  // "ISO VG "
-  return {.viscosity_40 = 1e-6 * std::stod(grade.substr(prefix)),
-          .viscosity_index = number("lubricant.viscosity_index"),
-          .density = number(kDensity)};
+  return 1e-6 * std::stod(grade.substr(prefix));
 }
 
-bool same(double a, double b) {
-  constexpr double digits = 1e-5;  // a resolved case holds six
-  return std::abs(a - b) <= digits * std::abs(a);
+// `number` gives the value of a field, and null where there is none: that of the density counts for drag.
+template <class Number>
+double density_that_counts(const Number& number) {
+  const double *density = number("lubricant.density"), *drag = number("drag.enabled");
+  return density != nullptr && drag != nullptr && *drag != 0.0 ? *density : bearing::OilGrade{}.density;
 }
 
-}  // namespace
-
-double oil_density(const ResolvedCase& in) {
-  const bool counts = has_all(in, {kDensity, kDrag}) && in.flag(kDrag);
-  return counts ? in.quantity(kDensity) : kUsualDensity;
-}
-
-std::vector<OilProperty> properties_of_grade(const std::string& grade,
-                                             const std::function<double(const char*)>& number) {
-  const bearing::OilGrade oil = oil_of(grade, number);
-  const double temperature = number("lubricant.temperature");
+// Throws std::invalid_argument for an oil of which nothing is known.
+std::vector<OilProperty> properties_of(const std::string& grade, const bearing::OilGrade& oil,
+                                       double temperature) {
   const bearing::Lubricant lubricant = bearing::lubricant_at(oil, temperature);
-  const std::string reason = fmt::format("a mineral oil {} of viscosity index {:g} at {:g} degC", grade,
-                                         oil.viscosity_index, temperature);
+  const std::string reason = fmt::format("default: a mineral oil {} of viscosity index {:g} at {:g} degC",
+                                         grade, oil.viscosity_index, temperature);
   return {{"lubricant.viscosity", fmt::format("{:.6g} Pa.s", lubricant.viscosity), reason},
           {"lubricant.pressure_viscosity", fmt::format("{:.6g} GPa-1", 1e9 * lubricant.pressure_viscosity),
            reason},
@@ -52,47 +50,59 @@ std::vector<OilProperty> properties_of_grade(const std::string& grade,
            fmt::format("{:.6g} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
 }
 
+bool same(double a, double b) {
+  constexpr double digits = 1e-5;  // a resolved case holds six
+  return std::abs(a - b) <= digits * std::abs(a);
+}
+
+// What is stated is kept for those who say that it has no effect.
+void put(CaseData& data, const OilProperty& property, FieldValue value) {
+  StoredValue& stored = data.values[property.path];
+  const bool stated = !stored.value.given.empty() && !stored.from_default;
+  if (stated && !same(value.number, stored.value.number)) {
+    stored.replaced = stored.value.given;
+    stored.value = std::move(value);
+  } else if (stored.replaced.empty()) {
+    stored = {std::move(value), {}, true};
+  }
+  data.assumed[property.path] = property.reason;
+}
+
+}  // namespace
+
+double oil_density(const ResolvedCase& in) {
+  return density_that_counts(
+      [&](const char* path) { return in.has(path) ? &in.value(path).number : nullptr; });
+}
+
 void fill_from_grade(CaseData& data, Model model) {
   const auto grade = data.values.find(kGrade);
-  if (grade == data.values.end()) return;
-  const auto has = [&](const char* path) { return data.values.contains(path); };
-  const auto number = [&](const char* path) {
-    const bool counts =
-        path != kDensity || (has(kDensity) && has(kDrag) && data.values.at(kDrag).value.number != 0.0);
-    return counts ? data.values.at(path).value.number : kUsualDensity;
+  const auto number = [&](const char* path) -> const double* {
+    const auto found = data.values.find(path);
+    return found == data.values.end() ? nullptr : &found->second.value.number;
   };
-  for (const char* needed : {"lubricant.temperature", "lubricant.viscosity_index"})
-    if (!data.values.contains(needed)) return;  // said elsewhere
+  const double *index = number(kIndex), *temperature = number(kTemperature);
+  if (grade == data.values.end() || index == nullptr || temperature == nullptr) return;
+  const std::string name = grade->second.value.given;
   std::vector<OilProperty> properties;
   try {
-    properties = properties_of_grade(grade->second.value.given, number);
+    properties =
+        properties_of(name, {viscosity_40_of(name), *index, density_that_counts(number)}, *temperature);
   } catch (const std::invalid_argument&) {
     return;  // check_grade() says it
   }
-  for (OilProperty& property : properties) {
+  for (const OilProperty& property : properties) {
     const Field* field = find_field(property.path);
     if ((field->models & model) == 0) continue;
     FieldReading reading = read_field_text(*field, property.text);
-    if (!reading.good) continue;
-    StoredValue& stored = data.values[property.path];
-    const bool stated = !stored.value.given.empty() && !stored.from_default;
-    if (stated && !same(reading.value.number, stored.value.number)) {
-      stored.replaced = stored.value.given;
-      stored.value = std::move(reading.value);
-    } else if (stored.replaced.empty()) {
-      stored = {std::move(reading.value), {}, true};
-    }
-    data.assumed[property.path] = "default: " + property.reason;
+    if (reading.good) put(data, property, std::move(reading.value));
   }
 }
 
 void check_grade(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (!has_all(in, {kGrade, "lubricant.temperature", "lubricant.viscosity_index"})) return;
-  const auto number = [&](const char* path) {
-    return path == kDensity ? oil_density(in) : in.value(path).number;
-  };
+  if (!has_all(in, {kGrade, kIndex})) return;
   try {
-    (void)properties_of_grade(in.choice(kGrade), number);
+    (void)bearing::viscosity_at_100(viscosity_40_of(in.choice(kGrade)), in.number(kIndex));
   } catch (const std::invalid_argument& error) {
     object_to(in, kGrade, in.choice(kGrade), error.what(), mistakes);
   }

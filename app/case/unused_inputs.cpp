@@ -111,7 +111,7 @@ class AxisCheck {
     const Input input{axis.path, find_field(axis.path)};
     if (goes_through && standing_in_row(in_, input, analysis_) == Standing::used) {
       const Condition* unmet = first_unmet(in_, input);
-      if (unmet != nullptr && !is_swept(*unmet))
+      if (unmet != nullptr && !is_swept(*unmet, axis.path))
         mistakes.push_back({axis.place,
                             path,
                             {"a sweep of what has no effect: " + condition_text(in_, input, *unmet),
@@ -129,11 +129,13 @@ class AxisCheck {
 
  private:
   // Then it may hold at some of the points.
-  bool is_swept(const Condition& condition) const {
+  bool is_swept(const Condition& condition, const std::string& path) const {
     return std::any_of(in_.axes().begin(), in_.axes().end(), [&](const SweepAxis& axis) {
-      return std::find(condition.paths.begin(), condition.paths.end(), axis.path) != condition.paths.end();
+      return std::any_of(condition.paths.begin(), condition.paths.end(),
+                         [&](const std::string& other) { return axis.path == beside(path, other); });
     });
   }
+
   std::string required(const SweepAxis& axis) const {
     if (sweeps_ == Axes::speed) return "one value of it, under " + axis.path + ", is required";
     return "a case without this axis is required; " + users_text(in_, {axis.path, find_field(axis.path)});

@@ -7,6 +7,8 @@
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "mechanics/easy_length.hpp"
+
 namespace orbearing::app::signals {
 
 namespace {
@@ -37,16 +39,6 @@ Lines lines_in(const Band& band, double resolution, std::size_t samples) {
           std::clamp<Eigen::Index>(line(band.high), 1, last)};
 }
 
-// Lengths of small factors transform fast.
-std::size_t easy_length(std::size_t least) {
-  for (std::size_t length = std::max<std::size_t>(least, 2);; ++length) {
-    std::size_t rest = length;
-    for (const std::size_t factor : {2u, 3u, 5u})
-      while (rest % factor == 0) rest /= factor;
-    if (rest == 1) return length;
-  }
-}
-
 // Power and kurtosis of the analytic signal of some lines, at as many samples as it takes.
 struct Moments {
   double power = 0.0;
@@ -56,7 +48,8 @@ struct Moments {
 Moments moments_of(const Bins& bins, const Lines& lines) {
   if (lines.end <= lines.begin) return {};
   // Twice the lines, so that the fourth power is held by the samples too.
-  Bins part(easy_length(2 * static_cast<std::size_t>(lines.end - lines.begin)), Complex(0.0, 0.0));
+  const auto wanted = std::max<long>(2, 2 * static_cast<long>(lines.end - lines.begin));
+  Bins part(static_cast<std::size_t>(mechanics::easy_length_from(wanted)), Complex(0.0, 0.0));
   std::copy(bins.begin() + lines.begin, bins.begin() + lines.end, part.begin());
   Eigen::FFT<double> fft;
   Bins analytic;

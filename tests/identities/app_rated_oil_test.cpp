@@ -101,6 +101,20 @@ TEST(RatedOil, StarvedBearingsHaveNoModifiedLife) {
   EXPECT_GT(rated.life_hours, 0.0);
 }
 
+// Said once, and of the oil: it is that of all sets.
+TEST(RatedOil, OilsOfWhichNothingIsKnownAreRefused) {
+  const std::vector<std::string> thin{"lubricant.grade=ISO VG 7", "lubricant.viscosity_index=0"};
+  for (const char* name : {"reducer_150kW", "coupling_set_150kW"}) {
+    try {
+      read_point(std::string(ORBEARING_SOURCE_DIR "/cases/") + name + "/case.yaml", thin);
+      ADD_FAILURE() << name;
+    } catch (const std::exception& error) {
+      EXPECT_THAT(error.what(), HasSubstr("ISO VG 7; kinematic viscosity at 40 degC"));
+      EXPECT_THAT(error.what(), Not(HasSubstr("sets.")));
+    }
+  }
+}
+
 // One planet like the other gives the product law of all bearings; so does motion in time.
 TEST(RatedOil, MotionIsRatedByTheSameLaw) {
   const ResolvedCase in = reducer({kGrade, kWarm, "simulation.observed_revolutions=2"});
