@@ -23,12 +23,12 @@ namespace {
 using bearing::balls::BallBearing;
 using Json = nlohmann::ordered_json;
 
-constexpr double kSettling = 0.1;         // [s]
-constexpr double kDuration = 0.09;        // [s]  two revolutions of the cage
-constexpr long kSamples = 4500;
-constexpr double kBallReferenceStep = 1e-7;   // [s]
+constexpr double kSettling = 0.1;               // [s]
+constexpr double kDuration = 0.09;              // [s]  two revolutions of the cage
+constexpr long kSamples = 450;                  // steps between them are as long as without them
+constexpr double kBallReferenceStep = 1e-7;     // [s]
 constexpr double kPrintedReferenceStep = 5e-7;  // [s]
-constexpr double kOtherStep = 0.75e-7;    // [s]  another path: what chance does
+constexpr double kOtherStep = 0.75e-7;          // [s]  another path: what chance does
 constexpr int kPairs = 5;
 
 enum class BallMethod { ours, dopri5, rk4, printed };
@@ -56,11 +56,15 @@ BallErrors errors(const BallFigures& found, const BallFigures& reference) {
 }
 
 bool equal(const BallErrors& e) {
-  return e.rms <= kEqual.rms && e.largest <= kEqual.largest && e.cage_speed <= kEqual.cage_speed && e.loss <= kEqual.loss;
+  return e.rms <= kEqual.rms && e.largest <= kEqual.largest && e.cage_speed <= kEqual.cage_speed &&
+         e.loss <= kEqual.loss;
 }
 
 Json to_json(const BallErrors& e) {
-  return {{"rms_relative", e.rms}, {"max_relative", e.largest}, {"cage_speed_relative", e.cage_speed}, {"loss_relative", e.loss}};
+  return {{"rms_relative", e.rms},
+          {"max_relative", e.largest},
+          {"cage_speed_relative", e.cage_speed},
+          {"loss_relative", e.loss}};
 }
 
 // The equations as the stepper's windows want them.
@@ -149,7 +153,8 @@ class BallContest {
     options.step = method == BallMethod::dopri5 ? 1e-7 : tolerance;
     if (method == BallMethod::dopri5) {
       const std::vector<double> allowed = system::ball_allowed_errors(model_.numbers(), tolerance);
-      options.allowed_error = Eigen::Map<const Eigen::VectorXd>(allowed.data(), static_cast<Eigen::Index>(allowed.size()));
+      options.allowed_error =
+          Eigen::Map<const Eigen::VectorXd>(allowed.data(), static_cast<Eigen::Index>(allowed.size()));
       // What does not move errs by nothing.
       options.allowed_error = (options.allowed_error.array() > 0.0).select(options.allowed_error, 1.0);
     }
@@ -188,11 +193,19 @@ std::optional<double> loosest(BallContest& contest, BallMethod method, const Bal
 }  // namespace
 
 void put_balls(double roller_real_time, int rollers, Json& out) {
-  BallContest contest(app::read_case(ORBEARING_SOURCE_DIR "/cases/deep_groove_motor/case.yaml",
-                                     {"operation.shaft_speed=4000 rpm", "load.radial=500 N", "simulation.start=rolling"}));
+  BallContest contest(
+      app::read_case(ORBEARING_SOURCE_DIR "/cases/deep_groove_motor/case.yaml",
+                     {"operation.shaft_speed=4000 rpm", "load.radial=500 N", "simulation.start=rolling"}));
   const BallFigures reference = contest.run(BallMethod::rk4, kBallReferenceStep, true);
-  out["ball_errors"] = to_json(errors(contest.run(BallMethod::ours, contest.length_error(), true), reference));
+  out["ball_errors"] =
+      to_json(errors(contest.run(BallMethod::ours, contest.length_error(), true), reference));
   out["ball_reference_spread"] = to_json(errors(contest.run(BallMethod::rk4, kOtherStep, true), reference));
+  // Ours is given the same freedom as the others: its loosest tolerance whose means are right.
+  BallErrors loose;
+  const double own = loosest(contest, BallMethod::ours, reference, {4e-9, 2e-9, 1e-9, 8e-10, 4e-10}, loose)
+                         .value_or(contest.length_error());
+  out["ball_own_tolerance"] = own;
+  out["ball_own_errors"] = to_json(loose);
   const auto ratio = [&](const char* name, BallMethod method, const BallFigures& aim,
                          const std::vector<double>& tolerances) {
     BallErrors found;
@@ -203,18 +216,21 @@ void put_balls(double roller_real_time, int rollers, Json& out) {
       out[std::string("ball_speedup_over_") + name] = nullptr;
       return;
     }
-    std::vector<double> ratios;
+    std::vector<double> ratios, as_shipped;
     for (int pair = 0; pair < kPairs; ++pair) {
-      const double ours = contest.run(BallMethod::ours, contest.length_error(), false).seconds;
-      ratios.push_back(contest.run(method, *tolerance, false).seconds / ours);
+      const double theirs = contest.run(method, *tolerance, false).seconds;
+      ratios.push_back(theirs / contest.run(BallMethod::ours, own, false).seconds);
+      as_shipped.push_back(theirs / contest.run(BallMethod::ours, contest.length_error(), false).seconds);
     }
     out[std::string("ball_speedup_over_") + name] = median(ratios);
+    out[std::string("ball_speedup_over_") + name + "_as_shipped"] = median(as_shipped);
   };
   ratio("dopri5", BallMethod::dopri5, reference, {1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10});
   // The printed form is another model: its steps are judged by finer ones of its own.
   const BallFigures printed = contest.run(BallMethod::printed, kPrintedReferenceStep, true);
   out["ball_printed_form_differs"] = to_json(errors(printed, reference));
-  ratio("rk4", BallMethod::printed, printed, {1e-5, 7e-6, 5e-6, 3.5e-6, 2.5e-6, 1.7e-6, 1.2e-6, 8e-7});
+  ratio("rk4", BallMethod::printed, printed,
+        {1e-4, 6e-5, 4e-5, 3e-5, 2e-5, 1.4e-5, 1e-5, 7e-6, 5e-6, 3.5e-6, 2.5e-6, 1.7e-6, 1.2e-6, 8e-7});
   std::vector<double> seconds;
   for (int i = 0; i < kPairs; ++i)
     seconds.push_back(contest.run(BallMethod::ours, contest.length_error(), false).seconds);

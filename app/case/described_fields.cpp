@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <stdexcept>
+#include <utility>
 
 namespace orbearing::app {
 
@@ -28,8 +30,18 @@ Field field_of(const described::Facts& facts) {
           .default_without_bearing = details.default_without_bearing};
 }
 
-bool DescribedFields::is_in_table(std::string_view path) const {
-  return std::any_of(fields_.begin(), fields_.end(), [&](const Field& field) { return field.path == path; });
+void DescribedFields::add(Field field) {
+  const auto same = std::find_if(fields_.begin(), fields_.end(),
+                                 [&](const Field& other) { return other.path == field.path; });
+  if (same == fields_.end()) {
+    fields_.push_back(std::move(field));
+    return;
+  }
+  const bool states_none = field.default_text.empty();  // it goes by the other row
+  if (!states_none && same->default_text != field.default_text)
+    throw std::logic_error(
+        fmt::format("two structures share \"{}\" with defaults of their own: \"{}\" and \"{}\"", field.path,
+                    same->default_text, field.default_text));
 }
 
 std::string default_text(double value, const described::Details& details) {

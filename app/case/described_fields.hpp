@@ -24,22 +24,23 @@ Field field_of(const described::Facts& facts);
 std::string default_text(double value, const described::Details& details);
 
 /// A visitor of rows: adds the fields of case files among them to a table. Initial values are the defaults.
-/// Structures may share a row, which is added once.
+/// Structures may share a row, which is added once; they then share its default.
 class DescribedFields {
  public:
   explicit DescribedFields(std::vector<Field>& fields) : fields_(fields) {}
 
   template <class Member>
   void operator()(Member& member, const described::Facts& facts) {
-    if (facts.details.models == no_model || is_in_table(facts.path)) return;
+    if (facts.details.models == no_model) return;
     Field field = field_of(facts);
     set_kind(field, member, facts.details);
     if (facts.details.reason.empty()) field.default_text.clear();
-    fields_.push_back(std::move(field));
+    add(std::move(field));
   }
 
  private:
-  bool is_in_table(std::string_view path) const;
+  // Throws std::logic_error where the table has the path with another default.
+  void add(Field field);
 
   static void set_kind(Field& field, bool value, const described::Details&) {
     field.kind = Kind::flag;

@@ -1,12 +1,12 @@
 #include "bearing/duplex/shaft.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::bearing::duplex {
 
@@ -90,10 +90,10 @@ std::vector<Eigenpair> eigenpairs(const Stiffness& matrix) {
     const std::vector<Eigen::Index> group = coupled_with(i, matrix, taken);
     const auto size = static_cast<Eigen::Index>(group.size());
     const Eigen::MatrixXd part = matrix(group, group);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(part);
+    const mechanics::SymmetricModes modes = mechanics::symmetric_modes(part);
     for (Eigen::Index k = 0; k < size; ++k) {
-      Eigenpair pair{.value = solver.eigenvalues()[k]};
-      pair.vector(group) = solver.eigenvectors().col(k);
+      Eigenpair pair{.value = modes.values[k]};
+      pair.vector(group) = modes.vectors.col(k);
       pairs.push_back(pair);
     }
   }

@@ -1,8 +1,9 @@
 #include "coupling/study/affine_fit.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <stdexcept>
+
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::study {
 
@@ -20,21 +21,16 @@ Unknowns unknowns_of(const AffineBearing& law) {
   return unknowns;
 }
 
-// The shortest of the least squares, so that what no motion shows stays zero.
-MatrixXd least_squares(const MatrixXd& matrix, const MatrixXd& right) {
-  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(matrix).solve(right);
-}
-
-// Departure from what is expected, in units of `known`: first as if nothing were known, for the scatter of
+// The shortest of the least squares, so that what no motion shows stays zero. Departure from what is expected, in units of `known`: first as if nothing were known, for the scatter of
 // the forces; then drawn to zero by as much as that scatter leaves open.
 MatrixXd departure(const MatrixXd& motion, const MatrixXd& unexplained) {
-  const MatrixXd free = least_squares(motion, unexplained);
+  const MatrixXd free = mechanics::least_squares(motion, unexplained);
   const double scatter =
       (unexplained - motion * free).norm() / std::sqrt(static_cast<double>(unexplained.size()));
   MatrixXd matrix(motion.rows() + 4, 4), right = MatrixXd::Zero(motion.rows() + 4, 2);
   matrix << motion, scatter * Eigen::Matrix4d::Identity();
   right.topRows(motion.rows()) = unexplained;
-  return least_squares(matrix, right);
+  return mechanics::least_squares(matrix, right);
 }
 
 }  // namespace

@@ -210,7 +210,7 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given,
   add_shaft(scratched, vibration);
   std::vector<double> x = start_state(scratched.bearing, model, scratched.bearing.first_element), now(x.size());
   SteppedBalls system(model);
-  integration::Rosenbrock2 stepper = system::ball_stepper(model.numbers(), length_error, system::kStepOfImpact);
+  integration::Rosenbrock2 stepper = system::ball_stepper(model.numbers(), length_error, system::kStepsOfVibration);
   integration::IntegrationOptions limits;
   limits.most_seconds = std::numeric_limits<double>::infinity();
   integration::Run budget(limits, vibration.report);

@@ -54,14 +54,15 @@ struct ObservedSteps {
 struct ObservedSamples {
   long samples = 0;
   double inner_torque = 0.0, outer_torque = 0.0;
-  double inner_load = 0.0, outer_load = 0.0;          // [N]
-  double inner_angle = 0.0, outer_angle = 0.0;        // [N rad]
-  double inner_film = 0.0, outer_film = 0.0;          // [m]
+  double inner_load = 0.0, outer_load = 0.0;    // [N]
+  double inner_angle = 0.0, outer_angle = 0.0;  // [N rad]
+  double inner_film = 0.0, outer_film = 0.0;    // [m]
   long inner_loaded = 0, outer_loaded = 0;
   BallPowerLoss loss;
 };
 
-double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty, double time) {
+double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearing::balls::BallDuty& duty,
+                          double time) {
   return kinematic_cage_speed(geometry, duty.inner.speed_at(time), duty.outer.speed_at(time));
 }
 
@@ -146,7 +147,8 @@ class PrintedSteps {
     constexpr double place[] = {0.0, 0.5, 0.5, 1.0}, weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     sum_ = y_;
     for (int stage = 0; stage < 4; ++stage) {
-      for (std::size_t i = 0; i < y_.size(); ++i) then_[i] = y_[i] + (stage > 0 ? place[stage] * length * rate_[i] : 0.0);
+      for (std::size_t i = 0; i < y_.size(); ++i)
+        then_[i] = y_[i] + (stage > 0 ? place[stage] * length * rate_[i] : 0.0);
       form_.derivative(time + place[stage] * length, then_.data(), rate_.data());
       if (stage == 0) system.begun(form_.complete());
       for (std::size_t i = 0; i < y_.size(); ++i) sum_[i] += weight[stage] * length * rate_[i];
@@ -197,7 +199,6 @@ BallMeans means_of_balls(const ObservedSteps& steps, const ObservedSamples& samp
   return m;
 }
 
-
 void sample_series(const BallBearing& model, const bearing::BearingGeometry& geometry, double time,
                    const double* x, const BallSnapshot& s, double pocket_load, BallSeries& series) {
   const StateLayout& layout = model.layout();
@@ -227,10 +228,15 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
   const double frequency = ball_frequency(c);
   std::vector<double> allowed(static_cast<std::size_t>(layout.size()), 0.0);
   const double per_radius = 1.0 / c.pitch_radius;
-  const double by_group[StateLayout::kGroups] = {
-      length, length * per_radius, length, kRadialSpeedShare * length * frequency,
-      length * frequency * per_radius, length * frequency, length * frequency / c.radius,
-      length * frequency / c.radius, length * frequency / c.radius};
+  const double by_group[StateLayout::kGroups] = {length,
+                                                 length * per_radius,
+                                                 length,
+                                                 kRadialSpeedShare * length * frequency,
+                                                 length * frequency * per_radius,
+                                                 length * frequency,
+                                                 length * frequency / c.radius,
+                                                 length * frequency / c.radius,
+                                                 length * frequency / c.radius};
   for (int group = 0; group < StateLayout::kGroups; ++group)
     std::fill_n(allowed.begin() + group * layout.lanes(), c.balls, by_group[group]);
   const auto put = [&](int first, int unknowns) {
@@ -246,15 +252,16 @@ std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
   return allowed;
 }
 
-integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length, double longest) {
-  return integration::Rosenbrock2(ball_allowed_errors(numbers, kLinearlyImplicitErrorFactor * length),
-                                  longest / ball_frequency(numbers));
+integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length, const BallSteps& steps) {
+  return integration::Rosenbrock2(ball_allowed_errors(numbers, steps.error_factor * length),
+                                  steps.longest / ball_frequency(numbers));
 }
 
 std::string balls_out_of_place(const BallNumbers& c, const double* x) {
   const StateLayout layout{c.balls};
   for (int j = 0; j < c.balls; ++j)
-    if (!(std::abs(x[j] - c.pitch_radius) < c.radius) || !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
+    if (!(std::abs(x[j] - c.pitch_radius) < c.radius) ||
+        !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
       return "a ball came out: it stands more than its radius off its circle";
   const double* cage = x + layout.cage();
   if (!(std::hypot(cage[0], cage[1]) < c.radius) || !(std::hypot(cage[3], cage[4]) < 0.5))
@@ -289,11 +296,12 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   const BallNumbers numbers = bearing::balls::ball_numbers(bearing, parameters);
   const bearing::BearingGeometry geometry = geometry_of(bearing);
   BallBearing model(numbers, duty);
-  std::vector<double> x = options.from.empty()
-                              ? start_state(bearing, model, options.first_ball, options.start == Start::rest ? 0.0 : 1.0)
-                              : options.from;
-  mechanics::require(static_cast<int>(x.size()) == model.layout().size(), "variables of the state to go on from",
-                     static_cast<int>(x.size()), "those of the bearing");
+  std::vector<double> x = options.from.empty() ? start_state(bearing, model, options.first_ball,
+                                                             options.start == Start::rest ? 0.0 : 1.0)
+                                               : options.from;
+  mechanics::require(static_cast<int>(x.size()) == model.layout().size(),
+                     "variables of the state to go on from", static_cast<int>(x.size()),
+                     "those of the bearing");
   // Observed from a sample on.
   const long first_observed =
       std::min<long>(options.samples - 1, std::lround(options.samples * (1.0 - options.observed)));
@@ -370,10 +378,12 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
     result.means.cage_slip = rolled != 0.0 ? 1.0 - turned / rolled : 0.0;
   }
   const bearing::motion::DamageSums& damage = system.sums().damage;
-  const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0), outer = damage.outer.damage().pow(1.0 / 3.0);
+  const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0),
+                       outer = damage.outer.damage().pow(1.0 / 3.0);
   result.means.life = bearing::rating::ball_reference_life(capacities, inner, outer, bearing.motions);
   result.means.balls_life = bearing::rating::life_of_balls(
-      bearing, capacities, {.inner = std::cbrt(damage.inner.damage().mean()), .outer = std::cbrt(damage.outer.damage().mean())});
+      bearing, capacities,
+      {.inner = std::cbrt(damage.inner.damage().mean()), .outer = std::cbrt(damage.outer.damage().mean())});
   if (result.completed) {
     SlipHistory history = system.take_history();
     history.final_slip = result.means.cage_slip;

@@ -1,4 +1,5 @@
-// A ball bearing by itself, run in time under given speeds and loads: run-up, settling, then what is observed.
+// A ball bearing by itself, run in time under given speeds and loads: run-up, settling, then what is
+// observed.
 #pragma once
 
 #include <functional>
@@ -10,6 +11,7 @@
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/steady_state.hpp"
 
 namespace orbearing::system {
@@ -33,82 +35,83 @@ constexpr described::Names<BallForm, 2> names_of(BallForm) {
 
 /// What belongs to the method and to the start.
 struct BallRunOptions {
-  double duration = 1.0;           // [s]  of the whole run
-  double observed = 0.2;           // [-]  share of it at its end, over which means are taken
+  double duration = 1.0;  // [s]  of the whole run
+  double observed = 0.2;  // [-]  share of it at its end, over which means are taken
   Start start = Start::rolling;
-  int samples = 4000;              // [-]  of the whole run
-  double length_error = 5e-10;     // [m]  as SteadyStateOptions::allowed_length_error
-  double first_ball = 0.0;         // [rad]  angle of the first ball at the start
+  int samples = 4000;           // [-]  of the whole run
+  double length_error = 2e-10;  // [m]  as SteadyStateOptions::allowed_length_error
+  double first_ball = 0.0;      // [rad]  angle of the first ball at the start
   BallForm form = BallForm::complete;
-  std::vector<double> from;        // final_state of a run before it, from which this one goes on; empty: from the start
-  double printed_step = 1e-6;      // [s]  of the classic Runge-Kutta method in the printed form
-  int places = 72;                 // [-]  bins on the races
-  double most_seconds = 3600.0;    // [s]  of wall time
+  std::vector<double>
+      from;  // final_state of a run before it, from which this one goes on; empty: from the start
+  double printed_step = 1e-6;    // [s]  of the classic Runge-Kutta method in the printed form
+  int places = 72;               // [-]  bins on the races
+  double most_seconds = 3600.0;  // [s]  of wall time
 };
 
 template <class Visitor>
 void describe(Visitor& visit, BallRunOptions& m) {
   using namespace described;
-  rows(visit,
-       field(m.duration, "simulation.duration", Felt::lone_run, "time that is simulated",
-             {.models = ball_motion,
-              .required_by = ball_motion,
-              .dimension = dimension::time,
-              .range = positive(1e5)}),
-       field(m.observed, "simulation.observed_share", Felt::lone_run,
-             "share of the time, at its end, over which means are taken",
-             {.models = ball_motion,
-              .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
-              .reason = "what lies before it is for settling"}),
-       field(m.start, "simulation.start", Felt::lone_run, "how balls and cage move at the start",
-             {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
-       field(m.samples, "simulation.samples", Felt::lone_run, "states that are shown, evenly over the time",
-             {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
-       field(m.form, "simulation.form", Felt::lone_run,
-             "which places have inertia: all, or as [Chen2026] prints it, by balance where contacts hold them",
-             {.models = ball_motion, .reason = "the complete equations are faster, too"}),
-       field(m.printed_step, "simulation.step", Felt::lone_run,
-             "step of the classic Runge-Kutta method",
-             {.models = ball_motion,
-              .dimension = dimension::time,
-              .range = positive(1e-3),
-              .reason = "not printed; contacts of balls and cage and the friction of the races bear it",
-              .where = {"simulation.form", "printed"}}),
-       length_error_row(m.length_error));
+  rows(
+      visit,
+      field(m.duration, "simulation.duration", Felt::lone_run, "time that is simulated",
+            {.models = ball_motion,
+             .required_by = ball_motion,
+             .dimension = dimension::time,
+             .range = positive(1e5)}),
+      field(m.observed, "simulation.observed_share", Felt::lone_run,
+            "share of the time, at its end, over which means are taken",
+            {.models = ball_motion,
+             .range = {.least = 0.0, .most = 1.0, .least_allowed = false},
+             .reason = "what lies before it is for settling"}),
+      field(m.start, "simulation.start", Felt::lone_run, "how balls and cage move at the start",
+            {.models = ball_motion, .reason = "as at pure rolling on the rings' speeds of that instant"}),
+      field(m.samples, "simulation.samples", Felt::lone_run, "states that are shown, evenly over the time",
+            {.models = ball_motion, .range = {2, 10'000'000}, .reason = "enough for a picture"}),
+      field(m.form, "simulation.form", Felt::lone_run,
+            "which places have inertia: all, or as [Chen2026] prints it, by balance where contacts hold them",
+            {.models = ball_motion, .reason = "the complete equations are faster, too"}),
+      field(m.printed_step, "simulation.step", Felt::lone_run, "step of the classic Runge-Kutta method",
+            {.models = ball_motion,
+             .dimension = dimension::time,
+             .range = positive(1e-3),
+             .reason = "not printed; contacts of balls and cage and the friction of the races bear it",
+             .where = {"simulation.form", "printed"}}),
+      length_error_row(m.length_error));
 }
 
 /// The run over time; entries are samples.
 struct BallSeries {
-  std::vector<double> time;            // [s]
-  std::vector<double> cage_slip;       // [-]  1 - cage speed / that of pure rolling; 0 at rest
-  std::vector<double> cage_speed;      // [rad/s]
-  std::vector<double> inner_speed;     // [rad/s]
-  std::vector<double> cage_x, cage_y;  // [m]
-  std::vector<double> pocket_load;     // [N]  largest of all balls since the sample before
-  std::vector<double> torque;          // [N m]  of the drive of the inner ring
-  std::vector<double> inner_x, inner_y, inner_z;                 // [m]  place of the inner ring
-  std::vector<double> first_angle;     // [rad]  of the first ball
-  std::vector<double> first_inner, first_outer;                  // [N]  loads of the first ball
-  std::vector<bearing::balls::BallPowerLoss> loss;               // [W]
+  std::vector<double> time;                         // [s]
+  std::vector<double> cage_slip;                    // [-]  1 - cage speed / that of pure rolling; 0 at rest
+  std::vector<double> cage_speed;                   // [rad/s]
+  std::vector<double> inner_speed;                  // [rad/s]
+  std::vector<double> cage_x, cage_y;               // [m]
+  std::vector<double> pocket_load;                  // [N]  largest of all balls since the sample before
+  std::vector<double> torque;                       // [N m]  of the drive of the inner ring
+  std::vector<double> inner_x, inner_y, inner_z;    // [m]  place of the inner ring
+  std::vector<double> first_angle;                  // [rad]  of the first ball
+  std::vector<double> first_inner, first_outer;     // [N]  loads of the first ball
+  std::vector<bearing::balls::BallPowerLoss> loss;  // [W]
 };
 
 /// Means over the observed time.
 struct BallMeans {
-  double cage_slip = 0.0;       // [-]  from the angle that the cage turned
-  double cage_speed = 0.0;      // [rad/s]
-  double inner_load_rms = 0.0;  // [N]  over all balls, unloaded time included
-  double outer_load_rms = 0.0;  // [N]
-  double inner_load_max = 0.0;  // [N]
-  double outer_load_max = 0.0;  // [N]
-  double inner_torque = 0.0;    // [N m]
-  double outer_torque = 0.0;    // [N m]
-  double inner_angle = 0.0;     // [rad]  mean contact angle, weighed by load
-  double outer_angle = 0.0;     // [rad]
-  double inner_film = 0.0;      // [m]  mean central film of loaded balls
-  double outer_film = 0.0;      // [m]
-  bearing::balls::BallPowerLoss loss;   // [W]
-  bearing::BearingLife life;            // [rev]  of the turning race, from true passages
-  double balls_life = 0.0;              // [rev]  of all balls, as bearing/life/ball_failure.hpp has it
+  double cage_slip = 0.0;              // [-]  from the angle that the cage turned
+  double cage_speed = 0.0;             // [rad/s]
+  double inner_load_rms = 0.0;         // [N]  over all balls, unloaded time included
+  double outer_load_rms = 0.0;         // [N]
+  double inner_load_max = 0.0;         // [N]
+  double outer_load_max = 0.0;         // [N]
+  double inner_torque = 0.0;           // [N m]
+  double outer_torque = 0.0;           // [N m]
+  double inner_angle = 0.0;            // [rad]  mean contact angle, weighed by load
+  double outer_angle = 0.0;            // [rad]
+  double inner_film = 0.0;             // [m]  mean central film of loaded balls
+  double outer_film = 0.0;             // [m]
+  bearing::balls::BallPowerLoss loss;  // [W]
+  bearing::BearingLife life;           // [rev]  of the turning race, from true passages
+  double balls_life = 0.0;             // [rev]  of all balls, as bearing/life/ball_failure.hpp has it
 };
 
 struct BallRunResult {
@@ -125,14 +128,24 @@ struct BallRunResult {
 /// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
 std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
 
-/// Of a ball's vibration between its races in the longest step [rad]. Where it is not resolved the method damps it:
-/// loads then follow from balance, and where a ball is struck the allowed error shortens the step.
-inline constexpr double kStepOfBalancedBalls = 10.0;
+/// How long steps of balls may be.
+struct BallSteps {
+  double longest = 0.0;  // [rad]  of a ball's vibration between its races
+  double error_factor =
+      0.0;  // [-]    allowed errors are this much larger than those of dopri5 at equal accuracy
+};
+/// Where the vibration is not resolved the method damps it: loads then follow from balance, and where a ball
+/// is struck the allowed error shortens the step. Twice the allowed error of rollers moves loads, lives and
+/// friction by 0.1 % at most, less than another start does.
+inline constexpr BallSteps kStepsOfBalance{.longest = 10.0,
+                                           .error_factor = 2.0 * kLinearlyImplicitErrorFactor};
+/// For those who look at the vibration itself.
+inline constexpr BallSteps kStepsOfVibration{.longest = kStepOfImpact,
+                                             .error_factor = kLinearlyImplicitErrorFactor};
 
-/// The linearly implicit stepper for balls whose lengths may err by `length` [m] in one step. Who looks at the
-/// vibration itself takes kStepOfImpact as the longest step.
+/// The linearly implicit stepper for balls whose lengths may err by `length` [m] in one step.
 integration::Rosenbrock2 ball_stepper(const bearing::balls::BallNumbers& numbers, double length,
-                                      double longest = kStepOfBalancedBalls);
+                                      const BallSteps& steps = kStepsOfBalance);
 
 /// Empty where balls are between the races and in their pockets in the padded state `x`; else what came out.
 std::string balls_out_of_place(const bearing::balls::BallNumbers& numbers, const double* x);
@@ -145,16 +158,18 @@ struct SlipHistory {
   double observed_from = 0.0;  // [s]
 };
 
-/// First time from which the slip stays between the least and the largest that is seen while observed, by 5 % of
-/// its final value or half a percentage point beyond them, whichever is more: a cage moves on by and by in its
-/// pockets, and a slip that comes to rest has but one value. None where that is not before it is observed.
+/// First time from which the slip stays between the least and the largest that is seen while observed, by 5 %
+/// of its final value or half a percentage point beyond them, whichever is more: a cage moves on by and by in
+/// its pockets, and a slip that comes to rest has but one value. None where that is not before it is
+/// observed.
 std::optional<double> settling_time(const SlipHistory& history);
 
 /// Runs `bearing` under `duty`. `capacities` are those of one contact, for the life; `progress` gets the time
 /// reached [s], if any. What goes wrong on the way is in the result; throws std::invalid_argument for input
 /// that ball_numbers() refuses, and where nothing is left to observe.
 BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::MotionParameters& parameters,
-                        const bearing::balls::BallDuty& duty, const bearing::rating::ContactCapacities& capacities,
-                        const BallRunOptions& options, const std::function<void(double)>& progress = {});
+                        const bearing::balls::BallDuty& duty,
+                        const bearing::rating::ContactCapacities& capacities, const BallRunOptions& options,
+                        const std::function<void(double)>& progress = {});
 
 }  // namespace orbearing::system

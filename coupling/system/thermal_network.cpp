@@ -1,9 +1,9 @@
 #include "coupling/system/thermal_network.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::system {
 
@@ -14,7 +14,8 @@ ThermalNetwork::ThermalNetwork(const Eigen::VectorXd& capacity, const Eigen::Mat
   const Eigen::Index n = capacity.size();
   require(capacity.minCoeff() > 0.0, "heat capacity [J/K]", capacity.minCoeff(), "more than 0");
   require(between.minCoeff() >= 0.0, "thermal conductance [W/K]", between.minCoeff(), "0 or more");
-  require(outward.minCoeff() >= 0.0, "thermal conductance to the outside [W/K]", outward.minCoeff(), "0 or more");
+  require(outward.minCoeff() >= 0.0, "thermal conductance to the outside [W/K]", outward.minCoeff(),
+          "0 or more");
   conductance_ = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     conductance_(i, i) = outward[i];
@@ -25,11 +26,12 @@ ThermalNetwork::ThermalNetwork(const Eigen::VectorXd& capacity, const Eigen::Mat
     }
   }
   const Eigen::VectorXd scale = capacity.cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * conductance_ * scale.asDiagonal());
-  rates_ = solver.eigenvalues();
-  modes_ = solver.eigenvectors();
-  require(rates_.minCoeff() > 1e-12 * rates_.maxCoeff(), "slowest rate of the thermal network [1/s]", rates_.minCoeff(),
-          "more than 0: every body needs a way outward for its heat");
+  const mechanics::SymmetricModes decay =
+      mechanics::symmetric_modes(scale.asDiagonal() * conductance_ * scale.asDiagonal());
+  rates_ = decay.values;
+  modes_ = decay.vectors;
+  require(rates_.minCoeff() > 1e-12 * rates_.maxCoeff(), "slowest rate of the thermal network [1/s]",
+          rates_.minCoeff(), "more than 0: every body needs a way outward for its heat");
 }
 
 Eigen::VectorXd ThermalNetwork::steady(const Eigen::VectorXd& heat) const {

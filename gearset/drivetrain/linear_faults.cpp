@@ -1,7 +1,6 @@
 #include "gearset/drivetrain/linear_faults.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 namespace orbearing::gearset {
 
@@ -12,11 +11,14 @@ namespace {
 // round-off.
 constexpr double rank_tolerance = 1e-10;
 
-Eigen::Index rank_of(const Eigen::MatrixXd& matrix) {
-  if (matrix.size() == 0) return 0;
+Eigen::FullPivLU<Eigen::MatrixXd> ranked(const Eigen::MatrixXd& matrix) {
   Eigen::FullPivLU<Eigen::MatrixXd> decomposition(matrix);
   decomposition.setThreshold(rank_tolerance);
-  return decomposition.rank();
+  return decomposition;
+}
+
+Eigen::Index rank_of(const Eigen::MatrixXd& matrix) {
+  return matrix.size() == 0 ? 0 : ranked(matrix).rank();
 }
 
 Eigen::MatrixXd with_column(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& column) {
@@ -54,10 +56,9 @@ std::vector<Eigen::Index> minimal_conflict(const Eigen::MatrixXd& matrix, const 
 }
 
 std::vector<Eigen::Index> undetermined_unknowns(const Eigen::MatrixXd& matrix) {
-  const Eigen::Index rank = rank_of(matrix);
-  if (rank == matrix.cols()) return {};
-  const Eigen::JacobiSVD<Eigen::MatrixXd> decomposition(matrix, Eigen::ComputeFullV);
-  const Eigen::MatrixXd null_space = decomposition.matrixV().rightCols(matrix.cols() - rank);
+  const auto decomposition = ranked(matrix);
+  if (decomposition.rank() == matrix.cols()) return {};
+  const Eigen::MatrixXd null_space = decomposition.kernel();
   std::vector<Eigen::Index> unknowns;
   for (Eigen::Index i = 0; i < matrix.cols(); ++i)
     if (null_space.row(i).norm() > rank_tolerance) unknowns.push_back(i);

@@ -8,6 +8,7 @@
 
 #include "gearset/dynamics/matrices.hpp"
 #include "gearset/dynamics/mode_kind.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::dynamics {
 
@@ -54,11 +55,12 @@ MatrixXcd to_all_freedoms(const MatrixXcd& shapes, const SetModel& model, const 
 
 RawModes raw_modes_at_rest(const SetModel& model) {
   const std::vector<Index> free = free_freedoms(model);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(weighted(set_matrices(model).stiffness, model, free));
+  const mechanics::SymmetricModes modes =
+      mechanics::symmetric_modes(weighted(set_matrices(model).stiffness, model, free));
   RawModes raw;
-  raw.frequency = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  raw.frequency = modes.values.cwiseMax(0.0).cwiseSqrt();
   raw.growth = VectorXd::Zero(raw.frequency.size());
-  raw.shapes = to_all_freedoms(solver.eigenvectors().cast<std::complex<double>>(), model, free);
+  raw.shapes = to_all_freedoms(modes.vectors.cast<std::complex<double>>(), model, free);
   return raw;
 }
 

@@ -1,10 +1,10 @@
 #include "gearset/dynamics/static_state.hpp"
 
-#include <Eigen/QR>
 #include <stdexcept>
 
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/matrices.hpp"
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::dynamics {
 
@@ -66,10 +66,8 @@ VectorXd solve(const SetModel& model, Eigen::MatrixXd stiffness, VectorXd force)
     stiffness.col(i).setZero();
     force[i] = 0.0;
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(1e-10);  // between the rigid body's round-off and the softest support
-  factors.compute(stiffness);
-  return factors.solve(force);
+  constexpr double kRigid = 1e-10;  // between the rigid body's round-off and the softest support
+  return mechanics::least_squares(stiffness, force, kRigid);
 }
 
 // Forces out of balance, where the teeth that touch are those that touch at `q`. Held freedoms have none.

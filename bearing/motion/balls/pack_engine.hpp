@@ -191,7 +191,7 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
                                                       spots, in ? at.inner : at.outer);
     react(ball, ring.from_centre, touch.on_ball, here, in ? on_inner : on_outer);
     sum += touch.on_ball;
-    (in ? at.from_inner : at.from_outer) = ring.from_centre;
+    if constexpr (kSlopes) (in ? at.from_inner : at.from_outer) = ring.from_centre;
     (in ? inner_load_ : outer_load_)[p] = only(here, touch.load);
   }
 
@@ -199,9 +199,9 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   const SineCosine ahead = sine_cosine(pocket_angle_[p] + cage_turn - angle);
   const Triple<Pack> pocket = pocket_direction(seen_cage.axis, ahead.cosine, ahead.sine);
   const PocketTouch<Pack> held = pocket_touch<kSlopes>(c_, ball, seen_cage, pocket, at.pocket, at.film);
-  at.caged = c_.pocket.film.present() || any((held.load > Pack{}) & here);
+  const bool caged = c_.pocket.film.present() || any((held.load > Pack{}) & here);
   pocket_[p] = only(here, held.load);
-  if (at.caged) {
+  if (caged) {
     react(ball, seen_cage.from_centre, held.on_ball, here, on_cage);
     sum += held.on_ball;
   }
@@ -222,6 +222,7 @@ void PackEngine::evaluate_balls(const Law& law, int p, const double* x, const Bo
   put(only(here, per_inertia * sum.moment.z), dx, 8, p);
   if constexpr (kSlopes) {
     at.ball = ball;
+    at.caged = caged;
     at.from_cage = seen_cage.from_centre;
   }
 }

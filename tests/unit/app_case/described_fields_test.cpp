@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/usual_drivetrain.hpp"
 #include "bearing/parameters.hpp"
+#include "coupling/system/steady_state.hpp"
 
 namespace orbearing::app::described_fields_test {
 namespace {
@@ -34,6 +36,17 @@ TEST(Described, CountsTheMembersOfAnAggregate) {
   EXPECT_EQ(member_count<Inner>(), 2u);
   EXPECT_EQ(member_count<Outer>(), 4u);
   EXPECT_EQ(member_count<bearing::InertiaSwitches>(), 4u);
+}
+
+TEST(Described, ASharedRowHasOneDefault) {
+  std::vector<Field> fields;
+  system::SteadyStateOptions rollers;
+  add_described(fields, rollers);
+  const std::size_t once = fields.size();
+  add_described(fields, rollers);
+  EXPECT_EQ(fields.size(), once);
+  rollers.allowed_length_error *= 2.0;
+  EXPECT_THROW(add_described(fields, rollers), std::logic_error);
 }
 
 // Each member that a case states, once.

@@ -1,0 +1,22 @@
+// Decompositions of dense matrices that several folders ask for, compiled once: Eigen's templates cost
+// seconds in every file that has them.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace orbearing::mechanics {
+
+struct SymmetricModes {
+  Eigen::VectorXd values;   // ascending
+  Eigen::MatrixXd vectors;  // orthonormal columns
+};
+
+/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower half is read.
+SymmetricModes symmetric_modes(const Eigen::MatrixXd& matrix);
+
+/// The shortest x for which |matrix x - right| is least. Pivots below `threshold` [-] of the largest one
+/// count as none; where it is 0, those below round-off do.
+Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right,
+                              double threshold = 0.0);
+
+}  // namespace orbearing::mechanics
