@@ -90,9 +90,12 @@ profile::DesignLoad design_under(const Bearing& bearing, double load) {
 }
 
 // The rolling points of both races move with half the sum of their surface speeds at the roller's centre.
+double kinematic_cage_speed(double slenderness, double inner_speed, double outer_speed) {
+  return 0.5 * (inner_speed * (1.0 - slenderness) + outer_speed * (1.0 + slenderness));
+}
+
 double kinematic_cage_speed(const BearingGeometry& geometry, double inner_speed, double outer_speed) {
-  const double gamma = geometry.slenderness;
-  return 0.5 * (inner_speed * (1.0 - gamma) + outer_speed * (1.0 + gamma));
+  return kinematic_cage_speed(geometry.slenderness, inner_speed, outer_speed);
 }
 
 double kinematic_roller_spin(const BearingGeometry& geometry, double inner_speed, double outer_speed) {

@@ -31,7 +31,9 @@ double equivalent_radius(const BearingGeometry& geometry, Race race);
 /// pressed most.
 profile::DesignLoad design_under(const Bearing& bearing, double load);
 
-/// Speed of the cage at pure rolling [rad/s], from the speeds of both races in the same frame.
+/// Speed of the cage at pure rolling [rad/s], from the speeds of both races in the same frame; `slenderness`
+/// as above.
+double kinematic_cage_speed(double slenderness, double inner_speed, double outer_speed);
 double kinematic_cage_speed(const BearingGeometry& geometry, double inner_speed, double outer_speed);
 
 /// Spin of a roller at pure rolling on both races [rad/s], in the frame of the race speeds.

@@ -13,8 +13,7 @@
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/speed.hpp"
 #include "coupling/integration/integrate.hpp"
-#include "coupling/integration/window.hpp"
-#include "coupling/system/ball_run.hpp"
+#include "coupling/system/balls_in_time.hpp"
 
 namespace orbearing::bench {
 
@@ -67,20 +66,6 @@ Json to_json(const BallErrors& e) {
           {"loss_relative", e.loss}};
 }
 
-// The equations as the stepper's windows want them.
-struct Unwatched {
-  BallBearing& bearing;
-
-  void linearise(double t, const double* x, double* dx) { bearing.linearise(t, x, dx); }
-  void derivative(double t, const double* x, double* dx) { bearing.derivative(t, x, dx); }
-  void time_slope(double t, double* rate) { bearing.time_slope(t, rate); }
-  bool factor(double g) { return bearing.factor(g); }
-  void solve(const double* rhs, double* k) const { bearing.solve(rhs, k); }
-  void begun(const std::vector<double>&) const {}
-  void stepped(double, double) const {}
-  void settle(double, std::vector<double>&) const {}
-};
-
 class BallContest {
  public:
   explicit BallContest(const app::ResolvedCase& in)
@@ -111,13 +96,15 @@ class BallContest {
     };
     const Stopwatch watch;
     if (method == BallMethod::ours) {
-      integration::Rosenbrock2 stepper = system::ball_stepper(model_.numbers(), tolerance);
-      Unwatched system{model_};
-      double time = 0.0, step = 1e-7;
+      system::BallsInTime balls(start_, system::ball_stepper(model_.numbers(), tolerance));
+      system::BallEquations system(model_);
+      integration::IntegrationReport report;
+      const integration::IntegrationOptions limits;
+      integration::Run budget(limits, report);
       for (long i = 1; i <= samples; ++i) {
         const double end = duration * static_cast<double>(i) / static_cast<double>(samples);
-        long attempts = 0;
-        while (time < end) step_within_window(stepper, system, x, time, end, {}, step, attempts);
+        balls.advance(system, end, budget, report);
+        x = balls.state();
         look(end);
       }
     } else {

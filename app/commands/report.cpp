@@ -8,7 +8,7 @@
 #include "app/case/case_file.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/commands/defect_run.hpp"
-#include "app/commands/static_run.hpp"
+#include "app/commands/bearing_run.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/result_folder.hpp"

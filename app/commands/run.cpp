@@ -8,7 +8,7 @@
 #include "app/commands/film_run.hpp"
 #include "app/commands/gear_study.hpp"
 #include "app/commands/planet_defect_run.hpp"
-#include "app/commands/static_run.hpp"
+#include "app/commands/bearing_run.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/computable.hpp"
 #include "app/study/defect_study.hpp"

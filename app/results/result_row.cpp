@@ -7,6 +7,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "bearing/life/basic_life.hpp"
+
 namespace orbearing::app {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double million_revolutions = 1e-6;
 constexpr double micrometres = 1e6;
 constexpr double microseconds = 1e6;
 constexpr double megapascals = 1e-6;
-constexpr double static_pressure = 4e9;  // [Pa]  at which ISO 76 sets the static capacity of roller bearings
+constexpr double static_pressure = bearing::rating::static_pressure(bearing::rating::RollingElement::roller);
 
 /// Messages of libraries may hold line ends or bytes that are not UTF-8; tables and JSON need neither.
 std::string printable(const std::string& status) {

@@ -40,7 +40,7 @@ std::optional<FilmState> film_of(const ResolvedCase& in, rating::RollingElement 
   return film;
 }
 
-void warn(const ResolvedCase& in, StaticStudy& study) {
+void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {
   const rating::Ratings& ratings = study.ratings;
   for (std::string& text : oil_warnings(in)) study.warnings.push_back(std::move(text));
   if (ratings.gamma > ratings.slenderness_limit && !in.has("bearing.dynamic_capacity"))
@@ -67,8 +67,7 @@ void warn(const ResolvedCase& in, StaticStudy& study) {
                     "will slip, which "
                     "the balance does not know",
                     study.friction));
-  constexpr double permanent = 4000e6;  // [Pa]  of line contacts; 4200 MPa for points
-  if (study.largest_pressure > permanent)
+  if (study.largest_pressure > rating::static_pressure(element))
     study.warnings.push_back(
         fmt::format("load: a contact pressure of {:.0f} MPa, which leaves permanent marks",
                     1e-6 * study.largest_pressure));
@@ -85,7 +84,7 @@ void rate(const ResolvedCase& in, rating::RollingElement element, StaticStudy& s
   study.film = film_of(in, element, study);
   study.life = study.reliability_factor * (study.film ? study.film->life_modification : 1.0) *
                study.reference_life.bearing;
-  warn(in, study);
+  warn(in, element, study);
 }
 
 std::vector<Derived> static_quantities(const ResolvedCase& in) {

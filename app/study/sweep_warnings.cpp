@@ -7,14 +7,14 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
+#include "bearing/life/life_modification.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
-// Beyond 4000 MPa a roller contact yields: the load at which ISO 76 sets the static capacity of roller
-// bearings.
-constexpr double kStaticPressureMPa = 4000.0;
+// Beyond it a roller contact yields.
+constexpr double kStaticPressureMPa = 1e-6 * static_pressure(bearing::rating::RollingElement::roller);
 
 // How many rows satisfy `holds`, and the first of them, in words.
 std::string rows_where(const SweepOutcome& outcome, const std::function<bool(const ResultRow&)>& holds) {
@@ -49,10 +49,12 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
         fmt::format("contact: pressure above {:g} MPa, where rollers yield and elastic contact and "
                     "life have no meaning: {}",
                     kStaticPressureMPa, yielding));
-  const std::string starved =
-      rows_where(outcome, [&](const ResultRow& row) { return column(row, "kappa") < 0.1; });
+  const std::string starved = rows_where(outcome, [&](const ResultRow& row) {
+    return column(row, "kappa") < bearing::rating::kLeastViscosityRatio;
+  });
   if (!starved.empty())
-    warnings.push_back("life: kappa below 0.1, where ISO 281 gives no a_ISO and no modified life: " + starved);
+    warnings.push_back("life: kappa below 0.1, where ISO 281 gives no a_ISO and no modified life: " +
+                       starved);
   const std::string drifting =
       rows_where(outcome, [&](const ResultRow& row) { return column(row, "steady") == 0.0; });
   if (!drifting.empty())

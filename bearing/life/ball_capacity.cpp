@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "bearing/life/basic_life.hpp"
 #include "bearing/contact/point_contact.hpp"
 #include "bearing/units.hpp"
 
@@ -95,8 +96,8 @@ double dynamic_capacity(const BallSet& set) {
 }
 
 double static_capacity(const BallSet& set) {
-  constexpr double permanent = 4200e6;  // [Pa]  leaves an indentation of 1e-4 ball diameters
-  constexpr double stribeck = 5.0;      // [-]   largest ball load over F_r/Z
+  constexpr double permanent = static_pressure(RollingElement::ball);
+  constexpr double stribeck = 5.0;  // [-]   largest ball load over F_r/Z
   const double ball_load =
       std::min(race_load_at(set, Race::inner, permanent), race_load_at(set, Race::outer, permanent));
   return set.rows * set.balls * std::cos(set.contact_angle) * ball_load / stribeck;

@@ -17,6 +17,12 @@ constexpr double weibull_slope(RollingElement element) {
   return element == RollingElement::ball ? 10.0 / 9.0 : 9.0 / 8.0;
 }
 
+/// Largest contact pressure [Pa] under the static capacity, which leaves an indentation of 1e-4 of the
+/// element's diameter: 4200 MPa for balls, 4000 MPa for rollers. [ISO76]
+constexpr double static_pressure(RollingElement element) {
+  return element == RollingElement::ball ? 4200e6 : 4000e6;
+}
+
 /// L10 [rev] = 1e6 (C/P)^p of [ISO281], for load rating `capacity` [N] and equivalent load [N]; infinite at
 /// no load.
 double basic_rating_life(RollingElement element, double capacity, double equivalent_load);

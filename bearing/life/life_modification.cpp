@@ -97,7 +97,7 @@ double viscosity_ratio_of_film(double least_film, double roughness) {
 }
 
 double life_modification_factor(RollingElement element, double kappa, double fatigue_ratio) {
-  if (!(kappa >= 0.1)) mechanics::refuse("viscosity ratio kappa", kappa, "at least 0.1, where a_ISO begins");
+  if (!(kappa >= kLeastViscosityRatio)) mechanics::refuse("viscosity ratio kappa", kappa, "at least 0.1, where a_ISO begins");
   if (!(fatigue_ratio >= 0.0)) mechanics::refuse("e_C C_u/P", fatigue_ratio, "at least 0");
   const double film = std::min(kappa, 4.0);
   const FilmTerm term = film_term(element, film);

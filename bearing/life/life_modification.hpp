@@ -7,6 +7,8 @@
 
 namespace orbearing::bearing::rating {
 
+/// The least kappa [-] for which [ISO281] gives an a_ISO.
+inline constexpr double kLeastViscosityRatio = 0.1;
 /// The largest a_ISO [-] of [ISO281].
 inline constexpr double kLargestLifeModification = 50.0;
 

@@ -10,7 +10,6 @@ namespace orbearing::bearing::rating {
 
 namespace {
 
-constexpr double kLeastViscosityRatio = 0.1;
 constexpr double kSlopeOfLines = weibull_slope(RollingElement::roller);
 
 // (3); exponent 4 of lives over loads, and 8/9 from damages to lives.

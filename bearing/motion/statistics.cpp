@@ -112,9 +112,12 @@ WindowStatistics StatisticsCollector::means() const {
   return result;
 }
 
+RaceDamage damage_of(const RaceStatistics& race) {
+  return {race.damage, race.lamina_damage};
+}
+
 BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics) {
-  const auto damage = [](const RaceStatistics& race) { return RaceDamage{race.damage, race.lamina_damage}; };
-  return life_under(bearing, lambda, damage(statistics.inner), damage(statistics.outer));
+  return life_under(bearing, lambda, damage_of(statistics.inner), damage_of(statistics.outer));
 }
 
 }  // namespace orbearing::bearing::motion

@@ -79,6 +79,9 @@ class StatisticsCollector {
   double end_cage_angle_ = 0.0;    // [rad]
 };
 
+/// What a race has taken of its life.
+RaceDamage damage_of(const RaceStatistics& race);
+
 /// Life by Lundberg and Palmgren from dynamic loads; arguments as in lundberg_palmgren_life().
 BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics);
 

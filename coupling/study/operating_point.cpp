@@ -122,10 +122,6 @@ bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, con
   return bearing::motion::dynamic_life(drivetrain.bearing, drivetrain.lambda, means);
 }
 
-bearing::motion::RaceDamage damage_of(const RaceStatistics& race) {
-  return {race.damage, race.lamina_damage};
-}
-
 bearing::rating::OilCondition oil_of(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
                                      const WindowStatistics& means) {
   bearing::rating::StatedOil oil = drivetrain.rated->oil;

@@ -12,10 +12,8 @@
 #include "bearing/geometry.hpp"
 #include "coupling/integration/integrate_switches.hpp"
 #include "coupling/integration/run.hpp"
-#include "coupling/integration/window.hpp"
 #include "coupling/study/low_pass.hpp"
-#include "coupling/system/ball_run.hpp"
-#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/balls_in_time.hpp"
 #include "mechanics/easy_length.hpp"
 
 namespace orbearing::study {
@@ -134,23 +132,6 @@ Instant state_of(const ScratchedMotion& motion, double time, const ConstState& x
   return now;
 }
 
-// The ball bearing as the stepper sees it; nothing is summed from step to step.
-class SteppedBalls {
- public:
-  explicit SteppedBalls(BallBearing& bearing) : bearing_(bearing) {}
-  void linearise(double time, const double* x, double* dx) { bearing_.linearise(time, x, dx); }
-  void derivative(double time, const double* x, double* dx) { bearing_.derivative(time, x, dx); }
-  void time_slope(double time, double* rate) { bearing_.time_slope(time, rate); }
-  bool factor(double g) { return bearing_.factor(g); }
-  void solve(const double* rhs, double* k) const { bearing_.solve(rhs, k); }
-  void begun(const std::vector<double>&) const {}
-  void stepped(double, double) const {}
-  void settle(double, std::vector<double>&) const {}
-
- private:
-  BallBearing& bearing_;
-};
-
 Eigen::Vector2d along_load(const double* outer) {
   return {-outer[0], -outer[1]};
 }
@@ -208,28 +189,23 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given,
   RingVibration vibration;
   Recorder record = recorder_of(scratched.shaft_speed, sampling, vibration);
   add_shaft(scratched, vibration);
-  std::vector<double> x = start_state(scratched.bearing, model, scratched.bearing.first_element), now(x.size());
-  SteppedBalls system(model);
-  integration::Rosenbrock2 stepper = system::ball_stepper(model.numbers(), length_error, system::kStepsOfVibration);
+  system::BallsInTime balls(start_state(scratched.bearing, model, scratched.bearing.first_element),
+                            system::ball_stepper(model.numbers(), length_error, system::kStepsOfVibration));
+  const std::vector<double>& x = balls.state();
+  std::vector<double> now(x.size());
+  system::BallEquations system(model);
   integration::IntegrationOptions limits;
   limits.most_seconds = std::numeric_limits<double>::infinity();
   integration::Run budget(limits, vibration.report);
   const auto cage_turn = static_cast<std::size_t>(layout.cage() + 5);
   const long instants = record.instants(), shown = std::max(1L, instants / kShown);
-  double time = 0.0, step = 1e-7, sampled_from = 0.0, turned_then = 0.0;
+  double sampled_from = 0.0, turned_then = 0.0;
   bool sampled = false;
   try {
     for (long i = 1; i <= instants; ++i) {
-      const double end = static_cast<double>(i) * record.interval();
-      while (time < end) {
-        const double before = time;
-        long attempts = 0;
-        step_within_window(stepper, system, x, time, end, {}, step, attempts);
-        vibration.report.rejected += attempts - 1;
-        if (!budget.accept(time, time - before)) throw std::runtime_error(vibration.report.message);
-      }
-      if (const std::string reason = system::balls_out_of_place(model.numbers(), x.data()); !reason.empty())
-        throw std::runtime_error(reason);
+      const double time = static_cast<double>(i) * record.interval();
+      balls.advance(system, time, budget, vibration.report);
+      system::require_balls_in_place(model.numbers(), x.data());
       model.derivative(time, x.data(), now.data());
       record.take(along_load(now.data() + layout.outer() + bearing::balls::kRingUnknowns), [&] {
         if (!std::exchange(sampled, true)) sampled_from = time, turned_then = x[cage_turn];
@@ -242,7 +218,7 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given,
     return {.rate = sampling.rate, .report = {.message = error.what()}};
   }
   vibration.report.wall_seconds = budget.seconds();
-  vibration.cage_speed = (x[cage_turn] - turned_then) / (time - sampled_from);
+  vibration.cage_speed = (x[cage_turn] - turned_then) / (balls.time() - sampled_from);
   return vibration;
 }
 

@@ -12,8 +12,7 @@
 #include "bearing/life/reference_life.hpp"
 #include "bearing/motion/balls/printed_form.hpp"
 #include "coupling/integration/run.hpp"
-#include "coupling/integration/window.hpp"
-#include "coupling/system/bearing_steps.hpp"
+#include "coupling/system/balls_in_time.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::system {
@@ -25,12 +24,6 @@ using bearing::balls::BallNumbers;
 using bearing::balls::BallPowerLoss;
 using bearing::balls::BallSnapshot;
 using bearing::balls::StateLayout;
-
-// Of a ball between its races [rad/s].
-double ball_frequency(const BallNumbers& c) {
-  const double slope = 1.5 * (c.inner.stiffness + c.outer.stiffness) * std::sqrt(kTypicalApproach);
-  return std::sqrt(slope / c.mass);
-}
 
 void add_loss(BallPowerLoss& sum, const BallPowerLoss& other, double weight) {
   sum.sliding += weight * other.sliding;
@@ -66,20 +59,15 @@ double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearin
   return kinematic_cage_speed(geometry, duty.inner.speed_at(time), duty.outer.speed_at(time));
 }
 
-// The bearing as the stepper and its windows see it.
-class BallSystem {
+// Sums what passes in each step.
+class WatchedBalls : public BallEquations {
  public:
-  BallSystem(BallBearing& bearing, const bearing::BearingGeometry& geometry, double observe_from, long places)
-      : bearing_(bearing),
+  WatchedBalls(BallBearing& bearing, const bearing::BearingGeometry& geometry, double observe_from,
+               long places)
+      : BallEquations(bearing),
         geometry_(geometry),
         observe_from_(observe_from),
         sums_{.damage = bearing::motion::DamageSums(places, 0, bearing::motion::DamagePower::of_points)} {}
-
-  void linearise(double time, const double* x, double* dx) { bearing_.linearise(time, x, dx); }
-  void derivative(double time, const double* x, double* dx) { bearing_.derivative(time, x, dx); }
-  void time_slope(double time, double* rate) { bearing_.time_slope(time, rate); }
-  bool factor(double g) { return bearing_.factor(g); }
-  void solve(const double* rhs, double* k) const { bearing_.solve(rhs, k); }
 
   // The loads of the linearisation are those of the step's beginning; they count until its end.
   void begun(const std::vector<double>& x) {
@@ -101,6 +89,7 @@ class BallSystem {
       history_.slip.push_back(1.0 - cage_speed_ / rolling);
     }
     if (time < observe_from_) return;
+    rolled_ += length * rolling_cage_speed(geometry_, bearing_.duty(), time + 0.5 * length);
     sums_.weight += length;
     for (std::size_t j = 0; j < inner_.size(); ++j) {
       sums_.inner_square += length * inner_[j] * inner_[j];
@@ -117,33 +106,49 @@ class BallSystem {
                       .races = bearing::motion::race_speeds(geometry_, duty.inner.speed_at(time),
                                                             duty.outer.speed_at(time))});
   }
-  void settle(double, std::vector<double>&) const {}
-
   const ObservedSteps& sums() const { return sums_; }
   /// Largest load of a pocket since the last call [N].
   double take_pocket_load() { return std::exchange(pocket_, 0.0); }
+  /// Angle of a cage that rolls without slip while observed [rad].
+  double rolled() const { return rolled_; }
   /// Slip of every step.
   SlipHistory take_history() { return std::move(history_); }
 
  private:
-  BallBearing& bearing_;
   const bearing::BearingGeometry& geometry_;
   double observe_from_;
   ObservedSteps sums_;
   std::vector<double> inner_, outer_, angle_, orbital_;
   double pocket_ = 0.0;      // [N]
   double cage_speed_ = 0.0;  // [rad/s]
+  double rolled_ = 0.0;      // [rad]
   SlipHistory history_;
 };
 
 // The classic Runge-Kutta method for the printed form.
 class PrintedSteps {
  public:
-  PrintedSteps(BallBearing& bearing, const std::vector<double>& start)
-      : form_(bearing), y_(form_.reduced(start)), then_(y_), sum_(y_), rate_(y_) {}
+  /// Steps of `longest` [s] at most.
+  PrintedSteps(BallBearing& bearing, const std::vector<double>& start, double longest)
+      : form_(bearing), longest_(longest), y_(form_.reduced(start)), then_(y_), sum_(y_), rate_(y_) {
+    mechanics::require(longest > 0.0, "step [s]", longest, "more than 0");
+  }
 
-  /// From `time` on by `length` [s].
-  void step(BallSystem& system, double time, double length) {
+  /// To `end` [s], as BallsInTime::advance().
+  void advance(WatchedBalls& system, double end, integration::Run& budget,
+               const integration::IntegrationReport& report) {
+    const double from = time_, steps = std::ceil((end - from) / longest_), length = (end - from) / steps;
+    for (double i = 0.0; i < steps; ++i) {
+      step(system, from + i * length, length);
+      time_ = i + 1.0 < steps ? from + (i + 1.0) * length : end;
+      if (!budget.accept(time_, length)) throw std::runtime_error(report.message);
+    }
+  }
+  double time() const { return time_; }  // [s]
+  const std::vector<double>& state() { return form_.complete(time_, y_.data()); }
+
+ private:
+  void step(WatchedBalls& system, double time, double length) {
     constexpr double place[] = {0.0, 0.5, 0.5, 1.0}, weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     sum_ = y_;
     for (int stage = 0; stage < 4; ++stage) {
@@ -156,10 +161,9 @@ class PrintedSteps {
     y_.swap(sum_);
     system.stepped(time, length);
   }
-  const std::vector<double>& state(double time) { return form_.complete(time, y_.data()); }
 
- private:
   bearing::balls::PrintedForm form_;
+  double longest_, time_ = 0.0;
   std::vector<double> y_, then_, sum_, rate_;
 };
 
@@ -223,52 +227,6 @@ void sample_series(const BallBearing& model, const bearing::BearingGeometry& geo
 
 }  // namespace
 
-std::vector<double> ball_allowed_errors(const BallNumbers& c, double length) {
-  const StateLayout layout{c.balls, c.spots.count};
-  const double frequency = ball_frequency(c);
-  std::vector<double> allowed(static_cast<std::size_t>(layout.size()), 0.0);
-  const double per_radius = 1.0 / c.pitch_radius;
-  const double by_group[StateLayout::kGroups] = {length,
-                                                 length * per_radius,
-                                                 length,
-                                                 kRadialSpeedShare * length * frequency,
-                                                 length * frequency * per_radius,
-                                                 length * frequency,
-                                                 length * frequency / c.radius,
-                                                 length * frequency / c.radius,
-                                                 length * frequency / c.radius};
-  for (int group = 0; group < StateLayout::kGroups; ++group)
-    std::fill_n(allowed.begin() + group * layout.lanes(), c.balls, by_group[group]);
-  const auto put = [&](int first, int unknowns) {
-    for (int i = 0; i < unknowns; ++i) {
-      const double place = i < 3 ? length : length * per_radius;
-      allowed[static_cast<std::size_t>(first + i)] = place;
-      allowed[static_cast<std::size_t>(first + unknowns + i)] = place * frequency;
-    }
-  };
-  put(layout.cage(), bearing::balls::kCageUnknowns);
-  put(layout.inner(), bearing::balls::kRingUnknowns);
-  put(layout.outer(), bearing::balls::kRingUnknowns);
-  return allowed;
-}
-
-integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length, const BallSteps& steps) {
-  return integration::Rosenbrock2(ball_allowed_errors(numbers, steps.error_factor * length),
-                                  steps.longest / ball_frequency(numbers));
-}
-
-std::string balls_out_of_place(const BallNumbers& c, const double* x) {
-  const StateLayout layout{c.balls};
-  for (int j = 0; j < c.balls; ++j)
-    if (!(std::abs(x[j] - c.pitch_radius) < c.radius) ||
-        !(std::abs(x[2 * layout.lanes() + j]) < 2.0 * c.radius))
-      return "a ball came out: it stands more than its radius off its circle";
-  const double* cage = x + layout.cage();
-  if (!(std::hypot(cage[0], cage[1]) < c.radius) || !(std::hypot(cage[3], cage[4]) < 0.5))
-    return "the cage came out of its place";
-  return {};
-}
-
 std::optional<double> settling_time(const SlipHistory& h) {
   constexpr double kShare = 0.05, kPoints = 0.005;
   double least = h.final_slip, most = h.final_slip;
@@ -309,13 +267,10 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
     return options.duration * static_cast<double>(i) / options.samples;
   };
   const double observe_from = sample_time(first_observed);
-  BallSystem system(model, geometry, observe_from, options.places);
-  integration::Rosenbrock2 stepper = ball_stepper(numbers, options.length_error);
+  WatchedBalls system(model, geometry, observe_from, options.places);
+  BallsInTime balls(x, ball_stepper(numbers, options.length_error));
   std::optional<PrintedSteps> printed;
-  if (options.form == BallForm::printed) {
-    mechanics::require(options.printed_step > 0.0, "step [s]", options.printed_step, "more than 0");
-    printed.emplace(model, x);
-  }
+  if (options.form == BallForm::printed) printed.emplace(model, x, options.printed_step);
   BallRunResult result;
   result.report.smallest_step = std::numeric_limits<double>::infinity();
   integration::IntegrationOptions limits;
@@ -323,7 +278,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   integration::Run budget(limits, result.report);
   ObservedSamples samples;
   const int cage_turn = model.layout().cage() + 5;
-  double time = 0.0, step = 1e-7, observed_since = 0.0, angle_then = 0.0, rolled = 0.0;
+  double time = 0.0, observed_since = 0.0, angle_then = 0.0;
   bool observing = false;
   const auto sample = [&] {
     const BallSnapshot s = model.snapshot(time, x.data());
@@ -341,25 +296,15 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
   try {
     sample();
     for (long i = 1; i <= options.samples; ++i) {
-      const double end = sample_time(i);
-      while (time < end) {
-        const double before = time;
-        if (printed) {
-          const double steps = std::ceil((end - time) / options.printed_step);
-          printed->step(system, time, (end - time) / steps);
-          time = steps > 1.0 ? time + (end - time) / steps : end;
-        } else {
-          long attempts = 0;
-          step_within_window(stepper, system, x, time, end, {}, step, attempts);
-          result.report.rejected += attempts - 1;
-        }
-        if (!budget.accept(time, time - before)) throw std::runtime_error(result.report.message);
-        if (before >= observe_from)
-          rolled += (time - before) * rolling_cage_speed(geometry, duty, 0.5 * (before + time));
+      if (printed) {
+        printed->advance(system, sample_time(i), budget, result.report);
+        x = printed->state();
+      } else {
+        balls.advance(system, sample_time(i), budget, result.report);
+        x = balls.state();
       }
-      if (printed) x = printed->state(time);
-      const std::string reason = balls_out_of_place(numbers, x.data());
-      if (!reason.empty()) throw std::runtime_error(reason);
+      time = sample_time(i);
+      require_balls_in_place(numbers, x.data());
       sample();
       if (progress) progress(time);
     }
@@ -368,14 +313,13 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
     result.message = error.what();
   }
   result.report.completed = result.completed;
-  result.report.reached = time;
   result.report.wall_seconds = budget.seconds();
   result.means = means_of_balls(system.sums(), samples, numbers.balls);
   const double span = time - observed_since;
   if (observing && span > 0.0) {
     const double turned = x[static_cast<std::size_t>(cage_turn)] - angle_then;
     result.means.cage_speed = turned / span;
-    result.means.cage_slip = rolled != 0.0 ? 1.0 - turned / rolled : 0.0;
+    result.means.cage_slip = system.rolled() != 0.0 ? 1.0 - turned / system.rolled() : 0.0;
   }
   const bearing::motion::DamageSums& damage = system.sums().damage;
   const Eigen::ArrayXd inner = damage.inner.damage().pow(1.0 / 3.0),

@@ -10,8 +10,6 @@
 #include "bearing/life/standard_life.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "coupling/integration/integration_options.hpp"
-#include "coupling/integration/rosenbrock2.hpp"
-#include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/steady_state.hpp"
 
 namespace orbearing::system {
@@ -124,31 +122,6 @@ struct BallRunResult {
   std::vector<double> final_state;      // padded
   integration::IntegrationReport report;
 };
-
-/// Allowed errors of the padded state in one linearly implicit step, from that of a length [m].
-std::vector<double> ball_allowed_errors(const bearing::balls::BallNumbers& numbers, double length);
-
-/// How long steps of balls may be.
-struct BallSteps {
-  double longest = 0.0;  // [rad]  of a ball's vibration between its races
-  double error_factor =
-      0.0;  // [-]    allowed errors are this much larger than those of dopri5 at equal accuracy
-};
-/// Where the vibration is not resolved the method damps it: loads then follow from balance, and where a ball
-/// is struck the allowed error shortens the step. Twice the allowed error of rollers moves loads, lives and
-/// friction by 0.1 % at most, less than another start does.
-inline constexpr BallSteps kStepsOfBalance{.longest = 10.0,
-                                           .error_factor = 2.0 * kLinearlyImplicitErrorFactor};
-/// For those who look at the vibration itself.
-inline constexpr BallSteps kStepsOfVibration{.longest = kStepOfImpact,
-                                             .error_factor = kLinearlyImplicitErrorFactor};
-
-/// The linearly implicit stepper for balls whose lengths may err by `length` [m] in one step.
-integration::Rosenbrock2 ball_stepper(const bearing::balls::BallNumbers& numbers, double length,
-                                      const BallSteps& steps = kStepsOfBalance);
-
-/// Empty where balls are between the races and in their pockets in the padded state `x`; else what came out.
-std::string balls_out_of_place(const bearing::balls::BallNumbers& numbers, const double* x);
 
 /// A slip over time and what it comes to.
 struct SlipHistory {

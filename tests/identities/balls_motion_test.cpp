@@ -10,6 +10,7 @@
 #include "bearing/life/standard_life.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
 #include "coupling/system/ball_run.hpp"
+#include "coupling/system/balls_in_time.hpp"
 #include "tests/random_balls.hpp"
 
 namespace orbearing::bearing::balls::balls_motion_test {

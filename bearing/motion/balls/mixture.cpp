@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "bearing/geometry.hpp"
+
 namespace orbearing::bearing::balls {
 
 namespace {
@@ -37,12 +39,8 @@ double wall_torque(const MixtureNumbers& m, double radius, double difference) {
   return two_pi * radius * radius * m.width * m.density * friction * squared(speed);
 }
 
-double rolling_speed(const MixtureNumbers& m, double inner, double outer) {
-  return 0.5 * (inner * (1.0 - m.slenderness) + outer * (1.0 + m.slenderness));
-}
-
 double mixture_speed(const MixtureNumbers& m, double inner, double outer) {
-  const double cage = rolling_speed(m, inner, outer);
+  const double cage = kinematic_cage_speed(m.slenderness, inner, outer);
   const auto balance = [&](double speed) { return unbalanced(m, inner, outer, cage, speed); };
   const auto [least, most] = std::minmax({0.0, inner, outer, cage});
   const double low = balance(least), high = balance(most);
@@ -59,7 +57,7 @@ DragNumbers carried_drag(const DragNumbers& drag, double inner, double outer) {
   DragNumbers carried = drag;
   MixtureNumbers& m = carried.mixture;
   if (!m.carried) return carried;
-  const double cage = rolling_speed(m, inner, outer);
+  const double cage = kinematic_cage_speed(m.slenderness, inner, outer);
   m.share = cage != 0.0 ? std::clamp(mixture_speed(m, inner, outer) / cage, 0.0, 1.0) : 0.0;
   const double left = (1.0 - m.share) * (1.0 - m.share), radius = m.pitch_radius;
   carried.translation = left * m.balls / (m.count * radius * radius * radius);
@@ -69,7 +67,7 @@ DragNumbers carried_drag(const DragNumbers& drag, double inner, double outer) {
 
 WallTorques wall_torques(const MixtureNumbers& m, double inner, double outer) {
   if (!m.carried) return {};
-  const double speed = m.share * rolling_speed(m, inner, outer);
+  const double speed = m.share * kinematic_cage_speed(m.slenderness, inner, outer);
   return {wall_torque(m, m.inner_radius, inner - speed), wall_torque(m, m.outer_radius, outer - speed)};
 }
 

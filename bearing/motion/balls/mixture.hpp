@@ -28,9 +28,6 @@ double wall_torque(const MixtureNumbers& mixture, double radius, double differen
 /// root of Eq. (7), which there is but one of.
 double mixture_speed(const MixtureNumbers& mixture, double inner_speed, double outer_speed);
 
-/// Speed of the cage at pure rolling [rad/s].
-double rolling_speed(const MixtureNumbers& mixture, double inner_speed, double outer_speed);
-
 /// `drag` where the mixture goes round as it does at these speeds of the rings [rad/s]: its share of the
 /// cage's speed at pure rolling, at most 1 and at least 0, and coefficients of what balls and cage then have
 /// to go through.

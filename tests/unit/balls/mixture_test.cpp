@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "bearing/geometry.hpp"
 #include "bearing/motion/balls/ball_bearing.hpp"
 #include "tests/random_balls.hpp"
 
@@ -33,7 +34,7 @@ MixtureNumbers jet() {
 constexpr double kShaft = 6700.0;  // [rad/s]
 
 double drag_of_balls_and_cage(const MixtureNumbers& m, double mixture) {
-  const double ahead = rolling_speed(m, kShaft, 0.0) - mixture;
+  const double ahead = kinematic_cage_speed(m.slenderness, kShaft, 0.0) - mixture;
   return (m.balls + m.cage) * ahead * std::abs(ahead);
 }
 
@@ -52,7 +53,7 @@ TEST(Mixture, AngularMomentumIsBalanced) {
 TEST(Mixture, WithoutWallsAndFlowItGoesWithTheCage) {
   MixtureNumbers m = jet();
   m.width = m.flow = 0.0;
-  EXPECT_NEAR(mixture_speed(m, kShaft, 0.0), rolling_speed(m, kShaft, 0.0), 1e-5 * kShaft);
+  EXPECT_NEAR(mixture_speed(m, kShaft, 0.0), kinematic_cage_speed(m.slenderness, kShaft, 0.0), 1e-5 * kShaft);
   const DragNumbers drag = carried_drag(
       {.translation = 1.8e-4, .churning = 0.0, .cage_churning = 4e-9, .mixture = m}, kShaft, 0.0);
   EXPECT_LT(drag.translation, 1e-9 * 1.8e-4);
@@ -64,7 +65,7 @@ TEST(Mixture, WithoutWallsALittleFlowTakesItsMomentumFromTheCage) {
   MixtureNumbers m = jet();
   m.width = 0.0;
   m.flow = 1e-9;
-  const double cage = rolling_speed(m, kShaft, 0.0), speed = mixture_speed(m, kShaft, 0.0);
+  const double cage = kinematic_cage_speed(m.slenderness, kShaft, 0.0), speed = mixture_speed(m, kShaft, 0.0);
   const double torque = m.flow * m.pitch_radius * m.pitch_radius * cage;
   EXPECT_NEAR(drag_of_balls_and_cage(m, speed), torque, 1e-3 * torque);
   EXPECT_NEAR(speed, cage, 1e-3 * cage);
@@ -112,7 +113,7 @@ TEST(Mixture, NeverGivesPower) {
     m.flow *= random.between(0.0, 2.0);
     m.width *= random.between(0.0, 2.0);
     const double inner = random.between(-5e3, 5e3), outer = random.between(-5e3, 5e3);
-    const double speed = mixture_speed(m, inner, outer), cage = rolling_speed(m, inner, outer);
+    const double speed = mixture_speed(m, inner, outer), cage = kinematic_cage_speed(m.slenderness, inner, outer);
     const double ahead = cage - speed;
     const double power = (m.balls + m.cage) * ahead * std::abs(ahead) * cage +
                          wall_torque(m, m.inner_radius, inner - speed) * inner +

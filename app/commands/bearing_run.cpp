@@ -1,4 +1,4 @@
-#include "app/commands/static_run.hpp"
+#include "app/commands/bearing_run.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
