@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "bearing/life/basic_life.hpp"
 #include "bearing/contact/point_contact.hpp"
+#include "bearing/life/basic_life.hpp"
 #include "bearing/units.hpp"
 
 namespace orbearing::bearing::rating {
