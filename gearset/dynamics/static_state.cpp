@@ -84,7 +84,9 @@ double share_of_step(const SetModel& model, const Eigen::MatrixXd& centrifugal, 
   const auto force = [&](double share) {
     return imbalance(model, centrifugal, from + share * step).dot(step);
   };
-  if (force(1.0) >= 0.0) return 1.0;
+  constexpr double kRoundOff = 1e-12;  // of the loads' work, which is all that is left at the equilibrium
+  const double work = loads_with(model, contact_at(model, from)).cwiseAbs().dot(step.cwiseAbs());
+  if (force(1.0) >= -kRoundOff * work) return 1.0;
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);
