@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "benchmarks/accuracy.hpp"
+#include "benchmarks/balances.hpp"
 #include "benchmarks/balls.hpp"
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/frozen/constants.hpp"
@@ -137,6 +138,8 @@ Json measure() {
   put_speedup(trial, "cvode", Method::cvode, Method::cvode, out);
   put_speedup(trial, "cvode_order2", Method::cvode_order2, Method::cvode_order2, out);
   put_real_time(drivetrain, out);
+  say("balances and films");
+  put_balances(out);
   say("balls");
   put_balls(out["real_time_factor"][point_name(kMiddleSpeed, 0.0)], drivetrain.bearing.rollers().count, out);
   say("sweeps");

@@ -20,7 +20,14 @@ Eigen::Vector<double, N> lengths_under_any(const Eigen::Vector<double, N>& force
   using Square = Eigen::Matrix<double, N, N>;
   const double floor = std::max(kFloor * stiffness.diagonal().cwiseAbs().maxCoeff(), kNothing);
   const Square firm = stiffness + floor * Square::Identity();
-  const Eigen::Vector<double, N> lengths = firm.partialPivLu().solve(force);
+  Eigen::Vector<double, N> lengths;
+  if constexpr (N == 2) {  // by hand, a fifth of the time
+    const double inverse = 1.0 / (firm(0, 0) * firm(1, 1) - firm(0, 1) * firm(1, 0));
+    lengths[0] = inverse * (firm(1, 1) * force[0] - firm(0, 1) * force[1]);
+    lengths[1] = inverse * (firm(0, 0) * force[1] - firm(1, 0) * force[0]);
+  } else {
+    lengths = firm.partialPivLu().solve(force);
+  }
   if (lengths.allFinite() && force.dot(lengths) > 0.0) return lengths;
   return lengths_under<N>(force, 0.5 * (stiffness + stiffness.transpose()));
 }

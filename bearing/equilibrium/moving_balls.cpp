@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bearing/geometry.hpp"
+#include "mechanics/path_search.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
@@ -13,14 +14,16 @@ namespace {
 using mechanics::root;
 using mechanics::value_of;
 
-// Slopes by the place of the ball from the outer groove centre, and of the inner centre from the ball.
-template <int index>
+// Slopes by the place of the ball from the outer groove centre (0 and 1), and of the inner centre from the
+// ball.
+constexpr unsigned kOuter = 0b0011u, kInner = 0b1100u;
+template <unsigned kVariables, int index>
 auto coordinate(double value) {
-  mechanics::SparseDual<0b1111u, double> x{value, {}};
+  mechanics::SparseDual<kVariables, double> x{value, {}};
   x.slope[index] = 1.0;
   return x;
 }
-using Slopes = mechanics::SparseDual<0b1111u, double>;
+using Slopes = mechanics::SparseDual<kOuter | kInner, double>;
 
 Eigen::RowVector2d by_outer(const Slopes& x) {
   return {x.slope[0], x.slope[1]};
@@ -63,8 +66,16 @@ MovingBallRow::MovingBallRow(const Bearing& bearing, const RowMotion& motion, co
   ball_radius_ = geometry.element_radius;
   pitch_radius_ = geometry.pitch_radius;
   groove_radius_ = bearing.inner.osculation * bearing.balls().diameter;
-  full_mass_ = inertia_.enabled ? geometry.element_mass : 0.0;
-  lighten(1.0);
+  mass_ = inertia_.enabled ? geometry.element_mass : 0.0;
+  moment_of_inertia_ = 0.4 * mass_ * ball_radius_ * ball_radius_;  // of a ball
+  const double angle = bearing.balls().contact_angle;
+  const ContactNormal<double> normal{std::cos(angle), std::sin(angle)};
+  const double orbit =
+      ball_motion<double>(normal, normal, {0.0, 1.0}, ball_radius_, pitch_radius_, speeds_).orbit;
+  const double half_speed = 0.5 * std::max(std::abs(speeds_.inner), std::abs(speeds_.outer));
+  constexpr double kHolds = 0.1;  // an assumption: balls are seen to skid at far higher loads
+  holding_load_ = kHolds * mass_ * pitch_radius_ * half_speed * half_speed;
+  usual_centrifugal_ = mass_ * pitch_radius_ * orbit * orbit;
   memory_.resize(static_cast<std::size_t>(geometry_.count()));
   balls_.resize(memory_.size());
 }
@@ -99,39 +110,80 @@ T distance(const T& radial, const T& axial, ContactNormal<T>& normal) {
 
 }  // namespace
 
-template <class T>
-MovingBallRow::Contacts<T> MovingBallRow::contacts_of(const T& outer_r, const T& outer_z, const T& inner_r,
-                                                      const T& inner_z) const {
-  Contacts<T> at;
-  at.outer_approach = distance(outer_r, outer_z, at.outer) - outer_.distance;
-  at.inner_approach = distance(inner_r, inner_z, at.inner) - inner_.distance;
-  at.inner_load = hertz(inner_, at.inner_approach);
-  at.outer_load = hertz(outer_, at.outer_approach);
-  return at;
+template <class T, class Outer, class Inner>
+MovingBallRow::Contacts<T> MovingBallRow::contacts_of(const Outer& outer_r, const Outer& outer_z,
+                                                      const Inner& inner_r, const Inner& inner_z) const {
+  ContactNormal<Outer> outer;
+  ContactNormal<Inner> inner;
+  const Outer outer_approach = distance(outer_r, outer_z, outer) - outer_.distance;
+  const Inner inner_approach = distance(inner_r, inner_z, inner) - inner_.distance;
+  return {.inner = {T{} + inner.cosine, T{} + inner.sine},
+          .outer = {T{} + outer.cosine, T{} + outer.sine},
+          .inner_approach = T{} + inner_approach,
+          .outer_approach = T{} + outer_approach,
+          .inner_load = T{} + hertz(inner_, inner_approach),
+          .outer_load = T{} + hertz(outer_, outer_approach),
+          .motion = {}};
 }
 
+namespace {
+
+// How far the inner race makes a ball roll on it, by its load over the one that does so wholly: smoothly,
+// since a balance may lie between both.
+template <class T>
+T hold_of(const T& load, double whole) {
+  if (!(value_of(load) > 0.0)) return T{};
+  if (!(value_of(load) < whole)) return T{} + 1.0;
+  const T share = (1.0 / whole) * load;
+  return share * share * (3.0 - 2.0 * share);
+}
+
+template <class T>
+BallMotion<T> between(const BallMotion<T>& a, const BallMotion<T>& b, const T& share) {
+  const auto mean = [&](const T& of_a, const T& of_b) { return of_a + share * (of_b - of_a); };
+  return {.orbit = mean(a.orbit, b.orbit),
+          .radial_spin = mean(a.radial_spin, b.radial_spin),
+          .axial_spin = mean(a.axial_spin, b.axial_spin),
+          .inner_spin = mean(a.inner_spin, b.inner_spin),
+          .outer_spin = mean(a.outer_spin, b.outer_spin),
+          .inner_rolling = mean(a.inner_rolling, b.inner_rolling),
+          .outer_rolling = mean(a.outer_rolling, b.outer_rolling)};
+}
+
+}  // namespace
+
 // The closure weighs spins by Hertz's loads, also where a film then gives the loads. A ball that leaves the
-// inner race is held by the outer one alone.
+// inner race is held by the outer one alone, and the cage takes it along with the speed of a ball that the
+// inner race touches opposite to the outer one.
 template <class T>
 MovingBallRow::MotionForces<T> MovingBallRow::add_motion(Control control, Contacts<T>& at) const {
-  SpinWeights<T> weights{T{}, T{} + 1.0};
-  T inner_share{}, outer_share = T{} + 2.0;  // of the gyroscopic moment over the diameter
-  const bool on_inner = value_of(at.inner_load) > 0.0, on_outer = value_of(at.outer_load) > 0.0;
-  if (on_inner && inertia_.attitude == BallAttitude::race_control && control == Control::inner) {
-    weights = {T{} + 1.0, T{}};
-    inner_share = outer_share = T{} + 1.0;
-  } else if (on_inner && inertia_.attitude == BallAttitude::minimum_friction) {
-    weights.inner = inner_.ellipse * (at.inner_load * at.inner_approach);
-    weights.outer = on_outer ? outer_.ellipse * (at.outer_load * at.outer_approach) : T{};
-    inner_share = 2.0 * (at.inner_load / (at.inner_load + at.outer_load));
-    outer_share = 2.0 - inner_share;
-  } else if (on_inner && inertia_.attitude == BallAttitude::hybrid) {
-    weights.inner = inner_.pivot * (at.inner_load * root(at.inner_approach));
-    weights.outer = on_outer ? outer_.pivot * (at.outer_load * root(at.outer_approach)) : T{};
-    inner_share = 2.0 * (weights.inner / (weights.inner + weights.outer));
-    outer_share = 2.0 - inner_share;
+  const SpinWeights<T> outer_alone{T{}, T{} + 1.0};
+  const T hold = hold_of(at.inner_load, holding_load_);
+  const bool held = value_of(hold) > 0.0, rolls = value_of(hold) >= 1.0;
+  const bool on_outer = value_of(at.outer_load) > 0.0;
+  T inner_share{};  // of the gyroscopic moment over the diameter
+  if (held) {
+    SpinWeights<T> weights = outer_alone;
+    if (inertia_.attitude == BallAttitude::race_control && control == Control::inner) {
+      weights = {T{} + 1.0, T{}};
+      inner_share = hold;
+    } else if (inertia_.attitude == BallAttitude::minimum_friction) {
+      weights.inner = inner_.ellipse * (at.inner_load * at.inner_approach);
+      weights.outer = on_outer ? outer_.ellipse * (at.outer_load * at.outer_approach) : T{};
+      inner_share = 2.0 * (at.inner_load / (at.inner_load + at.outer_load));
+    } else if (inertia_.attitude == BallAttitude::hybrid) {
+      weights.inner = inner_.pivot * (at.inner_load * root(at.inner_approach));
+      weights.outer = on_outer ? outer_.pivot * (at.outer_load * root(at.outer_approach)) : T{};
+      inner_share = 2.0 * (weights.inner / (weights.inner + weights.outer));
+    }
+    at.motion = ball_motion(at.inner, at.outer, weights, ball_radius_, pitch_radius_, speeds_);
   }
-  at.motion = ball_motion(at.inner, at.outer, weights, ball_radius_, pitch_radius_, speeds_);
+  if (!rolls) {
+    const BallMotion<T> taken =
+        ball_motion(at.outer, at.outer, outer_alone, ball_radius_, pitch_radius_, speeds_);
+    at.motion = held ? between(taken, at.motion, hold) : taken;
+  }
+  const T outer_share = 2.0 - inner_share;
   if (filmed_) {
     const auto& motion = at.motion;
     at.inner_load = film::load_at(inner_.film, at.inner_approach, motion.inner_rolling, motion.inner_spin);
@@ -149,20 +201,18 @@ MovingBallRow::MotionForces<T> MovingBallRow::add_motion(Control control, Contac
   return forces;
 }
 
-template <class T>
-MovingBallRow::Forces<T> MovingBallRow::forces_of(const T& outer_r, const T& outer_z, const T& inner_r,
-                                                  const T& inner_z, const BallMemory& ball) const {
-  Contacts<T> at = contacts_of(outer_r, outer_z, inner_r, inner_z);
+template <class T, class Outer, class Inner>
+MovingBallRow::Forces<T> MovingBallRow::forces_of(const Outer& outer_r, const Outer& outer_z,
+                                                  const Inner& inner_r, const Inner& inner_z,
+                                                  const BallMemory& ball) const {
+  Contacts<T> at = contacts_of<T>(outer_r, outer_z, inner_r, inner_z);
   if (frozen_) {
-    const FrozenForces& held = ball.frozen;
-    at.inner_load = held.inner_share * at.inner_load;
-    at.outer_load = held.outer_share * at.outer_load;
     const T inner_force_r = at.inner_load * at.inner.cosine, inner_force_z = at.inner_load * at.inner.sine;
-    return {.ball_r = inner_force_r - at.outer_load * at.outer.cosine + held.ball[0],
-            .ball_z = inner_force_z - at.outer_load * at.outer.sine + held.ball[1],
-            .ring_r = held.ring[0] - inner_force_r,
-            .ring_z = held.ring[1] - inner_force_z,
-            .ring_moment = T{} + held.ring[2],
+    return {.ball_r = inner_force_r - at.outer_load * at.outer.cosine + ball.push,
+            .ball_z = inner_force_z - at.outer_load * at.outer.sine,
+            .ring_r = -inner_force_r,
+            .ring_z = -inner_force_z,
+            .ring_moment = T{},
             .inner_load = at.inner_load,
             .outer_load = at.outer_load};
   }
@@ -190,25 +240,57 @@ Eigen::Vector2d MovingBallRow::usual_place(const Eigen::Vector2d& grooves) const
   return (outer_.distance + approach / (1.0 + share)) / length * grooves;
 }
 
+// Forces of one ball at its place, with their slopes.
+struct MovingBallRow::BallForces {
+  Forces<Slopes> f;
+  mechanics::Imbalance<2> on_ball;
+  Eigen::Matrix2d ball_by_grooves;
+  Eigen::Matrix<double, 3, 2> ring_by_grooves, ring_by_place;
+
+  void of(const MovingBallRow& row, const Eigen::Vector2d& place, const BallMemory& ball) {
+    const Eigen::Vector2d inner = ball.grooves - place;
+    f = row.forces_of<Slopes>(coordinate<kOuter, 0>(place[0]), coordinate<kOuter, 1>(place[1]),
+                              coordinate<kInner, 0>(inner[0]), coordinate<kInner, 1>(inner[1]), ball);
+    ball_by_grooves << by_inner(f.ball_r), by_inner(f.ball_z);
+    on_ball.force = {f.ball_r.value, f.ball_z.value};
+    on_ball.stiffness << by_outer(f.ball_r), by_outer(f.ball_z);
+    on_ball.stiffness = ball_by_grooves - on_ball.stiffness;
+    on_ball.scale = std::max(f.inner_load.value, f.outer_load.value);
+  }
+  void on_ring() {
+    ring_by_grooves << by_inner(f.ring_r), by_inner(f.ring_z), by_inner(f.ring_moment);
+    ring_by_place << by_outer(f.ring_r), by_outer(f.ring_z), by_outer(f.ring_moment);
+    ring_by_place -= ring_by_grooves;
+  }
+  Eigen::Vector3d ring() const { return {f.ring_r.value, f.ring_z.value, f.ring_moment.value}; }
+};
+
 // A step beyond the last one is taken into account to first order, which leaves an error of second order.
+void MovingBallRow::remember(BallForces& at, BallMemory& ball) const {
+  const auto& stiffness = at.on_ball.stiffness;
+  const Eigen::Vector2d left = mechanics::lengths_under_any<2>(at.on_ball.force, stiffness);
+  ball.follows.col(0) = mechanics::lengths_under_any<2>(at.ball_by_grooves.col(0), stiffness);
+  ball.follows.col(1) = mechanics::lengths_under_any<2>(at.ball_by_grooves.col(1), stiffness);
+  at.on_ring();
+  ball.place += left;
+  ball.ring = at.ring() + at.ring_by_place * left;
+  ball.slope = at.ring_by_grooves + at.ring_by_place * ball.follows;
+  ball.load = at.f.inner_load.value;
+}
+
 void MovingBallRow::settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& grooves,
                                 BallMemory& ball) const {
+  const bool begun = ball.found || frozen_;
   ball.grooves = grooves;
   ball.place = start;
-  Forces<Slopes> f;
-  Eigen::Matrix2d by_grooves;
-  const auto imbalance_at = [&](const Eigen::Vector2d& at) {
-    f = forces_of(coordinate<0>(at[0]), coordinate<1>(at[1]), coordinate<2>(grooves[0] - at[0]),
-                  coordinate<3>(grooves[1] - at[1]), ball);
-    by_grooves << by_inner(f.ball_r), by_inner(f.ball_z);
-    mechanics::Imbalance<2> now;
-    now.force = {f.ball_r.value, f.ball_z.value};
-    now.stiffness << by_outer(f.ball_r), by_outer(f.ball_z);
-    now.stiffness = by_grooves - now.stiffness;
-    now.scale = std::max(f.inner_load.value, f.outer_load.value);
-    return now;
+  BallForces at;
+  const auto imbalance_at = [&](const Eigen::Vector2d& place) {
+    at.of(*this, place, ball);
+    return at.on_ball;
   };
-  const double near = frozen_ ? 1e-5 : 1e-8;  // of the loads: its square is round-off, or little while frozen
+  // Of the loads. Its square is what remains: little on the way, round-off in the end, when a step of the
+  // ring hardly moves the ball.
+  const double near = begun ? 1e-4 : 1e-7;
   const mechanics::SearchLimits limits{.reach = 0.2 * outer_.distance,
                                        .size = grooves.norm(),
                                        .tolerance = near,
@@ -218,17 +300,7 @@ void MovingBallRow::settle_from(const Eigen::Vector2d& start, const Eigen::Vecto
   ball.found = (frozen_ ? mechanics::find_balance<2>(imbalance_at, limits, ball.place, now)
                         : mechanics::find_root<2>(imbalance_at, limits, ball.place, now))
                    .converged;
-  const Eigen::Vector2d left = mechanics::lengths_under_any<2>(now.force, now.stiffness);
-  ball.follows.col(0) = mechanics::lengths_under_any<2>(by_grooves.col(0), now.stiffness);
-  ball.follows.col(1) = mechanics::lengths_under_any<2>(by_grooves.col(1), now.stiffness);
-  Eigen::Matrix<double, 3, 2> ring_by_grooves, ring_by_ball;
-  ring_by_grooves << by_inner(f.ring_r), by_inner(f.ring_z), by_inner(f.ring_moment);
-  ring_by_ball << by_outer(f.ring_r), by_outer(f.ring_z), by_outer(f.ring_moment);
-  ring_by_ball -= ring_by_grooves;
-  ball.place += left;
-  ball.ring = Eigen::Vector3d(f.ring_r.value, f.ring_z.value, f.ring_moment.value) + ring_by_ball * left;
-  ball.slope = ring_by_grooves + ring_by_ball * ball.follows;
-  ball.load = f.inner_load.value;
+  remember(at, ball);
 }
 
 void MovingBallRow::settle(const Eigen::Vector2d& grooves, BallMemory& ball) const {
@@ -242,21 +314,25 @@ Eigen::Vector2d MovingBallRow::grooves_at(Eigen::Index ball, const RingPlace& pl
   return {at.radial, at.axial};
 }
 
+MovingBallRow::RingActs MovingBallRow::acts_of(Eigen::Index ball) const {
+  const auto [cosine, sine] = geometry_.direction(ball);
+  const double arm = 1.0 / lever();
+  return (RingActs() << cosine, 0.0, 0.0,  //
+          sine, 0.0, 0.0,                  //
+          0.0, 1.0, 0.0,                   //
+          0.0, cosine, arm * cosine,       //
+          0.0, sine, arm * sine)
+      .finished();
+}
+
 void MovingBallRow::add_forces(const RingPlace& place, RingImbalance& sum) {
   const bool known = known_ && *known_ == place;
   if (!known) settled_ = true;
-  const double arm = 1.0 / lever();
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
     BallMemory& ball = memory_[static_cast<std::size_t>(j)];
     if (!known) settle(grooves_at(j, place), ball);
     if (!ball.found) settled_ = false;
-    const auto [cosine, sine] = geometry_.direction(j);
-    Eigen::Matrix<double, 5, 3> acts;  // of the ring's force on its coordinates
-    acts << cosine, 0.0, 0.0,          //
-        sine, 0.0, 0.0,                //
-        0.0, 1.0, 0.0,                 //
-        0.0, cosine, arm * cosine,     //
-        0.0, sine, arm * sine;
+    const RingActs acts = acts_of(j);
     sum.force += acts * ball.ring;
     sum.stiffness -= (acts * ball.slope) * acts.leftCols<2>().transpose();
     sum.scale += ball.load;
@@ -266,7 +342,7 @@ void MovingBallRow::add_forces(const RingPlace& place, RingImbalance& sum) {
 
 MovingBall MovingBallRow::ball_at(const BallMemory& ball) const {
   const Eigen::Vector2d inner = ball.grooves - ball.place;
-  Contacts<double> at = contacts_of(ball.place[0], ball.place[1], inner[0], inner[1]);
+  Contacts<double> at = contacts_of<double>(ball.place[0], ball.place[1], inner[0], inner[1]);
   const MotionForces<double> moved = add_motion(ball.control, at);
   return {.inner = at.inner,
           .outer = at.outer,
@@ -306,39 +382,75 @@ void MovingBallRow::put_loads(const RingPlace& place, RingState& state) {
                point_pressure(geometry_.contact(Race::outer), state.outer_load.maxCoeff()).pressure);
 }
 
-void MovingBallRow::freeze(const RingPlace& place) {
+void MovingBallRow::freeze(bool frozen) {
+  frozen_ = frozen;
+  known_.reset();
+}
+
+void MovingBallRow::push_unlike(int path) {
+  for (std::size_t j = 0; j < memory_.size(); ++j) {
+    const double unlike = 0.7 * std::sin(2.4 * static_cast<double>(j + 1) * path);
+    memory_[j].push = usual_centrifugal_ * (1.0 + unlike);
+    memory_[j].found = false;
+  }
+  known_.reset();
+}
+
+int MovingBallRow::beyond_grooves() const {
+  const auto ended = [](const ContactNormal<double>& normal, double load) {
+    return load > 0.0 && normal.cosine <= 0.0;
+  };
+  return static_cast<int>(std::count_if(balls_.begin(), balls_.end(), [&](const MovingBall& ball) {
+    return ended(ball.inner, ball.inner_load) || ended(ball.outer, ball.outer_load);
+  }));
+}
+
+Eigen::VectorXd MovingBallRow::places(const RingPlace& ring) const {
+  Eigen::VectorXd all(5 + 2 * geometry_.count());
+  all.head<5>() = ring;
+  for (Eigen::Index j = 0; j < geometry_.count(); ++j)
+    all.segment<2>(5 + 2 * j) = memory_[static_cast<std::size_t>(j)].place;
+  return all;
+}
+
+RingPlace MovingBallRow::put_places(const Eigen::VectorXd& all) {
+  const RingPlace ring = all.head<5>();
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
     BallMemory& ball = memory_[static_cast<std::size_t>(j)];
-    if (!ball.found) {
-      ball.grooves = grooves_at(j, place);
-      ball.place = usual_place(ball.grooves);
-    }
-    const Eigen::Vector2d inner = ball.grooves - ball.place;
-    const Contacts<double> at = contacts_of(ball.place[0], ball.place[1], inner[0], inner[1]);
-    Contacts<double> moving = at;
-    const MotionForces<double> moved = add_motion(ball.control, moving);
-    const Eigen::Vector2d inner_along(-at.inner.sine, at.inner.cosine);
-    const Eigen::Vector2d outer_along(-at.outer.sine, at.outer.cosine);
-    const Eigen::Vector2d traction = moved.inner_traction * inner_along;
-    ball.frozen.ball = traction + moved.outer_traction * outer_along;
-    ball.frozen.ball[0] += moved.centrifugal;
-    ball.frozen.ring = {-traction[0], -traction[1], groove_radius_ * moved.inner_traction};
-    if (filmed_ && at.inner_load > 0.0) ball.frozen.inner_share = moving.inner_load / at.inner_load;
-    if (filmed_ && at.outer_load > 0.0) ball.frozen.outer_share = moving.outer_load / at.outer_load;
+    ball.grooves = grooves_at(j, ring);
+    ball.place = all.segment<2>(5 + 2 * j);
+    BallForces at;
+    at.of(*this, ball.place, ball);
+    remember(at, ball);
+    ball.found = true;
   }
-  frozen_ = true;
-  known_.reset();
+  known_ = ring;
+  settled_ = true;
+  return ring;
 }
 
-void MovingBallRow::lighten(double share) {
-  mass_ = share * full_mass_;
-  moment_of_inertia_ = 0.4 * mass_ * ball_radius_ * ball_radius_;  // of a ball
-  known_.reset();
-}
-
-void MovingBallRow::thaw() {
-  frozen_ = false;
-  known_.reset();
+MovingBallRow::AllForces MovingBallRow::all_forces(const Eigen::VectorXd& all) const {
+  const Eigen::Index size = all.size();
+  AllForces sum{.force = Eigen::VectorXd::Zero(size), .stiffness = Eigen::MatrixXd::Zero(size, size)};
+  const RingPlace ring = all.head<5>();
+  BallForces at;
+  for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
+    const Eigen::Index row = 5 + 2 * j;
+    BallMemory ball = memory_[static_cast<std::size_t>(j)];
+    ball.grooves = grooves_at(j, ring);
+    at.of(*this, all.segment<2>(row), ball);
+    at.on_ring();
+    const RingActs acts = acts_of(j);
+    const auto grooves_by_ring = acts.leftCols<2>().transpose();
+    sum.force.head<5>() += acts * at.ring();
+    sum.force.segment<2>(row) = at.on_ball.force;
+    sum.stiffness.topLeftCorner<5, 5>() -= acts * at.ring_by_grooves * grooves_by_ring;
+    sum.stiffness.block<5, 2>(0, row) = -acts * at.ring_by_place;
+    sum.stiffness.block<2, 5>(row, 0) = -at.ball_by_grooves * grooves_by_ring;
+    sum.stiffness.block<2, 2>(row, row) = at.on_ball.stiffness;
+    sum.scale += at.f.inner_load.value + at.f.outer_load.value;
+  }
+  return sum;
 }
 
 // By [Harris2006] the outer race controls where Q_o a_o E_o cos(a_i - a_o) > Q_i a_i E_i.
@@ -383,34 +495,71 @@ RingState balance_thawed(MovingBallRow& row, const RingLoad& load, const RingPla
   return state;
 }
 
-// Some rounds with all frozen that follows from the motion, then Newton's method on the whole.
-RingState balance_from(MovingBallRow& row, const RingLoad& load, RingPlace place, int rounds) {
-  for (int i = 0; i < rounds; ++i) {
-    row.freeze(place);
-    place = place_of(balance_ring(FrozenRow{row}, load, place), row.lever());
-  }
-  row.thaw();
-  return balance_thawed(row, load, place);
+std::string beyond_grooves(int balls) {
+  return "no balance within the grooves: " + std::to_string(balls) +
+         (balls == 1 ? " ball is" : " balls are") + " pressed beyond the end of a groove";
 }
 
-// By and by from balls without mass.
-RingState balance_in_steps(MovingBallRow& row, const RingLoad& load, RingPlace place) {
-  constexpr double kShortest = 1.0 / 512.0;
-  double share = 0.0, step = 0.125;
-  RingState state;
-  while (share < 1.0 && step >= kShortest) {
-    const double next = std::min(1.0, share + step);
-    row.lighten(next);
-    state = balance_from(row, load, place, 1);
-    if (!state.report.converged) {
-      step *= 0.5;
-      continue;
+// The forces on ring and balls at once, of a row under an outer load.
+struct AllForcesAt {
+  MovingBallRow& row;
+  RingPlace outer;  // [N]
+  bool held;        // the tilts are given
+
+  MovingBallRow::AllForces operator()(const Eigen::VectorXd& places) const {
+    MovingBallRow::AllForces sum = row.all_forces(places);
+    sum.force.head<5>() += outer;
+    for (int i = 3; held && i < 5; ++i) {
+      sum.force[i] = 0.0;
+      sum.stiffness.row(i).setZero();
+      sum.stiffness.col(i).setZero();
+      sum.stiffness(i, i) = 1.0;
     }
-    place = place_of(state, row.lever());
-    share = next;
-    step *= 1.5;
+    return sum;
   }
-  row.lighten(1.0);
+  // The share of all that follows from the motion, in place of the frozen row's centrifugal forces.
+  mechanics::PathForces operator()(const Eigen::VectorXd& places, double share) const {
+    row.freeze(true);
+    const MovingBallRow::AllForces from = (*this)(places);
+    row.freeze(false);
+    const MovingBallRow::AllForces to = (*this)(places);
+    return {.force = from.force + share * (to.force - from.force),
+            .stiffness = from.stiffness + share * (to.stiffness - from.stiffness),
+            .by_share = to.force - from.force,
+            .scale = std::max(outer.cwiseAbs().maxCoeff(), from.scale + share * (to.scale - from.scale))};
+  }
+};
+
+// From the balance of the frozen row, which is alone and found from any start, along the path on which the
+// motion comes in.
+RingState balance_along(MovingBallRow& row, const RingLoad& load, const RingPlace& start) {
+  row.freeze(true);
+  const RingPlace frozen = place_of(balance_ring(FrozenRow{row}, load, start), row.lever());
+  RingState state;
+  row.put_loads(frozen, state);
+  const int lost_at_start = row.beyond_grooves();
+  Eigen::VectorXd places = row.places(frozen);
+  const AllForcesAt forces{row, outer_load(load, row.lever()), load.tilt.has_value()};
+  const mechanics::PathReport path = mechanics::follow_path(forces, row.reach(forces.outer.norm()), places);
+  row.freeze(false);
+  state = state_at(row, row.put_places(places));
+  state.report.converged = path.converged;
+  state.report.iterations = path.steps;
+  if (!path.converged)
+    state.report.message =
+        lost_at_start > 0 ? beyond_grooves(lost_at_start) : "the balance was lost on the way to this speed";
+  return state;
+}
+
+// Newton's method from `start`; where it stops, along a path, and along others on which balls are pushed
+// unlike.
+RingState balance_from(MovingBallRow& row, const RingLoad& load, const RingPlace& start) {
+  constexpr int kPaths = 6;
+  RingState state = balance_thawed(row, load, start);
+  for (int path = 0; path < kPaths && !state.report.converged; ++path) {
+    row.push_unlike(path);
+    state = balance_along(row, load, start);
+  }
   return state;
 }
 
@@ -421,15 +570,17 @@ RingState balance_moving(const Bearing& bearing, const RowMotion& motion, const 
   const RingState at_rest = balance_ring(row_at_rest, load);
   if (motion.speeds.at_rest() || (!motion.inertia.enabled && !motion.film)) return at_rest;
   MovingBallRow row(bearing, motion, row_at_rest);
-  RingState state;
-  for (const int rounds : {1, 3, 12, 40}) {
-    state = balance_from(row, load, place_of(at_rest, row.lever()), rounds);
-    if (state.report.converged) break;
-  }
-  if (!state.report.converged) state = balance_in_steps(row, load, place_of(at_rest, row.lever()));
+  RingState state = balance_from(row, load, place_of(at_rest, row.lever()));
   constexpr int kMostChanges = 6;
-  for (int i = 0; i < kMostChanges && state.report.converged && row.choose_control(); ++i)
-    state = balance_from(row, load, place_of(state, row.lever()), 1);
+  for (int i = 0; i < kMostChanges && state.report.converged && row.choose_control(); ++i) {
+    const RingState changed = balance_from(row, load, place_of(state, row.lever()));
+    if (!changed.report.converged) break;  // a race that cannot hold its balls leaves them to the other one
+    state = changed;
+  }
+  if (const int balls = row.beyond_grooves(); state.report.converged && balls > 0) {
+    state.report.converged = false;
+    state.report.message = beyond_grooves(balls);
+  }
   return state;
 }
 

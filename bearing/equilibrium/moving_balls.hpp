@@ -83,12 +83,25 @@ class MovingBallRow {
   /// Race control alone: gives each ball the race that resists its spin more, by its loads of the last time.
   /// Whether a ball changed.
   bool choose_control();
-  /// From now on all that follows from the motion is as the ring at `place` has it, until `thaw`: what is
-  /// left has a convex energy.
-  void freeze(const RingPlace& place);
-  void thaw();
-  /// Gives the balls this share of their mass, from 0 to 1.
-  void lighten(double share);
+  /// While frozen, balls feel a centrifugal force of their orbit at the nominal contact angle and nothing
+  /// else of their motion: what is left has a convex energy.
+  void freeze(bool frozen);
+  /// Centrifugal forces of the frozen row, unlike by a pattern that hangs on `path`; alike for 0. Forgets
+  /// where the balls were.
+  void push_unlike(int path);
+  /// Balls, where the loads were put, that are loaded where a groove stands upright and so has ended.
+  int beyond_grooves() const;
+  /// Places of ring (5) and balls (2 each, from their outer groove centre) [m].
+  Eigen::VectorXd places(const RingPlace& ring) const;
+  /// Takes such places over; returns that of the ring.
+  RingPlace put_places(const Eigen::VectorXd& all);
+  /// Forces on all of them [N], without the outer load, and how stiffly they resist [N/m].
+  struct AllForces {
+    Eigen::VectorXd force;
+    Eigen::MatrixXd stiffness;
+    double scale = 0.0;  // [N]  sum of the contact loads
+  };
+  AllForces all_forces(const Eigen::VectorXd& all) const;
 
   const BallRow& geometry() const { return geometry_; }
   const std::vector<MovingBall>& balls() const { return balls_; }  // where the loads were put
@@ -110,23 +123,20 @@ class MovingBallRow {
   };
   template <class T>
   struct Contacts;
-  struct FrozenForces {
-    Eigen::Vector2d ball = Eigen::Vector2d::Zero();  // [N]    on the ball
-    Eigen::Vector3d ring = Eigen::Vector3d::Zero();  // [N], [N], [N m]  on the ring
-    double inner_share = 1.0, outer_share = 1.0;     // of Hertz's load, by the film
-  };
+  using RingActs = Eigen::Matrix<double, 5, 3>;  // of a ball's force on the ring's coordinates
   struct BallMemory {
     Eigen::Vector2d grooves = Eigen::Vector2d::Zero();  // [m]  where it was found
     Eigen::Vector2d place = Eigen::Vector2d::Zero();    // [m]  from the outer groove centre
     Eigen::Matrix2d follows = Eigen::Matrix2d::Zero();  // how the ball follows the groove centres
     Eigen::Vector3d ring = Eigen::Vector3d::Zero();     // [N], [N], [N m]  on the ring
     Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();  // of it by the groove centres
+    double push = 0.0;                                                        // [N]  outward, while frozen
     double load = 0.0;                                                        // [N]  on the inner race
     bool found = false;
     Control control = Control::outer;
     bool changed_before = false;
-    FrozenForces frozen;
   };
+  struct BallForces;
   template <class T>
   struct Forces {
     T ball_r, ball_z;  // [N]    on the ball
@@ -137,16 +147,19 @@ class MovingBallRow {
 
   template <class T>
   static T hertz(const RaceSide& side, const T& approach);
-  template <class T>
-  Contacts<T> contacts_of(const T& outer_r, const T& outer_z, const T& inner_r, const T& inner_z) const;
+  template <class T, class Outer, class Inner>
+  Contacts<T> contacts_of(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
+                          const Inner& inner_z) const;
   template <class T>
   MotionForces<T> add_motion(Control control, Contacts<T>& at) const;
-  template <class T>
-  Forces<T> forces_of(const T& outer_r, const T& outer_z, const T& inner_r, const T& inner_z,
+  template <class T, class Outer, class Inner>
+  Forces<T> forces_of(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r, const Inner& inner_z,
                       const BallMemory& ball) const;
   void settle(const Eigen::Vector2d& grooves, BallMemory& ball) const;
+  void remember(BallForces& at, BallMemory& ball) const;
   void settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& grooves, BallMemory& ball) const;
   Eigen::Vector2d usual_place(const Eigen::Vector2d& grooves) const;
+  RingActs acts_of(Eigen::Index ball) const;
   Eigen::Vector2d grooves_at(Eigen::Index ball, const RingPlace& place) const;
   MovingBall ball_at(const BallMemory& ball) const;
   RaceSide side_of(const Bearing& bearing, Race race, const std::optional<Lubricant>& oil) const;
@@ -158,9 +171,10 @@ class MovingBallRow {
   double ball_radius_ = 0.0;
   double pitch_radius_ = 0.0;
   double groove_radius_ = 0.0;      // [m]  of the inner race
-  double full_mass_ = 0.0;          // [kg]
   double mass_ = 0.0;               // [kg]
   double moment_of_inertia_ = 0.0;  // [kg m^2]
+  double usual_centrifugal_ = 0.0;  // [N]  at the nominal contact angle
+  double holding_load_ = 0.0;       // [N]  on the inner race, from which a ball rolls on it
   bool filmed_ = false;
   bool frozen_ = false;
   bool settled_ = true;

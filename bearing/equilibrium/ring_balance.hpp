@@ -131,10 +131,36 @@ RingImbalance row_forces(Row&& row, const RingPlace& place) {
   return sum;
 }
 
+/// The load on the place's coordinates [N]; a given tilt bears the moments.
+inline RingPlace outer_load(const RingLoad& load, double lever) {
+  const bool held = load.tilt.has_value();
+  return (RingPlace() << load.radial, 0.0, load.axial, held ? 0.0 : load.moment / lever,
+          held ? 0.0 : load.moment_across / lever)
+      .finished();
+}
+
 /// Stiffness by displacement [m] and tilt [rad] of one by places, whose tilts are taken at the lever [m].
 inline Eigen::Matrix<double, 5, 5> by_tilt(const Eigen::Matrix<double, 5, 5>& stiffness, double lever) {
   const Eigen::Vector<double, 5> arms(1.0, 1.0, 1.0, lever, lever);
   return arms.asDiagonal() * stiffness * arms.asDiagonal();
+}
+
+/// Where the ring is, what its row bears there and how stiffly. The report is that of no search.
+template <class Row>
+RingState state_at(Row&& row, const RingPlace& place) {
+  const double lever = row.lever();
+  const RingImbalance borne = row_forces(row, place);
+  RingState state;
+  state.radial = place[0];
+  state.lateral = place[1];
+  state.axial = place[2];
+  state.tilt = std::atan(place[3] / lever);
+  state.lateral_tilt = std::atan(place[4] / lever);
+  state.moment = -borne.force[3] * lever;
+  state.lateral_moment = -borne.force[4] * lever;
+  state.stiffness = by_tilt(borne.stiffness, lever);
+  row.put_loads(place, state);
+  return state;
 }
 
 /// The search begins at `start`; a tilt that is given stays.
@@ -142,10 +168,7 @@ template <class Row>
 RingState balance_ring(Row&& row, const RingLoad& load, const RingPlace& start = RingPlace::Zero()) {
   const double lever = row.lever();
   const bool tilt_given = load.tilt.has_value();
-  const RingPlace outer =
-      (RingPlace() << load.radial, 0.0, load.axial, tilt_given ? 0.0 : load.moment / lever,
-       tilt_given ? 0.0 : load.moment_across / lever)
-          .finished();
+  const RingPlace outer = outer_load(load, lever);
   const Eigen::Array<bool, 5, 1> held(false, false, false, tilt_given, tilt_given);
   RingPlace place = start;
   if (tilt_given) {
@@ -160,28 +183,20 @@ RingState balance_ring(Row&& row, const RingLoad& load, const RingPlace& start =
     mechanics::hold<5>(held, sum);
     return sum;
   };
-  RingState state;
   RingImbalance now;
+  BalanceReport report;
   mechanics::SearchLimits limits{.reach = reach, .tolerance = 1e-13, .most_iterations = 300};
   if constexpr (requires { std::remove_cvref_t<Row>::follows_motion; }) {
     limits.most_iterations = 60;  // begins near its end, or not at all
-    state.report = {mechanics::find_root<5>(imbalance_at, limits, place, now)};
+    report = {mechanics::find_root<5>(imbalance_at, limits, place, now)};
   } else {
     if constexpr (requires { std::remove_cvref_t<Row>::near; })
       limits.tolerance = limits.acceptable = std::remove_cvref_t<Row>::near;
-    state.report = {mechanics::find_balance<5>(imbalance_at, limits, place, now)};
+    report = {mechanics::find_balance<5>(imbalance_at, limits, place, now)};
   }
-  if (!state.report.converged) state.report.message = "the ring found no balance on its rolling elements";
-  const RingImbalance borne = row_forces(row, place);
-  state.radial = place[0];
-  state.lateral = place[1];
-  state.axial = place[2];
-  state.tilt = std::atan(place[3] / lever);
-  state.lateral_tilt = std::atan(place[4] / lever);
-  state.moment = -borne.force[3] * lever;
-  state.lateral_moment = -borne.force[4] * lever;
-  state.stiffness = by_tilt(borne.stiffness, lever);
-  row.put_loads(place, state);
+  if (!report.converged) report.message = "the ring found no balance on its rolling elements";
+  RingState state = state_at(row, place);
+  state.report = report;
   return state;
 }
 

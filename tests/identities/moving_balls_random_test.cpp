@@ -1,9 +1,12 @@
-// Ten thousand ball bearings drawn at random, either ring turning at up to 15000 rpm: a balance for each,
-// whose forces close.
+// Issue 15: ball bearings drawn at random, RANDOM_BALANCES of them: any valid geometry, rings at up to 15000
+// rpm, loads over five decades, radial, axial, inclined, with moments, with a given tilt, every closure. Each
+// finds its balance, or the reason why there is none.
 #include <gtest/gtest.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <random>
 
 #include "bearing/equilibrium/static_bearing.hpp"
@@ -22,64 +25,87 @@ struct Drawn {
 
 class Draws {
  public:
-  // Angular-contact bearings are loaded along the axis too, and no bearing with less than its balls press on
-  // the outer race by their own mass: beneath, rings leave their balls.
   Drawn next() {
-    Drawn drawn;
-    Bearing& bearing = drawn.bearing;
-    Balls balls;
-    balls.count = std::uniform_int_distribution<int>(6, 30)(engine_);
-    balls.diameter = between(3e-3, 40e-3);
-    balls.contact_angle = between(0.0, kPi / 4.0);
-    bearing.pitch_diameter = balls.diameter / std::sin(kPi / balls.count) * between(1.02, 1.4);
-    bearing.inner.osculation = between(0.51, 0.55);
-    bearing.outer.osculation = between(0.51, 0.55);
-    bearing.radial_clearance = between(-2e-4, 1e-3) * balls.diameter;
-    bearing.elements = balls;
-    bearing.first_element = between(0.0, 6.0);
-    const double speed = between(0.0, 15000.0) * kPi / 30.0;
-    (between(0.0, 1.0) < 0.7 ? drawn.motion.speeds.inner : drawn.motion.speeds.outer) = speed;
-    const double orbit = 0.55 * speed;
-    const double thrown =
-        balls.count * geometry_of(bearing).element_mass * 0.5 * bearing.pitch_diameter * orbit * orbit;
+    Drawn drawn{.bearing = bearing(), .motion = motion(), .load = {}};
+    const Balls& balls = drawn.bearing.balls();
     const double capacity =
         1e7 * balls.diameter * balls.diameter * balls.count;  // [N]  that of balls at rest
-    const double load = std::max(thrown, capacity * std::pow(10.0, between(-3.0, -0.3)));
-    const double least = std::atan(1.2 * std::tan(balls.contact_angle));
-    const double angle = between(least, 0.5 * kPi);
-    drawn.load = {.radial = load * std::cos(angle), .axial = load * std::sin(angle)};
-    if (between(0.0, 1.0) < 0.3)
-      drawn.load.moment = 0.05 * load * bearing.pitch_diameter * between(-1.0, 1.0);
+    drawn.load = load(capacity * std::pow(10.0, between(-5.0, -0.3)), drawn.bearing.pitch_diameter);
     return drawn;
   }
 
  private:
+  Bearing bearing() {
+    Bearing bearing;
+    Balls balls;
+    balls.count = std::uniform_int_distribution<int>(4, 40)(engine_);
+    balls.diameter = 1e-3 * std::pow(60.0, between(0.0, 1.0));
+    balls.contact_angle = between(0.0, 1.0) < 0.2 ? 0.0 : between(0.0, kPi / 3.0);
+    bearing.pitch_diameter = std::max(1.5 * balls.diameter,  //
+                                      balls.diameter / std::sin(kPi / balls.count) * between(1.01, 2.0));
+    bearing.inner.osculation = between(0.505, 0.56);
+    bearing.outer.osculation = between(0.505, 0.56);
+    bearing.radial_clearance = between(-5e-4, 2e-3) * balls.diameter;
+    bearing.elements = balls;
+    bearing.first_element = between(0.0, 6.3);
+    return bearing;
+  }
+  // One ring or the other; one in ten times both, against each other at half the speed at most: rings at
+  // opposite speeds leave no orbit.
+  RowMotion motion() {
+    RowMotion motion;
+    const double speed = between(0.0, 15000.0) * kPi / 30.0, which = between(0.0, 1.0);
+    if (which < 0.6 || which >= 0.9) motion.speeds.inner = speed;
+    if (which >= 0.6) motion.speeds.outer = which < 0.9 ? speed : speed * between(-0.5, 1.0);
+    motion.inertia.attitude = static_cast<BallAttitude>(std::uniform_int_distribution<int>(0, 3)(engine_));
+    return motion;
+  }
+  RingLoad load(double size, double pitch_diameter) {
+    enum Kind { radial, axial, inclined, with_moments, tilted };
+    const auto kind = static_cast<Kind>(std::uniform_int_distribution<int>(0, 4)(engine_));
+    const double angle = between(0.0, 0.5 * kPi);
+    RingLoad load;
+    if (kind != axial) load.radial = kind == radial ? size : size * std::cos(angle);
+    if (kind != radial) load.axial = kind == axial ? size : size * std::sin(angle);
+    if (kind == with_moments) {
+      load.moment = size * pitch_diameter * between(-0.5, 0.5);
+      load.moment_across = size * pitch_diameter * between(-0.5, 0.5);
+    }
+    if (kind == tilted) load.tilt = between(-2e-3, 2e-3);
+    return load;
+  }
   double between(double least, double most) {
     return std::uniform_real_distribution<double>(least, most)(engine_);
   }
   std::mt19937_64 engine_{20260101};
 };
 
-TEST(MovingBallsRandom, EachFindsItsBalance) {
-  constexpr int kBearings = 10000;
+TEST(RandomBalances, AreFoundOrAreNone) {
+  const char* stated = std::getenv("RANDOM_BALANCES");
+  const int bearings = stated ? std::atoi(stated) : 200;
   Draws draws;
-  int failed = 0;
-  for (int i = 0; i < kBearings; ++i) {
+  int found = 0, none = 0;
+  for (int i = 0; i < bearings; ++i) {
     const Drawn drawn = draws.next();
     const RingState state = balance_moving(drawn.bearing, drawn.motion, drawn.load);
-    if (!state.report.converged) {
-      ++failed;
-      ADD_FAILURE() << i << ": " << drawn.bearing.balls().count << " balls of "
-                    << drawn.bearing.balls().diameter << " m at " << drawn.bearing.balls().contact_angle
-                    << " rad, inner " << drawn.motion.speeds.inner << ", outer " << drawn.motion.speeds.outer
-                    << " rad/s, " << drawn.load.radial << " N, " << drawn.load.axial << " N, "
-                    << drawn.load.moment << " N m: " << state.report.message;
+    if (state.report.converged) {
+      ++found;
+      ASSERT_TRUE(state.stiffness.allFinite()) << i;
+      ASSERT_TRUE(state.contact_load.allFinite()) << i;
       continue;
     }
-    ASSERT_TRUE(state.stiffness.allFinite()) << i;
-    ASSERT_TRUE(state.contact_load.allFinite()) << i;
+    if (state.report.message.find("no balance within the grooves") != std::string::npos) {
+      ++none;
+      continue;
+    }
+    ADD_FAILURE() << i << ": " << drawn.bearing.balls().count << " balls of "
+                  << drawn.bearing.balls().diameter << " m at " << drawn.bearing.balls().contact_angle
+                  << " rad, inner " << drawn.motion.speeds.inner << ", outer " << drawn.motion.speeds.outer
+                  << " rad/s, " << drawn.load.radial << " N, " << drawn.load.axial << " N, "
+                  << drawn.load.moment << " N m: " << state.report.message;
   }
-  EXPECT_EQ(failed, 0);
+  std::cout << found << " in balance, " << none << " pressed beyond the ends of their grooves\n";
+  EXPECT_GE(found, 0.8 * bearings);
 }
 
 }  // namespace

@@ -214,6 +214,56 @@ TEST(MovingBalls, OnePitchFurtherNothingChanges) {
   EXPECT_NEAR((one.stiffness - other.stiffness).norm() / one.stiffness.norm(), 0.0, 1e-7);
 }
 
+// A ball that a radial load does not reach runs in the outer groove with the kinematic speed of the cage, and
+// presses on it by its centrifugal force.
+TEST(MovingBalls, ABallThatLeftTheInnerRaceOrbitsWithTheCage) {
+  Bearing bearing = bearing_218();
+  std::get<Balls>(bearing.elements).contact_angle = 0.0;
+  bearing.radial_clearance = 20e-6;
+  const BearingGeometry geometry = geometry_of(bearing);
+  const double cage = 0.5 * 8000.0 * kRpm * (1.0 - geometry.element_radius / geometry.pitch_radius);
+  const double thrown = geometry.element_mass * geometry.pitch_radius * cage * cage;
+  for (const BallAttitude attitude : attitudes) {
+    const RingState state = balance_moving(bearing, turning(8000.0, attitude), {.radial = 8000.0});
+    ASSERT_TRUE(state.report.converged) << state.report.message;
+    int unloaded = 0;
+    for (Eigen::Index j = 0; j < state.contact_load.size(); ++j) {
+      if (state.contact_load[j] > 0.0) continue;
+      ++unloaded;
+      EXPECT_NEAR(state.outer_load[j] / thrown, 1.0, 1e-7) << j;
+      EXPECT_NEAR(state.outer_angle[j], 0.0, 1e-7) << j;
+    }
+    EXPECT_GE(unloaded, 8);
+  }
+}
+
+// Newton's method alone, from the bearing at rest, finds no balance of a light load on balls that are thrown
+// outward; the path from the centrifugal force alone leads to one, at which the row's own forces close.
+TEST(MovingBalls, APathLeadsWhereNewtonStops) {
+  const Bearing bearing = bearing_218();
+  const RowMotion motion{.speeds = {.outer = 10000.0 * kRpm}};
+  const RingLoad load{.radial = 2000.0, .axial = 500.0};
+  MovingBallRow row(bearing, motion);
+  const RingPlace at_rest = place_of(balance_ring(BallRow(bearing), load), row.lever());
+  EXPECT_FALSE(balance_ring(row, load, at_rest).report.converged && row.settled());
+  const RingState state = balance_moving(bearing, motion, load);
+  ASSERT_TRUE(state.report.converged) << state.report.message;
+  MovingBallRow again(bearing, motion);
+  const RingImbalance borne = row_forces(again, place_of(state, again.lever()));
+  ASSERT_TRUE(again.settled());
+  EXPECT_LT((borne.force + outer_load(load, again.lever())).norm(), 1e-6 * borne.scale);
+}
+
+// A bearing at 40 degrees whose axial load is far too small for its radial one, with nothing to hold its
+// tilt.
+TEST(MovingBalls, BallsPressedBeyondTheirGroovesAreNamed) {
+  const RingState state =
+      balance_moving(bearing_218(), turning(10000.0), {.radial = 12000.0, .axial = 2000.0});
+  EXPECT_FALSE(state.report.converged);
+  EXPECT_NE(state.report.message.find("beyond the end of a groove"), std::string::npos)
+      << state.report.message;
+}
+
 TEST(MovingBalls, EitherRingMayTurn) {
   const Bearing bearing = bearing_218();
   RowMotion motion;
