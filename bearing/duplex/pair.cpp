@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "bearing/equilibrium/row_group.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::duplex {
@@ -12,14 +13,6 @@ using equilibrium::RingImbalance;
 using equilibrium::RingLoad;
 using equilibrium::RingPlace;
 using equilibrium::RingState;
-
-// Eq. (1) without the approach; tilts are angles times `unit` [m].
-Stiffness motion_of_row(double position, double side, double unit) {
-  Stiffness motion = Stiffness::Identity();
-  motion(0, 3) = motion(1, 4) = -position / unit;
-  motion(2, 2) = motion(3, 3) = motion(4, 4) = side;
-  return motion;
-}
 
 }  // namespace
 
@@ -47,8 +40,8 @@ double approach_under(const Bearing& bearing, double preload) {
 
 PairRow::PairRow(const Pair& pair) : row_(pair.bearing), approach_(pair.approach) {
   const Sides sides = sides_of(pair.arrangement);
-  first_ = motion_of_row(pair.levers.first, sides.first, lever());
-  second_ = motion_of_row(-pair.levers.second, sides.second, lever());
+  first_ = equilibrium::motion_of_row(pair.levers.first, sides.first, lever(), lever());
+  second_ = equilibrium::motion_of_row(-pair.levers.second, sides.second, lever(), lever());
 }
 
 RingPlace PairRow::in_row(const Stiffness& motion, const RingPlace& place) const {
@@ -110,8 +103,8 @@ Stiffness pair_stiffness(const PairRow::RowStiffnesses& rows, Arrangement arrang
                          const RowLevers& levers) {
   constexpr double by_angle = 1.0;
   const Sides sides = sides_of(arrangement);
-  const Stiffness first = motion_of_row(levers.first, sides.first, by_angle);
-  const Stiffness second = motion_of_row(-levers.second, sides.second, by_angle);
+  const Stiffness first = equilibrium::motion_of_row(levers.first, sides.first, by_angle, by_angle);
+  const Stiffness second = equilibrium::motion_of_row(-levers.second, sides.second, by_angle, by_angle);
   return first.transpose() * rows.first * first + second.transpose() * rows.second * second;
 }
 

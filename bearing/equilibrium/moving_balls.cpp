@@ -554,7 +554,7 @@ RingState balance_along(MovingBallRow& row, const RingLoad& load, const RingPlac
 // Newton's method from `start`; where it stops, along a path, and along others on which balls are pushed
 // unlike.
 RingState balance_from(MovingBallRow& row, const RingLoad& load, const RingPlace& start) {
-  constexpr int kPaths = 6;
+  constexpr int kPaths = 24;
   RingState state = balance_thawed(row, load, start);
   for (int path = 0; path < kPaths && !state.report.converged; ++path) {
     row.push_unlike(path);

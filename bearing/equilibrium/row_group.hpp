@@ -1,0 +1,77 @@
+// Any number of rows on one shaft: one balance, one stiffness.
+//
+//        row 1        row 2              row 3         z along the shaft; x and y across; outer rings stand
+//     -----+------------+-----o------------+----> z
+//                             origin of the loads and of the displacement
+//
+// Each row is that of ring_balance.hpp in coordinates of its own, whose z points to where the row is pressed:
+// of the shaft's motion (x, y, z, tilt in the plane of x and z, tilt in that of y and z) a row at position p
+// that is pressed towards s = +1 or -1 feels
+//
+//     (1)  (x - p tilt, y - p tilt', s z + approach, s tilt, s tilt')
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+#include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/ring_balance.hpp"
+#include "bearing/equilibrium/rollers.hpp"
+
+namespace orbearing::bearing::equilibrium {
+
+/// Eq. (1) without the approach, of tilts that are angles times `unit` [m] on the shaft and times `own_unit`
+/// in the row.
+inline Eigen::Matrix<double, 5, 5> motion_of_row(double position, double side, double unit, double own_unit) {
+  Eigen::Matrix<double, 5, 5> motion = Eigen::Matrix<double, 5, 5>::Identity();
+  motion(0, 3) = motion(1, 4) = -position / unit;
+  motion(2, 2) = side;
+  motion(3, 3) = motion(4, 4) = side * own_unit / unit;
+  return motion;
+}
+
+/// One bearing on the shaft.
+struct RowOnShaft {
+  Bearing bearing;
+  RowMotion motion{};     // of balls; of rollers it is not felt
+  double position = 0.0;  // [m]  of the row along z
+  double side = 1.0;      // +1 or -1: where its inner ring is pressed to
+  double approach = 0.0;  // [m]  by which it is pressed there before the shaft moves: a preload by spacers
+};
+
+/// All rows: the problem of ring_balance.hpp for the shaft. Balls that turn remember where they were.
+class RowGroup {
+ public:
+  /// Throws std::invalid_argument as the rows do or where there are none. Balls are at rest unless `turning`.
+  RowGroup(const std::vector<RowOnShaft>& bearings, bool turning);
+
+  double lever() const { return lever_; }
+  double reach(double load) const;
+  void add_forces(const RingPlace& place, RingImbalance& sum) const;
+  /// Loads and angles of the first row's elements, then of the second's and so on; no laminae.
+  void put_loads(const RingPlace& place, RingState& state) const;
+  /// Whether a row turns, so that its forces have no energy.
+  bool turns() const;
+  /// Whether all balls found their balance the last time.
+  bool settled() const;
+
+ private:
+  struct Placed {
+    std::variant<BallRow, RollerRow, MovingBallRow> row;
+    Eigen::Matrix<double, 5, 5> motion;  // of the row by that of the shaft, tilts at both levers
+    double approach;                     // [m]
+
+    RingPlace in_row(const RingPlace& place) const;
+  };
+
+  mutable std::vector<Placed> rows_;
+  double lever_ = 0.0;  // [m]
+};
+
+/// Where the shaft balances on all rows under `load`, which acts at the origin. Balls at speed are sought by
+/// Newton's method from the balance at rest alone. Throws as RowGroup does.
+RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& load);
+
+}  // namespace orbearing::bearing::equilibrium
