@@ -45,7 +45,7 @@ BallRow::BallRow(const Bearing& bearing) {
 BallRow::BallPlace BallRow::place_of(Eigen::Index ball, const RingPlace& place) const {
   const double radial = radial_distance_ + place[0] * cosine_[ball] + place[1] * sine_[ball];
   const double axial = axial_distance_ + place[2] + place[3] * cosine_[ball] + place[4] * sine_[ball];
-  const double length = std::sqrt(radial * radial + axial * axial);
+  const double length = std::hypot(radial, axial);
   return {radial, axial, length, length - groove_distance_};
 }
 
