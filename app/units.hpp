@@ -8,6 +8,7 @@ namespace orbearing::app {
 inline constexpr double kRpm = 30.0 / boost::math::double_constants::pi;               // per rad/s
 inline constexpr double kRadiansPerSecond = boost::math::double_constants::pi / 30.0;  // of 1 rpm
 inline constexpr double kDegree = 180.0 / boost::math::double_constants::pi;           // per rad
+inline constexpr double kKilo = 1e-3;                                                  // per unit
 inline constexpr double kMilli = 1e3;                                                  // per unit
 inline constexpr double kMicro = 1e6;                                                  // per unit
 inline constexpr double kMega = 1e-6;                                                  // per unit

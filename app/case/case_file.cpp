@@ -88,7 +88,8 @@ void blame_settings(std::vector<Mistake>& mistakes, const std::vector<Mistake>& 
     });
   };
   for (Mistake& mistake : mistakes)
-    if (!mistake.place.option && !is_of_file(mistake)) mistake.place = {true, static_cast<int>(settings), 1};
+    if (!mistake.place.option && mistake.place.file.empty() && !is_of_file(mistake))
+      mistake.place = {true, static_cast<int>(settings), 1};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/key_hints.hpp"
+#include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/sweep_axes.hpp"
 
@@ -146,9 +147,18 @@ class Resolver {
       object(member.place, path, found, required);
       return;
     }
-    FieldReading reading = read_field(field, member.value);
+    const std::size_t before = mistakes_.size();
+    const bool elsewhere = field.from_file && member.value.shape == Entry::Shape::block;
+    const Entry value =
+        elsewhere ? rows_of_file(field, member.value, path, data_.file, mistakes_) : member.value;
+    if (mistakes_.size() > before) {
+      faulty_.insert(path);
+      return;
+    }
+    FieldReading reading = read_field(field, value);
     if (!reading.good) {
-      object(member.value.place, path, reading.complaint.found, reading.complaint.required);
+      object(reading.place.value_or(member.value.place), path, reading.complaint.found,
+             reading.complaint.required);
       return;
     }
     StoredValue& stored = data_.values[path];

@@ -14,6 +14,7 @@
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/case/refinement_consistency.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/case/static_consistency.hpp"
 #include "gearset/checks.hpp"
 
@@ -311,6 +312,7 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
   // The oil is that of all sets.
   check_grade(resolved, mistakes);
   check_cleanliness(resolved, mistakes);
+  check_spectrum(resolved, mistakes);
 }
 
 }  // namespace orbearing::app

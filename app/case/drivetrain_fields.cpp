@@ -1,6 +1,7 @@
 // Fields of the gear set and of the power that drives it.
 #include "app/case/described_fields.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "gearset/parameters.hpp"
 
 namespace orbearing::app::table {
@@ -43,6 +44,7 @@ void add_bodies(std::vector<Field>& fields) {
 
 void add_drivetrain_fields(std::vector<Field>& fields) {
   add_described(fields, gearset::Drive{});
+  fields.push_back(spectrum_field());
   add_described(fields, gearset::PlanetarySet{});
   add_bodies(fields);
 }

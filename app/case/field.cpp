@@ -116,26 +116,114 @@ FieldReading read_scalar(const Field& field, const Entry& entry) {
 // One quantity of a row.
 Field field_of_column(const Field& field, const ListColumn& column) {
   Field one = field;
-  one.kind = Kind::quantity;
+  one.kind = column.dimension.si.empty() ? Kind::number : Kind::quantity;
   one.dimension = column.dimension;
   one.range = column.range;
   one.columns.clear();
   return one;
 }
 
-FieldReading read_row(const Field& field, const Entry& entry) {
-  if (entry.shape != Entry::Shape::list || entry.items.size() != field.columns.size())
-    return bad(describe(entry) + " as a row", field);
+FieldReading at(const Entry& entry, FieldReading reading) {
+  if (!reading.good && !reading.place) reading.place = entry.place;
+  return reading;
+}
+
+FieldReading read_cell(const Field& field, const ListColumn& column, const Entry& entry) {
+  const Field one = field_of_column(field, column);
+  Entry cell = entry;
+  const bool plain = entry.shape == Entry::Shape::scalar && !entry.quoted && read_number(entry.text).value;
+  if (plain && !column.unit_of_number.empty()) cell.text += " " + std::string(column.unit_of_number);
+  FieldReading reading = at(entry, read_field(one, cell));
+  if (!reading.good) reading.complaint.found = column_key(column) + ": " + reading.complaint.found;
+  return reading;
+}
+
+FieldReading bad_row(const Entry& entry, std::string found, const Field& field) {
+  return at(entry, bad(std::move(found), field));
+}
+
+// Rows of which some columns are left out have names.
+bool has_choices(const Field& field) {
+  return std::any_of(field.columns.begin(), field.columns.end(),
+                     [](const ListColumn& column) { return column.one_of > 0; });
+}
+
+FieldReading read_listed_row(const Field& field, const Entry& entry) {
+  if (has_choices(field) || entry.shape != Entry::Shape::list || entry.items.size() != field.columns.size())
+    return bad_row(entry, describe(entry) + " as a row", field);
   FieldValue value;
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < field.columns.size(); ++i) {
-    FieldReading reading = read_field(field_of_column(field, field.columns[i]), entry.items[i]);
+    FieldReading reading = read_cell(field, field.columns[i], entry.items[i]);
     if (!reading.good) return reading;
     texts.push_back(reading.value.given);
     value.list.push_back(reading.value.number);
   }
   value.given = fmt::format("[{}]", fmt::join(texts, ", "));
   return good(std::move(value));
+}
+
+// "power or torque"
+std::string keys_of_group(const Field& field, int group) {
+  std::vector<std::string> keys;
+  for (const ListColumn& column : field.columns)
+    if (column.one_of == group) keys.push_back(column_key(column));
+  return fmt::format("{}", fmt::join(keys, " or "));
+}
+
+// The first key that no column has, or that stands twice; nothing where all is well.
+std::optional<FieldReading> wrong_key(const Field& field, const Entry& row) {
+  for (std::size_t i = 0; i < row.members.size(); ++i) {
+    const std::string& key = row.members[i].key;
+    const Entry at_key = make_entry(Entry::Shape::nothing, row.members[i].place);
+    if (std::none_of(field.columns.begin(), field.columns.end(),
+                     [&](const ListColumn& column) { return column_key(column) == key; }))
+      return bad_row(at_key, "the unknown key '" + key + "'", field);
+    for (std::size_t j = 0; j < i; ++j)
+      if (row.members[j].key == key) return bad_row(at_key, "the key '" + key + "' twice", field);
+  }
+  return std::nullopt;
+}
+
+// Of the columns of which a row has one: none or several; nothing where all is well.
+std::optional<FieldReading> wrong_choice(const Field& field, const Entry& row) {
+  for (const ListColumn& column : field.columns) {
+    if (column.one_of == 0) continue;
+    int found = 0;
+    for (const ListColumn& other : field.columns)
+      if (other.one_of == column.one_of && find_member(row, column_key(other)) != nullptr) ++found;
+    if (found != 1)
+      return bad_row(row,
+                     fmt::format("a row with {} {}", found == 0 ? "no" : "more than one",
+                                 keys_of_group(field, column.one_of)),
+                     field);
+  }
+  return std::nullopt;
+}
+
+FieldReading read_named_row(const Field& field, const Entry& entry) {
+  if (auto wrong = wrong_key(field, entry)) return *wrong;
+  if (auto wrong = wrong_choice(field, entry)) return *wrong;
+  FieldValue value;
+  std::vector<std::string> texts;
+  for (const ListColumn& column : field.columns) {
+    const Member* member = find_member(entry, column_key(column));
+    if (member == nullptr && column.one_of > 0) {
+      value.list.push_back(0.0);
+      continue;
+    }
+    if (member == nullptr) return bad_row(entry, "a row without '" + column_key(column) + "'", field);
+    FieldReading reading = read_cell(field, column, member->value);
+    if (!reading.good) return reading;
+    texts.push_back(column_key(column) + ": " + reading.value.given);
+    value.list.push_back(reading.value.number);
+  }
+  value.given = fmt::format("{{{}}}", fmt::join(texts, ", "));
+  return good(std::move(value));
+}
+
+FieldReading read_row(const Field& field, const Entry& entry) {
+  return entry.shape == Entry::Shape::block ? read_named_row(field, entry) : read_listed_row(field, entry);
 }
 
 FieldReading read_rows(const Field& field, const Entry& entry) {
@@ -172,13 +260,21 @@ FieldReading read_list(const Field& field, const Entry& entry) {
   return good(std::move(value));
 }
 
+// "[load, speed] like [[3 N, 2 m/s]]"; of columns of which a row has one, "{power or torque, speed}".
 std::string rows_text(const Field& field) {
   std::vector<std::string> names, examples;
+  const bool blocks = has_choices(field);
   for (const ListColumn& column : field.columns) {
-    names.push_back(column.name);
-    examples.emplace_back(column.dimension.example);
+    const std::string name = column.one_of > 0 ? keys_of_group(field, column.one_of) : column.name;
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    names.push_back(name);
+    const std::string example(column.dimension.example.empty() ? "0.5" : column.dimension.example);
+    examples.push_back(blocks ? column_key(column) + ": " + example : example);
   }
-  return fmt::format("list of rows [{}] like [[{}]]", fmt::join(names, ", "), fmt::join(examples, ", "));
+  if (!blocks)
+    return fmt::format("list of rows [{}] like [[{}]]", fmt::join(names, ", "), fmt::join(examples, ", "));
+  return fmt::format("list of rows {{{}}} like [{{{}}}]{}", fmt::join(names, ", "), fmt::join(examples, ", "),
+                     field.from_file ? " or {file: NAME.csv}" : "");
 }
 
 std::string kind_text(const Field& field, Kind kind) {
@@ -203,6 +299,12 @@ std::string kind_text(const Field& field, Kind kind) {
 }
 
 }  // namespace
+
+std::string column_key(const ListColumn& column) {
+  std::string key = column.name;
+  std::replace(key.begin(), key.end(), ' ', '_');
+  return key;
+}
 
 FieldReading read_field(const Field& field, const Entry& entry) {
   if (field.kind == Kind::list) return read_list(field, entry);

@@ -1,7 +1,9 @@
 // One row of the table of fields: all that is known about an input before a case is read.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/case/field_use.hpp"
@@ -18,17 +20,19 @@ using enum described::Model;
 using described::every_model;
 using described::lone_balls;
 using described::positive;
-using described::scratched_bearings;
 using described::Range;
+using described::scratched_bearings;
 using described::toothless_set;
 using described::with_balls;
 using described::with_rollers;
 
-/// One column of a list of rows.
+/// One column of a list of rows. A row is a list of all columns, or a block with their names as keys.
 struct ListColumn {
   std::string name{};
-  Dimension dimension{};
+  Dimension dimension{};  // none: a plain number
   Range range{};
+  int one_of = 0;  // of the columns with this number, if above 0, a row has one; the others read 0
+  std::string_view unit_of_number{};  // unit of a number without one, where the name says it; none: refused
 };
 
 struct Field {
@@ -45,7 +49,8 @@ struct Field {
   std::string default_reason{};          // why this value may stand in for one that is not given
   Kind element = Kind::number;           // list: kind of its elements
   bool default_without_bearing = false;  // the default stands in only where a set has no bearing
-  std::vector<ListColumn> columns{};     // list of lists: quantities of each of these
+  std::vector<ListColumn> columns{};     // list of rows: quantities of each of these
+  bool from_file = false;                // list of rows: {file: NAME.csv} may stand in their place
 };
 
 /// A checked value of a field.
@@ -68,10 +73,14 @@ struct FieldReading {
   bool good = false;
   FieldValue value;
   Complaint complaint;
+  std::optional<Place> place{};  // of a part of the entry that is to blame
 };
 
 /// Checks one entry of the case against its field: kind, unit, finiteness, range.
 FieldReading read_field(const Field& field, const Entry& entry);
+
+/// The key of a column in a row that is a block: "rolling_speed" of "rolling speed".
+std::string column_key(const ListColumn& column);
 
 /// What the field requires, as in "a length like '3 mm', greater than 0 mm".
 std::string requirement(const Field& field);

@@ -12,7 +12,7 @@ namespace orbearing::app {
 namespace {
 
 auto order(const Place& place) {
-  return std::tuple(place.option, place.line, place.column);
+  return std::tuple(place.option, place.file, place.line, place.column);
 }
 
 std::vector<std::string> sorted_lines(const std::string& file, std::vector<Mistake> mistakes) {
@@ -31,8 +31,10 @@ std::vector<std::string> sorted_lines(const std::string& file, std::vector<Mista
 
 std::string describe(const Mistake& mistake, const std::string& file) {
   const Place& place = mistake.place;
+  const bool option = place.option && place.file.empty();
+  const std::string& of = place.file.empty() ? file : place.file;
   const std::string where =
-      place.option ? "--set" : fmt::format("{}:{}:{}", printable(file), place.line, place.column);
+      option ? "--set" : fmt::format("{}:{}:{}", printable(of), place.line, place.column);
   return fmt::format("{}: {}: {}; {}", where, shortened(mistake.path), printable(mistake.complaint.found),
                      printable(mistake.complaint.required));
 }

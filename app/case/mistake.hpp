@@ -11,8 +11,9 @@ namespace orbearing::app {
 /// Where something was written: in the file, or as the n-th --set option.
 struct Place {
   bool option = false;
-  int line = 1;    // counted from 1; for an option, its number
-  int column = 1;  // counted from 1, in characters
+  int line = 1;        // counted from 1; for an option, its number
+  int column = 1;      // counted from 1, in characters
+  std::string file{};  // where it is not the case's: one that the case names
 };
 
 struct Complaint {

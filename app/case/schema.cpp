@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/case/case_shape.hpp"
@@ -25,12 +26,45 @@ Json with_range(Json schema, const Range& range) {
   return schema;
 }
 
-Json row_schema(const Field& field) {
+Json cell_schema(const ListColumn& column) {
+  const Json number = with_range({{"type", "number"}}, column.range);
   const Json quantity{{"type", "string"}, {"pattern", quantity_pattern}};
-  return {{"type", "array"},
-          {"minItems", field.columns.size()},
-          {"maxItems", field.columns.size()},
-          {"items", quantity}};
+  if (column.dimension.si.empty()) return number;
+  return column.unit_of_number.empty() ? quantity : Json{{"oneOf", {quantity, number}}};
+}
+
+// A list of all columns; or a block, with one of those of which a row has one.
+Json row_schema(const Field& field) {
+  const Json listed{{"type", "array"},
+                    {"minItems", field.columns.size()},
+                    {"maxItems", field.columns.size()},
+                    {"items", {{"type", "string"}, {"pattern", quantity_pattern}}}};
+  Json block{{"type", "object"},
+             {"additionalProperties", false},
+             {"required", Json::array()},
+             {"properties", Json::object()}};
+  std::map<int, Json> choices;
+  for (const ListColumn& column : field.columns) {
+    block["properties"][column_key(column)] = cell_schema(column);
+    if (column.one_of == 0)
+      block["required"].push_back(column_key(column));
+    else
+      choices[column.one_of].push_back({{"required", {column_key(column)}}});
+  }
+  if (choices.empty()) return {{"oneOf", {listed, block}}};
+  block["allOf"] = Json::array();
+  for (const auto& [group, choice] : choices) block["allOf"].push_back({{"oneOf", choice}});
+  return block;
+}
+
+Json rows_schema(const Field& field) {
+  Json rows{{"type", "array"}, {"minItems", 1}, {"items", row_schema(field)}};
+  if (!field.from_file) return rows;
+  const Json file{{"type", "object"},
+                  {"additionalProperties", false},
+                  {"required", {"file"}},
+                  {"properties", {{"file", {{"type", "string"}, {"minLength", 1}}}}}};
+  return {{"oneOf", {rows, file}}};
 }
 
 Json value_schema(const Field& field, Kind kind) {
@@ -48,7 +82,7 @@ Json value_schema(const Field& field, Kind kind) {
     case Kind::text:
       return {{"type", "string"}, {"minLength", 1}};
     case Kind::list:
-      if (!field.columns.empty()) return {{"type", "array"}, {"minItems", 1}, {"items", row_schema(field)}};
+      if (!field.columns.empty()) return rows_schema(field);
       return {{"type", "array"}, {"minItems", 1}, {"items", value_schema(field, field.element)}};
   }
   return {};

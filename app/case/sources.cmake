@@ -29,6 +29,8 @@ set(ORBEARING_CASE_SOURCES
   case/profile_case.cpp
   case/refinement_consistency.cpp
   case/resolved_case.cpp
+  case/rows_file.cpp
+  case/spectrum_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp
   case/settings.cpp

@@ -152,15 +152,32 @@ void add_signals(CLI::App& command, Options& options) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("PATH=[...]");
   command
-      .add_option("--fidelity", options.fidelity,
-                  "quasi-static (default): the ring on balls without mass; dynamic: all of the bearing in motion")
+      .add_option(
+          "--fidelity", options.fidelity,
+          "quasi-static (default): the ring on balls without mass; dynamic: all of the bearing in motion")
       ->check(CLI::IsMember({"quasi-static", "dynamic"}));
-  command.add_option("--noise", options.noise, "noise of the instrument, root mean square in m/s2; default: none")
+  command
+      .add_option("--noise", options.noise,
+                  "noise of the instrument, root mean square in m/s2; default: none")
       ->check(CLI::Range(0.0, 1e9));
   command.add_option("--seed", options.seed, "of the noise; default: 1");
   command.add_option("--jobs", options.jobs, "threads; default: one for each core")
       ->check(CLI::Range(1, 4096));
   command.add_flag("--resume", options.resume, "go on in DIR with the signals that are missing");
+}
+
+void add_spectrum(CLI::App& command, Options& options) {
+  command
+      .add_option("SERIES", options.folders,
+                  "record over time, CSV or netCDF: time, speed and torque or power of the driving member")
+      ->required()
+      ->expected(1);
+  command
+      .add_option("-o,--output", options.output,
+                  "CSV file for spectrum: {file: ...} of a case; replaced where it exists")
+      ->type_name("FILE.csv");
+  command.add_option("--bins", options.bins, "bins of torque x bins of speed; default: 8x8")
+      ->type_name("NxM");
 }
 
 // Subcommands in the order in which they are shown.
@@ -210,7 +227,11 @@ void add_commands(CommandTable table) {
   stiffness.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
   add_fmu(table.add("fmu", "the planet bearing or the gear set for other simulation tools", fmu_command),
           options);
-  add_signals(table.add("signals", "labelled vibration signals of scratched bearings", signals_command), options);
+  add_signals(table.add("signals", "labelled vibration signals of scratched bearings", signals_command),
+              options);
+  add_spectrum(table.add("spectrum", "a load spectrum from a record over time, by bins of torque and speed",
+                         spectrum_command),
+               options);
   CLI::App& validate = table.add("validate", "published numbers beside ours", validate_command);
   add_settings(validate, options);
   validate.add_option("CASE", options.cases, "case files or folders; default: all that ship");
@@ -242,10 +263,10 @@ bool known(const CLI::App& program, const std::string& word) {
 void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.front() == '-' || known(program, word)) return;
-  throw BadInput(fmt::format(
-      "orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
-      "stiffness, fmu, signals, validate or report",
-      word));
+  throw BadInput(
+      fmt::format("orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
+                  "stiffness, fmu, signals, spectrum, validate or report",
+                  word));
 }
 
 int parse_and_run(int argc, char** argv) {

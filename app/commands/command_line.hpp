@@ -14,7 +14,7 @@ namespace orbearing::app {
 struct Options {
   std::string case_file;
   std::vector<std::string> cases;     // validate: none means all that ship
-  std::vector<std::string> folders;   // merge, report
+  std::vector<std::string> folders;   // merge, report; spectrum: the file of the record
   std::vector<std::string> settings;  // path=value
   std::string output;                 // empty: with --json, nothing is written
   std::string fidelity = "quasi-static";
@@ -32,6 +32,7 @@ struct Options {
   std::vector<std::string> varied;       // signals: path=[value, value]
   double noise = 0.0;                    // signals: root mean square [m/s^2]
   std::uint64_t seed = 1;                // signals: of the noise
+  std::string bins = "8x8";              // spectrum: of torque and of speed
   CrownOptions crown;
   bool resume = false;
   bool json = false;
@@ -51,6 +52,7 @@ int stiffness_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
 int signals_command(const Options& options);
+int spectrum_command(const Options& options);
 
 /// Throws BadInput where the result would go nowhere: neither --output nor --json; where there is nothing to
 /// resume.

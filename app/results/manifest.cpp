@@ -18,6 +18,20 @@ using Json = nlohmann::ordered_json;
 constexpr int manifest_format = 2;
 constexpr std::size_t most_shards = 1'000'000;  // as many as a sweep may have points
 
+Json spectrum_line(const LoadSpectrum& spectrum) {
+  Json bins = Json::array();
+  for (const LoadBin& bin : spectrum.bins) bins.push_back({bin.power, bin.speed, bin.share});
+  return {{"hours", spectrum.hours}, {"lines", spectrum.lines}, {"bins_W_rad_per_s_share", bins}};
+}
+
+LoadSpectrum spectrum_from(const Json& object) {
+  LoadSpectrum spectrum{.hours = object.at("hours").get<double>(),
+                        .lines = object.at("lines").get<std::size_t>()};
+  for (const Json& bin : object.at("bins_W_rad_per_s_share"))
+    spectrum.bins.push_back({bin.at(0).get<double>(), bin.at(1).get<double>(), bin.at(2).get<double>()});
+  return spectrum;
+}
+
 ManifestHeader header_from(const Json& object) {
   if (object.at("orbearing_results").get<int>() != manifest_format)
     throw BadInput("written in another format");
@@ -37,6 +51,8 @@ ManifestHeader header_from(const Json& object) {
   if (object.contains("sets")) header.sets = object.at("sets").get<std::vector<std::string>>();
   header.refined = object.at("refined").get<bool>();
   header.resonances = object.at("resonances").get<bool>();
+  if (object.contains("spectrum")) header.spectrum = spectrum_from(object.at("spectrum"));
+  if (header.spectrum.points() > header.points) throw BadInput("a spectrum of more points than there are");
   return header;
 }
 
@@ -84,7 +100,7 @@ std::size_t grid_point_below(const ManifestHeader& header, const TableHead& head
   double best = -std::numeric_limits<double>::infinity();
   for (const auto& [point, entry] : entries) {
     const double speed = speed_in_row(head, entry.row);
-    if (!header.holds(point) || !on_one_line(head, entry.row, row)) continue;
+    if (!header.holds(point) || point >= header.grid() || !on_one_line(head, entry.row, row)) continue;
     if (speed > speed_in_row(head, row) || speed < best) continue;
     best = speed;
     below = point;
@@ -112,7 +128,7 @@ std::vector<ResultRow> rows_in_table_order(const ManifestHeader& header, const E
   const auto following = added_rows(header, head_of(header), entries);
   std::vector<ResultRow> rows;
   for (const auto& [point, entry] : entries) {
-    if (!header.holds(point)) break;
+    if (point >= header.grid()) break;
     rows.push_back(entry.row);
     const auto [begin, end] = following.equal_range(point);
     for (auto next = begin; next != end; ++next) rows.push_back(*next->second);
@@ -172,6 +188,7 @@ std::string header_line(const ManifestHeader& header) {
     object["axes"].push_back({{"column", axis.column}, {"units", axis.units}, {"meaning", axis.meaning}});
   if (header.continued) object["continue"] = to_string(*header.continued);
   if (!header.sets.empty()) object["sets"] = header.sets;
+  if (header.spectrum.lines > 0) object["spectrum"] = spectrum_line(header.spectrum);
   return object.dump() + '\n';
 }
 

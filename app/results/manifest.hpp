@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/load_spectrum.hpp"
 #include "app/results/result_row.hpp"
 
 namespace orbearing::app {
@@ -36,15 +37,18 @@ struct ManifestHeader {
   std::string program_version;
   std::string instruction_set;  // results are equal to the last bit within one only
   std::string fidelity;
-  std::size_t points = 0;                // of the whole sweep's grid, all shards together
+  std::size_t points = 0;                // of the whole sweep's grid and spectrum, all shards together
   std::optional<Shard> shard;            // none: the whole sweep
   std::vector<SweptAxis> axes;           // other than input.speed
   std::vector<std::string> sets{};       // with bearings, of a drivetrain of several sets
   std::optional<Direction> continued{};  // none: each point starts from its own quasi-static state
   bool refined = false;                  // points are added around the peak, numbered from `points` on
   bool resonances = false;               // rows name their nearest resonance
+  LoadSpectrum spectrum{};  // its points are the last of `points`: bin by bin that turns, line by line
 
-  /// Whether a point of the grid is one of this part of the sweep.
+  /// Points of the grid; those of the spectrum follow.
+  std::size_t grid() const { return points - spectrum.points(); }
+  /// Whether a point of grid or spectrum is one of this part of the sweep.
   bool holds(std::size_t point) const { return point < points && (!shard || shard->holds(point)); }
   /// Whether a point was added to the grid. A shard has none: `merge` adds them.
   bool adds(std::size_t point) const { return refined && !shard && point >= points; }

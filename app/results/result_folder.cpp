@@ -10,6 +10,7 @@
 #include "app/checksum.hpp"
 #include "app/errors.hpp"
 #include "app/results/row_text.hpp"
+#include "app/results/spectrum_life.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -20,6 +21,7 @@ constexpr const char* manifest_name = "manifest.jsonl";
 constexpr const char* points_name = "points";
 constexpr const char* resolved_name = "case.resolved.yaml";
 constexpr const char* table_name = "sweep.csv";
+constexpr const char* spectrum_name = "spectrum.csv";
 
 /// Names in `folder`; none where it is missing. Throws BadInput where it is no folder or cannot be looked
 /// into.
@@ -171,7 +173,7 @@ void ResultFolder::keep(std::vector<FinishedPoint> points) {
 
 void ResultFolder::discard() {
   std::error_code ignored;
-  for (const char* name : {points_name, resolved_name, table_name, manifest_name}) {
+  for (const char* name : {points_name, resolved_name, table_name, spectrum_name, manifest_name}) {
     fs::remove_all(folder_ / name, ignored);
     fs::remove((folder_ / name).string() + aside_ending, ignored);
   }
@@ -183,6 +185,8 @@ void ResultFolder::write_table() const {
   std::string text = csv_head(head_);
   for (const ResultRow& row : rows_in_table_order(header_, finished_)) text += csv_line(head_, row);
   write_aside_and_rename(folder_ / table_name, text);
+  const std::vector<SpectrumResult> spectra = spectrum_results(header_, finished_);
+  if (!spectra.empty()) write_aside_and_rename(folder_ / spectrum_name, spectrum_csv(header_, spectra));
   sync_folder(folder_);
 }
 

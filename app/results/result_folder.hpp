@@ -49,7 +49,8 @@ class ResultFolder {
   /// Throws ComputationFailed where the disk does not take them; what was kept before stays sound.
   void keep(std::vector<FinishedPoint> points);
 
-  /// Writes sweep.csv from the finished points, `rows_in_table_order`.
+  /// Writes sweep.csv from the finished points, `rows_in_table_order`, and spectrum.csv where the case states
+  /// a spectrum whose points are all there.
   void write_table() const;
 
   /// Takes back all that stands in the folder. For a fresh one only; nothing may be kept afterwards.

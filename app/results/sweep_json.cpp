@@ -39,11 +39,12 @@ Json sweep_json(const SweepOutcome& outcome, const LifePeak& peak, const Json& a
                 const Json& warnings, const Json& versions) {
   Json points = Json::array();
   for (const ResultRow& row : outcome.rows) points.push_back(row_json(outcome.head, row));
-  return {{"points", std::move(points)},
-          {"peak", peak_json(peak)},
-          {"assumptions", assumptions},
-          {"warnings", warnings},
-          {"versions", versions}};
+  Json object{{"points", std::move(points)}, {"peak", peak_json(peak)}};
+  if (!outcome.spectra.empty()) object["spectrum"] = spectrum_json(outcome.header, outcome.spectra);
+  object["assumptions"] = assumptions;
+  object["warnings"] = warnings;
+  object["versions"] = versions;
+  return object;
 }
 
 }  // namespace orbearing::app

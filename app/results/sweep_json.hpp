@@ -24,8 +24,8 @@ struct LifePeak {
 /// point has a life.
 LifePeak grid_peak(const TableHead& head, const std::vector<ResultRow>& rows);
 
-/// Object with `points`, `peak`, `assumptions`, `warnings`, `versions`, in this order; no number where a
-/// value is missing, but null. The last three are taken as they are.
+/// Object with `points`, `peak`, `spectrum` where the case states one, `assumptions`, `warnings`, `versions`,
+/// in this order; no number where a value is missing, but null. The last three are taken as they are.
 nlohmann::ordered_json sweep_json(const SweepOutcome& outcome, const LifePeak& peak,
                                   const nlohmann::ordered_json& assumptions,
                                   const nlohmann::ordered_json& warnings,

@@ -121,18 +121,22 @@ bool compute_round(const SweepRequest& request, const std::vector<SweepPoint>& p
 /// follows from the same rows as in an undisturbed sweep. False where it was interrupted.
 bool refine_peak(const SweepRequest& request, ResultFolder& folder) {
   std::vector<ResultRow> rows;
+  // Points of the spectrum stand between the grid's and those that are added.
+  const std::size_t grid = request.header.grid(), of_spectrum = request.header.points - grid;
   const auto take_up_to = [&](std::size_t end) {
-    while (rows.size() < end) rows.push_back(folder.finished().at(rows.size()).row);
+    while (rows.size() < end)
+      rows.push_back(folder.finished().at(rows.size() + (rows.size() < grid ? 0 : of_spectrum)).row);
   };
-  take_up_to(request.header.points);
+  take_up_to(grid);
   for (int round = 1;; ++round) {
     const std::vector<SweepPoint> points = request.refinement->next(folder.head(), rows);
     if (points.empty()) break;
-    const std::size_t first = rows.size();
+    const std::size_t first = rows.size() + of_spectrum;
     if (!compute_round(request, points, first, fmt::format("peak, round {}: ", round), folder)) return false;
-    take_up_to(first + points.size());
+    take_up_to(rows.size() + points.size());
   }
-  if (folder.finished().size() > rows.size()) refuse_other_refinement(folder, rows.size());
+  const std::size_t known = rows.size() + of_spectrum;
+  if (folder.finished().size() > known) refuse_other_refinement(folder, known);
   return true;
 }
 
@@ -178,7 +182,8 @@ class ContinuationPath {
 
 void compute_paths(const SweepRequest& request, ResultFolder& folder) {
   Progress progress(folder.finished().size(), request.header.own_points(), !request.quiet);
-  for (const std::vector<std::size_t>& points : continuation_paths(request.points, *request.header.continued)) {
+  for (const std::vector<std::size_t>& points :
+       continuation_paths(request.points, *request.header.continued)) {
     ContinuationPath path(request, folder);
     for (const std::size_t point : points) {
       if (Interruption::requested()) return;
@@ -201,9 +206,10 @@ SweepOutcome outcome_of(const ManifestHeader& header, const ResultFolder& folder
 
 SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t, ManifestEntry>& entries,
                         std::size_t kept) {
-  SweepOutcome outcome{header, head_of(header), rows_in_table_order(header, entries), kept, 0};
-  for (const ResultRow& row : outcome.rows)
-    if (!row.ok()) ++outcome.failed;
+  SweepOutcome outcome{header, head_of(header), rows_in_table_order(header, entries),
+                       spectrum_results(header, entries), kept};
+  for (const auto& [point, entry] : entries)
+    if (!entry.row.ok()) ++outcome.failed;
   return outcome;
 }
 

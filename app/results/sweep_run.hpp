@@ -13,15 +13,16 @@
 #include "app/results/manifest.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/results/result_row.hpp"
+#include "app/results/spectrum_life.hpp"
 #include "app/results/sweep_point.hpp"
 
 namespace orbearing::app {
 
 /// Points that a sweep adds to its grid until its peak is known.
 struct Refinement {
-  /// The points to be added when those of `rows` are done (the grid's in their order, then those added
-  /// before, in the order in which they were asked for); none: the peak is known. Depends on nothing but the
-  /// rows, so that a resumed sweep asks for the same points.
+  /// The points to be added when those of `rows` are done (the grid's in their order, without the spectrum's,
+  /// then those added before, in the order in which they were asked for); none: the peak is known. Depends on
+  /// nothing but the rows, so that a resumed sweep asks for the same points.
   std::function<std::vector<SweepPoint>(const TableHead& head, const std::vector<ResultRow>& rows)> next;
   /// Computes one of them; as SweepRequest::evaluate.
   std::function<study::PointResult(const SweepPoint& point)> evaluate;
@@ -50,7 +51,8 @@ struct SweepOutcome {
   ManifestHeader header;
   TableHead head;
   std::vector<ResultRow> rows;
-  std::size_t kept = 0;    // found finished in the folder
+  std::vector<SpectrumResult> spectra;  // one for each combination of the other swept values, if any
+  std::size_t kept = 0;                 // found finished in the folder
   std::size_t failed = 0;  // rows whose status is not "ok"; the command's exit code is 1 where there are any
 };
 

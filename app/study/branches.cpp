@@ -23,7 +23,7 @@ Json rows_of(const Manifest& manifest) {
   Json rows = Json::array();
   // Points that only one of two sweeps added to their common grid have nothing beside them.
   for (const auto& [index, entry] : manifest.entries)
-    if (manifest.header->holds(index)) rows.push_back(row_json(head, entry.row));
+    if (index < manifest.header->grid()) rows.push_back(row_json(head, entry.row));
   return rows;
 }
 

@@ -51,7 +51,7 @@ void refine_peak_of(const ResolvedCase& resolved, SweepRequest& request) {
   const auto lines = dips ? std::make_shared<LinesOfResonances>(resolved) : nullptr;
   request.header.refined = true;
   request.refinement =
-      Refinement{[resolved, lines, fidelity, points = request.header.points](
+      Refinement{[resolved, lines, fidelity, points = request.header.grid()](
                      const TableHead& head, const std::vector<ResultRow>& rows) {
                    std::vector<SweepPoint> added;
                    const std::optional<std::size_t> best = best_of_grid(head, rows, points);

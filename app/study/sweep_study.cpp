@@ -9,6 +9,8 @@
 
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_writer.hpp"
+#include "app/case/spectrum_case.hpp"
+#include "app/case/sweep_axes.hpp"
 #include "app/errors.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/results/terminal_table.hpp"
@@ -50,6 +52,39 @@ SweepPoint point_of(const ResolvedCase& resolved, std::vector<Setting> settings)
     throw BadInput("sweep point " + point.label + ": " + error.what());
   }
   return point;
+}
+
+constexpr const char* kPowerPath = "input.power";
+
+/// Settings of one combination of the swept values that the bins of a spectrum do not state.
+std::vector<std::vector<Setting>> lines_of_spectrum(const ResolvedCase& resolved) {
+  std::vector<std::vector<Setting>> lines;
+  for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
+    std::vector<Setting> line = sweep_point(resolved, i);
+    std::erase_if(line, [](const Setting& setting) {
+      return setting.first == kSpeedPath || setting.first == kPowerPath;
+    });
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// The bins that turn, for each combination of the other swept values.
+void add_spectrum(const ResolvedCase& resolved, LoadSpectrum& spectrum, std::vector<SweepPoint>& points) {
+  const std::vector<std::vector<Setting>> lines = lines_of_spectrum(resolved);
+  spectrum.lines = lines.size();
+  for (const std::vector<Setting>& line : lines)
+    for (const std::size_t number : spectrum.turning()) {
+      const LoadBin& bin = spectrum.bins[number];
+      std::vector<Setting> settings = line;
+      settings.emplace_back(kPowerPath, fmt::format("{} W", bin.entering_power()));
+      settings.emplace_back(kSpeedPath, fmt::format("{} rad/s", bin.speed));
+      points.push_back(point_of(resolved, std::move(settings)));
+    }
+  if (static_cast<double>(points.size()) > most_points)
+    throw BadInput(
+        fmt::format("{}: spectrum: found {} operating points with those of the sweep; required: at most {}",
+                    resolved.origin(kSpectrumPath), points.size(), most_points));
 }
 
 }  // namespace
@@ -113,14 +148,21 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
   SweepRequest request;
   for (std::size_t i = 0; i < sweep_size(resolved); ++i)
     request.points.push_back(point_of(resolved, sweep_point(resolved, i)));
+  const std::size_t grid = request.points.size();
+  LoadSpectrum spectrum = load_spectrum(resolved).value_or(LoadSpectrum{});
+  if (!spectrum.bins.empty()) add_spectrum(resolved, spectrum, request.points);
   request.header = manifest_header(resolved, fidelity, request.points.size());
+  request.header.spectrum = std::move(spectrum);
   for (const SweepAxis& axis : resolved.axes())
     if (axis.path != kSpeedPath) request.header.axes.push_back(axis_column(axis.path));
   request.header.sets = bearing_set_names(resolved);
   request.resolved_case = write_resolved(resolved);
   const study::Fidelity level = fidelity_of(fidelity);
-  request.evaluate = [resolved, level](std::size_t index) {
-    return compute_point(resolved, sweep_point(resolved, index), level);
+  const std::vector<SweepPoint> bins(request.points.begin() + static_cast<std::ptrdiff_t>(grid),
+                                     request.points.end());
+  request.evaluate = [resolved, level, grid, bins](std::size_t index) {
+    return compute_point(resolved, index < grid ? sweep_point(resolved, index) : bins[index - grid].settings,
+                         level);
   };
   name_resonances(resolved, request);
   return request;
@@ -138,6 +180,10 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
   if (!swept)
     mistakes.push_back("--continue: found a sweep without " + kSpeedPath +
                        "; required: at least two speeds, so that points have neighbours");
+  if (resolved.has(kSpectrumPath))
+    mistakes.push_back(
+        "--continue: found with a load spectrum; required: one of both, since bins have no order of "
+        "speeds");
   if (resolved.shape().several)
     mistakes.push_back(
         "--continue: found a drivetrain of several sets; required: one set, since a point keeps the "
@@ -170,10 +216,17 @@ nlohmann::ordered_json versions_json() {
 
 namespace {
 
-const std::string& first_failure(const SweepOutcome& outcome) {
-  const auto failed =
-      std::find_if(outcome.rows.begin(), outcome.rows.end(), [](const ResultRow& row) { return !row.ok(); });
-  return failed->status;
+std::string first_failure(const SweepOutcome& outcome) {
+  for (const ResultRow& row : outcome.rows)
+    if (!row.ok()) return row.status;
+  for (const SpectrumResult& result : outcome.spectra)
+    for (const SpectrumBin& bin : result.bins)
+      if (bin.row && !bin.row->ok()) return bin.row->status;
+  return "of a spectrum that is not whole";
+}
+
+std::size_t points_of(const SweepOutcome& outcome) {
+  return outcome.rows.size() + outcome.header.spectrum.points();
 }
 
 // Of one planet bearing at the operating point; of several sets, by set.
@@ -201,13 +254,14 @@ int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, boo
       object["stiffness"] = stiffness_of_run(resolved);
     fmt::print("{}\n", object.dump(2));
   } else if (!quiet) {
-    fmt::print("{}\n{}", sweep_table(outcome.head, outcome.rows),
-               life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()));
+    fmt::print("{}\n{}{}", sweep_table(outcome.head, outcome.rows),
+               life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
+               spectrum_text(outcome.header, outcome.spectra));
     for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
   }
   if (outcome.failed == 0) return 0;
   fmt::print(stderr, "{} of {} points failed; their rows say why, the first: {}\n", outcome.failed,
-             outcome.rows.size(), first_failure(outcome));
+             points_of(outcome), first_failure(outcome));
   return 1;
 }
 

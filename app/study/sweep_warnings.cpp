@@ -16,15 +16,26 @@ namespace {
 // Beyond it a roller contact yields.
 constexpr double kStaticPressureMPa = 1e-6 * static_pressure(bearing::rating::RollingElement::roller);
 
+// Those of the table, and of the bins of a spectrum.
+std::vector<const ResultRow*> all_rows(const SweepOutcome& outcome) {
+  std::vector<const ResultRow*> rows;
+  for (const ResultRow& row : outcome.rows) rows.push_back(&row);
+  for (const SpectrumResult& result : outcome.spectra)
+    for (const SpectrumBin& bin : result.bins)
+      if (bin.row) rows.push_back(&*bin.row);
+  return rows;
+}
+
 // How many rows satisfy `holds`, and the first of them, in words.
 std::string rows_where(const SweepOutcome& outcome, const std::function<bool(const ResultRow&)>& holds) {
   std::size_t count = 0;
   std::string first;
-  for (const ResultRow& row : outcome.rows) {
-    if (!holds(row)) continue;
-    if (count++ == 0) first = fmt::format("{:g} rpm", value_of(outcome.head, row, "input_speed_rpm"));
+  const std::vector<const ResultRow*> rows = all_rows(outcome);
+  for (const ResultRow* row : rows) {
+    if (!holds(*row)) continue;
+    if (count++ == 0) first = fmt::format("{:g} rpm", value_of(outcome.head, *row, "input_speed_rpm"));
   }
-  return count == 0 ? "" : fmt::format("{} of {} points, first at {}", count, outcome.rows.size(), first);
+  return count == 0 ? "" : fmt::format("{} of {} points, first at {}", count, rows.size(), first);
 }
 
 }  // namespace

@@ -208,7 +208,7 @@ ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds)
       std::vector<double> lives;
       for (const double speed : speeds)
         lives.push_back(
-            life_hours(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0}},
+            life_hours(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0, {}}},
                                      stage.request.measure, stage.request.laminae),
                        profile.made, tilt));
       all.push_back({{"profile", profile.name},

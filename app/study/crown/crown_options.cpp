@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/case/printable.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/crown/quantity_list.hpp"
 #include "app/study/planetary_case.hpp"
@@ -100,9 +101,23 @@ std::vector<double> shares_of(const CrownOptions& options, std::size_t speeds, M
   return shares;
 }
 
+// What the case states.
+std::vector<crowning::SpectrumPoint> points_of(const LoadSpectrum& stated) {
+  std::vector<crowning::SpectrumPoint> points;
+  for (const LoadBin& bin : stated.bins)
+    points.push_back({bin.turns() ? bin.speed : 0.0, bin.share, bin.entering_power()});
+  return points;
+}
+
 std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, const CrownOptions& options,
                                                  Mistakes& mistakes) {
-  if (!options.spectrum && options.shares.empty()) return {{resolved.quantity(kSpeedPath), 1.0}};
+  if (const std::optional<LoadSpectrum> stated = load_spectrum(resolved)) {
+    if (options.spectrum || !options.shares.empty())
+      mistakes.push_back(
+          "--spectrum, --shares: found with a case that states a spectrum; required: one of both");
+    return points_of(*stated);
+  }
+  if (!options.spectrum && options.shares.empty()) return {{resolved.quantity(kSpeedPath), 1.0, {}}};
   const std::vector<SweepAxis>& axes = resolved.axes();
   if (std::none_of(axes.begin(), axes.end(), [](const SweepAxis& axis) { return axis.path == kSpeedPath; })) {
     mistakes.push_back(
@@ -113,7 +128,7 @@ std::vector<crowning::SpectrumPoint> spectrum_of(const ResolvedCase& resolved, c
   const std::vector<double> shares = shares_of(options, speeds.size(), mistakes);
   std::vector<crowning::SpectrumPoint> spectrum;
   for (std::size_t i = 0; i < speeds.size() && i < shares.size(); ++i)
-    spectrum.push_back({speeds[i], shares[i]});
+    spectrum.push_back({speeds[i], shares[i], {}});
   return spectrum;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/results/json_number.hpp"
@@ -70,10 +71,58 @@ ordered_json front_json(const CrownStudy& study) {
   return front;
 }
 
+double power_at(const CrownStudy& study, const SpectrumPoint& point) {
+  return point.power.value_or(study.request.drivetrain.drive.power);
+}
+
+// Of the points of the spectrum those that turn for some time, in their order, as the problem takes them.
+ordered_json duties_json(const CrownStudy& study) {
+  ordered_json duties = ordered_json::array();
+  for (const SpectrumPoint& point : study.request.spectrum) {
+    if (point.speed <= 0.0 || point.share <= 0.0) continue;
+    const DutyRecord& record = study.recommended.duties[duties.size()];
+    duties.push_back({{"input_speed_rpm", in_table_unit(point.speed, kRpm)},
+                      {"power_kW", in_table_unit(power_at(study, point), kKilo)},
+                      {"share", point.share},
+                      {"tilt_mrad", in_table_unit(record.tilt, kMilli)},
+                      {"life_h", number_or_null(record.life_hours)},
+                      {"damage_share", number_or_null(record.damage_share)},
+                      {"peak_pressure_MPa", number_or_null(kMega * record.pressure.peak)},
+                      {"edge_ratio", number_or_null(record.pressure.edge_ratio)}});
+  }
+  return duties;
+}
+
+ordered_json recommended_json(const CrownStudy& study) {
+  const auto& [design, band, duties] = study.recommended;
+  return {{"profile", design.profile},
+          {"drop_um", kMicro * design.crown.drop},
+          {"least_drop_um", kMicro * band.least},
+          {"most_drop_um", kMicro * band.most},
+          {"most_is_greatest_studied", band.open},
+          {"life_h", number_or_null(design.life_hours)},
+          {"life_kept_in_band", kKeptLife},
+          {"straight_life_share", number_or_null(study.straight.life_hours / design.life_hours)},
+          {"no_crown_needed", band.least == 0.0},
+          {"points", duties_json(study)}};
+}
+
+std::string recommended_text(const CrownStudy& study) {
+  const auto& [design, band, duties] = study.recommended;
+  return fmt::format(
+      "recommended: {}, drop {:.3g} um; from {:.3g} to {:.3g} um{} at least {:.0f} % of its life is "
+      "left, straight rollers leave {:.0f} %{}\n",
+      design.profile, kMicro * design.crown.drop, kMicro * band.least, kMicro * band.most,
+      band.open ? " (the greatest studied)" : "", 100.0 * kKeptLife,
+      100.0 * study.straight.life_hours / design.life_hours, band.least == 0.0 ? ": no crown is needed" : "");
+}
+
 ordered_json spectrum_json(const CrownStudy& study) {
   ordered_json spectrum = ordered_json::array();
   for (const SpectrumPoint& point : study.request.spectrum)
-    spectrum.push_back({{"input_speed_rpm", in_table_unit(point.speed, kRpm)}, {"share", point.share}});
+    spectrum.push_back({{"input_speed_rpm", in_table_unit(point.speed, kRpm)},
+                        {"power_kW", in_table_unit(power_at(study, point), kKilo)},
+                        {"share", point.share}});
   return spectrum;
 }
 
@@ -110,10 +159,13 @@ std::string grid_text(const CrownStudy& study, std::size_t profile) {
 
 std::string where_text(const CrownStudy& study) {
   const auto& spectrum = study.request.spectrum;
+  const auto [low, high] =
+      std::minmax_element(spectrum.begin(), spectrum.end(),
+                          [](const SpectrumPoint& a, const SpectrumPoint& b) { return a.speed < b.speed; });
   const std::string where = spectrum.size() == 1
                                 ? fmt::format("input speed {:.6g} rpm", kRpm * spectrum.front().speed)
-                                : fmt::format("spectrum of {} speeds, {:.6g} to {:.6g} rpm", spectrum.size(),
-                                              kRpm * spectrum.front().speed, kRpm * spectrum.back().speed);
+                                : fmt::format("spectrum of {} points, {:.6g} to {:.6g} rpm", spectrum.size(),
+                                              kRpm * low->speed, kRpm * high->speed);
   return fmt::format("{}; life by laminae after {}; worst of tilts {:.4g} to {:.4g} mrad\n", where,
                      name_of(study.request.measure), kMilli * study.request.tilts.front(),
                      kMilli * study.request.tilts.back());
@@ -141,6 +193,7 @@ ordered_json crown_json(const CrownStudy& study) {
                       {"spectrum", spectrum_json(study)},
                       {"points", points},
                       {"optimum", search_json(study.searches[study.best], measure)},
+                      {"recommended", recommended_json(study)},
                       {"straight", design_json(study.straight, measure)},
                       {"reference", design_json(study.reference, measure)}};
   if (!study.robust.empty()) object["robust"] = search_json(study.robust[study.best_robust], measure);
@@ -162,7 +215,7 @@ std::string crown_text(const CrownStudy& study) {
   text += design_line("ISO/TS 16281", study.reference, straight);
   for (const CrownSearch& search : study.searches) text += design_line("optimum", search.best, straight);
   for (const CrownSearch& search : study.robust) text += design_line("tolerant", search.best, straight);
-  return text;
+  return text + recommended_text(study);
 }
 
 PointContent crown_content(const CrownStudy& study) {

@@ -148,6 +148,15 @@ void put_searches(const Bench& bench, CrownStudy& study) {
   study.best_robust = longest(study.robust, [](const CrownDesign& design) { return design.life_in_band; });
 }
 
+Recommendation recommendation(const Bench& bench, const CrownStudy& study) {
+  const CrownDesign& best =
+      study.robust.empty() ? study.searches[study.best].best : study.robust[study.best_robust].best;
+  const ProfileFamily family = family_in(bench.problem, best.profile);
+  const std::vector<double>& tilts = bench.request.tilts;
+  return {best, drop_band(bench.problem, family, best.crown, tilts, bench.request.drops.back(), bench.jobs),
+          duty_records(bench.problem, bench.pressure, best.made, tilts, bench.jobs)};
+}
+
 }  // namespace
 
 std::size_t grid_size(const CrownRequest& request) {
@@ -180,6 +189,7 @@ CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& 
     const double drop = reference_drop(problem.bearing);
     const ProfileFamily standard = family_of("iso16281", problem.bearing, 1.0);
     study.reference = crowned(bench, "iso16281", standard, {drop, 1.0});
+    study.recommended = recommendation(bench, study);
   } catch (const std::runtime_error& error) {
     throw ComputationFailed(std::string("crown: ") + error.what());
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/study/crown/crown_options.hpp"
+#include "coupling/study/crowning/crown_band.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
 
 namespace orbearing::app {
@@ -35,6 +36,13 @@ struct CrownSearch {
   bool at_end = false;  // the greatest drop studied is the best: a greater one may be better
 };
 
+/// The drop to take, how closely, and what each duty does to it.
+struct Recommendation {
+  CrownDesign design;
+  study::crowning::DropBand band;
+  std::vector<study::crowning::DutyRecord> duties;  // those of the problem: at speed, for some time
+};
+
 struct CrownStudy {
   CrownRequest request;
   std::vector<std::vector<study::crowning::CrownPoint>> points;   // (profiles)(drops x tilts)
@@ -45,6 +53,7 @@ struct CrownStudy {
   CrownDesign reference;            // profile of ISO/TS 16281 as it stands in the standard
   std::vector<CrownSearch> robust;  // (profiles) best within the tolerances; empty without any
   std::size_t best_robust = 0;
+  Recommendation recommended;  // the best within the tolerances where there are such, else the best
   std::vector<std::string> warnings;
   int failed = 0;  // points without balance
 };

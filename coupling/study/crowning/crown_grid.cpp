@@ -18,14 +18,15 @@ using bearing::profile::Profile;
 void put_duties(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
                 CrownPoint& point) {
   std::vector<bearing::laminae::LaminaResult> loads;
-  double used = 0.0, used_by_rating = 0.0;  // [1/h]
+  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size())), modified(hours.size());
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
     loads.push_back(loads_at(problem, profile, point.tilt, duty));
-    used += problem.duties[duty].share / duty_hours(problem, loads.back(), duty);
-    used_by_rating += problem.duties[duty].share / modified_duty_hours(problem, loads.back(), duty);
+    hours[static_cast<Eigen::Index>(duty)] = duty_hours(problem, loads.back(), duty);
+    modified[static_cast<Eigen::Index>(duty)] = modified_duty_hours(problem, loads.back(), duty);
   }
-  point.life_hours = 1.0 / used;
-  point.modified_life_hours = 1.0 / used_by_rating;
+  point.life_hours = life_of_duties(problem, hours);
+  point.modified_life_hours =
+      modified.isNaN().any() ? std::numeric_limits<double>::quiet_NaN() : life_of_duties(problem, modified);
   point.pressure = peak_pressure(problem, pressure, profile, loads);
 }
 

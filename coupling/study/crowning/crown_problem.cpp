@@ -1,10 +1,12 @@
 #include "coupling/study/crowning/crown_problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "bearing/equilibrium/drop_gradient.hpp"
+#include "bearing/life/basic_life.hpp"
 #include "bearing/life/modified_life.hpp"
 
 namespace orbearing::study::crowning {
@@ -17,10 +19,14 @@ using bearing::profile::Profile;
 
 void require_whole(const std::vector<SpectrumPoint>& spectrum) {
   double sum = 0.0;
+  bool turns = false;
   for (const SpectrumPoint& point : spectrum) {
-    if (!(point.share > 0.0)) throw std::invalid_argument("spectrum: a share of time above 0 is required");
+    if (!(point.share >= 0.0))
+      throw std::invalid_argument("spectrum: found a negative share of time; at least 0 is required");
     sum += point.share;
+    turns = turns || (point.speed > 0.0 && point.share > 0.0);
   }
+  if (!turns) throw std::invalid_argument("spectrum: all time is at rest; a speed above 0 is required");
   if (std::abs(sum - 1.0) > 1e-9)
     throw std::invalid_argument("spectrum: the shares of time add up to " + std::to_string(sum) +
                                 "; 1 is required");
@@ -72,7 +78,9 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
                        .lambda = drivetrain.lambda};
   problem.bearing.rollers().laminae = laminae;
   for (const SpectrumPoint& at : spectrum) {
+    if (at.speed <= 0.0 || at.share <= 0.0) continue;
     PlanetaryDrivetrain there = drivetrain;
+    if (at.power) there.drive.power = *at.power;
     there.drive.speed = at.speed;
     there.misalignment.planet_tilt = 0.0;  // it is what a study varies
     problem.duties.push_back({at.speed, at.share, bearing_duty(there, geometry).point});
@@ -125,10 +133,21 @@ double modified_duty_hours(const CrownProblem& problem, const LaminaResult& load
 
 double life_hours(const CrownProblem& problem, const Profile& profile, double tilt) {
   const LaminaBearing bearing = lamina_bearing(problem, profile);
-  double used = 0.0;  // [1/h]
+  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
-    used += problem.duties[duty].share / duty_hours(problem, balanced(bearing, problem, tilt, duty), duty);
-  return 1.0 / used;
+    hours[static_cast<Eigen::Index>(duty)] =
+        duty_hours(problem, balanced(bearing, problem, tilt, duty), duty);
+  return life_of_duties(problem, hours);
+}
+
+double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen::ArrayXd>& hours) {
+  const Eigen::Index duties = hours.size();
+  Eigen::ArrayXd shares(duties + 1), lives(duties + 1);
+  for (Eigen::Index duty = 0; duty < duties; ++duty)
+    shares[duty] = problem.duties[static_cast<std::size_t>(duty)].share;
+  shares[duties] = std::max(0.0, 1.0 - shares.head(duties).sum());
+  lives << hours, std::numeric_limits<double>::infinity();
+  return bearing::rating::spectrum_life(shares, lives);
 }
 
 // L = 1/sum(s_i/L_i): d ln L = sum of the duties' d ln L_i, weighted by the part of life each uses up.

@@ -32,14 +32,16 @@ struct CrownProblem {
   double lambda = 0.83;               // [-]  of Lundberg and Palmgren's capacities, whatever the measure
 };
 
-/// Speed [rad/s] of the input and share [-] of the time.
+/// One operating point of a spectrum, as a drivetrain is asked for it.
 struct SpectrumPoint {
-  double speed = 0.0;
-  double share = 1.0;
+  double speed = 0.0;           // [rad/s]  of the input; 0: at rest, which uses up time alone
+  double share = 1.0;           // [-]      of the time
+  std::optional<double> power;  // [W]      none: the drivetrain's own
 };
 
-/// The planet bearing of `drivetrain` at its own power and the speeds of `spectrum`, whose shares add up
-/// to 1, cut into `laminae`. Throws std::invalid_argument where they do not.
+/// The planet bearing of `drivetrain` at the points of `spectrum`, whose shares add up to 1, cut into
+/// `laminae`; points without time are left out. Throws std::invalid_argument where shares do not add up, are
+/// negative, or all time passes at rest.
 CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                            const std::vector<SpectrumPoint>& spectrum, LifeMeasure measure, int laminae = 40);
 
@@ -59,12 +61,16 @@ bearing::OperatingPoint tilted(const Duty& duty, double tilt);
 /// Life [h] of one bearing at one duty alone, whose loads are known.
 double duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads, std::size_t duty);
 
-/// The same by film and cleanliness, L_10mh [h]: kappa by speed and viscosity. Not a number where nothing is said of the
-/// oil, or kappa is below 0.1.
+/// The same by film and cleanliness, L_10mh [h]: kappa by speed and viscosity. Not a number where nothing is
+/// said of the oil, or kappa is below 0.1.
 double modified_duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads,
                            std::size_t duty);
 
-/// Life [h] of one bearing by the rule of Palmgren and Miner over the duties; of one duty, its own.
+/// The rule of Palmgren and Miner: life [h] of all, given that of each duty alone. What the duties leave of
+/// the time is rest.
+double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen::ArrayXd>& hours);
+
+/// Life [h] of one bearing over the duties; of one duty, its own.
 double life_hours(const CrownProblem& problem, const bearing::profile::Profile& profile, double tilt);
 
 /// ln of the life in hours, and how it follows the crown.

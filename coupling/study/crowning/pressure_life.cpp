@@ -58,14 +58,14 @@ double revolutions(const CrownProblem& problem, const RollerPressure& pressure, 
 
 double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pressure,
                            const Profile& profile, double tilt, int angles) {
-  double used = 0.0;  // [1/h]
+  Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
   for (std::size_t i = 0; i < problem.duties.size(); ++i) {
     const Duty& duty = problem.duties[i];
     const LaminaResult loads = loads_at(problem, profile, tilt, i);
     const double turns = revolutions(problem, pressure, profile, loads, problem.ratings[i].motions, angles);
-    used += duty.share / bearing::hours(turns, turning_speed(problem.bearing, duty.point));
+    hours[static_cast<Eigen::Index>(i)] = bearing::hours(turns, turning_speed(problem.bearing, duty.point));
   }
-  return 1.0 / used;
+  return life_of_duties(problem, hours);
 }
 
 std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPressure& pressure,

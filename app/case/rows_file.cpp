@@ -1,0 +1,192 @@
+#include "app/case/rows_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace orbearing::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+std::vector<std::string> keys_of(const Field& field) {
+  std::vector<std::string> keys;
+  for (const ListColumn& column : field.columns) keys.push_back(column_key(column));
+  return keys;
+}
+
+bool has_unit(const Field& field, const std::string& key) {
+  return std::any_of(field.columns.begin(), field.columns.end(), [&](const ListColumn& column) {
+    return column_key(column) == key && !column.dimension.si.empty();
+  });
+}
+
+/// A file of rows, line by line.
+class RowsReader {
+ public:
+  RowsReader(const Field& field, std::string path, std::string file, std::vector<Mistake>& mistakes)
+      : field_(field), path_(std::move(path)), file_(std::move(file)), mistakes_(mistakes) {}
+
+  Entry read(std::istream& stream) {
+    Entry list = make_entry(Entry::Shape::list, place(1, 1));
+    std::string line;
+    for (line_ = 1; std::getline(stream, line); ++line_) {
+      if (line_ == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+      const std::string text = trimmed(line);
+      if (text.empty() || text.front() == '#') continue;
+      if (header_.empty()) {
+        if (!read_header(line)) return {};
+        continue;
+      }
+      if (list.items.size() == most_file_rows) {
+        object(1, fmt::format("more than {} rows", most_file_rows), "a shorter list is required");
+        return {};
+      }
+      if (!read_line(line, list)) return {};
+    }
+    if (list.items.empty()) object(1, "no rows", required());
+    return list;
+  }
+
+ private:
+  Place place(int line, int column) const { return {false, line, column, file_}; }
+
+  std::string required() const {
+    return fmt::format(
+        "a first line with the names {}, their units behind them, as in '{}_{}', and a row below is required",
+        fmt::join(keys_of(field_), ", "), column_key(field_.columns.front()),
+        field_.columns.front().dimension.customary);
+  }
+
+  void object(int column, std::string found, std::string required) {
+    mistakes_.push_back({place(line_, column), path_, {std::move(found), std::move(required)}});
+  }
+
+  bool read_header(const std::string& line) {
+    std::vector<int> columns;
+    const std::vector<std::string> cells = csv_cells(line, columns);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      header_.push_back(header_cell(cells[i], keys_of(field_)));
+      if (header_.back().name.empty() || (!header_.back().unit.empty() && !takes_unit(header_.back()))) {
+        object(columns[i], fmt::format("the column {}", quote(cells[i])), required());
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // A column whose name says the unit may repeat it: hours, hours_h.
+  bool takes_unit(const HeaderCell& cell) const { return has_unit(field_, cell.name); }
+
+  bool read_line(const std::string& line, Entry& list) {
+    std::vector<int> columns;
+    const std::vector<std::string> cells = csv_cells(line, columns);
+    if (cells.size() != header_.size()) {
+      object(1, fmt::format("{} values", cells.size()),
+             fmt::format("{}, one for each column of the first line, are required", header_.size()));
+      return false;
+    }
+    Entry row = make_entry(Entry::Shape::block, place(line_, 1));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string text = header_[i].unit.empty() ? cells[i] : cells[i] + " " + header_[i].unit;
+      const Place here = place(line_, columns[i]);
+      row.members.push_back({header_[i].name, here, make_scalar(text, false, here)});
+    }
+    list.items.push_back(std::move(row));
+    return true;
+  }
+
+  const Field& field_;
+  std::string path_;
+  std::string file_;
+  std::vector<Mistake>& mistakes_;
+  std::vector<HeaderCell> header_;
+  int line_ = 1;
+};
+
+// From the case's folder; what an option names and is not there, from where the command was given.
+fs::path found_file(const std::string& name, const std::string& case_file, bool option) {
+  const fs::path beside = fs::path(case_file).parent_path() / name;
+  std::error_code ignored;
+  return option && !fs::exists(beside, ignored) && fs::exists(name, ignored) ? fs::path(name) : beside;
+}
+
+}  // namespace
+
+HeaderCell header_cell(const std::string& text, const std::vector<std::string>& names) {
+  HeaderCell cell;
+  for (const std::string& name : names)
+    if (text.starts_with(name) && name.size() > cell.name.size() &&
+        (text.size() == name.size() ||
+         std::string_view("_ [(").find(text[name.size()]) != std::string_view::npos))
+      cell.name = name;
+  if (cell.name.empty()) return cell;
+  cell.unit = text.substr(cell.name.size());
+  const bool underscores = cell.unit.starts_with('_');
+  for (const char c : {'_', '[', ']', '(', ')'})
+    if (!underscores || c != '_') std::erase(cell.unit, c);
+  if (underscores) {
+    cell.unit.erase(0, 1);
+    replace_all(cell.unit, "_per_", "/");
+    replace_all(cell.unit, "per_", "1/");
+    replace_all(cell.unit, "_", ".");
+  }
+  cell.unit = trimmed(cell.unit);
+  replace_all(cell.unit, " ", ".");
+  return cell;
+}
+
+std::vector<std::string> csv_cells(const std::string& line, std::vector<int>& columns) {
+  std::vector<std::string> cells;
+  for (std::size_t begin = 0;;) {
+    const std::size_t first = std::min(line.find_first_not_of(" \t", begin), line.size());
+    columns.push_back(static_cast<int>(first) + 1);
+    const bool quoted = first < line.size() && line[first] == '"';
+    const std::size_t closing = quoted ? line.find('"', first + 1) : first;
+    const std::size_t end = line.find(',', std::min(closing, line.size()));
+    std::string cell = trimmed(line.substr(begin, end == std::string::npos ? end : end - begin));
+    if (quoted && cell.size() > 1 && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
+    cells.push_back(std::move(cell));
+    if (end == std::string::npos) return cells;
+    begin = end + 1;
+  }
+}
+
+Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
+                   const std::string& case_file, std::vector<Mistake>& mistakes) {
+  const auto object = [&](std::string found, std::string required) {
+    mistakes.push_back({block.place, path, {std::move(found), std::move(required)}});
+    return Entry{};
+  };
+  const Member* named = find_member(block, "file");
+  if (named == nullptr || block.members.size() != 1 || named->value.shape != Entry::Shape::scalar ||
+      trimmed(named->value.text).empty())
+    return object("a block", requirement(field) + " is required");
+  const fs::path file = found_file(named->value.text, case_file, block.place.option);
+  const std::string shown = quote(file.string());
+  std::error_code error;
+  if (!fs::is_regular_file(file, error))
+    return object("the file " + shown + ", which is not there or no file", "a CSV file is required");
+  if (fs::file_size(file, error) > largest_rows_file)
+    return object("the file " + shown + " of more than 4 MiB", "a shorter one is required");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return object("the file " + shown + ", which cannot be opened", "a CSV file is required");
+  return RowsReader(field, path, file.string(), mistakes).read(stream);
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,38 @@
+// Rows of a list that stand in a file of their own, as {file: loads.csv} says in place of the list.
+//
+//     speed_rpm, torque_N_m, share        a column for each name of the field, its unit in the header:
+//     6000, 238.7, 0.4                    "torque_N_m", "torque [N.m]", "torque (N m)"; without one each cell
+//     has its own: "6000 rpm"
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/field.hpp"
+
+namespace orbearing::app {
+
+/// Longest file of rows [byte], and most rows.
+inline constexpr std::size_t largest_rows_file = 4U << 20U;
+inline constexpr std::size_t most_file_rows = 10000;
+
+/// Name and unit of a column's header: "torque_N_m" is "torque" and "N.m". The name is empty where none of
+/// `names` begins it.
+struct HeaderCell {
+  std::string name;
+  std::string unit;
+};
+HeaderCell header_cell(const std::string& text, const std::vector<std::string>& names);
+
+/// Fields of a line of comma-separated values; quotes may enclose one. `columns` become the places of their
+/// first characters, from 1.
+std::vector<std::string> csv_cells(const std::string& line, std::vector<int>& columns);
+
+/// The list that the file holds, every entry with its place there. Lines that are empty or begin with # are
+/// passed over. `file` is taken from the folder of `case_file`. What is wrong with the file as a whole, or
+/// with its header, is told to `mistakes`, with the list empty; what is wrong with a value is found when the
+/// list is read.
+Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
+                   const std::string& case_file, std::vector<Mistake>& mistakes);
+
+}  // namespace orbearing::app

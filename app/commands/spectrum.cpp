@@ -1,0 +1,77 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command_line.hpp"
+#include "app/errors.hpp"
+#include "app/results/durable_file.hpp"
+#include "app/results/result_row.hpp"
+#include "app/study/load_series.hpp"
+#include "app/study/sweep_study.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+double torque_of_bin(const LoadBin& bin) {
+  return bin.turns() ? bin.power / bin.speed : 0.0;
+}
+
+nlohmann::ordered_json bins_json(const LoadSpectrum& spectrum) {
+  nlohmann::ordered_json bins = nlohmann::ordered_json::array();
+  for (const LoadBin& bin : spectrum.bins)
+    bins.push_back({{"torque_N_m", in_table_unit(torque_of_bin(bin), 1.0)},
+                    {"speed_rpm", speed_in_rpm(bin.speed)},
+                    {"share", bin.share}});
+  return bins;
+}
+
+void print_bins(const LoadSpectrum& spectrum) {
+  fmt::print("{:>14} {:>12} {:>10}\n", "torque [N.m]", "speed [rpm]", "share");
+  for (const LoadBin& bin : spectrum.bins)
+    fmt::print("{:>14.6g} {:>12.6g} {:>10.4g}\n", torque_of_bin(bin), speed_in_rpm(bin.speed), bin.share);
+}
+
+void write_rows(const Options& options, const std::string& series, const LoadSpectrum& spectrum) {
+  std::error_code ignored;
+  if (fs::equivalent(options.output, series, ignored))
+    throw BadInput("--output: found the record itself; required: another file");
+  if (fs::is_directory(options.output, ignored))
+    throw BadInput("--output: found the folder " + options.output + "; required: a file such as loads.csv");
+  write_aside_and_rename(options.output, spectrum_file(spectrum));
+}
+
+}  // namespace
+
+int spectrum_command(const Options& options) {
+  if (options.output.empty() && !options.json)
+    throw BadInput("--output: missing; required: a file for the rows, or --json to print them alone");
+  const std::string& file = options.folders.front();
+  const LoadSeries series = read_load_series(file);
+  const BinnedSeries found = binned(series, parse_bins(options.bins));
+  std::vector<std::string> warnings = series.warnings;
+  if (found.reversed_share > 0.0)
+    warnings.push_back(
+        fmt::format("torque or speed is below 0 for {:.4g} % of the time; it counts by its magnitude",
+                    100.0 * found.reversed_share));
+  if (!options.output.empty()) write_rows(options, file, found.spectrum);
+  if (options.json) {
+    const nlohmann::ordered_json object{{"series", file},
+                                        {"samples", series.time.size()},
+                                        {"duration_s", found.duration},
+                                        {"reversed_share", found.reversed_share},
+                                        {"bins", bins_json(found.spectrum)},
+                                        {"warnings", warnings},
+                                        {"versions", versions_json()}};
+    fmt::print("{}\n", object.dump(2));
+  } else if (!options.quiet) {
+    print_bins(found.spectrum);
+    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+  }
+  return 0;
+}
+
+}  // namespace orbearing::app

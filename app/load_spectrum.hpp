@@ -1,0 +1,40 @@
+// A load spectrum: how long a drivetrain runs at which power and speed.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace orbearing::app {
+
+/// One operating point of a spectrum.
+struct LoadBin {
+  double power = 0.0;  // [W]
+  double speed = 0.0;  // [rad/s]  of the driving member
+  double share = 0.0;  // [-]      of the time
+
+  /// A drivetrain at rest uses up no life: such a bin counts as time alone and is not computed. Below the
+  /// least speed that a case can have, 0.001 rpm, it is at rest.
+  bool turns() const { return speed >= 1.1e-4; }
+  /// [W]  An idling drivetrain is computed with next to no power, since a case has some.
+  double entering_power() const { return std::max(power, 0.01); }
+  bool operator==(const LoadBin&) const = default;
+};
+
+struct LoadSpectrum {
+  std::vector<LoadBin> bins;  // shares add up to 1
+  double hours = 0.0;         // [h]  in all; 0 where shares were given
+  std::size_t lines = 0;      // as often it is computed: once for each combination of the other swept values
+
+  /// Numbers of the bins that turn, in order.
+  std::vector<std::size_t> turning() const {
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < bins.size(); ++i)
+      if (bins[i].turns()) numbers.push_back(i);
+    return numbers;
+  }
+  /// Operating points that it adds to a sweep.
+  std::size_t points() const { return lines == 0 ? 0 : lines * turning().size(); }
+};
+
+}  // namespace orbearing::app

@@ -1,0 +1,265 @@
+#include "app/results/spectrum_life.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/results/json_number.hpp"
+#include "app/results/row_text.hpp"
+#include "app/units.hpp"
+#include "bearing/life/basic_life.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double infinite_life = std::numeric_limits<double>::infinity();
+
+/// A column of lives. Where `beside` has no number either, a point that was computed carries no load and
+/// lives for ever; else the life is not known, as by film and cleanliness without an oil.
+struct LifeColumn {
+  std::string name;
+  std::string beside;
+  bool of_a_race = false;  // counted in revolutions
+};
+
+std::vector<LifeColumn> life_columns(const ManifestHeader& header) {
+  std::vector<LifeColumn> columns{{"inner_life_Mrev", "inner_life_Mrev", true},
+                                  {"outer_life_Mrev", "outer_life_Mrev", true},
+                                  {"life_h", "life_h"},
+                                  {"system_life_h", "system_life_h"},
+                                  {"L10mh", "life_h"},
+                                  {"system_L10mh", "system_life_h"},
+                                  {"inner_L10m_Mrev", "inner_life_Mrev", true},
+                                  {"outer_L10m_Mrev", "outer_life_Mrev", true}};
+  for (const std::string& set : header.sets) {
+    const std::string life = "sets." + set + ".life_h";
+    columns.push_back({life, life});
+    columns.push_back({"sets." + set + ".L10mh", life});
+  }
+  return columns;
+}
+
+double life_in_row(const TableHead& head, const ResultRow& row, const LifeColumn& column) {
+  const double life = value_of(head, row, column.name);
+  if (std::isfinite(life) || !row.ok()) return life;
+  return std::isfinite(value_of(head, row, column.beside)) ? not_given : infinite_life;
+}
+
+Eigen::ArrayXd lives_in_bins(const TableHead& head, const std::vector<SpectrumBin>& bins,
+                             const LifeColumn& column) {
+  Eigen::ArrayXd lives(static_cast<Eigen::Index>(bins.size()));
+  for (std::size_t i = 0; i < bins.size(); ++i)
+    lives[static_cast<Eigen::Index>(i)] =
+        bins[i].row ? life_in_row(head, *bins[i].row, column) : infinite_life;
+  return lives;
+}
+
+/// Of time, or of revolutions: speeds of all members keep their ratio to that of the driving one.
+Eigen::ArrayXd shares_of(const std::vector<SpectrumBin>& bins, bool of_revolutions) {
+  Eigen::ArrayXd shares(static_cast<Eigen::Index>(bins.size()));
+  for (std::size_t i = 0; i < bins.size(); ++i)
+    shares[static_cast<Eigen::Index>(i)] = bins[i].bin.share * (of_revolutions ? bins[i].bin.speed : 1.0);
+  return of_revolutions ? Eigen::ArrayXd(shares / shares.sum()) : shares;
+}
+
+double life_by_miner(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& lives) {
+  return lives.isNaN().any() ? not_given : bearing::rating::spectrum_life(shares, lives);
+}
+
+/// Parts of the bins in the damage to one bearing; NaN where the life is not known.
+Eigen::ArrayXd damage_shares(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& lives) {
+  const double life = life_by_miner(shares, lives);
+  if (std::isinf(life)) return Eigen::ArrayXd::Zero(shares.size());
+  return life * shares / lives;
+}
+
+// The set whose bearings live shortest under the spectrum; its lives are those of one bearing, as in the
+// rows.
+void take_limiting_set(const ManifestHeader& header, SpectrumResult& result) {
+  if (header.sets.empty()) return;
+  double shortest = infinite_life;
+  result.limiting_set = header.sets.front();
+  for (const std::string& set : header.sets) {
+    const double life = life_of(result, "sets." + set + ".life_h");
+    if (!(life < shortest)) continue;
+    shortest = life;
+    result.limiting_set = set;
+  }
+  for (auto& [name, life] : result.lives) {
+    if (name == "life_h" || name == "L10mh")
+      life = life_of(result, "sets." + result.limiting_set + "." + name);
+    // Rows give those of the set that limits each point.
+    if (name.ends_with("_Mrev")) life = not_given;
+  }
+}
+
+void put_lives(const ManifestHeader& header, const TableHead& head, SpectrumResult& result) {
+  for (const LifeColumn& column : life_columns(header))
+    result.lives.emplace_back(column.name, life_by_miner(shares_of(result.bins, column.of_a_race),
+                                                         lives_in_bins(head, result.bins, column)));
+  take_limiting_set(header, result);
+  const std::string of = header.sets.empty() ? "" : "sets." + result.limiting_set + ".";
+  const Eigen::ArrayXd shares = shares_of(result.bins, false);
+  const Eigen::ArrayXd damage =
+      damage_shares(shares, lives_in_bins(head, result.bins, {of + "life_h", of + "life_h"}));
+  const Eigen::ArrayXd modified =
+      damage_shares(shares, lives_in_bins(head, result.bins, {of + "L10mh", of + "life_h"}));
+  for (std::size_t i = 0; i < result.bins.size(); ++i) {
+    result.bins[i].damage_share = damage[static_cast<Eigen::Index>(i)];
+    result.bins[i].modified_damage_share = modified[static_cast<Eigen::Index>(i)];
+  }
+}
+
+std::vector<double> axis_values_of(const TableHead& head, const SpectrumResult& result) {
+  for (const SpectrumBin& bin : result.bins)
+    if (bin.row)
+      return {bin.row->values.begin() + static_cast<std::ptrdiff_t>(head.first_axis),
+              bin.row->values.begin() + static_cast<std::ptrdiff_t>(head.first_axis + head.axes)};
+  return {};
+}
+
+double torque(const LoadBin& bin) {
+  return bin.turns() ? bin.power / bin.speed : 0.0;
+}
+
+Json bin_json(const TableHead& head, const SpectrumBin& bin) {
+  Json object{{"power_kW", in_table_unit(bin.bin.power, kKilo)},
+              {"torque_N_m", in_table_unit(torque(bin.bin), 1.0)},
+              {"speed_rpm", speed_in_rpm(bin.bin.speed)},
+              {"share", bin.bin.share},
+              {"damage_share", number_or_null(bin.damage_share)},
+              {"damage_share_L10mh", number_or_null(bin.modified_damage_share)}};
+  if (bin.row)
+    object.update(row_json(head, *bin.row));
+  else
+    object["status"] = "at rest";
+  return object;
+}
+
+Json result_json(const ManifestHeader& header, const TableHead& head, const SpectrumResult& result) {
+  Json object;
+  for (std::size_t i = 0; i < result.axis_values.size(); ++i)
+    object[head.names[head.first_axis + i]] = number_or_null(result.axis_values[i]);
+  for (const auto& [name, life] : result.lives) object[name] = number_or_null(life);
+  if (!result.limiting_set.empty()) object["limiting_set"] = result.limiting_set;
+  if (header.spectrum.hours > 0.0) {
+    object["hours"] = header.spectrum.hours;
+    object["used_up"] = number_or_null(header.spectrum.hours / life_of(result, "life_h"));
+  }
+  object["bins"] = Json::array();
+  for (const SpectrumBin& bin : result.bins) object["bins"].push_back(bin_json(head, bin));
+  return object;
+}
+
+/// Bins that use up most first.
+std::vector<std::size_t> by_damage(const SpectrumResult& result) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < result.bins.size(); ++i) order.push_back(i);
+  const auto damage = [&](std::size_t i) {
+    const double share = result.bins[i].damage_share;
+    return std::isfinite(share) ? share : 0.0;
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t one, std::size_t other) { return damage(one) > damage(other); });
+  return order;
+}
+
+std::string hours_text(double hours) {
+  return std::isfinite(hours) ? fmt::format("{:.5g} h", hours) : "not known";
+}
+
+}  // namespace
+
+double life_of(const SpectrumResult& result, const std::string& name) {
+  const auto found = std::find_if(result.lives.begin(), result.lives.end(),
+                                  [&](const auto& life) { return life.first == name; });
+  return found == result.lives.end() ? not_given : found->second;
+}
+
+std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
+                                             const std::map<std::size_t, ManifestEntry>& entries) {
+  const TableHead head = head_of(header);
+  const std::vector<std::size_t> turning = header.spectrum.turning();
+  std::vector<SpectrumResult> results;
+  for (std::size_t line = 0; line < header.spectrum.lines; ++line) {
+    SpectrumResult result;
+    for (const LoadBin& bin : header.spectrum.bins) result.bins.push_back({bin});
+    for (std::size_t i = 0; i < turning.size(); ++i) {
+      const auto entry = entries.find(header.grid() + line * turning.size() + i);
+      if (entry == entries.end()) return {};
+      result.bins[turning[i]].row = entry->second.row;
+      result.failed += entry->second.row.ok() ? 0 : 1;
+    }
+    result.axis_values = axis_values_of(head, result);
+    put_lives(header, head, result);
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+Json spectrum_json(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
+  if (results.empty()) return nullptr;
+  const TableHead head = head_of(header);
+  if (head.axes == 0) return result_json(header, head, results.front());
+  Json list = Json::array();
+  for (const SpectrumResult& result : results) list.push_back(result_json(header, head, result));
+  return list;
+}
+
+std::string spectrum_csv(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
+  const TableHead head = head_of(header);
+  std::string text =
+      "bin,power_kW,torque_N_m,speed_rpm,share,damage_share,damage_share_L10mh," + csv_head(head);
+  const auto number = [](double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; };
+  for (const SpectrumResult& result : results)
+    for (std::size_t i = 0; i < result.bins.size(); ++i) {
+      const SpectrumBin& bin = result.bins[i];
+      ResultRow at_rest{std::vector<double>(head.names.size(), not_given), "at rest"};
+      std::copy(result.axis_values.begin(), result.axis_values.end(),
+                at_rest.values.begin() + static_cast<std::ptrdiff_t>(head.first_axis));
+      text += fmt::format("{},{},{},{},{},{},{},{}", i + 1, in_table_unit(bin.bin.power, kKilo),
+                          in_table_unit(torque(bin.bin), 1.0), speed_in_rpm(bin.bin.speed), bin.bin.share,
+                          number(bin.damage_share), number(bin.modified_damage_share),
+                          csv_line(head, bin.row ? *bin.row : at_rest));
+    }
+  return text;
+}
+
+std::string spectrum_text(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
+  constexpr std::size_t most_bins = 24;  // shown
+  const TableHead head = head_of(header);
+  std::string text;
+  for (const SpectrumResult& result : results) {
+    text +=
+        fmt::format("\nload spectrum of {} bins: one bearing lives {}, all together {}", result.bins.size(),
+                    hours_text(life_of(result, "life_h")), hours_text(life_of(result, "system_life_h")));
+    if (std::isfinite(life_of(result, "L10mh")))
+      text += fmt::format("; L10mh {}, {}", hours_text(life_of(result, "L10mh")),
+                          hours_text(life_of(result, "system_L10mh")));
+    text += '\n';
+    for (std::size_t i = 0; i < result.axis_values.size(); ++i)
+      text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);
+    text += fmt::format("{:>5} {:>11} {:>11} {:>12} {:>9} {:>12} {:>9}\n", "bin", "power [kW]", "speed [rpm]",
+                        "torque [N.m]", "time [%]", "life [h]", "uses [%]");
+    const std::vector<std::size_t> order = by_damage(result);
+    for (std::size_t i = 0; i < std::min(order.size(), most_bins); ++i) {
+      const SpectrumBin& bin = result.bins[order[i]];
+      const double life = bin.row ? value_of(head, *bin.row, "life_h") : not_given;
+      text += fmt::format(
+          "{:>5} {:>11.5g} {:>11.5g} {:>12.5g} {:>9.3g} {:>12} {:>9}\n", order[i] + 1, kKilo * bin.bin.power,
+          kRpm * bin.bin.speed, torque(bin.bin), 100.0 * bin.bin.share,
+          std::isfinite(life) ? fmt::format("{:.5g}", life) : "-",
+          std::isfinite(bin.damage_share) ? fmt::format("{:.3g}", 100.0 * bin.damage_share) : "-");
+    }
+    if (order.size() > most_bins)
+      text += fmt::format("{} more bins are not shown\n", order.size() - most_bins);
+  }
+  return text;
+}
+
+}  // namespace orbearing::app

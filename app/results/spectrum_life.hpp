@@ -1,0 +1,57 @@
+// Life under a load spectrum, by the rule of Palmgren and Miner, from the rows of its bins.
+//
+//   1/L = sum of s_i/L_i,      d_i = (s_i/L_i) L,      s_i share of time, L_i life [h] in bin i, d_i its part
+//   in the damage
+//
+// for each life of one bearing, of one set and of the whole drivetrain. Lives of single races are counted in
+// revolutions: there s_i is the share of the revolutions.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/results/manifest.hpp"
+
+namespace orbearing::app {
+
+/// One bin with what it gave.
+struct SpectrumBin {
+  LoadBin bin;
+  std::optional<ResultRow> row;        // none: at rest
+  double damage_share = 0.0;           // [-]  of the life of one bearing; NaN where that life is not known
+  double modified_damage_share = 0.0;  // [-]  the same by film and cleanliness; NaN without an oil
+};
+
+/// The spectrum at one combination of the other swept values.
+struct SpectrumResult {
+  std::vector<double> axis_values;  // as in the rows
+  std::vector<SpectrumBin> bins;    // as stated
+  std::vector<std::pair<std::string, double>>
+      lives;                   // by name of the column; NaN where not known, infinite without load
+  std::string limiting_set{};  // of several sets, the one whose bearings live shortest
+  std::size_t failed = 0;      // bins without result: then no life is known
+};
+
+/// All combinations, in the order of the sweep; none where the case states no spectrum or `entries` lack a
+/// point, as those of a shard do.
+std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
+                                             const std::map<std::size_t, ManifestEntry>& entries);
+
+/// Life called `name`; NaN where there is none of that name.
+double life_of(const SpectrumResult& result, const std::string& name);
+
+/// An object with lives, `hours` where they were stated, `used_up` of them, and `bins`; a list of such
+/// objects, each with the values of its other axes first, where there are such.
+nlohmann::ordered_json spectrum_json(const ManifestHeader& header,
+                                     const std::vector<SpectrumResult>& results);
+
+/// The same as a table for files: one row for each bin.
+std::string spectrum_csv(const ManifestHeader& header, const std::vector<SpectrumResult>& results);
+
+/// The same for terminals.
+std::string spectrum_text(const ManifestHeader& header, const std::vector<SpectrumResult>& results);
+
+}  // namespace orbearing::app

@@ -1,0 +1,314 @@
+#include "app/study/load_series.hpp"
+
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+
+#include "app/case/printable.hpp"
+#include "app/case/rows_file.hpp"
+#include "app/case/units.hpp"
+#include "app/errors.hpp"
+#include "app/results/result_row.hpp"
+#include "app/units.hpp"
+#include "bearing/life/basic_life.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostBins = 100;  // of torque, and of speed
+
+/// What a record holds, with the unit in which it is kept.
+struct Quantity {
+  const char* name;
+  const char* si;
+  const char* example;
+};
+constexpr std::array<Quantity, 4> kQuantities{{{"time", "s", "time_s"},
+                                               {"speed", "rad/s", "speed_rpm"},
+                                               {"torque", "N.m", "torque_N_m"},
+                                               {"power", "W", "power_kW"}}};
+
+/// Values by quantity, in SI, and where a file that has lines holds them.
+struct Table {
+  std::map<std::string, std::vector<double>> values;
+  std::vector<int> lines{};  // of the samples; empty: none
+};
+
+[[noreturn]] void refuse(const std::string& place, const std::string& found, const std::string& required) {
+  throw BadInput(fmt::format("{}: found {}; required: {}", printable(place), printable(found), required));
+}
+
+double factor_of(const std::string& place, const Quantity& quantity, const std::string& unit) {
+  if (unit.empty())
+    refuse(place, fmt::format("{} without a unit", quantity.name),
+           fmt::format("its unit, as in {}", quantity.example));
+  const Reading<double> factor = convert(1.0, unit.substr(0, unit.find(" since ")), quantity.si);
+  if (!factor.value) refuse(place, fmt::format("{}: {}", quantity.name, factor.fault), quantity.example);
+  return *factor.value;
+}
+
+// A column that is read, and how.
+struct Column {
+  std::size_t place;
+  std::string name;
+  double factor;
+};
+
+std::vector<Column> columns_of(const std::string& file, int line, const std::vector<std::string>& cells) {
+  std::vector<Column> columns;
+  for (const Quantity& quantity : kQuantities)
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const HeaderCell cell = header_cell(cells[i], {quantity.name});
+      if (cell.name.empty()) continue;
+      const std::string place = fmt::format("{}:{}", file, line);
+      if (std::any_of(columns.begin(), columns.end(),
+                      [&](const Column& other) { return other.name == quantity.name; }))
+        refuse(place, fmt::format("two columns of {}", quantity.name), "one");
+      columns.push_back({i, quantity.name, factor_of(place, quantity, cell.unit)});
+    }
+  return columns;
+}
+
+Table table_of_csv(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  Table table;
+  std::vector<Column> columns;
+  std::string text;
+  for (int line = 1; std::getline(stream, text); ++line) {
+    if (line == 1 && text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    if (text.find_first_not_of(" \t\r") == std::string::npos || text.front() == '#') continue;
+    std::vector<int> places;
+    const std::vector<std::string> cells = csv_cells(text, places);
+    if (columns.empty()) {
+      columns = columns_of(file.string(), line, cells);
+      if (columns.empty())
+        refuse(fmt::format("{}:{}", file.string(), line), "no column of time, speed, torque or power",
+               "a first line such as time_s,speed_rpm,torque_N_m");
+      continue;
+    }
+    for (const Column& column : columns) {
+      const std::string cell = column.place < cells.size() ? cells[column.place] : "";
+      const Reading<double> number = read_number(cell);
+      if (!number.value)
+        refuse(fmt::format("{}:{}:{}", file.string(), line,
+                           column.place < places.size() ? places[column.place] : 1),
+               fmt::format("{} as {}", quote(cell), column.name), "a finite number");
+      table.values[column.name].push_back(*number.value * column.factor);
+    }
+    table.lines.push_back(line);
+  }
+  return table;
+}
+
+/// An open netCDF file.
+class NetcdfFile {
+ public:
+  explicit NetcdfFile(const fs::path& file) : file_(file) {
+    if (nc_open(file.c_str(), NC_NOWRITE, &number_) != NC_NOERR)
+      refuse(file.string(), "a netCDF file that cannot be read", "an undamaged one");
+  }
+  NetcdfFile(const NetcdfFile&) = delete;
+  NetcdfFile& operator=(const NetcdfFile&) = delete;
+  ~NetcdfFile() { nc_close(number_); }
+
+  std::optional<std::vector<double>> read(const Quantity& quantity) const {
+    int variable = 0, dimensions = 0, dimension = 0;
+    if (nc_inq_varid(number_, quantity.name, &variable) != NC_NOERR) return std::nullopt;
+    const std::string place = fmt::format("{}: {}", file_.string(), quantity.name);
+    nc_inq_varndims(number_, variable, &dimensions);
+    if (dimensions != 1) refuse(place, fmt::format("{} dimensions", dimensions), "one, that of time");
+    std::size_t size = 0;
+    nc_inq_vardimid(number_, variable, &dimension);
+    nc_inq_dimlen(number_, dimension, &size);
+    std::vector<double> values(size);
+    if (nc_get_var_double(number_, variable, values.data()) != NC_NOERR)
+      refuse(place, "no numbers", "numbers");
+    const double factor = factor_of(place, quantity, units(variable));
+    for (double& value : values) value *= factor;
+    return values;
+  }
+
+ private:
+  std::string units(int variable) const {
+    std::size_t length = 0;
+    if (nc_inq_attlen(number_, variable, "units", &length) != NC_NOERR) return "";
+    std::string text(length, '\0');
+    if (nc_get_att_text(number_, variable, "units", text.data()) != NC_NOERR) return "";
+    return text.substr(0, text.find('\0'));
+  }
+
+  fs::path file_;
+  int number_ = 0;
+};
+
+Table table_of_netcdf(const fs::path& path) {
+  const NetcdfFile file(path);
+  Table table;
+  for (const Quantity& quantity : kQuantities)
+    if (auto values = file.read(quantity)) table.values[quantity.name] = std::move(*values);
+  return table;
+}
+
+bool is_netcdf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string begin(4, '\0');
+  stream.read(begin.data(), 4);
+  return begin.starts_with("CDF") || begin == "\x89HDF";
+}
+
+const std::vector<double>& needed(const fs::path& file, const Table& table, const Quantity& quantity) {
+  const auto found = table.values.find(quantity.name);
+  if (found == table.values.end())
+    refuse(file.string(), fmt::format("no {}", quantity.name),
+           fmt::format("it, with its unit, as in {}", quantity.example));
+  return found->second;
+}
+
+std::string place_of(const fs::path& file, const Table& table, std::size_t sample) {
+  return sample < table.lines.size() ? fmt::format("{}:{}", file.string(), table.lines[sample])
+                                     : fmt::format("{}: sample {}", file.string(), sample + 1);
+}
+
+void require_sound(const fs::path& file, const Table& table) {
+  const std::vector<double>& time = table.values.at("time");
+  if (time.size() < 2)
+    refuse(file.string(), fmt::format("{} samples", time.size()),
+           "at least 2, since each lasts until the next");
+  for (const auto& [name, values] : table.values) {
+    if (values.size() != time.size())
+      refuse(file.string(), fmt::format("{} times and {} values of {}", time.size(), values.size(), name),
+             "as many of both");
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isfinite(values[i]))
+        refuse(place_of(file, table, i), "a value of " + name + " that is not finite", "a number");
+  }
+  for (std::size_t i = 1; i < time.size(); ++i)
+    if (!(time[i] > time[i - 1]))
+      refuse(place_of(file, table, i), "a time that is not later than the one before", "rising times");
+}
+
+// Power over speed; at rest there is none to speak of.
+std::vector<double> torque_of(const std::vector<double>& power, const std::vector<double>& speed) {
+  std::vector<double> torque(power.size());
+  for (std::size_t i = 0; i < power.size(); ++i)
+    torque[i] = LoadBin{.speed = std::abs(speed[i])}.turns() ? power[i] / speed[i] : 0.0;
+  return torque;
+}
+
+/// Equal parts of a range.
+struct Parts {
+  double least = 0.0;
+  double most = 0.0;
+  int count = 1;
+
+  void take(double value, bool first) {
+    least = first ? value : std::min(least, value);
+    most = first ? value : std::max(most, value);
+  }
+  int of(double value) const {
+    constexpr double round_off = 1e-9;  // of a record that does not vary
+    if (most - least <= round_off * most) return 0;
+    return std::clamp(static_cast<int>((value - least) / (most - least) * count), 0, count - 1);
+  }
+};
+
+struct Sums {
+  double time = 0.0;    // [s]
+  double turns = 0.0;   // [rad]
+  double damage = 0.0;  // [rad]  with torques over the greatest one
+};
+
+}  // namespace
+
+LoadSeries read_load_series(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored))
+    refuse(file.string(), "no file", "a CSV or netCDF file of a record over time");
+  const Table table = is_netcdf(file) ? table_of_netcdf(file) : table_of_csv(file);
+  LoadSeries series{needed(file, table, kQuantities[0]), {}, needed(file, table, kQuantities[1])};
+  const bool by_torque = table.values.contains("torque");
+  if (!by_torque && !table.values.contains("power"))
+    refuse(file.string(), "no torque and no power",
+           "one of both with its unit, as in torque_N_m or power_kW");
+  require_sound(file, table);
+  series.torque = by_torque ? table.values.at("torque") : torque_of(table.values.at("power"), series.speed);
+  if (by_torque && table.values.contains("power"))
+    series.warnings.push_back(file.string() + ": torque and power found; torque was taken");
+  return series;
+}
+
+BinCounts parse_bins(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto count = [&](const std::string& part) {
+    const Reading<double> number = read_number(part);
+    const bool whole = number.value && *number.value == std::floor(*number.value);
+    return whole && *number.value >= 1.0 && *number.value <= kMostBins ? static_cast<int>(*number.value) : 0;
+  };
+  const BinCounts counts{count(text.substr(0, cross)),
+                         cross == std::string::npos ? 0 : count(text.substr(cross + 1))};
+  if (counts.torque == 0 || counts.speed == 0)
+    throw BadInput(fmt::format(
+        "--bins: found {}; required: numbers of bins of torque and of speed from 1 to {}, as in 8x8",
+        quote(text), kMostBins));
+  return counts;
+}
+
+BinnedSeries binned(const LoadSeries& series, const BinCounts& counts) {
+  const double exponent = bearing::rating::life_exponent(bearing::rating::RollingElement::roller);
+  const auto magnitudes = [&](std::size_t i) {
+    return LoadBin{.power = std::abs(series.torque[i] * series.speed[i]), .speed = std::abs(series.speed[i])};
+  };
+  Parts torques{.count = counts.torque}, speeds{.count = counts.speed};
+  bool any = false;
+  const std::size_t last = series.time.size() - 1;  // the last sample lasts for no time
+  for (std::size_t i = 0; i < last; ++i) {
+    if (!magnitudes(i).turns()) continue;
+    torques.take(std::abs(series.torque[i]), !any);
+    speeds.take(std::abs(series.speed[i]), !any);
+    any = true;
+  }
+  if (!any) throw BadInput("record: found a drivetrain at rest; required: a speed above 0 at some time");
+  const double greatest = torques.most > 0.0 ? torques.most : 1.0;
+  std::map<std::pair<int, int>, Sums> bins;
+  BinnedSeries result{.duration = series.time.back() - series.time.front()};
+  double rest = 0.0;
+  for (std::size_t i = 0; i < last; ++i) {
+    const double time = series.time[i + 1] - series.time[i];
+    const double speed = std::abs(series.speed[i]), torque = std::abs(series.torque[i]);
+    if (!magnitudes(i).turns()) {
+      rest += time;
+      continue;
+    }
+    if (series.speed[i] < 0.0 || series.torque[i] < 0.0) result.reversed_share += time / result.duration;
+    Sums& sums = bins[{torques.of(torque), speeds.of(speed)}];
+    sums.time += time;
+    sums.turns += time * speed;
+    sums.damage += time * speed * std::pow(torque / greatest, exponent);
+  }
+  for (const auto& [place, sums] : bins) {
+    const double speed = sums.turns / sums.time;
+    const double torque = greatest * std::pow(sums.damage / sums.turns, 1.0 / exponent);
+    result.spectrum.bins.push_back({torque * speed, speed, sums.time / result.duration});
+  }
+  if (rest > 0.0) result.spectrum.bins.push_back({0.0, 0.0, rest / result.duration});
+  return result;
+}
+
+std::string spectrum_file(const LoadSpectrum& spectrum) {
+  std::string text = "torque_N_m,speed_rpm,share\n";
+  for (const LoadBin& bin : spectrum.bins)
+    text += fmt::format("{},{},{}\n", in_table_unit(bin.turns() ? bin.power / bin.speed : 0.0, 1.0),
+                        speed_in_rpm(bin.speed), bin.share);
+  return text;
+}
+
+}  // namespace orbearing::app
