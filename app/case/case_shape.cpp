@@ -59,7 +59,8 @@ Complaint unused_field(const CaseShape& shape, std::string_view path) {
 }
 
 bool is_of_bearing(const Field& field) {
-  if (field.path == "inertia.own_orbit" || field.path == "input.acceleration") return true;
+  if (field.path == "inertia.own_orbit" || field.path == "input.acceleration" || field.path == "spectrum")
+    return true;
   for (const char* block : {"bearing.", "contact.", "traction.", "lubricant.", "film.", "life.", "drag.",
                             "support.", "simulation.", "numerics."})
     if (field.path.starts_with(block)) return true;

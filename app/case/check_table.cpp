@@ -62,11 +62,20 @@ std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
   return text + "\n";
 }
 
-nlohmann::json rows_of_list(const std::vector<double>& list, std::size_t columns) {
+// Rows as lists; those of which some columns are left out, with the names of what they have.
+nlohmann::json rows_of_list(const Field& field, const std::vector<double>& list) {
+  const bool some_left_out = std::any_of(field.columns.begin(), field.columns.end(),
+                                         [](const ListColumn& column) { return column.one_of > 0; });
   nlohmann::json rows = nlohmann::json::array();
-  for (std::size_t i = 0; i < list.size(); i += columns)
-    rows.push_back(std::vector<double>(list.begin() + static_cast<std::ptrdiff_t>(i),
-                                       list.begin() + static_cast<std::ptrdiff_t>(i + columns)));
+  for (std::size_t i = 0; i < list.size(); i += field.columns.size()) {
+    nlohmann::json listed = nlohmann::json::array(), named = nlohmann::json::object();
+    for (std::size_t k = 0; k < field.columns.size(); ++k) {
+      const ListColumn& column = field.columns[k];
+      listed.push_back(list[i + k]);
+      if (column.one_of == 0 || list[i + k] != 0.0) named[column_key(column)] = list[i + k];
+    }
+    rows.push_back(some_left_out ? named : listed);
+  }
   return rows;
 }
 
@@ -83,7 +92,7 @@ nlohmann::json value_json(const ResolvedCase& resolved, const Input& input) {
       return resolved.flag(path);
     case Kind::list:
       if (field->element == Kind::text) return resolved.texts(path);
-      if (!field->columns.empty()) return rows_of_list(resolved.list(path), field->columns.size());
+      if (!field->columns.empty()) return rows_of_list(*field, resolved.list(path));
       return resolved.list(path);
     case Kind::choice:
     case Kind::text:

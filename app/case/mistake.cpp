@@ -32,7 +32,7 @@ std::vector<std::string> sorted_lines(const std::string& file, std::vector<Mista
 std::string describe(const Mistake& mistake, const std::string& file) {
   const Place& place = mistake.place;
   const bool option = place.option && place.file.empty();
-  const std::string& of = place.file.empty() ? file : place.file;
+  const std::string_view of = place.file.empty() ? std::string_view(file) : place.file;
   const std::string where =
       option ? "--set" : fmt::format("{}:{}:{}", printable(of), place.line, place.column);
   return fmt::format("{}: {}: {}; {}", where, shortened(mistake.path), printable(mistake.complaint.found),

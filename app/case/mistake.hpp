@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/case/printable.hpp"
@@ -11,9 +12,9 @@ namespace orbearing::app {
 /// Where something was written: in the file, or as the n-th --set option.
 struct Place {
   bool option = false;
-  int line = 1;        // counted from 1; for an option, its number
-  int column = 1;      // counted from 1, in characters
-  std::string file{};  // where it is not the case's: one that the case names
+  int line = 1;             // counted from 1; for an option, its number
+  int column = 1;           // counted from 1, in characters
+  std::string_view file{};  // where it is not the case's: one that the case names, whose name lasts
 };
 
 struct Complaint {

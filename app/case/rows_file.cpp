@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <mutex>
+#include <set>
 
 namespace orbearing::app {
 
@@ -36,11 +37,19 @@ bool has_unit(const Field& field, const std::string& key) {
   });
 }
 
+// Places in it outlive the reader.
+std::string_view lasting(const std::string& name) {
+  static std::set<std::string> names;
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
+  return *names.insert(name).first;
+}
+
 /// A file of rows, line by line.
 class RowsReader {
  public:
-  RowsReader(const Field& field, std::string path, std::string file, std::vector<Mistake>& mistakes)
-      : field_(field), path_(std::move(path)), file_(std::move(file)), mistakes_(mistakes) {}
+  RowsReader(const Field& field, std::string path, const std::string& file, std::vector<Mistake>& mistakes)
+      : field_(field), path_(std::move(path)), file_(lasting(file)), mistakes_(mistakes) {}
 
   Entry read(std::istream& stream) {
     Entry list = make_entry(Entry::Shape::list, place(1, 1));
@@ -113,7 +122,7 @@ class RowsReader {
 
   const Field& field_;
   std::string path_;
-  std::string file_;
+  std::string_view file_;
   std::vector<Mistake>& mistakes_;
   std::vector<HeaderCell> header_;
   int line_ = 1;

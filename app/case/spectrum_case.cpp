@@ -12,6 +12,7 @@ namespace orbearing::app {
 namespace {
 
 constexpr double kShareRoundOff = 1e-6;  // of shares that were rounded for typing
+constexpr double kRoundOff = 1e-12;      // of shares that add up: they stay as written
 constexpr double kMostPower = 1e10;      // [W]  as of input.power
 constexpr int kLoad = 1, kTime = 2;      // groups of columns of which a row has one
 
@@ -65,7 +66,8 @@ std::optional<LoadSpectrum> load_spectrum(const ResolvedCase& resolved) {
   constexpr double hour = 3600.0;  // [s]
   const std::vector<StatedBin> bins = stated_bins(resolved);
   const double time = sum_of(bins, &StatedBin::time);
-  const double shares = sum_of(bins, &StatedBin::share);
+  const double sum = sum_of(bins, &StatedBin::share);
+  const double shares = std::abs(sum - 1.0) < kRoundOff ? 1.0 : sum;
   LoadSpectrum spectrum{.hours = time / hour};
   for (const StatedBin& bin : bins)
     spectrum.bins.push_back({bin.own_power(), bin.speed, time > 0.0 ? bin.time / time : bin.share / shares});

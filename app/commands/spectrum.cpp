@@ -49,9 +49,10 @@ void write_rows(const Options& options, const std::string& series, const LoadSpe
 int spectrum_command(const Options& options) {
   if (options.output.empty() && !options.json)
     throw BadInput("--output: missing; required: a file for the rows, or --json to print them alone");
+  const BinCounts counts = parse_bins(options.bins);
   const std::string& file = options.folders.front();
   const LoadSeries series = read_load_series(file);
-  const BinnedSeries found = binned(series, parse_bins(options.bins));
+  const BinnedSeries found = binned(series, counts);
   std::vector<std::string> warnings = series.warnings;
   if (found.reversed_share > 0.0)
     warnings.push_back(

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/case/field_use.hpp"
+#include "app/case/spectrum_case.hpp"
 #include "app/results/result_row.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/crown/crown_study.hpp"
@@ -28,6 +29,7 @@
 #include "app/study/static_study.hpp"
 #include "app/study/stiffness_output.hpp"
 #include "app/study/stiffness_study.hpp"
+#include "app/study/sweep_study.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
 #include "coupling/study/multi_stage.hpp"
@@ -39,6 +41,14 @@ std::string digits(const Numbers& numbers) {
   std::string text;
   for (const double number : numbers) text += fmt::format("{} ", number);
   return text;
+}
+
+/// Lives under the spectrum that the case states, and what each bin uses up.
+inline std::string spectrum_result(const ResolvedCase& in, study::Fidelity fidelity) {
+  SweepRequest request = sweep_request(in, fidelity_names().at(static_cast<std::size_t>(fidelity)));
+  request.quiet = true;
+  const SweepOutcome outcome = run_sweep(request);
+  return spectrum_json(outcome.header, outcome.spectra).dump();
 }
 
 /// One point of a run or sweep: all columns, the loads by place, the final state.
@@ -53,6 +63,7 @@ inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity
       digits(numbers) + digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
   if (point.dynamic) text += digits(point.dynamic->final_state);
   if (point.two_way) text += digits(point.two_way->bearing_life_hours);
+  if (in.has(kSpectrumPath)) text += spectrum_result(in, fidelity);
   return text + point.status;
 }
 

@@ -271,6 +271,7 @@ inline const std::map<std::string, Change>& stated_changes() {
   both.insert(both.end(), gears_run_up.begin(), gears_run_up.end());
   static const std::map<std::string, Change> all{
       {"input.member", {"carrier"}},
+      {"spectrum", {"[{power: 140 kW, speed: 17000 rpm, share: 1}]"}},
       {"support.stiffness", {"6e8 N/m"}},
       {"input.acceleration", {"1100 rpm/s", run_up}},
       {"simulation.run_up_time", {"0.004 s", run_up}},

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "app/study/crown/crown_options.hpp"
 
 namespace orbearing::app::quantity_list_test {

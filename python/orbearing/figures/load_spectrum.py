@@ -1,0 +1,76 @@
+"""The load spectrum: where its bins lie, how long each lasts and how much of the life it uses up."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from orbearing import style
+from orbearing.blocks import FigureBlock, columns_table, format_number, format_quantity
+from orbearing.result_folder import Report, lies_on, numbers, record, records
+
+SLUG, TITLE = "load-spectrum", "Load spectrum and what it uses up"
+LARGEST = 900.0  # [pt^2] of the circle of the largest share
+MOST_BARS = 12
+DAMAGE_COLOURS = "viridis_r"
+
+
+def block(report: Report) -> FigureBlock:
+    """Circles over speed and torque, bars of time and damage."""
+    result = spectrum_of(report)
+    bins = [one for one in records(result.get("bins")) if one.get("speed_rpm")]
+    names = ("speed_rpm", "torque_N_m", "share", "damage_share", "life_h")
+    speed, torque, share, damage, life = (numbers([one.get(name) for one in bins]) for name in names)
+    if not len(speed):
+        return FigureBlock(SLUG, TITLE, missing="The spectrum has no bin that turns.")
+    uses = np.nan_to_num(damage)
+    pictures = (_map(speed, torque, share, uses), _bars(share, uses))
+    places = [float(number) for number, one in enumerate(records(result.get("bins")), start=1) if one.get("speed_rpm")]
+    data = columns_table(("bin", "speed (rpm)", "torque (N m)", "share of time", "share of damage", "life at this bin alone (h)"),
+                         places, speed, torque, share, damage, life)
+    return FigureBlock(SLUG, TITLE, _caption(result, share, uses), pictures, data=data)
+
+
+def spectrum_of(report: Report) -> dict:
+    """Of a sweep over other values the spectrum on the line that the other figures show."""
+    found = report.content.get("spectrum")
+    if not isinstance(found, list):
+        return record(found)
+    line = report.record("slice")
+    return next((one for one in records(found) if lies_on(one, line)), next(iter(records(found)), {}))
+
+
+def _map(speed: np.ndarray, torque: np.ndarray, share: np.ndarray, damage: np.ndarray) -> str:
+    figure, axes = style.panel((5.0, 4.3))
+    order = np.argsort(-share)  # small circles before large ones
+    size = LARGEST * share / share.max() if share.max() > 0 else np.full(len(share), LARGEST)
+    drawn = axes.scatter(speed[order], torque[order], s=size[order], c=100 * damage[order], cmap=DAMAGE_COLOURS, vmin=0,
+                         vmax=max(100 * damage.max(), 1e-9), edgecolors=style.BLACK, linewidths=0.6, alpha=0.85)
+    figure.colorbar(drawn, ax=axes, pad=0.02).set_label("share of the damage (%)")
+    axes.margins(0.15)  # room for circles at the edge
+    style.speed_axis(axes)
+    axes.set_ylabel("input torque (N m)")
+    return style.to_svg(figure, f"{SLUG}-map", "Bins over input speed and torque: area by time, colour by damage")
+
+
+def _bars(share: np.ndarray, damage: np.ndarray) -> str:
+    figure, axes = style.panel((5.0, 4.3))
+    first = np.argsort(-damage, kind="stable")[:MOST_BARS]
+    place = np.arange(len(first))
+    axes.barh(place - 0.2, 100 * share[first], height=0.38, color=style.SKY, label="time")
+    axes.barh(place + 0.2, 100 * damage[first], height=0.38, color=style.VERMILION, label="damage")
+    axes.set_yticks(place, [f"{index + 1}" for index in first])
+    axes.invert_yaxis()
+    axes.set_xlabel("share (%)")
+    axes.set_ylabel("bin that turns, in the order of the spectrum")
+    style.legend_above(axes)
+    return style.to_svg(figure, f"{SLUG}-bars", "Shares of time and of damage of the bins that use up most")
+
+
+def _caption(result: dict, share: np.ndarray, damage: np.ndarray) -> str:
+    worst = int(np.argmax(damage))
+    text = (f"Left: each circle is a bin, its area the share of time, its colour the share of the damage by the rule of Palmgren and Miner. Right: "
+            f"the bins that use up most. One bearing lives {format_quantity(result.get('life_h'), 'h')} under the spectrum, all together "
+            f"{format_quantity(result.get('system_life_h'), 'h')}; bin {worst + 1} of those that turn takes {format_number(100 * share[worst], 3)} % of the "
+            f"time and {format_number(100 * damage[worst], 3)} % of the life.")
+    modified = result.get("L10mh")
+    return text + (f" By film and cleanliness one bearing lives {format_quantity(modified, 'h')}." if modified else "")

@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Load spectra from outside: rows, files, folders, shards, records over time, crown, the page."""
+
+import csv
+import io
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(os.environ.get("ORBEARING_SOURCE_DIR", Path(__file__).resolve().parents[2]))
+PROGRAM = os.environ.get("ORBEARING", str(ROOT / "build" / "release" / "bin" / "orbearing"))
+CASE = ROOT / "cases" / "reducer_150kW" / "case.yaml"
+SHIPPED = "spectrum={file: loads.csv}"
+OIL = "lubricant.grade=ISO VG 220"
+COARSE = "sweep.input.speed=[3000 rpm, 6000 rpm, 9000 rpm]"
+SAME = 1e-12
+WAIT = 300  # [s]
+
+
+def call(*arguments, folder=None):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=WAIT, check=False, cwd=folder)
+
+
+def settings(*texts):
+    return [word for text in texts for word in ("--set", text)]
+
+
+class LoadSpectrum(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.place = Path(place.name)
+
+    def answer(self, *arguments):
+        result = call(*arguments, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout)
+
+    def refusal(self, *arguments):
+        result = call(*arguments)
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        return result.stderr
+
+    def test_sweep_by_miner(self):
+        found = self.answer("sweep", CASE, "--grid-only", *settings(SHIPPED, OIL, COARSE))
+        self.assertEqual(len(found["points"]), 3)  # the bins stand apart
+        spectrum = found["spectrum"]
+        for name, part in (("life_h", "damage_share"), ("L10mh", "damage_share_L10mh")):
+            used = [one["share"] / one[name] if one["speed_rpm"] else 0.0 for one in spectrum["bins"]]
+            self.assertAlmostEqual(spectrum[name] * sum(used), 1.0, delta=SAME)
+            for one, damage in zip(spectrum["bins"], used):
+                self.assertAlmostEqual(one[part], damage / sum(used), delta=SAME)
+        self.assertEqual(spectrum["bins"][-1]["status"], "at rest")
+
+    def test_folder_resume_and_shards_hold_the_same_rows(self):
+        grid = settings(SHIPPED, COARSE)
+        for folder, options in (("whole", ()), ("one", ("--shard", "1/2")), ("two", ("--shard", "2/2"))):
+            self.assertEqual(call("sweep", CASE, "-o", self.place / folder, "--quiet", *grid, *options).returncode, 0)
+        self.assertEqual(call("merge", self.place / "one", self.place / "two", "-o", self.place / "merged", "--quiet").returncode, 0)
+        self.assertFalse((self.place / "one" / "spectrum.csv").exists())
+        for name in ("sweep.csv", "spectrum.csv"):
+            self.assertEqual((self.place / "merged" / name).read_bytes(), (self.place / "whole" / name).read_bytes(), name)
+        before = (self.place / "whole" / "spectrum.csv").read_bytes()
+        (self.place / "whole" / "points" / "00004.nc").unlink()  # of a bin
+        self.assertEqual(call("sweep", CASE, "-o", self.place / "whole", "--resume", "--quiet", *grid).returncode, 0)
+        self.assertEqual((self.place / "whole" / "spectrum.csv").read_bytes(), before)
+        rows = list(csv.DictReader(io.StringIO(before.decode())))
+        self.assertEqual([row["status"] for row in rows], ["ok"] * 7 + ["at rest"])
+        # The resolved case holds the rows and gives the same again, without the file.
+        again = call("run", self.place / "whole" / "case.resolved.yaml", "-o", self.place / "again", "--quiet")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual((self.place / "again" / "spectrum.csv").read_bytes(), before)
+
+    def test_page(self):
+        out = self.place / "out"
+        self.assertEqual(call("sweep", CASE, "-o", out, "--grid-only", "--quiet", *settings(SHIPPED, COARSE)).returncode, 0)
+        made = call("report", out)
+        if "matplotlib" in made.stderr and made.returncode == 1:
+            self.skipTest(made.stderr)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        page = (out / "report.html").read_text(encoding="utf-8")
+        self.assertIn("Load spectrum and what it uses up", page)
+        self.assertIn("load-spectrum-map", page)
+
+    def test_crown(self):
+        found = self.answer("crown", CASE, *settings(SHIPPED), "--drops", "0 um, 3 um, 6 um", "--tilts", "0 mrad, 1 mrad", "--starts", 2)
+        advice = found["recommended"]
+        self.assertEqual(list(advice)[:4], ["profile", "drop_um", "least_drop_um", "most_drop_um"])
+        self.assertLessEqual(advice["least_drop_um"], advice["drop_um"])
+        self.assertGreaterEqual(advice["most_drop_um"], advice["drop_um"])
+        self.assertEqual(len(advice["points"]), 7)
+        self.assertAlmostEqual(sum(one["damage_share"] for one in advice["points"]), 1.0, delta=1e-9)
+        used = sum(one["share"] / one["life_h"] for one in advice["points"])
+        self.assertAlmostEqual(used * advice["life_h"], 1.0, delta=1e-6)
+        self.assertIn("one of both", self.refusal("crown", CASE, "-o", self.place / "no", "--spectrum", *settings(SHIPPED)))
+
+    def test_record_over_time_becomes_a_spectrum_that_a_case_takes(self):
+        record = self.place / "series.csv"
+        record.write_text("time_s,speed_rpm,torque_N_m\n" + "".join(
+            f"{t},{6000 if t % 4 else 0},{238.732414637843}\n" for t in range(41)))
+        loads = self.place / "loads.csv"
+        found = self.answer("spectrum", record, "-o", loads)
+        self.assertEqual(len(found["bins"]), 2)  # constant, and rest
+        self.assertEqual(found["duration_s"], 40)
+        spectrum = self.answer("run", CASE, *settings(f"spectrum={{file: {loads}}}"))["spectrum"]
+        plain = self.answer("run", CASE)["points"][0]["life_h"]
+        self.assertAlmostEqual(spectrum["life_h"] * 0.75 / plain, 1.0, delta=1e-10)
+        # A file that an option names and that the case's folder lacks is looked for where the command is given.
+        self.assertEqual(call("check", CASE, *settings("spectrum={file: loads.csv}"), folder=self.place).returncode, 0)
+
+    def test_bad_input(self):
+        out = self.place / "never"
+        self.assertIn("--bins", self.refusal("spectrum", CASE, "--bins", "3", "-o", out))
+        self.assertIn("required", self.refusal("spectrum", self.place / "none.csv", "-o", out))
+        self.assertIn("--output", self.refusal("spectrum", CASE))
+        wrong = self.place / "wrong.csv"
+        wrong.write_text("torque_N_m,speed_rpm,share\n100,6000,half\n")
+        message = self.refusal("sweep", CASE, "-o", out, *settings(f"spectrum={{file: {wrong}}}"))
+        self.assertTrue(message.startswith(f"{wrong}:2:10: spectrum: "), message)
+        self.assertIn("--continue", self.refusal("sweep", CASE, "-o", out, "--fidelity", "dynamic", "--continue", "up", *settings(SHIPPED)))
+        self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

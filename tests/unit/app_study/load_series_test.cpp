@@ -1,0 +1,149 @@
+// Records over time made into spectra: sums that must be kept, constant loads, rest, and what is said of
+// wrong records.
+#include "app/study/load_series.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "app/errors.hpp"
+#include "app/results/point_file.hpp"
+#include "tests/unit/app_results/fake_sweep.hpp"
+
+namespace orbearing::app::load_series_test {
+namespace {
+
+using fake_sweep::TemporaryFolder;
+using testing::HasSubstr;
+
+constexpr double kExponent = 10.0 / 3.0;
+constexpr double kRoundOff = 1e-12;  // relative, of sums over some hundred samples
+
+// Uneven times, torque and speed that vary by themselves.
+LoadSeries wavy(int samples) {
+  LoadSeries series;
+  double time = 3.0;
+  for (int i = 0; i < samples; ++i) {
+    series.time.push_back(time);
+    series.torque.push_back(200.0 + 80.0 * std::sin(0.7 * i));
+    series.speed.push_back(500.0 + 300.0 * std::sin(0.31 * i));
+    time += 0.1 + 0.05 * std::sin(1.3 * i);
+  }
+  return series;
+}
+
+struct Sums {
+  double share = 0.0, speed = 0.0, damage = 0.0;
+};
+
+Sums sums_of(const LoadSpectrum& spectrum) {
+  Sums sums;
+  for (const LoadBin& bin : spectrum.bins) {
+    sums.share += bin.share;
+    sums.speed += bin.share * bin.speed;
+    if (bin.turns()) sums.damage += bin.share * bin.speed * std::pow(bin.power / bin.speed, kExponent);
+  }
+  return sums;
+}
+
+TEST(LoadSeries, BinsKeepTimeTurnsAndDamageHoweverWideTheyAre) {
+  const LoadSeries series = wavy(500);
+  Sums own;
+  const double duration = series.time.back() - series.time.front();
+  for (std::size_t i = 0; i + 1 < series.time.size(); ++i) {
+    const double part = (series.time[i + 1] - series.time[i]) / duration;
+    own.speed += part * series.speed[i];
+    own.damage += part * series.speed[i] * std::pow(series.torque[i], kExponent);
+  }
+  for (const BinCounts counts : {BinCounts{1, 1}, BinCounts{8, 8}, BinCounts{3, 20}}) {
+    const Sums found = sums_of(binned(series, counts).spectrum);
+    EXPECT_NEAR(found.share, 1.0, kRoundOff);
+    EXPECT_NEAR(found.speed, own.speed, kRoundOff * own.speed);
+    EXPECT_NEAR(found.damage, own.damage, kRoundOff * own.damage);
+  }
+  EXPECT_EQ(binned(series, {1, 1}).spectrum.bins.size(), 1U);
+  EXPECT_GT(binned(series, {8, 8}).spectrum.bins.size(), 20U);
+}
+
+TEST(LoadSeries, OfAConstantLoadGivesOneBin) {
+  LoadSeries series = wavy(50);
+  for (double& torque : series.torque) torque = 240.0 * (1.0 + 1e-15);
+  for (double& speed : series.speed) speed = 600.0;
+  series.torque[3] = 240.0;  // round-off of whoever wrote it
+  const BinnedSeries found = binned(series, {8, 8});
+  ASSERT_EQ(found.spectrum.bins.size(), 1U);
+  EXPECT_NEAR(found.spectrum.bins[0].power, 240.0 * 600.0, kRoundOff * 240.0 * 600.0);
+  EXPECT_NEAR(found.spectrum.bins[0].share, 1.0, kRoundOff);
+}
+
+TEST(LoadSeries, RestIsABinOfItsOwnAndSignsAreToldOf) {
+  const LoadSeries series{{0.0, 1.0, 2.0, 4.0}, {100.0, 50.0, -100.0, 7e9}, {300.0, 0.0, 300.0, 7e9}};
+  const BinnedSeries found = binned(series, {4, 4});
+  ASSERT_EQ(found.spectrum.bins.size(), 2U);
+  EXPECT_EQ(found.spectrum.bins[0].speed, 300.0);
+  EXPECT_DOUBLE_EQ(found.spectrum.bins[0].share, 0.75);
+  EXPECT_FALSE(found.spectrum.bins[1].turns());
+  EXPECT_DOUBLE_EQ(found.spectrum.bins[1].share, 0.25);
+  EXPECT_DOUBLE_EQ(found.reversed_share, 0.5);
+  EXPECT_THROW(binned({{0.0, 1.0}, {1.0, 1.0}, {0.0, 0.0}}, {1, 1}), BadInput);
+}
+
+TEST(LoadSeries, IsReadFromCsvAndNetcdfAlike) {
+  const TemporaryFolder place;
+  fake_sweep::write(place / "a.csv",
+                    "time_s,speed_rpm,torque_N_m,other\n0,6000,100,x\n1,3000,200,y\n3,3000,200,z\n");
+  fake_sweep::write(
+      place / "b.csv",
+      "time_h,power_kW,speed_rpm\n0,31.41592653589793,3000\n0.5,62.83185307179586,3000\n1,1,3000\n");
+  const LoadSeries one = read_load_series(place / "a.csv");
+  EXPECT_EQ(one.time, (std::vector<double>{0.0, 1.0, 3.0}));
+  EXPECT_EQ(one.torque[1], 200.0);
+  const LoadSeries by_power = read_load_series(place / "b.csv");
+  EXPECT_EQ(by_power.time[1], 1800.0);
+  EXPECT_NEAR(by_power.torque[1], 200.0, 1e-10);
+  PointContent content;
+  content.dimensions = {{"time", 3}};
+  content.arrays = {{"time", {"time"}, "seconds since 2026-01-01", "", one.time},
+                    {"torque", {"time"}, "N m", "", one.torque},
+                    {"speed", {"time"}, "rad s-1", "", one.speed}};
+  fake_sweep::write(place / "c.nc", netcdf_bytes(content));
+  const LoadSeries netcdf = read_load_series(place / "c.nc");
+  EXPECT_EQ(netcdf.time, one.time);
+  EXPECT_EQ(netcdf.torque, one.torque);
+  EXPECT_EQ(netcdf.speed, one.speed);
+}
+
+TEST(LoadSeries, WrongOnesAreToldByLine) {
+  const TemporaryFolder place;
+  const auto fault = [&](const std::string& text) -> std::string {
+    fake_sweep::write(place / "a.csv", text);
+    try {
+      read_load_series(place / "a.csv");
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(fault("time_s,speed_rpm\n0,1\n1,1\n"), HasSubstr("no torque and no power"));
+  EXPECT_THAT(fault("time_s,torque_N_m\n0,1\n1,1\n"), HasSubstr("no speed"));
+  EXPECT_THAT(fault("time,speed_rpm,torque_N_m\n0,1,1\n"), HasSubstr("a.csv:1: found time without a unit"));
+  EXPECT_THAT(fault("time_s,speed_rpm,torque_mm\n0,1,1\n"), HasSubstr("torque"));
+  EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n1,one,1\n"),
+              HasSubstr("a.csv:3:3: found 'one' as speed"));
+  EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n1,1\n"), HasSubstr("a.csv:3"));
+  EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n0,1,1\n"),
+              HasSubstr("a.csv:3: found a time that is not later"));
+  EXPECT_THAT(fault("time_s,speed_rpm,torque_N_m\n0,1,1\n"), HasSubstr("1 samples"));
+  EXPECT_THAT(fault("a,b\n0,1\n"), HasSubstr("no column of time, speed, torque or power"));
+}
+
+TEST(LoadSeries, BinsAreTwoCounts) {
+  EXPECT_EQ(parse_bins("12x4").torque, 12);
+  EXPECT_EQ(parse_bins("12x4").speed, 4);
+  for (const char* wrong : {"8", "0x4", "4x", "x", "4x4x4", "1.5x2", "101x1", "-1x1"})
+    EXPECT_THROW(parse_bins(wrong), BadInput) << wrong;
+}
+
+}  // namespace
+}  // namespace orbearing::app::load_series_test
