@@ -209,7 +209,7 @@ Use with_planet_defect(const Use& use, std::string_view path) {
   if (is_one_of({"defect.", "signal."})) return more;
   unsigned* const standings[] = {&more.by, &more.unfelt_by, &more.refused_by};
   for (unsigned* standing : standings) *standing &= ~unsigned{use::planet_defect};
-  if (is_one_of({"life.", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
+  if (is_one_of({"life.", "spectrum", "lubricant.kinematic", "simulation.observed", "simulation.most_rev",
                  "simulation.load_drift", "simulation.cage_drift"})) {
     more.unfelt_by |= use::planet_defect;
     return more;
