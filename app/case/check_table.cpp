@@ -64,8 +64,7 @@ std::string line(const Row& row, const std::array<std::size_t, 4>& widths) {
 
 // Rows as lists; those of which some columns are left out, with the names of what they have.
 nlohmann::json rows_of_list(const Field& field, const std::vector<double>& list) {
-  const bool some_left_out = std::any_of(field.columns.begin(), field.columns.end(),
-                                         [](const ListColumn& column) { return column.one_of > 0; });
+  const bool some_left_out = has_choices(field);
   nlohmann::json rows = nlohmann::json::array();
   for (std::size_t i = 0; i < list.size(); i += field.columns.size()) {
     nlohmann::json listed = nlohmann::json::array(), named = nlohmann::json::object();

@@ -142,12 +142,6 @@ FieldReading bad_row(const Entry& entry, std::string found, const Field& field) 
   return at(entry, bad(std::move(found), field));
 }
 
-// Rows of which some columns are left out have names.
-bool has_choices(const Field& field) {
-  return std::any_of(field.columns.begin(), field.columns.end(),
-                     [](const ListColumn& column) { return column.one_of > 0; });
-}
-
 FieldReading read_listed_row(const Field& field, const Entry& entry) {
   if (has_choices(field) || entry.shape != Entry::Shape::list || entry.items.size() != field.columns.size())
     return bad_row(entry, describe(entry) + " as a row", field);
@@ -299,6 +293,11 @@ std::string kind_text(const Field& field, Kind kind) {
 }
 
 }  // namespace
+
+bool has_choices(const Field& field) {
+  return std::any_of(field.columns.begin(), field.columns.end(),
+                     [](const ListColumn& column) { return column.one_of > 0; });
+}
 
 std::string column_key(const ListColumn& column) {
   std::string key = column.name;

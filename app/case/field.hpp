@@ -79,6 +79,9 @@ struct FieldReading {
 /// Checks one entry of the case against its field: kind, unit, finiteness, range.
 FieldReading read_field(const Field& field, const Entry& entry);
 
+/// Whether some columns of its rows are left out, so that rows are blocks.
+bool has_choices(const Field& field);
+
 /// The key of a column in a row that is a block: "rolling_speed" of "rolling speed".
 std::string column_key(const ListColumn& column);
 

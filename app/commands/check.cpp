@@ -9,10 +9,10 @@
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/study/defect_study.hpp"
-#include "app/study/planet_defect.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
 #include "app/study/mesh_study.hpp"
+#include "app/study/planet_defect.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/power_table.hpp"
 #include "app/study/static_ratings.hpp"
@@ -52,6 +52,8 @@ Checked check(const ResolvedCase& resolved) {
 int check_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
   Checked checked = check(resolved);
+  if (resolved.model() == planetary_drivetrain)
+    for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   const std::vector<std::string> idle = idle_inputs(resolved);
   checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());
   if (options.json) {

@@ -60,6 +60,7 @@ nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOpti
   object.update(crown_json(study));
   object["assumptions"] = assumptions_json(resolved);
   std::vector<std::string> warnings = gear_warnings(resolved);
+  for (std::string& warning : clearance_warnings(resolved)) warnings.push_back(std::move(warning));
   const std::vector<std::string> unused = require_crown_uses(resolved, options);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
   warnings.insert(warnings.end(), study.warnings.begin(), study.warnings.end());

@@ -70,6 +70,8 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.bearing.outer.form = form_of(in, "bearing.outer_race");
   out.pins_displaced = has_displaced_pins(in);
   out.rated = rated_bearing(in, out.bearing);
+  out.mounting.unmounted_clearance = out.bearing.radial_clearance;
+  study::mount(out);
   return out;
 }
 

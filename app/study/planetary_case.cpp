@@ -70,7 +70,59 @@ void add_bearing(const study::PlanetaryDrivetrain& drivetrain, const study::Driv
   rows.push_back({"bearing.cage.mass", 1e3 * g.cage_mass, "g", "ring less pockets"});
 }
 
+// From the shelf to the running bearing, and how it runs at each swept speed.
+void add_clearance(const ResolvedCase& resolved, const study::NamedSet& set, std::vector<Derived>& rows) {
+  if (set.drivetrain.mounting.state == bearing::ClearanceState::operating) return;
+  const auto add = [&](const std::string& path, double value, double per_unit, const char* unit,
+                       const std::string& meaning) {
+    rows.push_back({"bearing.clearance." + path, per_unit * value, unit, meaning});
+  };
+  const bearing::ClearanceChain chain = study::clearance_chain(set.drivetrain);
+  add("unmounted", chain.unmounted, kMicro, "um", "on the shelf");
+  add("after_fits", chain.fitted, kMicro, "um", "mounted, cold, at rest");
+  add("at_temperatures", chain.warm, kMicro, "um", "the same, warm");
+  add("operating", chain.operating, kMicro, "um", "the same, at the case's speed: that of the computation");
+  add("inner_seat_pressure", chain.inner_pressure, kMega, "MPa",
+      "between pin and inner ring as they run; 0: they part");
+  add("outer_seat_pressure", chain.outer_pressure, kMega, "MPa",
+      "between outer ring and planet as they run; 0: they part");
+  constexpr std::size_t most_speeds = 24;
+  for (const SweepAxis& axis : resolved.axes()) {
+    if (axis.path != kSpeedPath || axis.values.size() > most_speeds) continue;
+    for (const std::string& speed : axis.values) {
+      study::NamedSet there = set;
+      study::turn_at(resolved.without_sweep().with(kSpeedPath, speed).quantity(kSpeedPath), there.drivetrain,
+                     there.geometry);
+      add("operating", there.drivetrain.bearing.radial_clearance, kMicro, "um", "at " + speed);
+    }
+  }
+}
+
+bool states_any(const ResolvedCase& in, const std::string& set, std::initializer_list<const char*> paths) {
+  return std::any_of(paths.begin(), paths.end(), [&](const char* path) { return in.has(set + path); });
+}
+
 }  // namespace
+
+std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  std::vector<std::string> sets = resolved.shape().sets;
+  if (!resolved.shape().several) sets = {""};
+  for (const std::string& name : sets) {
+    const std::string set = name.empty() ? "" : set_prefix(name);
+    const std::string state = set + "bearing.clearance_state";
+    if (!resolved.has(state) || resolved.choice(state) != "unmounted") continue;
+    if (!states_any(resolved, set, {"bearing.fit.inner_interference", "bearing.fit.outer_interference"}))
+      warnings.push_back(set +
+                         "bearing.fit: no interference given; seats are taken as neither tight nor loose");
+    if (!states_any(
+            resolved, set,
+            {"bearing.temperature.pin", "bearing.temperature.inner_ring", "bearing.temperature.rollers",
+             "bearing.temperature.outer_ring", "bearing.temperature.planet"}))
+      warnings.push_back(set + "bearing.temperature: none given; all bodies are taken at 20 degC");
+  }
+  return warnings;
+}
 
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   study::PlanetaryDrivetrain out = drivetrain_without_gear_set(in);
@@ -100,6 +152,7 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
     drivetrain.in_arrangement = flow.sets[place];
     drivetrain.gear_set = nullptr;      // a model of one set, which knows neither its place nor its share
     drivetrain.pins_displaced = false;  // without that model none shares its load unevenly; the case warns
+    study::mount(drivetrain);
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
     sets.push_back({name, std::move(drivetrain), geometry});
   }
@@ -129,6 +182,7 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
     std::vector<Derived> of_set;
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
+    add_clearance(resolved, set, of_set);
     add_duty(study::bearing_duty(set.drivetrain, set.geometry), of_set);
     if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
       of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",

@@ -22,6 +22,9 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved);
 /// Names of the sets with bearings where there are several sets; none for a case of one set.
 std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
 
+/// What a clearance from the shelf takes for granted: fits or temperatures of which nothing is said.
+std::vector<std::string> clearance_warnings(const ResolvedCase& resolved);
+
 /// What follows from the inputs, for `orbearing check`.
 std::vector<Derived> derived_quantities(const ResolvedCase& resolved);
 

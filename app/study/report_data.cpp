@@ -38,9 +38,9 @@ std::vector<double> fine_speeds(const LifeCurve& grid) {
   return {speeds.begin(), speeds.end()};
 }
 
-study::PointResult point_at(study::PlanetaryDrivetrain drivetrain, const study::DrivetrainGeometry& geometry,
+study::PointResult point_at(study::PlanetaryDrivetrain drivetrain, study::DrivetrainGeometry geometry,
                             double speed) {
-  drivetrain.drive.speed = speed;
+  study::turn_at(speed, drivetrain, geometry);
   return study::evaluate(drivetrain, geometry);
 }
 

@@ -47,6 +47,8 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
       require_used(resolved, rung_of(resolved, outcome.header.fidelity), Axes::all);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+  const std::vector<std::string> clearance = clearance_warnings(resolved);
+  warnings.insert(warnings.end(), clearance.begin(), clearance.end());
   const std::vector<std::string> oil = oil_warnings(resolved);
   warnings.insert(warnings.end(), oil.begin(), oil.end());
   const auto column = [&](const ResultRow& row, const char* name) {

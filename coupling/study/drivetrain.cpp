@@ -1,5 +1,8 @@
 #include "coupling/study/drivetrain.hpp"
 
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
 #include "bearing/carrier_frame.hpp"
 
 namespace orbearing::study {
@@ -12,6 +15,39 @@ DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
   geometry.planet_mass =
       geometry.planet_gear.mass + drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
   return geometry;
+}
+
+bearing::ClearanceChain clearance_chain(const PlanetaryDrivetrain& drivetrain) {
+  using boost::math::double_constants::pi;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const gearset::MeanLoads gears = bearing_duty(drivetrain, geometry).gears;
+  const double root = geometry.gears.planet.root_radius, bore = 0.5 * drivetrain.bearing.outer.seat_diameter;
+  const double density = drivetrain.set.density, width = drivetrain.set.face_width;
+  // Teeth: what the body weighs beyond its root circle, at the radius of their inertia.
+  const double mass =
+      geometry.planet_gear.mass / width - pi * density * (std::pow(root, 2) - std::pow(bore, 2));
+  const double inertia =
+      geometry.planet_gear.inertia / width - 0.5 * pi * density * (std::pow(root, 4) - std::pow(bore, 4));
+  const bool teeth = mass > 0.0 && inertia > 0.0;
+  return bearing::clearance_chain(drivetrain.bearing, drivetrain.mounting,
+                                  {.planet_outer_radius = root,
+                                   .hanging_mass = teeth ? mass : 0.0,
+                                   .hanging_radius = teeth ? std::sqrt(inertia / mass) : 0.0,
+                                   .planet_speed = gears.carrier_speed + gears.planet_speed_relative,
+                                   .pin_speed = gears.carrier_speed});
+}
+
+void mount(PlanetaryDrivetrain& drivetrain) {
+  if (drivetrain.mounting.state == bearing::ClearanceState::operating) return;
+  drivetrain.bearing.radial_clearance = drivetrain.mounting.unmounted_clearance;
+  drivetrain.bearing.radial_clearance = clearance_chain(drivetrain).operating;
+}
+
+void turn_at(double speed, PlanetaryDrivetrain& drivetrain, DrivetrainGeometry& geometry) {
+  drivetrain.drive.speed = speed;
+  if (drivetrain.mounting.state == bearing::ClearanceState::operating) return;
+  mount(drivetrain);
+  geometry = derive(drivetrain);
 }
 
 bearing::QuasiStaticOptions quasi_static_options(const PlanetaryDrivetrain& drivetrain) {

@@ -10,6 +10,7 @@
 #include "bearing/life/life_modification.hpp"
 #include "bearing/life/standard_life.hpp"
 #include "bearing/motion/parameters.hpp"
+#include "bearing/mounted_clearance.hpp"
 #include "bearing/parameters.hpp"
 #include "coupling/cosim/coupled_run.hpp"
 #include "coupling/system/driven_bearing.hpp"
@@ -87,7 +88,8 @@ struct PlanetaryDrivetrain {
   /// Among several sets: how this one's members turn and are loaded for what `drive` puts into the whole, of
   /// which only power and speed count then. None: the set is alone and driven at drive.member.
   std::optional<gearset::MemberRatios> in_arrangement;
-  bearing::Bearing bearing;
+  bearing::Bearing bearing;    // with the clearance that it has at this drive
+  bearing::Mounting mounting;  // from which that clearance follows, where a case states it so
   int bearings_per_planet = 1;
   bearing::InertiaSwitches inertia;
   bearing::Lubricant lubricant;
@@ -113,7 +115,7 @@ template <class Visitor>
 void describe(Visitor& visit, PlanetaryDrivetrain& m) {
   using namespace described;
   members(
-      visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing),
+      visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing), part(m.mounting),
       field(m.bearings_per_planet, "bearing.per_planet", Felt::carrier, "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
       apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
@@ -143,6 +145,17 @@ struct DrivetrainGeometry {
 
 /// Throws std::domain_error where the gears have no common centre distance or the planet no rim.
 DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain);
+
+/// The clearance of the bearing at the drivetrain's speed, from the shelf on.
+bearing::ClearanceChain clearance_chain(const PlanetaryDrivetrain& drivetrain);
+
+/// Gives the bearing the clearance that it has at the drivetrain's speed, where that follows from its
+/// mounting. To be called whenever speed or place in an arrangement have changed; geometry is to be derived
+/// after it.
+void mount(PlanetaryDrivetrain& drivetrain);
+
+/// Another speed of the input [rad/s], with the clearance and geometry that it brings.
+void turn_at(double speed, PlanetaryDrivetrain& drivetrain, DrivetrainGeometry& geometry);
 
 /// Load of the gears on the bore of one bearing and what belongs to it.
 struct BearingDuty {

@@ -54,7 +54,7 @@ PointResult evaluate(const std::vector<NamedSet>& sets, Fidelity fidelity) {
 }
 
 std::vector<NamedSet> at_speed(std::vector<NamedSet> sets, double speed) {
-  for (NamedSet& set : sets) set.drivetrain.drive.speed = speed;
+  for (NamedSet& set : sets) turn_at(speed, set.drivetrain, set.geometry);
   return sets;
 }
 

@@ -432,6 +432,7 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
                       const std::vector<BearingDuty>& duties, PointResult result) {
   put_loads(drivetrain, geometry, duties, result);
   result.contact_pressure = largest_pressure(drivetrain, geometry, result);
+  result.radial_clearance = drivetrain.bearing.radial_clearance;
   return result;
 }
 

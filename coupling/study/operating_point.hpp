@@ -103,6 +103,7 @@ struct PointResult {
   double contact_pressure =
       0.0;                 // [Pa] largest of both races, after Hertz; of laminae, the most loaded one's
   double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed
+  double radial_clearance = 0.0;           // [m]  of the running bearing
   std::optional<ModifiedRecord> modified;  // none where nothing is said of the oil
   LoadDistribution distribution;
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model

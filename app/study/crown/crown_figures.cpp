@@ -99,7 +99,8 @@ std::size_t heaviest(const CrownProblem& problem) {
 
 ordered_json pressure_curve(const Stage& stage, const Named& profile, double tilt) {
   const auto loads = loads_at(stage.problem, profile.made, tilt, heaviest(stage.problem));
-  const WorstRoller roller = worst_roller(lamina_bearing(stage.problem, profile.made), loads, Race::inner);
+  const WorstRoller roller =
+      worst_roller(lamina_bearing(stage.problem, profile.made, heaviest(stage.problem)), loads, Race::inner);
   const auto found = stage.pressure.on(Race::inner, profile.made, roller.load, roller.tilt);
   return {{"profile", profile.name},
           {"tilt_mrad", 1e3 * tilt},

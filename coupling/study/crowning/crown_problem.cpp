@@ -81,9 +81,11 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
     if (at.speed <= 0.0 || at.share <= 0.0) continue;
     PlanetaryDrivetrain there = drivetrain;
     if (at.power) there.drive.power = *at.power;
-    there.drive.speed = at.speed;
+    DrivetrainGeometry geometry_there = geometry;
+    turn_at(at.speed, there, geometry_there);
     there.misalignment.planet_tilt = 0.0;  // it is what a study varies
-    problem.duties.push_back({at.speed, at.share, bearing_duty(there, geometry).point});
+    problem.duties.push_back(
+        {at.speed, at.share, bearing_duty(there, geometry_there).point, there.bearing.radial_clearance});
     problem.ratings.push_back(lamina_rating(problem.bearing, measure, drivetrain.lambda));
   }
   return problem;
@@ -97,8 +99,9 @@ CrownProblem one_duty(const CrownProblem& problem, std::size_t duty) {
   return one;
 }
 
-LaminaBearing lamina_bearing(const CrownProblem& problem, const Profile& profile) {
+LaminaBearing lamina_bearing(const CrownProblem& problem, const Profile& profile, std::size_t duty) {
   bearing::Bearing bearing = problem.bearing;
+  bearing.radial_clearance = problem.duties[duty].radial_clearance;
   bearing.rollers().profile = profile;
   return LaminaBearing(bearing);
 }
@@ -110,7 +113,7 @@ bearing::OperatingPoint tilted(const Duty& duty, double tilt) {
 }
 
 LaminaResult loads_at(const CrownProblem& problem, const Profile& profile, double tilt, std::size_t duty) {
-  return balanced(lamina_bearing(problem, profile), problem, tilt, duty);
+  return balanced(lamina_bearing(problem, profile, duty), problem, tilt, duty);
 }
 
 double duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::size_t duty) {
@@ -132,11 +135,10 @@ double modified_duty_hours(const CrownProblem& problem, const LaminaResult& load
 }
 
 double life_hours(const CrownProblem& problem, const Profile& profile, double tilt) {
-  const LaminaBearing bearing = lamina_bearing(problem, profile);
   Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
     hours[static_cast<Eigen::Index>(duty)] =
-        duty_hours(problem, balanced(bearing, problem, tilt, duty), duty);
+        duty_hours(problem, loads_at(problem, profile, tilt, duty), duty);
   return life_of_duties(problem, hours);
 }
 
@@ -153,12 +155,12 @@ double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen:
 // L = 1/sum(s_i/L_i): d ln L = sum of the duties' d ln L_i, weighted by the part of life each uses up.
 CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
                      double tilt) {
-  const LaminaBearing bearing = lamina_bearing(problem, profile_of(family, crown));
-  const std::vector<DropSlope> slopes = lamina_slopes(bearing, family, crown);
+  const Profile profile = profile_of(family, crown);
+  const std::vector<DropSlope> slopes = lamina_slopes(lamina_bearing(problem, profile, 0), family, crown);
   CrownLife sum;
   double used = 0.0;
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
-    const CrownLife one = duty_life(problem, bearing, slopes, tilt, duty);
+    const CrownLife one = duty_life(problem, lamina_bearing(problem, profile, duty), slopes, tilt, duty);
     const double part = problem.duties[duty].share * std::exp(-one.log_hours);
     used += part;
     sum.by_drop += part * one.by_drop;

@@ -20,6 +20,7 @@ struct Duty {
   double speed = 0.0;             // [rad/s]  of the drivetrain's input
   double share = 1.0;             // [-]      of the time
   bearing::OperatingPoint point;  // tilted by the wind-up alone; tilts of a study are added
+  double radial_clearance = 0.0;  // [m]  of the bearing at this speed
 };
 
 /// What a study asks about; immutable, from any thread.
@@ -53,9 +54,9 @@ CrownProblem one_duty(const CrownProblem& problem, std::size_t duty);
 bearing::laminae::LaminaResult loads_at(const CrownProblem& problem, const bearing::profile::Profile& profile,
                                         double tilt, std::size_t duty);
 
-/// The bearing with `profile` on its rollers, and the point of a duty with the tilt.
+/// The bearing with `profile` on its rollers and the clearance of a duty, and the point of one with the tilt.
 bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
-                                               const bearing::profile::Profile& profile);
+                                               const bearing::profile::Profile& profile, std::size_t duty);
 bearing::OperatingPoint tilted(const Duty& duty, double tilt);
 
 /// Life [h] of one bearing at one duty alone, whose loads are known.

@@ -44,7 +44,7 @@ WorstRoller worst_roller(const LaminaBearing& bearing, const LaminaResult& loads
 
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
                            const Profile& profile, const std::vector<LaminaResult>& loads) {
-  const LaminaBearing bearing = lamina_bearing(problem, profile);
+  const LaminaBearing bearing = lamina_bearing(problem, profile, 0);
   PeakPressure worst;
   for (const Race race : {Race::inner, Race::outer}) {
     WorstRoller roller;

@@ -249,6 +249,7 @@ struct Change {
 
 /// Values that no rule finds. Paths without the set's prefix.
 inline const std::map<std::string, Change>& stated_changes() {
+  const std::string shelf = "bearing.clearance_state=unmounted";
   const std::string laminae = "bearing.laminae=20", kind = "bearing.profile.kind=";
   const std::string land = "bearing.cage.guide_land_diameter=38.88 mm";
   const std::vector<std::string> table{laminae, kind + "table", "bearing.profile.x=[-4 mm, 0 mm, 4 mm]",
@@ -301,6 +302,15 @@ inline const std::map<std::string, Change>& stated_changes() {
        {"50", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
       {"life.viscosity_ratio_by", {"film", {"lubricant.grade=ISO VG 220"}}},
       {"bearing.radial_clearance", {"8 um"}},
+      {"bearing.fit.inner_interference", {"4 um", {shelf}}},
+      {"bearing.fit.outer_interference", {"4 um", {shelf}}},
+      {"bearing.fit.pin_bore", {"10 mm", {shelf, "bearing.fit.inner_interference=6 um"}}},
+      {"bearing.fit.expansion", {"12e-6 K-1", {shelf, "bearing.temperature.inner_ring=60 degC"}}},
+      {"bearing.temperature.pin", {"50 degC", {shelf, "bearing.fit.inner_interference=6 um"}}},
+      {"bearing.temperature.inner_ring", {"50 degC", {shelf}}},
+      {"bearing.temperature.rollers", {"50 degC", {shelf}}},
+      {"bearing.temperature.outer_ring", {"50 degC", {shelf}}},
+      {"bearing.temperature.planet", {"30 degC", {shelf, "bearing.fit.outer_interference=20 um"}}},
       {"bearing.outside_diameter", {"48 mm"}},
       {"simulation.observed_share", {"0.5"}},
       {"gearset.dynamics.ring.equivalent_mass",
