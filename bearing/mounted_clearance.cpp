@@ -81,10 +81,14 @@ double displacement(const Annulus& body, double radius, double inside_pressure, 
 
 double PressedPair::pressure() const {
   const double seat = within.outer_radius;
-  const double free_within = displacement(within, seat), free_around = displacement(around, seat);
-  const double overlap = 0.5 * interference + free_within - free_around;
-  const double compliance = displacement(around, seat, 1.0, 0.0) - free_around -
-                            (displacement(within, seat, 0.0, 1.0) - free_within);
+  const double overlap = 0.5 * interference + displacement(within, seat) - displacement(around, seat);
+  // Of cold bodies at rest: beside what heat and speed do, a pressure of 1 is lost in round-off.
+  const auto cold = [](Annulus body) {
+    body.warmth = body.speed = body.outside_pull = 0.0;
+    return body;
+  };
+  const double compliance =
+      displacement(cold(around), seat, 1.0, 0.0) - displacement(cold(within), seat, 0.0, 1.0);
   return std::max(0.0, overlap / compliance);
 }
 

@@ -71,6 +71,21 @@ bool is_felt_beside(const ResolvedCase& in, const Input& input, const Condition&
   });
 }
 
+// Seats and what they are of make the clearance, where it is stated on the shelf: then all that feels a
+// clearance feels them.
+bool is_felt_through_clearance(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+  constexpr std::string_view seats[] = {"bearing.bore", "material.youngs_modulus", "material.poisson_ratio"};
+  const bool of_seats = std::find(std::begin(seats), std::end(seats), input.field->path) != std::end(seats);
+  if (!of_seats || (find_field("bearing.radial_clearance")->use.by & analysis) == 0) return false;
+  const std::vector<Input> inputs = in.inputs();
+  const std::size_t prefix = set_prefix_length(input.path);  // 0: of the material, which is that of all sets
+  return std::any_of(inputs.begin(), inputs.end(), [&](const Input& other) {
+    return other.field->path == "bearing.clearance_state" && in.has(other.path) &&
+           in.choice(other.path) == "unmounted" &&
+           (prefix == 0 || other.path.substr(0, prefix) == input.path.substr(0, prefix));
+  });
+}
+
 std::string condition_text(const ResolvedCase& in, const Input& input, const Condition& condition) {
   std::vector<std::string> paths;
   for (const std::string& path : condition.paths)
@@ -152,6 +167,7 @@ Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::
   const Use& use = input.field->use;
   if ((use.by & analysis) != 0) return Standing::used;
   if ((use.felt_beside & analysis) != 0 && is_felt_beside(resolved, input, use.beside)) return Standing::used;
+  if (is_felt_through_clearance(resolved, input, analysis)) return Standing::used;
   if ((use.unfelt_by & analysis) != 0) return Standing::unfelt;
   return (use.refused_by & analysis) != 0 ? Standing::refused : Standing::unused;
 }

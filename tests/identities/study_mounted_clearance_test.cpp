@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/case/case_file.hpp"
+#include "app/case/unused_inputs.hpp"
 #include "app/study/crown/crown_study.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
@@ -81,6 +82,18 @@ TEST(StudyMountedClearance, IsThatOfEachPointOfACrownStudy) {
   const std::string clearance = stated(point(reducer(with(kMounted, "input.speed=11000 rpm"))));
   const double plain = life({clearance, "input.speed=11000 rpm"});
   EXPECT_NEAR(mounted, plain, 1e-9 * plain);
+}
+
+// What makes the clearance is felt by all that feels a clearance, and is told so.
+TEST(StudyMountedClearance, IsMadeByTheSeats) {
+  for (const char* seat :
+       {"bearing.bore=24 mm", "material.youngs_modulus=150 GPa", "material.poisson_ratio=0.25"}) {
+    const std::vector<std::string> changed = with(kMounted, seat);
+    for (const use::Analysis analysis : {use::quasi_static, use::crown, use::planet_stiffness})
+      EXPECT_TRUE(require_used(reducer(changed), analysis).empty()) << seat;
+    EXPECT_NE(point(reducer(changed)).radial_clearance, point(reducer(kMounted)).radial_clearance) << seat;
+  }
+  EXPECT_FALSE(require_used(reducer({"bearing.bore=24 mm"}), use::crown).empty());
 }
 
 TEST(StudyMountedClearance, StandsInCheckLineByLine) {
