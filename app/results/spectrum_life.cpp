@@ -67,7 +67,13 @@ Eigen::ArrayXd shares_of(const std::vector<SpectrumBin>& bins, bool of_revolutio
   return of_revolutions ? Eigen::ArrayXd(shares / shares.sum()) : shares;
 }
 
-double life_by_miner(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& lives) {
+/// What takes no time uses up nothing, also where its life is not known.
+Eigen::ArrayXd lives_that_count(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& lives) {
+  return (shares > 0.0).select(lives, infinite_life);
+}
+
+double life_by_miner(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& all_lives) {
+  const Eigen::ArrayXd lives = lives_that_count(shares, all_lives);
   return lives.isNaN().any() ? not_given : bearing::rating::spectrum_life(shares, lives);
 }
 
@@ -75,7 +81,7 @@ double life_by_miner(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& lives) 
 Eigen::ArrayXd damage_shares(const Eigen::ArrayXd& shares, const Eigen::ArrayXd& lives) {
   const double life = life_by_miner(shares, lives);
   if (std::isinf(life)) return Eigen::ArrayXd::Zero(shares.size());
-  return life * shares / lives;
+  return life * shares / lives_that_count(shares, lives);
 }
 
 // The set whose bearings live shortest under the spectrum; its lives are those of one bearing, as in the

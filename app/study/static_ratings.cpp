@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -40,6 +41,19 @@ std::optional<FilmState> film_of(const ResolvedCase& in, rating::RollingElement 
   return film;
 }
 
+// Shoulders are not stated; one at 70 degrees is a third of a ball's diameter high.
+void warn_of_steep_contacts(StaticStudy& study) {
+  if (study.contact_angle.size() == 0) return;
+  constexpr double degree = boost::math::double_constants::degree, usual_end = 70.0 * degree;
+  const Eigen::ArrayXd loaded_angle = (study.contact_load > 0.0).select(study.contact_angle.abs(), 0.0);
+  const auto beyond = (loaded_angle > usual_end).count();
+  if (beyond == 0) return;
+  study.warnings.push_back(
+      fmt::format("load: {} of {} balls bear on the inner race at more than 70 degrees (up to {:.1f}), where a usual "
+                  "groove has ended; the balance takes grooves up to 90 degrees",
+                  beyond, loaded_angle.size(), loaded_angle.maxCoeff() / degree));
+}
+
 void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {
   const rating::Ratings& ratings = study.ratings;
   for (std::string& text : oil_warnings(in)) study.warnings.push_back(std::move(text));
@@ -67,6 +81,7 @@ void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& s
                     "will slip, which "
                     "the balance does not know",
                     study.friction));
+  warn_of_steep_contacts(study);
   if (study.largest_pressure > rating::static_pressure(element))
     study.warnings.push_back(
         fmt::format("load: a contact pressure of {:.0f} MPa, which leaves permanent marks",

@@ -396,6 +396,13 @@ void MovingBallRow::push_unlike(int path) {
   known_.reset();
 }
 
+double MovingBallRow::contact_stiffness(const RingState& state) const {
+  const auto slopes = [](const RaceSide& side, const Eigen::ArrayXd& load) {
+    return 1.5 * std::pow(side.constant, 2.0 / 3.0) * load.pow(1.0 / 3.0).sum();
+  };
+  return slopes(inner_, state.contact_load) + slopes(outer_, state.outer_load);
+}
+
 int MovingBallRow::beyond_grooves() const {
   const auto ended = [](const ContactNormal<double>& normal, double load) {
     return load > 0.0 && normal.cosine <= 0.0;
@@ -580,6 +587,15 @@ RingState balance_moving(const Bearing& bearing, const RowMotion& motion, const 
   if (const int balls = row.beyond_grooves(); state.report.converged && balls > 0) {
     state.report.converged = false;
     state.report.message = beyond_grooves(balls);
+  }
+  // Where a ball neither rolls on the inner race nor has left it, its balance may stand on the point at which
+  // one ends: there it yields to no force, or to any.
+  constexpr double kFarAbove = 10.0;
+  if (state.report.converged &&
+      !(state.stiffness.topLeftCorner<3, 3>().cwiseAbs().maxCoeff() < kFarAbove * row.contact_stiffness(state))) {
+    state.report.converged = false;
+    state.report.message =
+        "no balance within the grooves that has a stiffness: a ball stands where it leaves the inner race or comes back to it";
   }
   return state;
 }

@@ -89,6 +89,8 @@ class MovingBallRow {
   /// Centrifugal forces of the frozen row, unlike by a pattern that hangs on `path`; alike for 0. Forgets
   /// where the balls were.
   void push_unlike(int path);
+  /// Hertz's stiffness of all contacts together [N/m]: more than the row has.
+  double contact_stiffness(const RingState& state) const;
   /// Balls, where the loads were put, that are loaded where a groove stands upright and so has ended.
   int beyond_grooves() const;
   /// Places of ring (5) and balls (2 each, from their outer groove centre) [m].
