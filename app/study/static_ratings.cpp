@@ -48,10 +48,10 @@ void warn_of_steep_contacts(StaticStudy& study) {
   const Eigen::ArrayXd loaded_angle = (study.contact_load > 0.0).select(study.contact_angle.abs(), 0.0);
   const auto beyond = (loaded_angle > usual_end).count();
   if (beyond == 0) return;
-  study.warnings.push_back(
-      fmt::format("load: {} of {} balls bear on the inner race at more than 70 degrees (up to {:.1f}), where a usual "
-                  "groove has ended; the balance takes grooves up to 90 degrees",
-                  beyond, loaded_angle.size(), loaded_angle.maxCoeff() / degree));
+  study.warnings.push_back(fmt::format(
+      "load: {} of {} balls bear on the inner race at more than 70 degrees (up to {:.1f}), where a usual "
+      "groove has ended; the balance takes grooves up to 90 degrees",
+      beyond, loaded_angle.size(), loaded_angle.maxCoeff() / degree));
 }
 
 void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {

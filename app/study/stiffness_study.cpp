@@ -54,7 +54,9 @@ StiffnessStudy lone_stiffness(const ResolvedCase& in) {
   equilibrium::RowMotion motion = row_motion_of(in);
   StiffnessStudy study{
       .series = 0,
-      .frame = "inner ring against the outer one; x along the radial load, z along the axis; load.moment_across acts about x, load.moment about -y",
+      .frame =
+          "inner ring against the outer one; x along the radial load, z along the axis; load.moment_across "
+          "acts about x, load.moment about -y",
       .damping =
           "a balance has none; the film follows from speed and load alone, it has no rate of approach"};
   const std::vector<double> speeds = list_or(in, "operation.speeds", motion.speeds.inner);

@@ -591,11 +591,12 @@ RingState balance_moving(const Bearing& bearing, const RowMotion& motion, const 
   // Where a ball neither rolls on the inner race nor has left it, its balance may stand on the point at which
   // one ends: there it yields to no force, or to any.
   constexpr double kFarAbove = 10.0;
-  if (state.report.converged &&
-      !(state.stiffness.topLeftCorner<3, 3>().cwiseAbs().maxCoeff() < kFarAbove * row.contact_stiffness(state))) {
+  if (state.report.converged && !(state.stiffness.topLeftCorner<3, 3>().cwiseAbs().maxCoeff() <
+                                  kFarAbove * row.contact_stiffness(state))) {
     state.report.converged = false;
     state.report.message =
-        "no balance within the grooves that has a stiffness: a ball stands where it leaves the inner race or comes back to it";
+        "no balance within the grooves that has a stiffness: a ball stands where it leaves the inner race or "
+        "comes back to it";
   }
   return state;
 }
