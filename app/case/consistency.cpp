@@ -202,6 +202,9 @@ void check_rings(Checker& check, const Races& races) {
   if (check.has({"bearing.bore"}))
     check.ordered("bearing.bore", "a bore within the inner raceway", check.length("bearing.bore"),
                   races.inner);
+  if (check.has({"bearing.bore", "bearing.fit.pin_bore"}))
+    check.ordered("bearing.fit.pin_bore", "a hole in the pin", check.length("bearing.fit.pin_bore"),
+                  check.length("bearing.bore"));
   if (check.has({"bearing.outside_diameter"}))
     check.ordered("bearing.outside_diameter", "an outer raceway within the outside diameter", races.outer,
                   check.length("bearing.outside_diameter"));

@@ -147,10 +147,19 @@ Json bin_json(const TableHead& head, const SpectrumBin& bin) {
   return object;
 }
 
+/// Swept values that the rows of a spectrum do not state themselves, by their place among all.
+std::vector<std::size_t> own_axes(const TableHead& head) {
+  std::vector<std::size_t> own;
+  for (std::size_t i = 0; i < head.axes; ++i)
+    if (!head.names[head.first_axis + i].starts_with("input.power_")) own.push_back(i);
+  return own;
+}
+
 Json result_json(const ManifestHeader& header, const TableHead& head, const SpectrumResult& result) {
   Json object;
-  for (std::size_t i = 0; i < result.axis_values.size(); ++i)
-    object[head.names[head.first_axis + i]] = number_or_null(result.axis_values[i]);
+  for (const std::size_t i : own_axes(head))
+    if (i < result.axis_values.size())
+      object[head.names[head.first_axis + i]] = number_or_null(result.axis_values[i]);
   for (const auto& [name, life] : result.lives) object[name] = number_or_null(life);
   if (!result.limiting_set.empty()) object["limiting_set"] = result.limiting_set;
   if (header.spectrum.hours > 0.0) {
@@ -211,7 +220,7 @@ std::vector<SpectrumResult> spectrum_results(const ManifestHeader& header,
 Json spectrum_json(const ManifestHeader& header, const std::vector<SpectrumResult>& results) {
   if (results.empty()) return nullptr;
   const TableHead head = head_of(header);
-  if (head.axes == 0) return result_json(header, head, results.front());
+  if (own_axes(head).empty()) return result_json(header, head, results.front());
   Json list = Json::array();
   for (const SpectrumResult& result : results) list.push_back(result_json(header, head, result));
   return list;
@@ -248,8 +257,9 @@ std::string spectrum_text(const ManifestHeader& header, const std::vector<Spectr
       text += fmt::format("; L10mh {}, {}", hours_text(life_of(result, "L10mh")),
                           hours_text(life_of(result, "system_L10mh")));
     text += '\n';
-    for (std::size_t i = 0; i < result.axis_values.size(); ++i)
-      text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);
+    for (const std::size_t i : own_axes(head))
+      if (i < result.axis_values.size())
+        text += fmt::format("{} = {:.10g}\n", head.names[head.first_axis + i], result.axis_values[i]);
     text += fmt::format("{:>5} {:>11} {:>11} {:>12} {:>9} {:>12} {:>9}\n", "bin", "power [kW]", "speed [rpm]",
                         "torque [N.m]", "time [%]", "life [h]", "uses [%]");
     const std::vector<std::size_t> order = by_damage(result);

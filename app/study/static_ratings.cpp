@@ -54,6 +54,20 @@ void warn_of_steep_contacts(StaticStudy& study) {
       beyond, loaded_angle.size(), loaded_angle.maxCoeff() / degree));
 }
 
+// One loaded element does not hold the ring across its line. Cylindrical rollers never hold it along the
+// axis.
+void warn_of_loose_rings(StaticStudy& study) {
+  const Eigen::Vector3d held = study.stiffness.diagonal().head<3>();
+  constexpr double nothing = 1e-9;
+  const int axes = study.contact_angle.size() > 0 ? 3 : 2;
+  for (int axis = 0; axis < axes; ++axis)
+    if (held[axis] < nothing * held.maxCoeff())
+      study.warnings.push_back(
+          fmt::format("stiffness: nothing holds the ring along {}: its place there is not determined, and "
+                      "the matrix is singular",
+                      "xyz"[axis]));
+}
+
 void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& study) {
   const rating::Ratings& ratings = study.ratings;
   for (std::string& text : oil_warnings(in)) study.warnings.push_back(std::move(text));
@@ -82,6 +96,7 @@ void warn(const ResolvedCase& in, rating::RollingElement element, StaticStudy& s
                     "the balance does not know",
                     study.friction));
   warn_of_steep_contacts(study);
+  warn_of_loose_rings(study);
   if (study.largest_pressure > rating::static_pressure(element))
     study.warnings.push_back(
         fmt::format("load: a contact pressure of {:.0f} MPa, which leaves permanent marks",

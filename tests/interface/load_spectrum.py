@@ -55,6 +55,16 @@ class LoadSpectrum(unittest.TestCase):
                 self.assertAlmostEqual(one[part], damage / sum(used), delta=SAME)
         self.assertEqual(spectrum["bins"][-1]["status"], "at rest")
 
+    def test_what_its_rows_state_is_not_swept_and_no_time_uses_up_nothing(self):
+        rows = "spectrum=[{power: 150 kW, speed: 6000 rpm, share: 1.0}, {power: 1 kW, speed: 20 rpm, share: 0.0}]"
+        thin = ("lubricant.grade=ISO VG 10", "lubricant.temperature=120 degC")  # kappa below 0.1 at 20 rpm
+        found = self.answer("run", CASE, *settings(rows, *thin))["spectrum"]
+        self.assertEqual([one["damage_share_L10mh"] for one in found["bins"]], [1.0, 0.0])
+        self.assertGreater(found["L10mh"], 0.0)
+        powers = self.answer("sweep", CASE, "--grid-only", *settings(SHIPPED, "sweep={input.power: [100 kW, 150 kW]}"))["spectrum"]
+        self.assertIsInstance(powers, dict)
+        self.assertNotIn("input.power_kW", powers)
+
     def test_folder_resume_and_shards_hold_the_same_rows(self):
         grid = settings(SHIPPED, COARSE)
         for folder, options in (("whole", ()), ("one", ("--shard", "1/2")), ("two", ("--shard", "2/2"))):
@@ -112,6 +122,8 @@ class LoadSpectrum(unittest.TestCase):
         self.assertEqual(call("check", CASE, *settings("spectrum={file: loads.csv}"), folder=self.place).returncode, 0)
 
     def test_bad_input(self):
+        fit = self.refusal("check", CASE, *settings("bearing.clearance_state=unmounted", "bearing.fit.pin_bore=26 mm"))
+        self.assertIn("bearing.fit.pin_bore", fit)
         out = self.place / "never"
         self.assertIn("--bins", self.refusal("spectrum", CASE, "--bins", "3", "-o", out))
         self.assertIn("required", self.refusal("spectrum", self.place / "none.csv", "-o", out))

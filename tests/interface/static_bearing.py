@@ -151,6 +151,17 @@ class Balls(unittest.TestCase):
                 self.assertGreater(found["L10r_Mrev"], 0.0)
         self.assertIsNone(run(BALL, "bearing.contact_angle=25 deg", "load.axial=1500 N")["L10_Mrev"])
 
+    def test_loose_rings_and_steep_contacts_are_told(self):
+        jones = CASES / "jones_218" / "case.yaml"
+        told = " ".join(run(jones, "operation.shaft_speed=0 rpm", "load.radial=100 N", "load.axial=0 N")["warnings"])
+        self.assertIn("nothing holds the ring along y", told)
+        self.assertIn("more than 70 degrees", " ".join(run(jones, "load.radial=500 N", "load.axial=250 N")["warnings"]))
+        for case in (jones, HARRIS, BALL):
+            self.assertNotIn("nothing holds", " ".join(run(case)["warnings"]))
+        lost = call("run", jones, "--json", "--set", "load.radial=1000 N", "--set", "load.axial=100 N")
+        self.assertEqual(lost.returncode, 1)
+        self.assertIn("no balance within the grooves", lost.stderr)
+
     def test_no_load_lives_for_ever(self):
         found = run(BALL, "load.radial=0 N")
         self.assertIsNone(found["L10r_Mrev"])
