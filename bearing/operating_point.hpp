@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "bearing/elastic_race.hpp"
 #include "bearing/parameters.hpp"
 
 namespace orbearing::bearing {
@@ -16,6 +17,7 @@ struct OperatingPoint {
   /// Inclination [rad] of the bore's axis relative to the pin's: it runs along (x, y, 1). Felt by laminae
   /// only.
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
+  ElasticRace outer_race{};  // how the outer race bends
 };
 
 /// Speed [rad/s] of the race that turns relative to the load, in whose revolutions lives count: of the inner

@@ -16,11 +16,14 @@
 namespace orbearing::mechanics {
 
 /// Forces out of balance at one place of N coordinates, and how stiffly they resist. All coordinates are
-/// lengths [m], tilts being taken at a lever, so that all forces are in [N].
+/// lengths [m], tilts being taken at a lever, so that all forces are in [N]. N may be Eigen::Dynamic.
 template <int N>
 struct Imbalance {
-  Eigen::Vector<double, N> force = Eigen::Vector<double, N>::Zero();            // [N]    -d(energy)
-  Eigen::Matrix<double, N, N> stiffness = Eigen::Matrix<double, N, N>::Zero();  // [N/m]  -d(force)
+  // Without coordinates where their number is not known yet.
+  Eigen::Vector<double, N> force =
+      Eigen::Vector<double, N>::Zero(N == Eigen::Dynamic ? 0 : N);  // [N]  -d(energy)
+  Eigen::Matrix<double, N, N> stiffness =
+      Eigen::Matrix<double, N, N>::Zero(force.size(), force.size());  // [N/m]  -d(force)
   double scale = 0.0;  // [N]  the largest of the forces that balance
 };
 

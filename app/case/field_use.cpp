@@ -87,6 +87,7 @@ constexpr Exception exceptions[] = {
     {"input.power", 0, use::fmu_bearing},
     {"input.speed", 0, use::mesh},
     {"gearset.planets", 0, use::fmu_bearing},
+    {"gearset.planet_rim", use::rollers_in_motion | use::gears | use::fmu_gearset},
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
     {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},
     {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
@@ -158,6 +159,7 @@ Use also_used(Use use, unsigned analyses) {
 // contacts knows no modulus, their films do.
 Use with_stiffness(Use use, std::string_view path) {
   if (path.starts_with("bearing.misalignment.")) return also_used(use, use::planet_stiffness);
+  if (path == "gearset.planet_rim") return also_used(use, use::mesh);
   if (path == "bearing.laminae") return also_used(use, use::stiffness | use::planet_stiffness);
   if (path != "material.youngs_modulus" && path != "material.poisson_ratio") return use;
   use.by &= ~unsigned{use::planet_stiffness};

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace orbearing::app {
 
 namespace {
@@ -29,12 +31,30 @@ void check_form(const ResolvedCase& resolved, const std::string& block, std::vec
              "as many values as orders are required", mistakes);
 }
 
+// How planets share a load follows from springs of the gears that know no rim; a rim rests on rollers that
+// are known.
+void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::string rim = "gearset.planet_rim";
+  if (!resolved.has(rim) || resolved.choice(rim) != "elastic") return;
+  if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
+    object(resolved, rim, fmt::format("elastic beside {}", spring),
+           "no stiffness of the bearings is required, which follows from their rollers", mistakes);
+  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
+    if (!resolved.has(pins)) continue;
+    const std::vector<double>& errors = resolved.list(pins);
+    if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; }))
+      object(resolved, rim, fmt::format("elastic beside {}", pins),
+             "rigid is required where pins stand off their places", mistakes);
+  }
+}
+
 }  // namespace
 
 void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   for (const char* race : {"inner_race", "outer_race"})
     for (const char* form : {"standing_form", "turning_form"})
       check_form(resolved, fmt::format("bearing.{}.{}", race, form), mistakes);
+  check_rim(resolved, mistakes);
   const std::string deviations = "bearing.roller_diameter_deviation";
   if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;
   const std::size_t given = resolved.list(deviations).size();

@@ -15,8 +15,9 @@ int mesh_command(const Options& options) {
   const std::vector<std::string> unused = require_used(resolved, use::mesh);
   study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());
   if (options.json) {
-    const nlohmann::ordered_json object{
-        {"case", resolved.text("name")}, {"meshes", meshes_json(study)}, {"warnings", study.warnings}};
+    nlohmann::ordered_json object{{"case", resolved.text("name")}, {"meshes", meshes_json(study)}};
+    if (study.planet_rim) object["planet_rim"] = planet_rim_json(study);
+    object["warnings"] = study.warnings;
     fmt::print("{}\n", object.dump(2));
     return 0;
   }

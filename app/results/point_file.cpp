@@ -103,6 +103,12 @@ void add_distribution(PointContent& content, const study::LoadDistribution& load
       {"inner_load", {"place"}, "N", "load of a roller on the inner race", loads.inner_load});
   content.arrays.push_back(
       {"outer_load", {"place"}, "N", "load of a roller on the outer race", loads.outer_load});
+  if (!loads.race_form.empty())
+    content.arrays.push_back({"race_form",
+                              {"place"},
+                              "m",
+                              "outward displacement of the outer race by bending of the planet's rim",
+                              loads.race_form});
 }
 
 // Where planets carry unlike loads, or were computed one by one.

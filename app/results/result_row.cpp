@@ -142,6 +142,15 @@ const std::vector<Column>& trailing_columns() {
       {"operating_clearance_um", "operating_clearance", "m",
        "radial clearance of the running bearing, in diametral measure", micrometres,
        [](const PointResult& r) { return r.radial_clearance; }},
+      {"rim_ovality_um", "rim_ovality", "m",
+       "largest less least outward displacement of the outer race by bending of the planet's rim",
+       micrometres,
+       [](const PointResult& r) {
+         const std::vector<double>& form = r.distribution.race_form;
+         if (form.empty()) return 0.0;
+         const auto [least, most] = std::minmax_element(form.begin(), form.end());
+         return *most - *least;
+       }},
       modified_column("kappa", "kappa", "1", "viscosity ratio of ISO 281", 1.0,
                       &ModifiedRecord::viscosity_ratio),
       modified_column("e_C", "e_C", "1", "contamination factor of ISO 281", 1.0,

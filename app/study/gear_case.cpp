@@ -5,6 +5,7 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/study/mesh_study.hpp"
 #include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
 
 namespace orbearing::app {
 
@@ -42,16 +43,21 @@ gearset::dynamics::SetModel geometric_model(const ResolvedCase& in) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
   const study::GearDynamicsChoice choice = gears_of(in);
   double rings = 0.0, stiffness = 0.0;
+  study::DrivetrainGeometry geometry;
   if (in.shape().bearing) {
-    const study::DrivetrainGeometry geometry = study::derive(drivetrain);
+    geometry = study::derive(drivetrain);
     rings = planet_rings(drivetrain, geometry);
     if (!choice.bearing_stiffness) stiffness = study::planet_bearing_stiffness(drivetrain, geometry);
   }
   gearset::dynamics::Operation operation = gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
   operation.run_up = choice.run_up;
-  return set_model(study::geometric_set(choice, drivetrain.set, gearset::working_geometry(drivetrain.set),
-                                        planetary_meshes_of(in), rings, stiffness),
-                   operation);
+  gearset::dynamics::SetParameters set =
+      study::geometric_set(choice, drivetrain.set, gearset::working_geometry(drivetrain.set),
+                           planetary_meshes_of(in), rings, stiffness);
+  if (geometry.rim)
+    set.planet.linked = {study::planet_stiffness(drivetrain, geometry, set.sun_mesh.stiffness.mean(),
+                                                 set.ring_mesh.stiffness.mean())};
+  return set_model(std::move(set), operation);
 }
 
 void require_one_set(const ResolvedCase& in) {

@@ -85,7 +85,34 @@ std::string parts_text(const NamedMesh& mesh) {
          parts_row(mesh.first, pair.first) + parts_row(mesh.second, pair.second);
 }
 
+Json waves_json(const Eigen::ArrayXd& waves) {
+  return std::vector<double>(waves.begin(), waves.end());
+}
+
+Json form_json(const gearset::rim::RaceForm& form) {
+  return {{"cosine_m_per_N", waves_json(form.cosine)}, {"sine_m_per_N", waves_json(form.sine)}};
+}
+
+std::string rim_text(const gearset::rim::RimInfluence& rim) {
+  return fmt::format(
+      "\nrim of the planet, beyond a race that is held: the tooth of the sun mesh gives way by {:.4g} um/kN, "
+      "that of the ring mesh by {:.4g}, each by {:.4g} under the other's force\n",
+      1e9 * rim.meshes(0, 0), 1e9 * rim.meshes(1, 1), 1e9 * rim.meshes(0, 1));
+}
+
 }  // namespace
+
+Json planet_rim_json(const MeshStudy& study) {
+  if (!study.planet_rim) return nullptr;
+  const gearset::rim::RimInfluence& rim = *study.planet_rim;
+  return {{"race_by_rollers_m_per_N", waves_json(rim.race)},
+          {"race_by_sun", form_json(rim.by_sun)},
+          {"race_by_ring", form_json(rim.by_ring)},
+          {"teeth_m_per_N",
+           {{"sun_by_sun", rim.meshes(0, 0)},
+            {"sun_by_ring", rim.meshes(0, 1)},
+            {"ring_by_ring", rim.meshes(1, 1)}}}};
+}
 
 Json meshes_json(const MeshStudy& study) {
   Json list = Json::array();
@@ -105,6 +132,7 @@ std::string mesh_text(const MeshStudy& study, Glyphs glyphs) {
     last = mesh.first;
     text += parts_text(mesh) + mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
   }
+  if (study.planet_rim) text += rim_text(*study.planet_rim);
   return text;
 }
 

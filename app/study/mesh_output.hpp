@@ -13,6 +13,10 @@ namespace orbearing::app {
 /// `gears` holds them for both.
 nlohmann::ordered_json meshes_json(const MeshStudy& study);
 
+/// `planet_rim` of `orbearing mesh --json`: influence functions of an elastic rim, orders of waves from 0 on;
+/// null where the rim is rigid.
+nlohmann::ordered_json planet_rim_json(const MeshStudy& study);
+
 /// Table of the meshes, parts at the pitch point, and a chart of each kind of mesh.
 std::string mesh_text(const MeshStudy& study, Glyphs glyphs);
 

@@ -96,6 +96,7 @@ MeshStudy set_study(const ResolvedCase& in) {
       study.meshes.push_back(mesh);
     }
   };
+  if (drivetrain.rim == study::PlanetRim::elastic) study.planet_rim = study::derive(drivetrain).rim;
   add(sun, meshes.sun_lag);
   add(ring, meshes.ring_lag);
   add_texts(gearset::tooth_warnings(geometry), study.warnings);

@@ -1,6 +1,7 @@
 // Meshes of a case: stiffness over the period, contact ratio, phases, and the standard's opinion beside.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "gearset/mesh/iso6336.hpp"
 #include "gearset/mesh/mesh_stiffness.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
+#include "gearset/rim/rim_influence.hpp"
 
 namespace orbearing::app {
 
@@ -25,6 +27,7 @@ struct NamedMesh {
 
 struct MeshStudy {
   std::vector<NamedMesh> meshes;
+  std::shared_ptr<const gearset::rim::RimInfluence> planet_rim;  // where the case has it elastic
   std::vector<std::string> warnings;
 };
 
@@ -37,8 +40,8 @@ gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved);
 /// What follows from the inputs of a gear-pair, for `orbearing check`.
 std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study);
 
-/// A number of the first mesh by its name in the validation table, such as "mean_N_per_m" or "c_prime_N_per_mm_um"; NaN
-/// for a name that is not known.
+/// A number of the first mesh by its name in the validation table, such as "mean_N_per_m" or
+/// "c_prime_N_per_mm_um"; NaN for a name that is not known.
 double mesh_property(const MeshStudy& study, const std::string& quantity);
 
 }  // namespace orbearing::app

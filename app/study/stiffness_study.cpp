@@ -94,7 +94,7 @@ StiffnessPoint planet_point(const study::NamedSet& set, double speed) {
     point.status = result.report.message;
     return point;
   }
-  point.stiffness = laminae::about_axes(laminae::mean_stiffness(bearing, result));
+  point.stiffness = laminae::about_axes(laminae::mean_stiffness(bearing, result, at.outer_race));
   point.displacement << result.displacement, 0.0, -at.bore_tilt[1], at.bore_tilt[0];
   return point;
 }

@@ -11,9 +11,10 @@ namespace {
 
 // The unknowns of one roller are E (elastic) and y = (outer approach, tip), its equations
 //   r0 = E - h_i(Q_i) - h_o(Q_o) - approach(u) = 0,  r = (Q_o - Q_i - I, M_o - M_i) = 0,
-// those of the ring F + sum Q_o e = 0 in u, with d(approach)/du = -e. With multipliers m0, m of the roller
-// and v of the ring, L + m0 r0 + m . r + v . (F + sum Q_o e) is stationary in all unknowns. With H = dr/dy,
-// symmetric, p = dy/dE, S = d(load)/dE, f = dh_i/dQ + dh_o/dQ, t = v . e and s = H^-1 dL/dy this gives
+// those of the ring F + sum Q_o e = 0 in u, with d(approach)/du = -e (u and e with the waves of an elastic
+// race). With multipliers m0, m of the roller and v of the ring, L + m0 r0 + m . r + v . (F + sum Q_o e) is
+// stationary in all unknowns. With H = dr/dy, symmetric, p = dy/dE, S = d(load)/dE, f = dh_i/dQ + dh_o/dQ, t
+// = v . e and s = H^-1 dL/dy this gives
 //   m0 = -(dL/dE + p . dL/dy + t S)/(1 - f S),  sum m0 e = 0,
 //   m = -s - t (1 - p_a, -p_b) + m0 (f_o (1 - p_a, -p_b) - f_i p).
 struct AdjointRoller {
@@ -55,16 +56,34 @@ RollerMultipliers multipliers(const AdjointRoller& adjoint, const RollerState& r
   return m;
 }
 
-// The multiplier v of the ring, whose stiffness is the sum over the rollers.
-Eigen::Vector2d ring_multiplier(const LaminaState& state, const std::vector<AdjointRoller>& rollers) {
-  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+// The multiplier v of the ring's coordinates, which resist as the rollers do and as the race itself does.
+template <int N>
+Eigen::Vector<double, N> ring_multiplier(const RingCoordinates<N>& ring, const LaminaState& state,
+                                         const std::vector<AdjointRoller>& rollers) {
+  mechanics::Imbalance<N> sum = ring.without_rollers(ring.start(state.displacement));
+  Eigen::Vector<double, N> force = Eigen::Vector<double, N>::Zero(ring.size());
   for (std::size_t j = 0; j < rollers.size(); ++j) {
-    const Eigen::Vector2d e = direction(state.angle[static_cast<Eigen::Index>(j)]);
-    stiffness += state.rollers[j].stiffness * e * e.transpose();
+    const auto e = ring.outward(static_cast<Eigen::Index>(j));
+    sum.stiffness += state.rollers[j].stiffness * e * e.transpose();
     force += rollers[j].of_measure * e;
   }
-  return mechanics::lengths_under<2>(force, stiffness);
+  return mechanics::lengths_under<N>(force, sum.stiffness);
+}
+
+// That multiplier along each roller, and along x and y.
+struct AlongRollers {
+  Eigen::ArrayXd along;
+  Eigen::Vector2d of_displacement;
+};
+
+template <int N>
+AlongRollers along_rollers(const RaceEquilibrium& problem, const LaminaState& state,
+                           const std::vector<AdjointRoller>& rollers) {
+  const RingCoordinates<N> ring(problem);
+  const Eigen::Vector<double, N> v = ring_multiplier<N>(ring, state, rollers);
+  AlongRollers result{Eigen::ArrayXd(state.angle.size()), v.template head<2>()};
+  for (Eigen::Index j = 0; j < state.angle.size(); ++j) result.along[j] = v.dot(ring.outward(j));
+  return result;
 }
 
 DropGradient none(const LaminaBearing& bearing) {
@@ -87,12 +106,15 @@ DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& p
     rollers.push_back(adjoint_roller(bearing, problem.contacts, state.rollers[static_cast<std::size_t>(j)],
                                      by_inner_load.col(j), by_outer_load.col(j)));
   DropGradient gradient = none(bearing);
-  gradient.by_load = ring_multiplier(state, rollers);
+  const AlongRollers ring = problem.outer_race.is_rigid()
+                                ? along_rollers<2>(problem, state, rollers)
+                                : along_rollers<Eigen::Dynamic>(problem, state, rollers);
+  gradient.by_load = ring.of_displacement;
   const Eigen::ArrayXd place = bearing.contact(Race::outer).places();
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
     const AdjointRoller& roller = rollers[static_cast<std::size_t>(j)];
     const Eigen::Vector2d e = direction(state.angle[j]);
-    const double along = gradient.by_load.dot(e);
+    const double along = ring.along[j];
     const RollerMultipliers m = multipliers(roller, state.rollers[static_cast<std::size_t>(j)], along);
     const Eigen::ArrayXd balance = m.balance[0] + m.balance[1] * place;
     gradient.inner +=

@@ -96,7 +96,10 @@ void EquilibriumBatch::solve_singly(const EquilibriumPoint& point, std::size_t i
 
 void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results) {
   resize(results, points.size(), bearing_.rollers().count);
-  if (!round_) {
+  const bool all_rigid = std::all_of(points.begin(), points.end(), [](const EquilibriumPoint& at) {
+    return at.point.outer_race.is_rigid();
+  });
+  if (!round_ || !all_rigid) {
     for (std::size_t index = 0; index < points.size(); ++index) solve_singly(points[index], index, results);
     return;
   }

@@ -44,8 +44,8 @@ class EquilibriumBatch {
                             mechanics::InstructionSet set = mechanics::best_instruction_set());
 
   /// Solves all points; each result depends on its own point alone. What the vectorised iteration does not
-  /// balance, and all points where races are not round or rollers unequal, is left to quasi_static_state().
-  /// Throws std::invalid_argument where a load or speed is not finite.
+  /// balance, and all points where races are not round or bend, or rollers unequal, is left to
+  /// quasi_static_state(). Throws std::invalid_argument where a load or speed is not finite.
   void solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results);
 
  private:

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
+#include "bearing/plane.hpp"
 #include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing::laminae {
@@ -24,66 +26,51 @@ LaminaContact contact_of(const Bearing& bearing, Race race, mechanics::Instructi
           lamina_drops(rollers.profile, bearing.ring(race).profile, rollers.length, rollers.laminae), set};
 }
 
-// Forces on the outer ring with all rollers settled.
-struct Ring {
+// What the balance of one cage angle is computed from, and the rollers that settle on the way.
+struct Rollers {
   const LaminaBearing& bearing;
-  const OperatingPoint& point;
   const RaceEquilibrium& problem;
-  Eigen::Matrix2Xd outward;  // [-]  (rollers)
   Eigen::ArrayXd outer_tip;  // [m]  (rollers)
-  std::vector<RollerState>& rollers;
-
-  double scale() const { return std::max(problem.load.norm(), problem.inertial_load.abs().maxCoeff()); }
-
-  mechanics::Imbalance<2> operator()(const Eigen::Vector2d& displacement) const {
-    const TiltedRoller roller{bearing.contact(Race::inner), bearing.contact(Race::outer),
-                              problem.contacts.inner.film(), problem.contacts.outer.film()};
-    mechanics::Imbalance<2> slope;
-    slope.force = problem.load;
-    slope.scale = scale();
-    for (Eigen::Index j = 0; j < outward.cols(); ++j) {
-      RollerState& state = rollers[static_cast<std::size_t>(j)];
-      settle_roller(roller, {approach(j, displacement), 0.0, outer_tip[j], problem.inertial_load[j]}, state);
-      slope.force += state.outer.load * outward.col(j);
-      slope.stiffness += state.stiffness * outward.col(j) * outward.col(j).transpose();
-    }
-    return slope;
-  }
-
-  double approach(Eigen::Index j, const Eigen::Vector2d& displacement) const {
-    const double round = -0.5 * problem.clearance - displacement.dot(outward.col(j));
-    return problem.extra_approach.size() == 0 ? round : round + problem.extra_approach[j];
-  }
+  std::vector<RollerState>& states;
 };
 
-Ring ring_of(const LaminaBearing& bearing, const OperatingPoint& point, const RaceEquilibrium& problem,
-             std::vector<RollerState>& rollers) {
-  const Eigen::Index count = problem.angle.size();
-  Ring ring{bearing, point, problem, Eigen::Matrix2Xd(2, count), Eigen::ArrayXd(count), rollers};
-  ring.outward.row(0) = problem.angle.cos().matrix();
-  ring.outward.row(1) = problem.angle.sin().matrix();
-  ring.outer_tip = bearing.half_length() * (ring.outward.transpose() * point.bore_tilt).array();
-  return ring;
+struct SettledRoller {
+  double outer_load = 0.0;  // [N]
+  double stiffness = 0.0;   // [N/m]
+};
+
+// Forces on the outer ring with all rollers settled.
+template <int N>
+mechanics::Imbalance<N> imbalance_at(const Rollers& rollers, const RingCoordinates<N>& ring,
+                                     const Eigen::Vector<double, N>& place) {
+  const LaminaBearing& bearing = rollers.bearing;
+  const RaceEquilibrium& problem = rollers.problem;
+  const TiltedRoller roller{bearing.contact(Race::inner), bearing.contact(Race::outer),
+                            problem.contacts.inner.film(), problem.contacts.outer.film()};
+  return ring.imbalance(place, [&](Eigen::Index j, double approach) {
+    RollerState& state = rollers.states[static_cast<std::size_t>(j)];
+    settle_roller(roller, {approach, 0.0, rollers.outer_tip[j], problem.inertial_load[j]}, state);
+    return SettledRoller{state.outer.load, state.stiffness};
+  });
+}
+
+Eigen::ArrayXd outer_tips(const LaminaBearing& bearing, const OperatingPoint& point,
+                          const RaceEquilibrium& problem) {
+  return bearing.half_length() *
+         (problem.angle.cos() * point.bore_tilt.x() + problem.angle.sin() * point.bore_tilt.y());
 }
 
 double largest_drop(const LaminaBearing& bearing) {
   return std::max(bearing.contact(Race::inner).greatest_drop(), bearing.contact(Race::outer).greatest_drop());
 }
 
-// The lengths [m] by which the races miss each other where they are concentric.
-double gaps(const Ring& ring) {
-  const Eigen::ArrayXd& extra = ring.problem.extra_approach;
-  return std::abs(ring.problem.clearance) + (extra.size() == 0 ? 0.0 : 2.0 * extra.abs().maxCoeff()) +
-         2.0 * largest_drop(ring.bearing) + ring.outer_tip.abs().maxCoeff();
-}
-
-mechanics::SearchLimits limits_of(const Ring& ring) {
-  const RaceEquilibrium& problem = ring.problem;
-  const double all = problem.load.norm() + problem.inertial_load.abs().sum();
-  const double elastic =
-      problem.contacts.inner.elastic().approach(all) + problem.contacts.outer.elastic().approach(all);
-  const double known = gaps(ring);
-  return {.reach = std::max(known, 1e-6) + elastic, .size = known + elastic};
+// The rigid contacts' reach, with what profiles and tilt add.
+mechanics::SearchLimits limits_of(const Rollers& rollers) {
+  mechanics::SearchLimits limits = search_limits(rollers.problem);
+  const double more = 2.0 * largest_drop(rollers.bearing) + rollers.outer_tip.abs().maxCoeff();
+  limits.size += more + limits.reach;
+  limits.reach += more;
+  return limits;
 }
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
@@ -93,12 +80,12 @@ std::string failure_text(const RaceEquilibrium& problem, double residual) {
   return text.str();
 }
 
-void put_report(const Ring& ring, const mechanics::SearchReport& search, LaminaState& state) {
+void put_report(const RaceEquilibrium& problem, const mechanics::SearchReport& search, LaminaState& state) {
   const bool rollers_settled =
       std::all_of(state.rollers.begin(), state.rollers.end(), [](const RollerState& r) { return r.settled; });
   state.report = {search};
   state.report.converged = rollers_settled && search.converged;
-  if (!state.report.converged) state.report.message = failure_text(ring.problem, state.report.residual);
+  if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
 }
 
 void put_position(const LaminaBearing& bearing, const LaminaState& state, Eigen::Index position,
@@ -129,6 +116,7 @@ LaminaResult empty_result(const LaminaBearing& bearing, const OperatingPoint& po
   for (Eigen::ArrayXXd* array : {&result.inner_lamina_load, &result.outer_lamina_load})
     array->resize(b.rollers().laminae, places);
   result.total_bore_load = total_bore_load(b, bearing.geometry(), point, options.inertia);
+  result.race_form = Eigen::ArrayXd::Zero(places);
   result.report.converged = true;
   return result;
 }
@@ -141,6 +129,33 @@ LaminaBearing::LaminaBearing(const Bearing& bearing, mechanics::InstructionSet s
       inner_(contact_of(bearing_, Race::inner, set)),
       outer_(contact_of(bearing_, Race::outer, set)) {}
 
+namespace {
+
+// From the place of a ring in a neighbouring balance, or from where the load would displace it.
+template <int N>
+Eigen::Vector<double, N> start_of(const RingCoordinates<N>& ring, const RaceEquilibrium& problem,
+                                  const LaminaState* near) {
+  if (near == nullptr) return ring.start(first_displacement(problem));
+  Eigen::Vector<double, N> place = ring.start(near->displacement);
+  place.tail(near->waves.size()) = near->waves;
+  return place;
+}
+
+template <int N>
+mechanics::SearchReport settle_ring(const Rollers& rollers, const LaminaState* near, LaminaState& state) {
+  const RingCoordinates<N> ring(rollers.problem);
+  Eigen::Vector<double, N> place = start_of<N>(ring, rollers.problem, near);
+  mechanics::Imbalance<N> now;
+  const mechanics::SearchReport search = mechanics::find_balance<N>(
+      [&](const Eigen::Vector<double, N>& at) { return imbalance_at<N>(rollers, ring, at); },
+      limits_of(rollers), place, now);
+  state.displacement = place.template head<2>();
+  state.waves = place.tail(place.size() - 2);
+  return search;
+}
+
+}  // namespace
+
 LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& point,
                          const QuasiStaticOptions& options, double first_roller, const LaminaState* near) {
   const RaceEquilibrium problem =
@@ -148,16 +163,15 @@ LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& poi
   LaminaState state;
   if (near != nullptr) state.rollers = near->rollers;
   state.rollers.resize(static_cast<std::size_t>(problem.angle.size()));
-  state.displacement = near != nullptr ? near->displacement : first_displacement(problem);
-  const Ring ring = ring_of(bearing, point, problem, state.rollers);
-  mechanics::Imbalance<2> now;
-  const mechanics::SearchReport search =
-      mechanics::find_balance<2>(ring, limits_of(ring), state.displacement, now);
+  const Rollers rollers{bearing, problem, outer_tips(bearing, point, problem), state.rollers};
+  const mechanics::SearchReport search = problem.outer_race.is_rigid()
+                                             ? settle_ring<2>(rollers, near, state)
+                                             : settle_ring<Eigen::Dynamic>(rollers, near, state);
   state.angle = problem.angle;
   for (Eigen::Index j = 0; j < state.angle.size(); ++j)
     state.moment += bearing.half_length() * state.rollers[static_cast<std::size_t>(j)].outer.tip_load *
-                    ring.outward.col(j);
-  put_report(ring, search, state);
+                    direction(state.angle[j]);
+  put_report(problem, search, state);
   return state;
 }
 
@@ -171,6 +185,7 @@ LaminaResult quasi_static_laminae(const LaminaBearing& bearing, const OperatingP
     LaminaState state = lamina_state(bearing, point, options, result.angle[position], near);
     put_position(bearing, state, position, positions, result);
     result.displacement += state.displacement / positions;
+    add_form(state.waves, 1.0 / positions, result.angle, result.race_form);
     result.moment += state.moment / positions;
     keep_worst(state.report, result.report);
     result.states.push_back(std::move(state));

@@ -33,6 +33,7 @@ class LaminaBearing {
 /// Equilibrium at one cage angle.
 struct LaminaState {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    bore relative to pin, in the middle
+  Eigen::VectorXd waves;  // [m]  of an elastic outer race, as RingCoordinates has them
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the rollers on the bore, against its tilt
   Eigen::ArrayXd angle;                              // [rad]  (rollers)
   std::vector<RollerState> rollers;
@@ -42,14 +43,15 @@ struct LaminaState {
 /// Equilibria over one roller pitch of cage angles, gathered by place on the races. Arrays are over places,
 /// evenly spaced from first_roller on.
 struct LaminaResult {
-  Eigen::ArrayXd angle;                                       // [rad]
-  Eigen::ArrayXd inner_load;                                  // [N]
-  Eigen::ArrayXd outer_load;                                  // [N]
-  Eigen::ArrayXd roller_tilt;                                 // [rad]  outward at positive x
-  Eigen::ArrayXXd inner_lamina_load;                          // [N]    (laminae, places)
-  Eigen::ArrayXXd outer_lamina_load;                          // [N]    (laminae, places)
-  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();     // [m]    mean over the cage angles
-  Eigen::Vector2d moment = Eigen::Vector2d::Zero();           // [N m]  mean over the cage angles
+  Eigen::ArrayXd angle;                                    // [rad]
+  Eigen::ArrayXd inner_load;                               // [N]
+  Eigen::ArrayXd outer_load;                               // [N]
+  Eigen::ArrayXd roller_tilt;                              // [rad]  outward at positive x
+  Eigen::ArrayXXd inner_lamina_load;                       // [N]    (laminae, places)
+  Eigen::ArrayXXd outer_lamina_load;                       // [N]    (laminae, places)
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    mean over the cage angles
+  Eigen::ArrayXd race_form;                          // [m]    of the outer race, mean over the cage angles
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  mean over the cage angles
   Eigen::Vector2d total_bore_load = Eigen::Vector2d::Zero();  // [N]    with what cage and rollers add
   SolverReport report;                                        // the worst over the cage angles
   std::vector<LaminaState> states;                            // (cage angles)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
+
 namespace orbearing::bearing::laminae {
 
 namespace {
@@ -44,26 +46,32 @@ Matrix2d roller_stiffness(const RollerState& roller) {
 
 }  // namespace
 
-Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& state) {
-  Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+// Displacement and tilt come first, then the waves of the race, which follow without force.
+Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& state,
+                             const ElasticRace& outer_race) {
+  const Eigen::Index waves = wave_count(outer_race);
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(4 + waves, 4 + waves);
+  sum.diagonal().tail(waves) = wave_stiffness(outer_race);
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
     const Eigen::RowVector2d outward(std::cos(state.angle[j]), std::sin(state.angle[j]));
-    Eigen::Matrix<double, 2, 4> follows =
-        Eigen::Matrix<double, 2, 4>::Zero();  // approach and tip of the races
+    Eigen::Matrix<double, 2, Eigen::Dynamic> follows =  // approach and tip of the races
+        Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, 4 + waves);
     follows.topLeftCorner<1, 2>() = outward;
-    follows.bottomRightCorner<1, 2>() = bearing.half_length() * outward;
+    follows.block<1, 2>(1, 2) = bearing.half_length() * outward;
+    follows.row(0).tail(waves) = wave_shapes(outer_race, state.angle[j]).transpose();
     sum += follows.transpose() * roller_stiffness(state.rollers[static_cast<std::size_t>(j)]) * follows;
   }
-  return sum;
+  return without_waves<4>(sum);
 }
 
-Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const LaminaResult& result) {
+Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const LaminaResult& result,
+                               const ElasticRace& outer_race) {
   // Displacement and moment by load and tilt, since these are what all cage angles have in common.
   Matrix2d by_load = Matrix2d::Zero(), by_tilt = Matrix2d::Zero(), moment_by_load = Matrix2d::Zero(),
            moment_by_tilt = Matrix2d::Zero();
   const double share = 1.0 / static_cast<double>(result.states.size());
   for (const LaminaState& state : result.states) {
-    const Eigen::Matrix4d k = stiffness_at(bearing, state);
+    const Eigen::Matrix4d k = stiffness_at(bearing, state, outer_race);
     const Matrix2d across = k.topLeftCorner<2, 2>();
     if (!(across.determinant() > kSingular * across.trace() * across.trace()))
       throw std::domain_error("stiffness: the bearing bears no load in some direction");

@@ -9,6 +9,7 @@
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/printed_film.hpp"
 #include "bearing/contact/race_form.hpp"
+#include "bearing/equilibrium/elastic_waves.hpp"
 
 namespace orbearing::bearing {
 
@@ -105,6 +106,7 @@ RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeomet
                                            subtracted ? std::nullopt : options.film)};
   problem.clearance = bearing.radial_clearance + film_clearance;
   problem.load = total_bore_load(bearing, geometry, point, options.inertia);
+  problem.outer_race = point.outer_race;
   problem.angle = roller_angles(bearing.rollers().count, first_roller);
   problem.extra_approach = extra_approach(bearing, problem.angle);
   problem.inertial_load = problem.angle.unaryExpr(
@@ -128,6 +130,7 @@ QuasiStaticResult quasi_static_bearing(const Bearing& bearing, const OperatingPo
       options.first_roller + Eigen::ArrayXd::LinSpaced(places, 0.0, two_pi * (places - 1) / places);
   result.inner_load.resize(places);
   result.outer_load.resize(places);
+  result.race_form = Eigen::ArrayXd::Zero(places);
   result.total_bore_load = total_bore_load(bearing, geometry, point, options.inertia);
   result.report.converged = true;
   for (int position = 0; position < positions; ++position) {
@@ -138,6 +141,7 @@ QuasiStaticResult quasi_static_bearing(const Bearing& bearing, const OperatingPo
       result.outer_load[position + roller * positions] = state.outer_load[roller];
     }
     result.displacement += state.displacement / positions;
+    add_form(state.waves, 1.0 / positions, result.angle, result.race_form);
     keep_worst(state.report, result.report);
   }
   return result;

@@ -26,10 +26,12 @@ struct QuasiStaticOptions {
 /// Equilibria over one roller pitch of cage angles, gathered by place on the races. Arrays are over places,
 /// evenly spaced from first_roller on.
 struct QuasiStaticResult {
-  Eigen::ArrayXd angle;                                       // [rad]
-  Eigen::ArrayXd inner_load;                                  // [N]
-  Eigen::ArrayXd outer_load;                                  // [N]
-  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();     // [m]  mean over the cage angles
+  Eigen::ArrayXd angle;                                    // [rad]
+  Eigen::ArrayXd inner_load;                               // [N]
+  Eigen::ArrayXd outer_load;                               // [N]
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]  mean over the cage angles
+  Eigen::ArrayXd race_form;  // [m]  outward displacement of an elastic outer race,
+                             //      mean over the cage angles
   Eigen::Vector2d total_bore_load = Eigen::Vector2d::Zero();  // [N]  with what cage and rollers add
   SolverReport report;                                        // the worst over the cage angles
 };

@@ -16,9 +16,10 @@ struct SolverReport : mechanics::SearchReport {
 /// Equilibrium at one cage angle. Arrays are over rollers.
 struct QuasiStaticState {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]  outer ring relative to inner ring
-  Eigen::ArrayXd angle;                                    // [rad]  place of each roller
-  Eigen::ArrayXd inner_load;                               // [N]
-  Eigen::ArrayXd outer_load;                               // [N]
+  Eigen::VectorXd waves;      // [m]  of an elastic race, as RingCoordinates has them
+  Eigen::ArrayXd angle;       // [rad]  place of each roller
+  Eigen::ArrayXd inner_load;  // [N]
+  Eigen::ArrayXd outer_load;  // [N]
   SolverReport report;
 };
 

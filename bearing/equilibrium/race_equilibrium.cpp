@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/plane.hpp"
 
@@ -11,14 +12,16 @@ namespace orbearing::bearing {
 
 namespace {
 
-double force_scale(const RaceEquilibrium& problem) {
-  return std::max(problem.load.norm(), problem.inertial_load.abs().maxCoeff());
-}
-
 // The largest length [m] by which the races stand apart or overlap where they are concentric.
 double largest_gap(const RaceEquilibrium& problem) {
   const double extra = problem.extra_approach.size() == 0 ? 0.0 : problem.extra_approach.abs().maxCoeff();
-  return std::abs(problem.clearance) + 2.0 * extra;
+  const ElasticRace& race = problem.outer_race;
+  return std::abs(problem.clearance) + 2.0 * extra + 2.0 * (race.cosine.abs().sum() + race.sine.abs().sum());
+}
+
+// How far an elastic race gives way under all loads at one place.
+double wave_reach(const RaceEquilibrium& problem, double load) {
+  return problem.outer_race.is_rigid() ? 0.0 : problem.outer_race.compliance.sum() * load;
 }
 
 std::string failure_text(const RaceEquilibrium& problem, double residual) {
@@ -28,17 +31,44 @@ std::string failure_text(const RaceEquilibrium& problem, double residual) {
   return text.str();
 }
 
-void fill_loads(const RaceEquilibrium& problem, QuasiStaticState& state) {
+RollerBalance roller_at(const RaceEquilibrium& problem, Eigen::Index j, double approach) {
+  return balance_roller(problem.contacts.inner, problem.contacts.outer, problem.inertial_load[j], approach);
+}
+
+template <int N>
+void fill_loads(const RaceEquilibrium& problem, const RingCoordinates<N>& ring,
+                const Eigen::Vector<double, N>& place, QuasiStaticState& state) {
+  state.displacement = place.template head<2>();
+  state.waves = place.tail(place.size() - 2);
   state.angle = problem.angle;
   state.inner_load.resize(problem.angle.size());
   state.outer_load.resize(problem.angle.size());
   for (Eigen::Index j = 0; j < problem.angle.size(); ++j) {
-    const RollerBalance roller =
-        balance_roller(problem.contacts.inner, problem.contacts.outer, problem.inertial_load[j],
-                       problem.approach(j, state.displacement));
+    const RollerBalance roller = roller_at(problem, j, ring.approach(j, place));
     state.inner_load[j] = roller.inner_load;
     state.outer_load[j] = roller.outer_load;
   }
+}
+
+template <int N>
+mechanics::Imbalance<N> imbalance_at(const RaceEquilibrium& problem, const RingCoordinates<N>& ring,
+                                     const Eigen::Vector<double, N>& place) {
+  return ring.imbalance(place,
+                        [&](Eigen::Index j, double approach) { return roller_at(problem, j, approach); });
+}
+
+template <int N>
+QuasiStaticState solve_in(const RaceEquilibrium& problem) {
+  const RingCoordinates<N> ring(problem);
+  Eigen::Vector<double, N> place = ring.start(first_displacement(problem));
+  mechanics::Imbalance<N> now;
+  QuasiStaticState state;
+  state.report = {mechanics::find_balance<N>(
+      [&](const Eigen::Vector<double, N>& at) { return imbalance_at<N>(problem, ring, at); },
+      search_limits(problem), place, now)};
+  if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
+  fill_loads<N>(problem, ring, place, state);
+  return state;
 }
 
 }  // namespace
@@ -48,19 +78,54 @@ double RaceEquilibrium::approach(Eigen::Index j, const Eigen::Vector2d& displace
   return extra_approach.size() == 0 ? round : round + extra_approach[j];
 }
 
+double RaceEquilibrium::force_scale() const {
+  return std::max(load.norm(), inertial_load.abs().maxCoeff());
+}
+
 mechanics::Imbalance<2> RaceEquilibrium::imbalance(const Eigen::Vector2d& displacement) const {
-  mechanics::Imbalance<2> sum;
-  sum.force = load;
-  sum.scale = force_scale(*this);
-  for (Eigen::Index j = 0; j < angle.size(); ++j) {
-    const Eigen::Vector2d outward = direction(angle[j]);
-    const RollerBalance roller =
-        balance_roller(contacts.inner, contacts.outer, inertial_load[j], approach(j, displacement));
-    sum.force += roller.outer_load * outward;
-    sum.stiffness += roller.stiffness * outward * outward.transpose();
+  return imbalance_at<2>(*this, RingCoordinates<2>(*this), displacement);
+}
+
+template <int N>
+RingCoordinates<N>::RingCoordinates(const RaceEquilibrium& problem)
+    : concentric_(problem.angle.size()), load_(problem.load), scale_(problem.force_scale()) {
+  const Eigen::Index rollers = problem.angle.size();
+  if constexpr (N == Eigen::Dynamic) {
+    wave_stiffness_ = wave_stiffness(problem.outer_race);
+    wave_at_rest_ = waves_at_rest(problem.outer_race);
   }
+  const Eigen::Index waves = wave_stiffness_.size();
+  outward_.resize(2 + waves, rollers);
+  for (Eigen::Index j = 0; j < rollers; ++j) {
+    outward_.col(j).template head<2>() = direction(problem.angle[j]);
+    if (waves > 0) outward_.col(j).tail(waves) = wave_shapes(problem.outer_race, problem.angle[j]);
+    concentric_[j] = problem.approach(j, Eigen::Vector2d::Zero());
+  }
+}
+
+template <int N>
+mechanics::Imbalance<N> RingCoordinates<N>::without_rollers(const Place& place) const {
+  const Eigen::Index waves = wave_stiffness_.size();
+  mechanics::Imbalance<N> sum;
+  sum.force.setZero(size());
+  sum.stiffness.setZero(size(), size());
+  sum.scale = scale_;
+  sum.force.template head<2>() = load_;
+  sum.force.tail(waves) -= wave_stiffness_.cwiseProduct(place.tail(waves) - wave_at_rest_);
+  sum.stiffness.diagonal().tail(waves) += wave_stiffness_;
   return sum;
 }
+
+template <int N>
+Eigen::Vector<double, N> RingCoordinates<N>::start(const Eigen::Vector2d& displacement) const {
+  Place place(size());
+  place.template head<2>() = displacement;
+  place.tail(wave_at_rest_.size()) = wave_at_rest_;
+  return place;
+}
+
+template class RingCoordinates<2>;
+template class RingCoordinates<Eigen::Dynamic>;
 
 Eigen::Vector2d first_displacement(const RaceEquilibrium& problem) {
   const double load = problem.load.norm();
@@ -77,19 +142,23 @@ mechanics::SearchLimits search_limits(const RaceEquilibrium& problem) {
   const double elastic =
       problem.contacts.inner.elastic().approach(all) + problem.contacts.outer.elastic().approach(all);
   const double gap = largest_gap(problem);
-  return {.reach = std::max(gap, 1e-6) + elastic, .size = gap};
+  return {.reach = std::max(gap, 1e-6) + elastic + wave_reach(problem, all), .size = gap};
 }
 
 QuasiStaticState solve(const RaceEquilibrium& problem) {
-  QuasiStaticState state;
-  state.displacement = first_displacement(problem);
-  mechanics::Imbalance<2> now;
-  state.report = {mechanics::find_balance<2>(
-      [&](const Eigen::Vector2d& displacement) { return problem.imbalance(displacement); },
-      search_limits(problem), state.displacement, now)};
-  if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
-  fill_loads(problem, state);
-  return state;
+  return problem.outer_race.is_rigid() ? solve_in<2>(problem) : solve_in<Eigen::Dynamic>(problem);
+}
+
+Eigen::MatrixXd ring_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state) {
+  if (problem.outer_race.is_rigid()) return problem.imbalance(state.displacement).stiffness;
+  const RingCoordinates<Eigen::Dynamic> ring(problem);
+  Eigen::VectorXd place(ring.size());
+  place << state.displacement, state.waves;
+  return imbalance_at<Eigen::Dynamic>(problem, ring, place).stiffness;
+}
+
+Eigen::Matrix2d stiffness_at(const RaceEquilibrium& problem, const QuasiStaticState& state) {
+  return without_waves<2>(ring_stiffness(problem, state));
 }
 
 }  // namespace orbearing::bearing

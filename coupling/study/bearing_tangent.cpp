@@ -52,7 +52,7 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
         bearing::quasi_static_problem(like, geometry, point, options, share * i * pitch);
     const bearing::QuasiStaticState balance = bearing::solve(problem);
     if (!balance.report.converged) throw std::runtime_error(balance.report.message);
-    const Matrix2d compliance = problem.imbalance(balance.displacement).stiffness.inverse();
+    const Matrix2d compliance = stiffness_at(problem, balance).inverse();
     const Matrix2d damping = roller_damping(problem, balance, damped ? race.damping : 0.0);
     mean.displacement += share * balance.displacement;
     mean.compliance += share * compliance;

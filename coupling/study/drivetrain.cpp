@@ -7,7 +7,9 @@
 
 namespace orbearing::study {
 
-DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
+namespace {
+
+DrivetrainGeometry derive_rigid(const PlanetaryDrivetrain& drivetrain) {
   DrivetrainGeometry geometry;
   geometry.gears = gearset::working_geometry(drivetrain.set);
   geometry.planet_gear = gearset::planet_body(drivetrain.set, geometry.gears);
@@ -17,9 +19,25 @@ DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
   return geometry;
 }
 
+gearset::rim::RimInfluence rim_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  const gearset::rim::RimSection section =
+      gearset::rim::rim_section(drivetrain.set, geometry.gears, geometry.bearing.outer_radius,
+                                drivetrain.bearings_per_planet * drivetrain.bearing.width);
+  return gearset::rim::rim_influence(section, geometry.gears, drivetrain.bearing.material);
+}
+
+}  // namespace
+
+DrivetrainGeometry derive(const PlanetaryDrivetrain& drivetrain) {
+  DrivetrainGeometry geometry = derive_rigid(drivetrain);
+  if (drivetrain.rim == PlanetRim::elastic)
+    geometry.rim = std::make_shared<const gearset::rim::RimInfluence>(rim_of(drivetrain, geometry));
+  return geometry;
+}
+
 bearing::ClearanceChain clearance_chain(const PlanetaryDrivetrain& drivetrain) {
   using boost::math::double_constants::pi;
-  const DrivetrainGeometry geometry = derive(drivetrain);
+  const DrivetrainGeometry geometry = derive_rigid(drivetrain);
   const gearset::MeanLoads gears = bearing_duty(drivetrain, geometry).gears;
   const double root = geometry.gears.planet.root_radius, bore = 0.5 * drivetrain.bearing.outer.seat_diameter;
   const double density = drivetrain.set.density, width = drivetrain.set.face_width;
@@ -74,6 +92,17 @@ Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2
          misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();
 }
 
+// A planet that holds the carrier back is the mirror image of one that pulls it on.
+bearing::ElasticRace outer_race(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                const gearset::MeanLoads& gears) {
+  if (!geometry.rim) return {};
+  const gearset::rim::RimInfluence& rim = *geometry.rim;
+  const double sense = gears.tangential_force < 0.0 ? -1.0 : 1.0;
+  return {.compliance = drivetrain.bearings_per_planet * rim.race,
+          .cosine = gears.normal_force * (rim.by_sun.cosine + rim.by_ring.cosine),
+          .sine = sense * gears.normal_force * (rim.by_sun.sine + rim.by_ring.sine)};
+}
+
 BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   BearingDuty duty;
   duty.gears =
@@ -89,6 +118,7 @@ BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const Drivetrain
       bearing::inertial_acceleration(frame, Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   duty.point.bore_load = (meshes + inertia) / drivetrain.bearings_per_planet;
   duty.point.bore_tilt = bore_tilt(drivetrain.misalignment, duty.point.bore_load);
+  duty.point.outer_race = outer_race(drivetrain, geometry, duty.gears);
   return duty;
 }
 

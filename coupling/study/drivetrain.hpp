@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "bearing/equilibrium/quasi_static.hpp"
@@ -19,6 +20,7 @@
 #include "gearset/mean_loads.hpp"
 #include "gearset/parameters.hpp"
 #include "gearset/planet_body.hpp"
+#include "gearset/rim/rim_influence.hpp"
 #include "gearset/working_geometry.hpp"
 
 namespace orbearing::study {
@@ -71,6 +73,16 @@ void describe(Visitor& visit, Misalignment& m) {
             angle));
 }
 
+/// How the planet around its bearings is taken.
+enum class PlanetRim {
+  rigid,    // as published models have it
+  elastic,  // rim and outer rings bend between rollers and teeth
+};
+
+constexpr described::Names<PlanetRim, 2> names_of(PlanetRim) {
+  return {{{PlanetRim::rigid, "rigid"}, {PlanetRim::elastic, "elastic"}}};
+}
+
 /// What the modified life of [ISO281] asks of a bearing and its oil.
 struct RatedBearing {
   bearing::rating::Ratings ratings;
@@ -91,6 +103,7 @@ struct PlanetaryDrivetrain {
   bearing::Bearing bearing;    // with the clearance that it has at this drive
   bearing::Mounting mounting;  // from which that clearance follows, where a case states it so
   int bearings_per_planet = 1;
+  PlanetRim rim = PlanetRim::rigid;
   bearing::InertiaSwitches inertia;
   bearing::Lubricant lubricant;
   bool film_in_approach = false;
@@ -118,6 +131,10 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
       visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing), part(m.mounting),
       field(m.bearings_per_planet, "bearing.per_planet", Felt::carrier, "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
+      field(m.rim, "gearset.planet_rim", Felt::at_rest,
+            "rim of the planet with the outer rings of its bearings: rigid, or elastic between rollers and "
+            "teeth",
+            {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),
       apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
       apart(m.film_approach),  // dynamics' own
       system::lambda_row(m.lambda), part(m.misalignment), part(m.dynamics), part(m.steady_state),
@@ -141,6 +158,7 @@ struct DrivetrainGeometry {
   gearset::PlanetBody planet_gear;
   bearing::BearingGeometry bearing;
   double planet_mass = 0.0;  // [kg]  gear body and the outer rings of its bearings
+  std::shared_ptr<const gearset::rim::RimInfluence> rim;  // none: rigid
 };
 
 /// Throws std::domain_error where the gears have no common centre distance or the planet no rim.
@@ -156,6 +174,11 @@ void mount(PlanetaryDrivetrain& drivetrain);
 
 /// Another speed of the input [rad/s], with the clearance and geometry that it brings.
 void turn_at(double speed, PlanetaryDrivetrain& drivetrain, DrivetrainGeometry& geometry);
+
+/// How the outer race of one bearing bends while all bearings of its planet press alike and both meshes with
+/// their mean forces; rigid where the rim is.
+bearing::ElasticRace outer_race(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                const gearset::MeanLoads& gears);
 
 /// Load of the gears on the bore of one bearing and what belongs to it.
 struct BearingDuty {

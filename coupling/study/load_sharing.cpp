@@ -139,6 +139,7 @@ std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
                         duty.gears.tangential_force - even.gears.tangential_force);
     duty.point.bore_load += more / drivetrain.bearings_per_planet;
     duty.point.bore_tilt = bore_tilt(drivetrain.misalignment, duty.point.bore_load);
+    duty.point.outer_race = outer_race(drivetrain, geometry, duty.gears);
     duties.push_back(duty);
   }
   return duties;

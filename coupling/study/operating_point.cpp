@@ -71,7 +71,8 @@ void put_laminae(const Eigen::ArrayXXd& loads, RaceStatistics& means) {
 
 // One bearing of one planet, at rest in the carrier's frame.
 struct QuasiStaticBearing {
-  Eigen::ArrayXd angle;  // [rad]  (places)
+  Eigen::ArrayXd angle;      // [rad]  (places)
+  Eigen::ArrayXd race_form;  // [m]    (places)  of an elastic outer race; else empty
   WindowStatistics means;
   std::optional<LaminaRecord> laminae;
 };
@@ -85,6 +86,7 @@ QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const Dr
       bearing::rolling_contacts(drivetrain.bearing, geometry.bearing, duty.point.inner_speed,
                                 duty.point.outer_speed, drivetrain.lubricant);
   QuasiStaticBearing result{.angle = loads.angle};
+  if (!duty.point.outer_race.is_rigid()) result.race_form = loads.race_form;
   result.means.inner = race_means(loads.inner_load, rolling.inner.film());
   result.means.outer = race_means(loads.outer_load, rolling.outer.film());
   return result;
@@ -231,7 +233,8 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   result.inner = race_result(all.inner);
   result.outer = race_result(all.outer);
   const Eigen::ArrayXd& angle = bearings.front().angle;
-  result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load)};
+  result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load),
+                         as_vector(bearings.front().race_form)};
   put_life(drivetrain, duties.front(), all, result);
   result.laminae = bearings.front().laminae;
   if (duties.size() == 1) return result;
@@ -257,8 +260,10 @@ Eigen::ArrayXd place_angles(Eigen::Index places) {
 }
 
 LoadDistribution distribution_of(const WindowStatistics& means) {
-  return {as_vector(place_angles(means.inner.mean_load.size())), as_vector(means.inner.mean_load),
-          as_vector(means.outer.mean_load)};
+  return {as_vector(place_angles(means.inner.mean_load.size())),
+          as_vector(means.inner.mean_load),
+          as_vector(means.outer.mean_load),
+          {}};
 }
 
 // A run-up has no speed at which the bearing could be fitted: its gears stay on the tangent.

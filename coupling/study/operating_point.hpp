@@ -25,6 +25,7 @@ struct LoadDistribution {
   std::vector<double> angle;       // [rad]  from the outward radial direction towards carrier rotation
   std::vector<double> inner_load;  // [N]    roller on pin
   std::vector<double> outer_load;  // [N]    roller on planet bore
+  std::vector<double> race_form;   // [m]    outward displacement of an elastic outer race; empty: rigid
 };
 
 /// What only a bearing cut into laminae tells. Arrays (places, laminae) have the laminae fastest.

@@ -32,6 +32,19 @@ void add_bearings(const SetModel& model, const Eigen::Matrix2d& stiffness, Matri
   }
 }
 
+// Meshes and bearings of each planet whose rim links them, all teeth in contact.
+void add_linked_planets(const SetModel& model, const Eigen::Matrix4d& stiffness, MatrixXd& matrix) {
+  for (const PlanetBearing& bearing : model.bearings) {
+    MatrixXd along(model.layout.freedoms(), 4);
+    for (const PlanetMesh& mesh : model.meshes)
+      if (mesh.place == bearing.place)
+        along.col(mesh.kind == MeshKind::sun ? 0 : 1) = whole(model, mesh.loaded, mesh.central, mesh.place);
+    along.col(2) = whole(model, bearing.radial, SetLayout::carrier(), bearing.place);
+    along.col(3) = whole(model, bearing.tangential, SetLayout::carrier(), bearing.place);
+    matrix += along * stiffness * along.transpose();
+  }
+}
+
 void add_support(Index place, double planar, double torsional, MatrixXd& matrix) {
   matrix.diagonal().segment<3>(place) += Eigen::Vector3d(planar, planar, torsional);
 }
@@ -44,6 +57,18 @@ void add_support_stiffness(const SetModel& model, MatrixXd& matrix) {
   add(SetLayout::sun(), set.sun.support);
   add(SetLayout::ring(), set.ring.support);
   add(SetLayout::carrier(), set.carrier.support);
+}
+
+// Without speed, all teeth in contact.
+MatrixXd mean_stiffness(const SetModel& model) {
+  const std::size_t meshes = model.meshes.size();
+  const auto& linked = model.parameters.planet.linked;
+  if (!linked)
+    return stiffness_with(model, {std::vector<bool>(meshes, true), std::vector<bool>(meshes, false)});
+  MatrixXd stiffness = MatrixXd::Zero(model.layout.freedoms(), model.layout.freedoms());
+  add_linked_planets(model, linked->stiffness, stiffness);
+  add_support_stiffness(model, stiffness);
+  return stiffness;
 }
 
 MatrixXd damping_matrix(const SetModel& model) {
@@ -84,14 +109,12 @@ MatrixXd stiffness_with(const SetModel& model, const ContactState& contact) {
 
 SetMatrices set_matrices(const SetModel& model) {
   const Index n = model.layout.freedoms();
-  const std::size_t meshes = model.meshes.size();
-  SetMatrices matrices{
-      .mass = model.mass,
-      .stiffness = stiffness_with(model, {std::vector<bool>(meshes, true), std::vector<bool>(meshes, false)}),
-      .centrifugal = MatrixXd::Zero(n, n),
-      .gyroscopic = MatrixXd::Zero(n, n),
-      .damping = damping_matrix(model),
-      .circulatory = MatrixXd::Zero(n, n)};
+  SetMatrices matrices{.mass = model.mass,
+                       .stiffness = mean_stiffness(model),
+                       .centrifugal = MatrixXd::Zero(n, n),
+                       .gyroscopic = MatrixXd::Zero(n, n),
+                       .damping = damping_matrix(model),
+                       .circulatory = MatrixXd::Zero(n, n)};
   const CarrierTurn turn = carrier_turn(model, {});
   for (Index place = 0; place < n; place += 3) {
     matrices.centrifugal(place, place) -= model.mass[place] * turn.centrifugal;

@@ -133,6 +133,13 @@ struct AffineBearing {
   Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();    // [N s/m]
 };
 
+/// Meshes and bearings of a planet whose rim links them. Felt by the linearised set.
+struct LinkedPlanet {
+  /// [N/m]  forces by the deflections of sun mesh, ring mesh and bearings, outward and in the sense of
+  /// rotation
+  Eigen::Matrix4d stiffness = Eigen::Matrix4d::Zero();
+};
+
 /// All planets are alike.
 struct PlanetMember {
   double mass = 0.0;               // [kg]
@@ -142,6 +149,7 @@ struct PlanetMember {
   double bearing_damping = 0.0;    // [N s/m]  the same
   bool coupled_bearing = false;    // forces come through a port; the two above are not used
   std::optional<AffineBearing> affine_bearing;  // in place of the stiffness and damping above
+  std::optional<LinkedPlanet> linked;           // in place of its own and of the mean stiffness of its meshes
 };
 
 template <class Visitor>
@@ -153,8 +161,8 @@ void describe(Visitor& visit, PlanetMember& m) {
   members(visit, m, mass_row(m.mass, "planet"), inertia_row(m.inertia, "planet"),
           internal(m.radius, path + ".radius"), stiffness,
           internal(m.bearing_damping, path + ".bearing_damping"),
-          internal(m.coupled_bearing, path + ".coupled_bearing"),
-          apart(m.affine_bearing));  // not of FMUs
+          internal(m.coupled_bearing, path + ".coupled_bearing"), apart(m.affine_bearing),
+          apart(m.linked));  // not of FMUs
 }
 
 /// Sun or ring mesh, alike for all planets but for its phase.

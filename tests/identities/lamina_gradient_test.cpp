@@ -80,6 +80,20 @@ TEST(DropGradient, ByTheRollersParameterIsItsDifference) {
   }
 }
 
+// Issue item "elastic rim": the waves of the race follow too.
+TEST(DropGradient, OnARaceThatBends) {
+  Study s = study(true);
+  s.point.outer_race = {.compliance = Eigen::ArrayXd::Zero(5),
+                        .cosine = Eigen::ArrayXd::Zero(5),
+                        .sine = Eigen::ArrayXd::Zero(5)};
+  s.point.outer_race.compliance << 2e-10, 0.0, 4.5e-9, 6e-10, 2e-10;
+  s.point.outer_race.cosine << 0.0, 0.0, -2e-6, 1e-7, 0.0;
+  s.point.outer_race.sine << 0.0, 0.0, 4e-7, 0.0, 1e-7;
+  const double expected = difference(s, 1e-5, change_parameter);
+  EXPECT_NEAR(by_roller_parameter(LaminaBearing(s.bearing), adjoint(s)), expected,
+              kAgreement * std::abs(expected));
+}
+
 TEST(DropGradient, OfEveryKindOfProfile) {
   const double l = 5.7e-3;
   const profile::DesignLoad design{600.0, l, 2.2e-3, Material{}};

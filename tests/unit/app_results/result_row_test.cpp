@@ -35,6 +35,7 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "radial_mesh_load_N",
                                            "contact_pressure_max_MPa",
                                            "operating_clearance_um",
+                                           "rim_ovality_um",
                                            "kappa",
                                            "e_C",
                                            "a_ISO",
@@ -120,6 +121,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.cage_slip = 16.0;
   result.contact_pressure = 20e6;
   result.radial_clearance = 67e-6;
+  result.distribution.race_form = {-1e-6, 2.5e-6, 0.0};
   result.modified = study::ModifiedRecord{60.0, 61.0, 62.0, 65e6, 66e6, 63.0, 64.0};
   result.dynamic = study::DynamicRecord{.steady = true,
                                         .roller_slip = 18.0,
@@ -142,10 +144,10 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};
   const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
-  const std::vector<double> expected = {0,  1,   2,  3,  4,  6,   7,  10,  11, 8,  12, 14, 15, 16,
-                                        9,  13,  -1, 5,  20, 67,  60,  61, 62,  63, 64, 65, 66, 40000, 18,  19, 255, 1,  2,  4,  8,  16, 32,
-                                        64, 128, 1,  21, 2,  1.5, 23, 24,  40, 1,  41, 42, 43, 44,
-                                        45, 46,  47, 48, 49, 50,  51, 52,  53, -1, 17};
+  const std::vector<double> expected = {0,  1,  2,  3,  4,   6,  7,  10,  11, 8,  12, 14,  15,    16, 9,  13,
+                                        -1, 5,  20, 67, 3.5, 60, 61, 62,  63, 64, 65, 66,  40000, 18, 19, 255,
+                                        1,  2,  4,  8,  16,  32, 64, 128, 1,  21, 2,  1.5, 23,    24, 40, 1,
+                                        41, 42, 43, 44, 45,  46, 47, 48,  49, 50, 51, 52,  53,    -1, 17};
   ASSERT_EQ(expected.size(), head.names.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (i != head.status_place && i != head.refined_place) {

@@ -1,0 +1,60 @@
+#include "bearing/equilibrium/elastic_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbearing::bearing {
+
+namespace {
+
+// Places of the cosine of an order among the waves; its sine comes next.
+Eigen::Index place_of_order(Eigen::Index order) {
+  return 2 * order - 3;
+}
+
+// `pick(order, is_sine)` for each wave.
+template <class Pick>
+Eigen::VectorXd of_each_wave(const ElasticRace& race, Pick&& pick) {
+  Eigen::VectorXd all(wave_count(race));
+  if (all.size() == 0) return all;
+  all[0] = pick(0, false);
+  for (Eigen::Index order = 2; order < race.compliance.size(); ++order) {
+    all[place_of_order(order)] = pick(order, false);
+    all[place_of_order(order) + 1] = pick(order, true);
+  }
+  return all;
+}
+
+}  // namespace
+
+Eigen::Index wave_count(const ElasticRace& race) {
+  return race.is_rigid() ? 0 : 1 + 2 * std::max<Eigen::Index>(race.compliance.size() - 2, 0);
+}
+
+Eigen::VectorXd wave_stiffness(const ElasticRace& race) {
+  return of_each_wave(race, [&](Eigen::Index order, bool) { return 1.0 / race.compliance[order]; });
+}
+
+Eigen::VectorXd waves_at_rest(const ElasticRace& race) {
+  return of_each_wave(race, [&](Eigen::Index order, bool is_sine) {
+    return is_sine ? race.sine[order] : race.cosine[order];
+  });
+}
+
+Eigen::VectorXd wave_shapes(const ElasticRace& race, double angle) {
+  return of_each_wave(race, [&](Eigen::Index order, bool is_sine) {
+    const double turned = static_cast<double>(order) * angle;
+    return is_sine ? std::sin(turned) : std::cos(turned);
+  });
+}
+
+void add_form(const Eigen::VectorXd& waves, double share, const Eigen::ArrayXd& angles,
+              Eigen::ArrayXd& form) {
+  if (waves.size() == 0) return;
+  ElasticRace race;
+  race.compliance.resize((waves.size() + 3) / 2);  // only its orders count
+  for (Eigen::Index place = 0; place < angles.size(); ++place)
+    form[place] += share * waves.dot(wave_shapes(race, angles[place]));
+}
+
+}  // namespace orbearing::bearing

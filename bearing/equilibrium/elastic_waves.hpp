@@ -1,0 +1,35 @@
+// The waves of an elastic outer race as coordinates of a balance: that of order 0, then cosine and sine of
+// each order from 2 on, all as displacements of the race outward [m]. Eqs. (19) to (21) of bearing/README.md.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "bearing/elastic_race.hpp"
+
+namespace orbearing::bearing {
+
+/// Number of coordinates; 0 of a rigid race.
+Eigen::Index wave_count(const ElasticRace& race);
+
+/// How stiffly the race resists each wave [N/m], and where it stands without rollers [m].
+Eigen::VectorXd wave_stiffness(const ElasticRace& race);
+Eigen::VectorXd waves_at_rest(const ElasticRace& race);
+
+/// How far each wave moves the race outward at `angle` [rad].
+Eigen::VectorXd wave_shapes(const ElasticRace& race, double angle);
+
+/// Adds `share` of the displacement of the race at all `angles` [rad] to `form` [m].
+void add_form(const Eigen::VectorXd& waves, double share, const Eigen::ArrayXd& angles, Eigen::ArrayXd& form);
+
+/// Stiffness against the first N coordinates where all that come after them follow without force.
+template <int N>
+Eigen::Matrix<double, N, N> without_waves(const Eigen::MatrixXd& stiffness) {
+  const Eigen::Index waves = stiffness.rows() - N;
+  if (waves == 0) return stiffness;
+  const Eigen::MatrixXd mixed = stiffness.bottomLeftCorner(waves, N);
+  return stiffness.topLeftCorner(N, N) -
+         mixed.transpose() * stiffness.bottomRightCorner(waves, waves).llt().solve(mixed);
+}
+
+}  // namespace orbearing::bearing

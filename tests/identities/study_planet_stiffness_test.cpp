@@ -1,0 +1,66 @@
+// Issue item "elastic rim in the set's modes": meshes and bearings of a planet as one spring, against the
+// balance itself and against its limits.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "coupling/study/bearing_tangent.hpp"
+#include "coupling/study/planet_stiffness.hpp"
+#include "tests/reducer.hpp"
+
+namespace orbearing::study::study_planet_stiffness_test {
+namespace {
+
+constexpr double kSun = 5.5e8, kRing = 6.5e8;  // [N/m]
+
+PlanetaryDrivetrain elastic_reducer() {
+  PlanetaryDrivetrain drivetrain = example::reducer();
+  drivetrain.rim = PlanetRim::elastic;
+  drivetrain.cage_positions = 4;
+  return drivetrain;
+}
+
+// As a rim that is a million times stiffer.
+DrivetrainGeometry stiff_rim(const PlanetaryDrivetrain& drivetrain) {
+  DrivetrainGeometry geometry = derive(drivetrain);
+  gearset::rim::RimInfluence rim = *geometry.rim;
+  rim.race *= 1e-6;
+  rim.meshes *= 1e-6;
+  for (gearset::rim::RaceForm* form : {&rim.by_sun, &rim.by_ring}) {
+    form->cosine *= 1e-6;
+    form->sine *= 1e-6;
+  }
+  geometry.rim = std::make_shared<const gearset::rim::RimInfluence>(rim);
+  return geometry;
+}
+
+TEST(PlanetStiffness, OfAStiffRimIsThatOfItsParts) {
+  const PlanetaryDrivetrain drivetrain = elastic_reducer();
+  const DrivetrainGeometry geometry = stiff_rim(drivetrain);
+  Eigen::Matrix4d parts = Eigen::Matrix4d::Zero();
+  parts.diagonal().head<2>() << kSun, kRing;
+  parts.bottomRightCorner<2, 2>() = bearing_tangent(drivetrain, geometry).stiffness;
+  EXPECT_LT((planet_stiffness(drivetrain, geometry, kSun, kRing) - parts).norm(), 1e-4 * parts.norm());
+}
+
+TEST(PlanetStiffness, IsSymmetricAndSofterThanItsParts) {
+  const PlanetaryDrivetrain drivetrain = elastic_reducer();
+  const Eigen::Matrix4d soft = planet_stiffness(drivetrain, derive(drivetrain), kSun, kRing);
+  const Eigen::Matrix4d stiff = planet_stiffness(drivetrain, stiff_rim(drivetrain), kSun, kRing);
+  EXPECT_LT((soft - soft.transpose()).norm(), 1e-10 * soft.norm());
+  EXPECT_LT(soft(0, 0), 0.95 * stiff(0, 0));
+  EXPECT_LT(soft(1, 1), 0.95 * stiff(1, 1));
+}
+
+// With the meshes' forces given, the displacement of the planet under a load of its own is that of its
+// bearings.
+TEST(PlanetStiffness, UnderGivenMeshForcesIsThatOfTheBearing) {
+  const PlanetaryDrivetrain drivetrain = elastic_reducer();
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const Eigen::Matrix4d compliance = planet_stiffness(drivetrain, geometry, kSun, kRing).inverse();
+  const Eigen::Matrix2d alone = bearing_tangent(drivetrain, geometry).stiffness.inverse();
+  EXPECT_LT((compliance.bottomRightCorner<2, 2>() - alone).norm(), 1e-6 * alone.norm());
+}
+
+}  // namespace
+}  // namespace orbearing::study::study_planet_stiffness_test
