@@ -82,6 +82,7 @@ struct Exception {
 };
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
+constexpr unsigned no_tilt = use::rollers_in_motion | use::crown | use::planet_stiffness;
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"input.power", 0, use::fmu_bearing},
@@ -97,6 +98,14 @@ constexpr Exception exceptions[] = {
     {"bearing.cage.pocket_roughness", use::monolithic},
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
+    // A computed tilt is that of bearings at rest; gears do not feel it.
+    {"bearing.tilt_state", no_tilt, use::bearings_as_springs},
+    {"bearing.axial_places", no_tilt, use::bearings_as_springs},
+    {"bearing.clearance_differences", no_tilt, use::bearings_as_springs},
+    {"support.pin_ends", no_tilt, use::bearings_as_springs},
+    {"support.pin_span", no_tilt, use::bearings_as_springs},
+    {"support.pin_inclination.radial", no_tilt, use::bearings_as_springs},
+    {"support.pin_inclination.tangential", no_tilt, use::bearings_as_springs},
     {"load.tilt", use::ball_run},
     // Contacts and oil of the whole motion have damping and steps of their own.
     {"contact.damping_ratio", 0, use::moving_defect},

@@ -36,6 +36,9 @@ void check_form(const ResolvedCase& resolved, const std::string& block, std::vec
 void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   const std::string rim = "gearset.planet_rim";
   if (!resolved.has(rim) || resolved.choice(rim) != "elastic") return;
+  if (!resolved.has("bearing.rollers"))
+    object(resolved, rim, "elastic without a bearing", "rollers on which the rim rests are required",
+           mistakes);
   if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
     object(resolved, rim, fmt::format("elastic beside {}", spring),
            "no stiffness of the bearings is required, which follows from their rollers", mistakes);
@@ -48,6 +51,29 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   }
 }
 
+// A planet that finds its tilt: laminae feel it, one rigid rim and planets that carry alike are what it is
+// computed for.
+void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::string state = "bearing.tilt_state";
+  if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("bearing.per_planet"))
+    return;
+  const auto need = [&](bool holds, const std::string& found, const std::string& required) {
+    if (!holds) object(resolved, state, "computed " + found, required + " is required", mistakes);
+  };
+  need(resolved.has("bearing.laminae"), "without bearing.laminae",
+       "a number of laminae, which feel the tilt,");
+  need(!resolved.shape().several, "among several sets", "one set, as gearset at the top of a case,");
+  need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
+       "beside gearset.planet_rim: elastic", "a rigid rim");
+  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"})
+    need(!resolved.has(pins), std::string("beside ") + pins, "planets that carry alike");
+  const auto bearings = static_cast<std::size_t>(resolved.integer("bearing.per_planet"));
+  for (const char* list : {"bearing.axial_places", "bearing.clearance_differences"})
+    if (resolved.has(list) && resolved.list(list).size() != bearings)
+      object(resolved, list, fmt::format("{} values", resolved.list(list).size()),
+             fmt::format("one for each of the {} bearings of a planet is required", bearings), mistakes);
+}
+
 }  // namespace
 
 void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
@@ -55,6 +81,7 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
     for (const char* form : {"standing_form", "turning_form"})
       check_form(resolved, fmt::format("bearing.{}.{}", race, form), mistakes);
   check_rim(resolved, mistakes);
+  check_tilt(resolved, mistakes);
   const std::string deviations = "bearing.roller_diameter_deviation";
   if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;
   const std::size_t given = resolved.list(deviations).size();

@@ -71,18 +71,43 @@ bool is_felt_beside(const ResolvedCase& in, const Input& input, const Condition&
   });
 }
 
-// Seats and what they are of make the clearance, where it is stated on the shelf: then all that feels a
-// clearance feels them.
-bool is_felt_through_clearance(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
-  constexpr std::string_view seats[] = {"bearing.bore", "material.youngs_modulus", "material.poisson_ratio"};
-  const bool of_seats = std::find(std::begin(seats), std::end(seats), input.field->path) != std::end(seats);
-  if (!of_seats || (find_field("bearing.radial_clearance")->use.by & analysis) == 0) return false;
+// Parameters that are felt through another quantity where a choice makes it follow from them: by all that
+// feels the parameter `by`.
+struct Through {
+  std::initializer_list<std::string_view> paths;
+  std::string_view choice;
+  std::string_view value;
+  std::string_view by;
+};
+
+const std::initializer_list<Through> through_others = {
+    // Seats and what they are of make the clearance.
+    {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio"},
+     "bearing.clearance_state",
+     "unmounted",
+     "bearing.radial_clearance"},
+    // Pin and meshes hold a planet that finds its own tilt.
+    {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio", "gearset.sun_bore_ratio",
+      "gearset.ring_outside_ratio", "gearset.dynamics.mesh_stiffness.sun",
+      "gearset.dynamics.mesh_stiffness.ring"},
+     "bearing.tilt_state",
+     "computed",
+     "bearing.tilt_state"}};
+
+bool is_chosen(const ResolvedCase& in, const Input& input, const Through& through) {
   const std::vector<Input> inputs = in.inputs();
   const std::size_t prefix = set_prefix_length(input.path);  // 0: of the material, which is that of all sets
   return std::any_of(inputs.begin(), inputs.end(), [&](const Input& other) {
-    return other.field->path == "bearing.clearance_state" && in.has(other.path) &&
-           in.choice(other.path) == "unmounted" &&
+    return other.field->path == through.choice && in.has(other.path) &&
+           in.choice(other.path) == through.value &&
            (prefix == 0 || other.path.substr(0, prefix) == input.path.substr(0, prefix));
+  });
+}
+
+bool is_felt_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
+  return std::any_of(through_others.begin(), through_others.end(), [&](const Through& through) {
+    return std::find(through.paths.begin(), through.paths.end(), input.field->path) != through.paths.end() &&
+           (find_field(std::string(through.by))->use.by & analysis) != 0 && is_chosen(in, input, through);
   });
 }
 
@@ -167,7 +192,7 @@ Standing standing_in_row(const ResolvedCase& resolved, const Input& input, use::
   const Use& use = input.field->use;
   if ((use.by & analysis) != 0) return Standing::used;
   if ((use.felt_beside & analysis) != 0 && is_felt_beside(resolved, input, use.beside)) return Standing::used;
-  if (is_felt_through_clearance(resolved, input, analysis)) return Standing::used;
+  if (is_felt_through_another(resolved, input, analysis)) return Standing::used;
   if ((use.unfelt_by & analysis) != 0) return Standing::unfelt;
   return (use.refused_by & analysis) != 0 ? Standing::refused : Standing::unused;
 }

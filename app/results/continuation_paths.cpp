@@ -4,7 +4,8 @@
 
 namespace orbearing::app {
 
-std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<SweepPoint>& points, Direction direction) {
+std::vector<std::vector<std::size_t>> continuation_paths(const std::vector<SweepPoint>& points,
+                                                         Direction direction) {
   std::vector<std::vector<std::size_t>> paths;
   for (std::size_t point = 0; point < points.size(); ++point) {
     const auto same = std::find_if(paths.begin(), paths.end(), [&](const std::vector<std::size_t>& path) {

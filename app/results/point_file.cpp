@@ -111,6 +111,26 @@ void add_distribution(PointContent& content, const study::LoadDistribution& load
                               loads.race_form});
 }
 
+// The bearings of a planet whose tilt is computed.
+void add_seats(PointContent& content, const std::vector<study::SeatResult>& seats) {
+  content.dimensions.push_back({"bearing", seats.size()});
+  const auto add = [&](const char* name, const char* units, const char* meaning, auto&& value) {
+    NamedArray array{name, {"bearing"}, units, meaning, {}};
+    for (const study::SeatResult& seat : seats) array.values.push_back(value(seat));
+    content.arrays.push_back(std::move(array));
+  };
+  add("bearing_place", "m", "place along the axis, from the middle of the face",
+      [](const study::SeatResult& seat) { return seat.place; });
+  add("bearing_load", "N", "load of the rollers on the bore",
+      [](const study::SeatResult& seat) { return seat.load; });
+  add("bearing_tilt_x", "rad", "tilt of the bore against the pin, outward",
+      [](const study::SeatResult& seat) { return seat.tilt.x(); });
+  add("bearing_tilt_y", "rad", "the same, in the sense of rotation",
+      [](const study::SeatResult& seat) { return seat.tilt.y(); });
+  add("bearing_life", "h", "fatigue life of one bearing",
+      [](const study::SeatResult& seat) { return seat.life_hours; });
+}
+
 // Where planets carry unlike loads, or were computed one by one.
 void add_planets(PointContent& content, const std::vector<study::PlanetResult>& planets) {
   content.dimensions.push_back({"planet", planets.size()});
@@ -191,6 +211,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   if (result.status == "ok" && !result.distribution.angle.empty())
     add_distribution(content, result.distribution);
   if (result.status == "ok" && result.laminae) add_laminae(content, *result.laminae);
+  if (result.status == "ok" && !result.seats.empty()) add_seats(content, result.seats);
   if (result.status == "ok" && !result.planets.empty()) add_planets(content, result.planets);
   if (result.dynamic) add_series(result.dynamic->series, content);
   if (result.dynamic) add_final_state(result.dynamic->final_state, content);

@@ -53,6 +53,10 @@ double shortest_life(const PointResult& result) {
   if (result.two_way)
     return *std::min_element(result.two_way->bearing_life_hours.begin(),
                              result.two_way->bearing_life_hours.end());
+  if (!result.seats.empty()) {
+    const auto shorter = [](const auto& a, const auto& b) { return a.life_hours < b.life_hours; };
+    return std::min_element(result.seats.begin(), result.seats.end(), shorter)->life_hours;
+  }
   return result.planets.empty() ? not_given : shortest_lived(result)->life_hours;
 }
 
@@ -191,8 +195,9 @@ const std::vector<Column>& trailing_columns() {
       {"steady", "steady", "1", "1: the means stood still; 0: they drifted to the end", 1.0,
        [](const PointResult& r) { return r.dynamic ? (r.dynamic->steady ? 1.0 : 0.0) : not_given; }},
       {"shortest_life_h", "shortest_life", "h",
-       "life of the bearing that lives shortest, where planets load unevenly or bearings act back on the "
-       "gears",
+       "life of the bearing that lives shortest, where planets load unevenly, their tilt is computed or "
+       "bearings act "
+       "back on the gears",
        1.0, shortest_life},
       {"shortest_life_planet", "shortest_life_planet", "1",
        "planet whose bearings live shortest, counted from 1, where life_h is that of unlike planets together",
@@ -207,6 +212,23 @@ const std::vector<Column>& trailing_columns() {
          double most = not_given;
          for (const study::PlanetResult& planet : r.planets) most = std::fmax(most, planet.load_share);
          return most;
+       }},
+      {"largest_bearing_tilt_mrad", "largest_bearing_tilt", "rad",
+       "largest tilt of a bore against its pin, where the tilt of planets is computed", 1e3,
+       [](const PointResult& r) {
+         double most = not_given;
+         for (const study::SeatResult& seat : r.seats) most = std::fmax(most, seat.tilt.norm());
+         return most;
+       }},
+      {"largest_bearing_share", "largest_bearing_share", "1",
+       "load of the bearing of a planet that carries most, over the mean of its bearings, likewise", 1.0,
+       [](const PointResult& r) {
+         double most = not_given, sum = 0.0;
+         for (const study::SeatResult& seat : r.seats) {
+           most = std::fmax(most, seat.load);
+           sum += seat.load;
+         }
+         return most * static_cast<double>(r.seats.size()) / sum;
        }},
       {"interface_energy_residual", "interface_energy_residual", "1",
        "energy that the exchange of gears and bearings made or lost, over that which passed", 1.0,

@@ -64,6 +64,11 @@ MeshStudy pair_study(const ResolvedCase& in) {
   return study;
 }
 
+std::optional<double> held_race_of(const study::PlanetaryDrivetrain& drivetrain) {
+  if (drivetrain.rim == study::PlanetRim::rigid) return std::nullopt;
+  return bearing::geometry_of(drivetrain.bearing).outer_radius;
+}
+
 gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
                                    const gearset::WorkingGeometry& geometry) {
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
@@ -71,7 +76,8 @@ gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::Planetar
       drivetrain.set, geometry, gearset::equal_planet_angles(drivetrain.set.planets),
       {.sun_bore = in.number("gearset.sun_bore_ratio"),
        .ring_outside = in.number("gearset.ring_outside_ratio")},
-      elasticity_of(in), gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed));
+      elasticity_of(in), gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed),
+      held_race_of(drivetrain));
 }
 
 MeshStudy set_study(const ResolvedCase& in) {

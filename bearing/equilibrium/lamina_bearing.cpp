@@ -88,6 +88,8 @@ void put_report(const RaceEquilibrium& problem, const mechanics::SearchReport& s
   if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
 }
 
+}  // namespace
+
 void put_position(const LaminaBearing& bearing, const LaminaState& state, Eigen::Index position,
                   Eigen::Index positions, LaminaResult& result) {
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
@@ -120,8 +122,6 @@ LaminaResult empty_result(const LaminaBearing& bearing, const OperatingPoint& po
   result.report.converged = true;
   return result;
 }
-
-}  // namespace
 
 LaminaBearing::LaminaBearing(const Bearing& bearing, mechanics::InstructionSet set)
     : bearing_(sound(bearing)),

@@ -63,6 +63,13 @@ LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& poi
                          const QuasiStaticOptions& options, double first_roller,
                          const LaminaState* near = nullptr);
 
+/// A result over one roller pitch without loads yet, and where the balance at cage angle `position` of
+/// `positions` goes in it: loads by place, not the means.
+LaminaResult empty_result(const LaminaBearing& bearing, const OperatingPoint& point,
+                          const QuasiStaticOptions& options);
+void put_position(const LaminaBearing& bearing, const LaminaState& state, Eigen::Index position,
+                  Eigen::Index positions, LaminaResult& result);
+
 /// Equilibria over one roller pitch. Throws std::invalid_argument as quasi_static_bearing() does.
 LaminaResult quasi_static_laminae(const LaminaBearing& bearing, const OperatingPoint& point,
                                   const QuasiStaticOptions& options);

@@ -29,6 +29,8 @@ Matrix2d pseudo_inverse(const Matrix2d& symmetric) {
   return symmetric / (size * size);
 }
 
+}  // namespace
+
 // Both contacts in series, where one of them or both may be open or hold no tilt; then the films, which yield
 // with the load alone.
 Matrix2d roller_stiffness(const RollerState& roller) {
@@ -43,8 +45,6 @@ Matrix2d roller_stiffness(const RollerState& roller) {
   series(1, 0) *= share;
   return series;
 }
-
-}  // namespace
 
 // Displacement and tilt come first, then the waves of the race, which follow without force.
 Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& state,

@@ -13,6 +13,7 @@
 #include "bearing/motion/parameters.hpp"
 #include "bearing/mounted_clearance.hpp"
 #include "bearing/parameters.hpp"
+#include "bearing/pin_beam.hpp"
 #include "coupling/cosim/coupled_run.hpp"
 #include "coupling/system/driven_bearing.hpp"
 #include "coupling/system/steady_state.hpp"
@@ -58,7 +59,10 @@ struct Misalignment {
 template <class Visitor>
 void describe(Visitor& visit, Misalignment& m) {
   using namespace described;
-  const Details angle{.models = planetary_drivetrain, .dimension = dimension::angle, .range = {-2.0, 2.0}};
+  const Details angle{.models = planetary_drivetrain,
+                      .dimension = dimension::angle,
+                      .range = {-2.0, 2.0},
+                      .where = {"bearing.tilt_state", "stated"}};
   members(
       visit, m,
       field(
@@ -81,6 +85,77 @@ enum class PlanetRim {
 
 constexpr described::Names<PlanetRim, 2> names_of(PlanetRim) {
   return {{{PlanetRim::rigid, "rigid"}, {PlanetRim::elastic, "elastic"}}};
+}
+
+/// Where the tilt of a planet on its pin comes from.
+enum class TiltState {
+  stated,    // by Misalignment
+  computed,  // from the balance of all bearings of a planet on their pin
+};
+
+constexpr described::Names<TiltState, 2> names_of(TiltState) {
+  return {{{TiltState::stated, "stated"}, {TiltState::computed, "computed"}}};
+}
+
+/// How the bearings of a planet sit on their pin. Counts where the tilt is computed.
+struct PinSeats {
+  TiltState tilt = TiltState::stated;
+  std::vector<double> axial_places;  // [m]  (bearings)  from the middle of the face; none: evenly across it
+  std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the stated clearance; none: alike
+  bearing::PinEnds ends = bearing::PinEnds::both;
+  std::optional<double> span;           // [m]  of the pin; none: by the face, pin_span()
+  double radial_inclination = 0.0;      // [rad]  of an unloaded pin: its positive end stands outward
+  double tangential_inclination = 0.0;  // [rad]  its positive end leads
+};
+
+template <class Visitor>
+void describe(Visitor& visit, PinSeats& m) {
+  using namespace described;
+  const Where computed{"bearing.tilt_state", "computed"};
+  const auto inclination = [&](double& member, const std::string& direction, const std::string& sense) {
+    return field(member, "support.pin_inclination." + direction, Felt::at_rest,
+                 "inclination of the unloaded pin against the gears' axes, " + sense,
+                 {.models = planetary_drivetrain,
+                  .dimension = dimension::angle,
+                  .range = {-2.0, 2.0},
+                  .where = computed});
+  };
+  members(
+      visit, m,
+      field(m.tilt, "bearing.tilt_state", Felt::at_rest,
+            "tilt of the planet on its pin: stated by bearing.misalignment, or computed from all its "
+            "bearings, the "
+            "pin and the meshes",
+            {.models = planetary_drivetrain, .reason = "as published models have it"}),
+      field(m.axial_places, "bearing.axial_places", Felt::at_rest,
+            "places of the bearings of a planet along its axis, from the middle of the face; evenly across "
+            "it if absent",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::length,
+             .range = {-1e4, 1e4},
+             .where = computed}),
+      field(m.clearance_differences, "bearing.clearance_differences", Felt::at_rest,
+            "by how much the clearance of each bearing of a planet is more than stated",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::small_length,
+             .range = {-1000.0, 1000.0},
+             .where = computed}),
+      field(m.ends, "support.pin_ends", Felt::at_rest,
+            "ends by which the carrier holds a pin: it rests in both walls, or is clamped in the one at its "
+            "negative end",
+            {.models = planetary_drivetrain,
+             .reason = "planets between two walls of the carrier",
+             .where = computed}),
+      field(m.span, "support.pin_span", Felt::at_rest,
+            "length of the pin between the middles of both walls; held at one end, twice that from the wall "
+            "to the "
+            "middle of the face",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::length,
+             .range = positive(1e4),
+             .where = computed}),
+      inclination(m.radial_inclination, "radial", "its positive end outward"),
+      inclination(m.tangential_inclination, "tangential", "its positive end ahead in the sense of rotation"));
 }
 
 /// What the modified life of [ISO281] asks of a bearing and its oil.
@@ -110,6 +185,7 @@ struct PlanetaryDrivetrain {
   bearing::FilmApproach film_approach = bearing::FilmApproach::added;
   double lambda = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
   Misalignment misalignment;
+  PinSeats seats;
   bearing::motion::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
   system::SteadyStateOptions steady_state;
   cosim::CoupledOptions exchange{.window = 5e-6};  // of gears and bearings that are co-simulated
@@ -137,8 +213,9 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
             {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),
       apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
       apart(m.film_approach),  // dynamics' own
-      system::lambda_row(m.lambda), part(m.misalignment), part(m.dynamics), part(m.steady_state),
-      part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.pins_displaced), apart(m.rated),
+      system::lambda_row(m.lambda), part(m.misalignment), part(m.seats), part(m.dynamics),
+      part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.pins_displaced),
+      apart(m.rated),
       field(m.mesh_variation, "gearset.mesh_variation", Felt::gear_motion,
             "the stiffness of a mesh varies as teeth pass, and shakes gears and planet bearings; false: it "
             "keeps "

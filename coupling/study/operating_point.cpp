@@ -17,6 +17,7 @@
 #include "coupling/study/driven_setups.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/mesh_excitation.hpp"
+#include "coupling/study/tilting_planet.hpp"
 #include "coupling/system/monolithic.hpp"
 
 namespace orbearing::study {
@@ -92,12 +93,9 @@ QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const Dr
   return result;
 }
 
-// One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
-QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
-                                      const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const bearing::laminae::LaminaBearing cut(drivetrain.bearing, mechanics::InstructionSet::baseline);
-  const bearing::laminae::LaminaResult loads =
-      bearing::laminae::quasi_static_laminae(cut, duty.point, quasi_static_options(drivetrain));
+QuasiStaticBearing of_laminae(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                              const BearingDuty& duty, const bearing::laminae::LaminaBearing& cut,
+                              const bearing::laminae::LaminaResult& loads, const Eigen::Vector2d& tilt) {
   QuasiStaticBearing result = bearing_under(drivetrain, geometry, duty, loads);
   put_laminae(loads.inner_lamina_load, result.means.inner);
   put_laminae(loads.outer_lamina_load, result.means.outer);
@@ -106,17 +104,36 @@ QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
                     .inner_load = as_vector(loads.inner_lamina_load),
                     .outer_load = as_vector(loads.outer_lamina_load),
                     .roller_tilt = as_vector(loads.roller_tilt),
-                    .bore_tilt = duty.point.bore_tilt,
+                    .bore_tilt = tilt,
                     .moment = loads.moment};
   return result;
 }
 
-QuasiStaticBearing quasi_static_bearing(const PlanetaryDrivetrain& drivetrain,
-                                        const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  if (drivetrain.bearing.rollers().laminae > 0) return bearing_on_laminae(drivetrain, geometry, duty);
-  return bearing_under(
+// One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
+QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
+                                      const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+  const bearing::laminae::LaminaBearing cut(drivetrain.bearing, mechanics::InstructionSet::baseline);
+  return of_laminae(drivetrain, geometry, duty, cut,
+                    bearing::laminae::quasi_static_laminae(cut, duty.point, quasi_static_options(drivetrain)),
+                    duty.point.bore_tilt);
+}
+
+// All bearings of a planet: one where they are alike.
+std::vector<QuasiStaticBearing> bearings_at_rest(const PlanetaryDrivetrain& drivetrain,
+                                                 const DrivetrainGeometry& geometry,
+                                                 const BearingDuty& duty) {
+  if (drivetrain.seats.tilt == TiltState::computed) {
+    const bearing::laminae::LaminaBearing cut(drivetrain.bearing, mechanics::InstructionSet::baseline);
+    const bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain, duty);
+    std::vector<QuasiStaticBearing> all;
+    for (std::size_t k = 0; k < planet.bearings.size(); ++k)
+      all.push_back(of_laminae(drivetrain, geometry, duty, cut, planet.bearings[k], planet.bearing_tilt[k]));
+    return all;
+  }
+  if (drivetrain.bearing.rollers().laminae > 0) return {bearing_on_laminae(drivetrain, geometry, duty)};
+  return {bearing_under(
       drivetrain, geometry, duty,
-      bearing::quasi_static_bearing(drivetrain.bearing, duty.point, quasi_static_options(drivetrain)));
+      bearing::quasi_static_bearing(drivetrain.bearing, duty.point, quasi_static_options(drivetrain)))};
 }
 
 // The one life of all fidelities.
@@ -220,14 +237,38 @@ std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
   return static_cast<std::size_t>(shortest - planets.begin());
 }
 
+// Bearing by bearing of a planet whose tilt is computed.
+void put_seats(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+               const std::vector<QuasiStaticBearing>& bearings, PointResult& result) {
+  const std::vector<double> places = axial_places(drivetrain);
+  std::vector<double> lives, modified_lives;
+  for (std::size_t k = 0; k < bearings.size(); ++k) {
+    const WindowStatistics& means = bearings[k].means;
+    const auto modified = modified_under_means(drivetrain, duty, means);
+    lives.push_back(hours_of(life_under_means(drivetrain, means), drivetrain, duty));
+    modified_lives.push_back(modified ? modified->life_hours : 0.0);
+    result.seats.push_back(
+        {.place = places[k],
+         .load = mean_bore_force(means.outer, bearings[k].angle, drivetrain.bearing.rollers().count).norm(),
+         .tilt = bearings[k].laminae->bore_tilt,
+         .life_hours = lives.back(),
+         .modified_life_hours = modified_lives.back()});
+  }
+  result.system_life_hours = bearing::system_life(life_together(lives), drivetrain.set.planets);
+  if (result.modified)
+    result.modified->system_life_hours =
+        bearing::system_life(life_together(modified_lives), drivetrain.set.planets);
+}
+
 PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                const std::vector<BearingDuty>& duties) {
   std::vector<QuasiStaticBearing> bearings;
   std::vector<WindowStatistics> means;
-  for (const BearingDuty& duty : duties) {
-    bearings.push_back(quasi_static_bearing(drivetrain, geometry, duty));
-    means.push_back(bearings.back().means);
-  }
+  for (const BearingDuty& duty : duties)
+    for (QuasiStaticBearing& one : bearings_at_rest(drivetrain, geometry, duty)) {
+      means.push_back(one.means);
+      bearings.push_back(std::move(one));
+    }
   const WindowStatistics all = system::pooled(means);
   PointResult result;
   result.inner = race_result(all.inner);
@@ -237,6 +278,10 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
                          as_vector(bearings.front().race_form)};
   put_life(drivetrain, duties.front(), all, result);
   result.laminae = bearings.front().laminae;
+  if (drivetrain.seats.tilt == TiltState::computed) {
+    put_seats(drivetrain, duties.front(), bearings, result);
+    return result;
+  }
   if (duties.size() == 1) return result;
   put_planets(drivetrain, duties.front(), angle, means, result);
   result.laminae = bearings[shortest_lived(result.planets)].laminae;

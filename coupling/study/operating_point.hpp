@@ -77,6 +77,15 @@ struct PlanetResult {
   double modified_life_hours = 0.0;  // [h]  zero where nothing is said of the oil
 };
 
+/// One bearing of a planet whose tilt is computed.
+struct SeatResult {
+  double place = 0.0;                              // [m]    along the axis, from the middle of the face
+  double load = 0.0;                               // [N]    of its rollers on the bore
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]  of its bore against the pin, outward and ahead
+  double life_hours = 0.0;                         // [h]
+  double modified_life_hours = 0.0;                // [h]  zero where nothing is said of the oil
+};
+
 /// One of several sets at an operating point. Loads and life are those of one bearing.
 struct SetResult {
   std::string set;
@@ -110,6 +119,7 @@ struct PointResult {
   std::optional<DynamicRecord> dynamic;  // none from the quasi-static model
   std::optional<LaminaRecord> laminae;   // none from whole contacts
   std::vector<PlanetResult> planets;     // none where all planets carry alike
+  std::vector<SeatResult> seats;         // of one planet, where its tilt is computed
   std::optional<CoupledRecord> two_way;  // none where the bearings do not act back on the gears
   std::string limiting_set;              // of several sets, the one these numbers belong to
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given

@@ -50,6 +50,7 @@ def loads(program, work, speed, axes, form_axes):
             if rim == "elastic":
                 form = 1e6 * np.append(file["race_form"][:], file["race_form"][0])
                 form_axes.plot(angle, form, label=f"{speed} rpm")
+    axes.set_rlabel_position(60)
     axes.set_title(f"{speed} rpm: roller on outer race (N)", fontsize=9)
 
 
@@ -63,9 +64,10 @@ def main():
         form = figure.add_subplot(grid[1, 3:], projection="polar")
         for place, speed in enumerate(SPEEDS):
             loads(program, work, speed, figure.add_subplot(grid[0, 2 * place:2 * place + 2], projection="polar"), form)
+        form.set_rlabel_position(30)
         form.set_title("outward displacement of the race (um); 0 deg: away from the sun", fontsize=9)
-        form.legend(loc="lower left", fontsize=8)
-        figure.axes[2].legend(loc="lower left", fontsize=8)
+        form.legend(loc="lower left", bbox_to_anchor=(-0.25, -0.1), fontsize=8)
+        figure.axes[2].legend(loc="lower left", bbox_to_anchor=(-0.25, -0.15), fontsize=8)
         modes = {}
         for rim in ("rigid", "elastic"):
             modes[rim] = json.loads(orbearing(program, "modes", CASE, "--json", "--set", f"gearset.planet_rim={rim}"))["modes"]

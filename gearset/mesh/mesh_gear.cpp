@@ -13,14 +13,15 @@ constexpr double round_off = 1e-9;  // of a bore that equals the root diameter o
 }  // namespace
 
 MeshGear make_mesh_gear(const ExternalTooth& tooth, double bore_radius, double face_width,
-                        const mechanics::Material& material) {
+                        const mechanics::Material& material, Foundation law) {
   const FoundationBody body = foundation_body(tooth, bore_radius);
   if (!(bore_radius > 0.0 && bore_radius <= tooth.root_radius * (1.0 + round_off)))
     throw std::domain_error("the bore of a gear must be greater than zero and not exceed its root circle");
   const FoundationCoefficients foundation =
-      sainsot_is_usable(body) ? sainsot_coefficients(body.half_angle, body.root_radius / bore_radius)
-                              : elastic_ring_coefficients(body, material.poisson_ratio);
-  return {tooth, body, foundation, face_width, material};
+      sainsot_is_usable(body) && law == Foundation::polynomials
+          ? sainsot_coefficients(body.half_angle, body.root_radius / bore_radius)
+          : elastic_ring_coefficients(body, material.poisson_ratio);
+  return {tooth, body, foundation, law == Foundation::elastic_ring, face_width, material};
 }
 
 MeshGear make_mesh_gear(const RingTooth& tooth, double outside_radius, double face_width,
@@ -28,7 +29,7 @@ MeshGear make_mesh_gear(const RingTooth& tooth, double outside_radius, double fa
   const FoundationBody body = foundation_body(tooth, outside_radius);
   if (!(outside_radius > tooth.root_radius))
     throw std::domain_error("the outside of a ring gear must be greater than its root circle");
-  return {tooth, body, elastic_ring_coefficients(body, material.poisson_ratio), face_width, material};
+  return {tooth, body, elastic_ring_coefficients(body, material.poisson_ratio), true, face_width, material};
 }
 
 GearCompliance gear_compliance(const MeshGear& gear, double tangent_length) {

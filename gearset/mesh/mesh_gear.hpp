@@ -13,16 +13,22 @@ struct MeshGear {
   std::variant<ExternalTooth, RingTooth> tooth;
   FoundationBody body;
   FoundationCoefficients foundation;
+  bool exact = false;       // foundation by the elastic ring whatever the polynomials' range
   double face_width = 0.0;  // [m]
   mechanics::Material material;
 };
 
-/// An external gear on a rigid shaft; foundation by the polynomials of [Sainsot2004], by the elastic ring
-/// where these are of no use.
+/// Which law of the foundation an external gear has.
+enum class Foundation {
+  polynomials,   // of [Sainsot2004], the elastic ring where these are of no use
+  elastic_ring,  // exact: beside a rim that bends as a whole
+};
+
+/// An external gear on a rigid shaft.
 /// @param bore_radius [m] at most the root radius
 /// @throws std::domain_error if the bore is larger than the root circle or none
 MeshGear make_mesh_gear(const ExternalTooth& tooth, double bore_radius, double face_width,
-                        const mechanics::Material& material);
+                        const mechanics::Material& material, Foundation law = Foundation::polynomials);
 
 /// A ring gear held rigidly at its outside; foundation by the elastic ring, since the polynomials are for
 /// external gears.

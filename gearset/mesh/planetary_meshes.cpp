@@ -16,10 +16,13 @@ std::vector<double> equal_planet_angles(int planets) {
 
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
                                  const std::vector<double>& planet_angles, const BodyRatios& bodies,
-                                 const mechanics::Material& material, const MeshMotion& motion) {
+                                 const mechanics::Material& material, const MeshMotion& motion,
+                                 std::optional<double> held_race) {
   const double width = set.face_width;
   const double a = geometry.centre_distance;
-  const MeshGear planet = make_mesh_gear(geometry.planet, 0.5 * set.planet_bore, width, material);
+  const MeshGear planet =
+      make_mesh_gear(geometry.planet, held_race.value_or(0.5 * set.planet_bore), width, material,
+                     held_race ? Foundation::elastic_ring : Foundation::polynomials);
   const MeshGear sun =
       make_mesh_gear(geometry.sun, bodies.sun_bore * geometry.sun.root_radius, width, material);
   const MeshGear ring =
@@ -60,7 +63,7 @@ std::string by_elastic_ring(const MeshGear& gear, const ToothLoad& load) {
 Warnings foundation_warnings(const MeshGear& gear, double tangent_length, const std::string& name,
                              const std::string& place) {
   const auto* tooth = std::get_if<ExternalTooth>(&gear.tooth);
-  if (tooth == nullptr || in_sainsot_range(gear.body)) return {};
+  if (tooth == nullptr || gear.exact || in_sainsot_range(gear.body)) return {};
   return {{place, "the foundation of the " + name + " (root over bore diameter " +
                       decimal(gear.body.root_radius / gear.body.body_radius, 3) +
                       ", half tooth angle at the root " + decimal(gear.body.half_angle, 3) +

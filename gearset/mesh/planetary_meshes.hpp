@@ -1,6 +1,7 @@
 // All meshes of a planetary set: stiffness over the mesh period, and when each begins.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "gearset/mesh/mesh_phase.hpp"
@@ -27,11 +28,14 @@ struct PlanetaryMeshes {
   std::vector<double> ring_lag;  // [mesh period]  (planets)  behind the sun mesh of the first planet
 };
 
+/// @param held_race [m] radius of the race at which the planet is held, whose rim bends as a whole besides
+/// (gearset/rim): foundation by the elastic ring. None: held at its bore, as published models have it
 /// @param planet_angles [rad] anticlockwise; such that the set can be assembled
 /// @throws std::domain_error if a gear has no body under its teeth
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
                                  const std::vector<double>& planet_angles, const BodyRatios& bodies,
-                                 const mechanics::Material& material, const MeshMotion& motion);
+                                 const mechanics::Material& material, const MeshMotion& motion,
+                                 std::optional<double> held_race = {});
 
 /// Angles of equally spaced planets. [rad]
 std::vector<double> equal_planet_angles(int planets);

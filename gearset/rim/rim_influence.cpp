@@ -43,6 +43,15 @@ double half_space_wave(const mechanics::Material& material, double width, int or
   return 2.0 / (pi * material.plane_strain_modulus() * width * order);
 }
 
+// Under a ring narrower than the face short waves give way less than the half-space under that ring alone: as
+// stiff as need be then.
+void keep_positive(Eigen::ArrayXd& race) {
+  constexpr double least = 1e-6;  // of the largest
+  const double floor = least * race.maxCoeff();
+  for (Eigen::Index n = 0; n < race.size(); ++n)
+    if (n != 1) race[n] = std::max(race[n], floor);
+}
+
 }  // namespace
 
 RimSection rim_section(const PlanetarySet& set, const WorkingGeometry& geometry, double race_radius,
@@ -85,6 +94,7 @@ RimInfluence rim_influence(const RimSection& section, const WorkingGeometry& geo
         influence.meshes(i, j) += (n == 0 ? 1.0 : 2.0) / body.sectors() *
                                   (beyond(1 + i, 1 + j) * std::conj(turned(i)) * turned(j)).real();
   }
+  keep_positive(influence.race);
   return influence;
 }
 

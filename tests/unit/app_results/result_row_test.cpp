@@ -59,6 +59,8 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "shortest_life_h",
                                            "shortest_life_planet",
                                            "largest_load_share",
+                                           "largest_bearing_tilt_mrad",
+                                           "largest_bearing_share",
                                            "interface_energy_residual",
                                            "interface_window_us",
                                            "one_way_runs",
@@ -142,12 +144,14 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.dynamic->one_way = fit;
   result.two_way = {.bearing_life_hours = {22.0, 21.0}, .energy_residual = 23.0, .window = 24e-6};
   result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};
+  result.seats = {{.load = 30.0, .tilt = {3e-3, -4e-3}, .life_hours = 70.0},
+                  {.load = 50.0, .life_hours = 71.0}};
   const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
-  const std::vector<double> expected = {0,  1,  2,  3,  4,   6,  7,  10,  11, 8,  12, 14,  15,    16, 9,  13,
-                                        -1, 5,  20, 67, 3.5, 60, 61, 62,  63, 64, 65, 66,  40000, 18, 19, 255,
-                                        1,  2,  4,  8,  16,  32, 64, 128, 1,  21, 2,  1.5, 23,    24, 40, 1,
-                                        41, 42, 43, 44, 45,  46, 47, 48,  49, 50, 51, 52,  53,    -1, 17};
+  const std::vector<double> expected = {
+      0,  1,    2,  3,  4,  6,  7,     10, 11, 8,   12, 14, 15, 16, 9,  13, -1, 5,   20, 67, 3.5, 60,
+      61, 62,   63, 64, 65, 66, 40000, 18, 19, 255, 1,  2,  4,  8,  16, 32, 64, 128, 1,  21, 2,   1.5,
+      5,  1.25, 23, 24, 40, 1,  41,    42, 43, 44,  45, 46, 47, 48, 49, 50, 51, 52,  53, -1, 17};
   ASSERT_EQ(expected.size(), head.names.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (i != head.status_place && i != head.refined_place) {

@@ -110,6 +110,15 @@ TEST(RimInfluence, FallsWithTheModulus) {
   EXPECT_LT((1e6 * rigid.race - soft.race).abs().maxCoeff(), 1e-9 * soft.race.maxCoeff());
 }
 
+// A single narrow bearing under a wide face: no wave gives way against its force.
+TEST(RimInfluence, OfANarrowRingIsPositive) {
+  Planet planet;
+  planet.section.ring_width = 0.3 * kRingWidth;
+  const RimInfluence narrow = rim_influence(planet.section, planet.geometry, {});
+  EXPECT_GT(narrow.race.head<1>()[0], 0.0);
+  EXPECT_TRUE((narrow.race.tail(11) > 0.0).all());
+}
+
 // Without an outer ring the rollers run in the gear's own bore.
 TEST(RimInfluence, ServesABoreWithoutRings) {
   Planet planet;

@@ -48,7 +48,7 @@ double wave_compliance(const SectorBody& body, int order) {
   return (order == 0 ? 1.0 : 2.0) * work * body.sectors() / (two_pi * two_pi);
 }
 
-// A force that is spread evenly is the pressure p = F/(2 pi a b) [Lame1852].
+// A force that is spread evenly is the pressure p = F/(2 pi a b) [TimoshenkoGoodier1970].
 TEST(SectorBody, WaveOfOrderZeroIsAThickRingUnderPressure) {
   const double a = 0.020, b = 0.028;
   const SectorBody body(plain_sector(a, b, 10, 6, 4), kSteel, 10);

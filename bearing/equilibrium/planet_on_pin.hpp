@@ -1,0 +1,58 @@
+// A planet on its pin: bearings side by side share its load and moment, the planet finds its own tilt, the
+// pin bends.
+//
+//             z ^    ___________                 u + t z     displacement of the bore at z
+//       wall ---|---|  bearing  |---             p(z), p'(z)  of the pin, a beam with shear
+//               |    -----------   planet        a bearing at z_k feels  u + t z_k - p_k  and the tilt  t -
+//               p'_k |    ___________
+//       wall ---|---|  bearing  |---
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "bearing/equilibrium/lamina_bearing.hpp"
+
+namespace orbearing::bearing::laminae {
+
+/// Planet, pin and what stands between them. All bearings on laminae, each with its own clearance.
+struct PlanetOnPin {
+  std::vector<LaminaBearing> bearings;
+  std::vector<double> place;       // [m]  (bearings)  of their middles, from that of the face
+  Eigen::MatrixXd pin_compliance;  // [m/N], ...  pin_compliance() at these places
+  std::vector<Eigen::Vector2d>
+      pin_error{};  // [m]    (bearings)  of an unloaded pin from its place; empty: none
+  std::vector<Eigen::Vector2d> pin_inclination{};  // [rad]  (bearings)  of an unloaded pin; empty: none
+  Eigen::Matrix2d tilt_stiffness = Eigen::Matrix2d::Zero();  // [N m/rad]  by which the meshes hold the planet
+};
+
+/// Balance at one cage angle, the same of all bearings.
+struct PlanetOnPinState {
+  Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    of the planet in the middle of its face
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();          // [rad]  its axis runs along (x, y, 1)
+  std::vector<Eigen::Vector2d> bearing_tilt;               // [rad]  (bearings)  of bore against pin
+  std::vector<LaminaState> bearings;  // displacement of the bore against the pin there; moment on the bore
+  SolverReport report;
+};
+
+/// Balance with the first rollers at `first_roller` [rad]. `point`: its load is that of the whole planet [N],
+/// in the middle of the face; its tilt has no meaning. `moment` [N m]: what tilts the planet besides, along
+/// its tilt. `near`: where the search starts.
+PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& point,
+                               const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
+                               double first_roller, const PlanetOnPinState* near = nullptr);
+
+/// Balances over one roller pitch: one result for each bearing, and the mean tilt of the planet.
+struct PlanetOnPinResult {
+  std::vector<LaminaResult> bearings;
+  std::vector<Eigen::Vector2d> bearing_tilt;       // [rad]  mean over the cage angles
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]
+  SolverReport report;
+};
+
+/// Throws std::invalid_argument as quasi_static_bearing() does.
+PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const OperatingPoint& point,
+                                             const Eigen::Vector2d& moment,
+                                             const QuasiStaticOptions& options);
+
+}  // namespace orbearing::bearing::laminae

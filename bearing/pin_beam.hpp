@@ -1,0 +1,39 @@
+// The pin of a planet as a beam with shear: how far it gives way, and how it inclines, where its bearings
+// sit.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "mechanics/material.hpp"
+
+namespace orbearing::bearing {
+
+/// How the carrier holds a pin.
+enum class PinEnds {
+  both,  // it rests in the middles of both walls
+  one,   // clamped in the wall at its negative end
+};
+
+constexpr described::Names<PinEnds, 2> names_of(PinEnds) {
+  return {{{PinEnds::both, "both"}, {PinEnds::one, "one"}}};
+}
+
+struct PinBeam {
+  double diameter = 0.0;  // [m]
+  double bore = 0.0;      // [m]  0: solid
+  double span =
+      0.0;  // [m]  between the supports; of a pin clamped at one end, from there to the middle of the face
+            //      and as far again
+  PinEnds ends = PinEnds::both;
+  mechanics::Material material;
+};
+
+/// Displacement [m] and slope [rad] at each of `places` [m], from the middle of the face, by unit force [N]
+/// and moment [N m] at each, in one plane: rows and columns are displacement (force) at all places, then
+/// slope (moment) at all. By the energy of bending and shear; symmetric. Eqs. (1) and (2) of
+/// bearing/pin_beam.cpp.
+/// @throws std::invalid_argument where a place lies beyond the supports
+Eigen::MatrixXd pin_compliance(const PinBeam& pin, const std::vector<double>& places);
+
+}  // namespace orbearing::bearing

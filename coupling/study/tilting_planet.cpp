@@ -1,0 +1,64 @@
+#include "coupling/study/tilting_planet.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace orbearing::study {
+
+std::vector<double> axial_places(const PlanetaryDrivetrain& drivetrain) {
+  if (!drivetrain.seats.axial_places.empty()) return drivetrain.seats.axial_places;
+  const double face = drivetrain.set.face_width;
+  const int bearings = drivetrain.bearings_per_planet;
+  std::vector<double> places;
+  for (int k = 0; k < bearings; ++k) places.push_back(face * ((k + 0.5) / bearings - 0.5));
+  return places;
+}
+
+bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
+  const PinSeats& seats = drivetrain.seats;
+  constexpr double usual = 1.25;  // half a wall at either side, each a quarter of the face
+  const double span = drivetrain.set.face_width * (seats.ends == bearing::PinEnds::both ? usual : 1.0);
+  const bool bored =
+      drivetrain.mounting.state == bearing::ClearanceState::unmounted;  // else a case cannot say so
+  return {.diameter = drivetrain.bearing.inner.seat_diameter,
+          .bore = bored ? drivetrain.mounting.pin_bore : 0.0,
+          .span = seats.span.value_or(span),
+          .ends = seats.ends,
+          .material = drivetrain.bearing.material};
+}
+
+Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain) {
+  if (!drivetrain.gear_set)
+    throw std::invalid_argument("tilt of a planet: found gears without meshes; required: one set with teeth");
+  const gearset::dynamics::SetParameters set = drivetrain.gear_set();
+  const double lever = drivetrain.set.face_width * drivetrain.set.face_width / 12.0;  // [m^2]
+  const auto of_mesh = [&](const gearset::dynamics::Mesh& mesh, double side) -> Eigen::Matrix2d {
+    const Eigen::Vector2d along(side * std::sin(mesh.pressure_angle), std::cos(mesh.pressure_angle));
+    return lever * mesh.stiffness.mean() * along * along.transpose();
+  };
+  return of_mesh(set.sun_mesh, 1.0) + of_mesh(set.ring_mesh, -1.0);
+}
+
+bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
+                                                   const BearingDuty& duty) {
+  const PinSeats& seats = drivetrain.seats;
+  bearing::laminae::PlanetOnPin planet{.place = axial_places(drivetrain)};
+  for (std::size_t k = 0; k < planet.place.size(); ++k) {
+    bearing::Bearing one = drivetrain.bearing;
+    if (!seats.clearance_differences.empty()) one.radial_clearance += seats.clearance_differences[k];
+    planet.bearings.emplace_back(one, mechanics::InstructionSet::baseline);  // equal points on all machines
+  }
+  planet.pin_compliance = bearing::pin_compliance(planet_pin(drivetrain), planet.place);
+  const Eigen::Vector2d inclined(seats.radial_inclination, seats.tangential_inclination);
+  planet.pin_inclination.assign(planet.place.size(), inclined);
+  for (const double place : planet.place) planet.pin_error.push_back(place * inclined);
+  planet.tilt_stiffness = mesh_tilt_stiffness(drivetrain);
+  bearing::OperatingPoint point = duty.point;
+  point.bore_load *= drivetrain.bearings_per_planet;
+  bearing::laminae::PlanetOnPinResult result = bearing::laminae::planet_on_pin_over_a_pitch(
+      planet, point, Eigen::Vector2d::Zero(), quasi_static_options(drivetrain));
+  if (!result.report.converged) throw std::runtime_error(result.report.message);
+  return result;
+}
+
+}  // namespace orbearing::study

@@ -1,0 +1,74 @@
+// Issue item "tilt as a freedom": the pin as a beam with shear, against closed forms.
+#include "bearing/pin_beam.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+namespace orbearing::bearing::pin_beam_test {
+namespace {
+
+using boost::math::double_constants::pi;
+
+const PinBeam kPinInWalls{.diameter = 0.025, .span = 0.035};
+
+double bending_stiffness(const PinBeam& pin) {
+  return pin.material.youngs_modulus * pi / 64.0 * (std::pow(pin.diameter, 4) - std::pow(pin.bore, 4));
+}
+
+// G A/kappa of a solid round section: kappa = (7 + 6 nu)/(6 (1 + nu)).
+double shear_stiffness(const PinBeam& pin) {
+  const double nu = pin.material.poisson_ratio;
+  return 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu) * pin.material.shear_modulus() * 0.25 * pi * pin.diameter *
+         pin.diameter;
+}
+
+TEST(PinBeam, MiddleOfARestingPinGivesWayAsTextbooksSay) {
+  const double l = kPinInWalls.span;
+  const double expected =
+      std::pow(l, 3) / (48.0 * bending_stiffness(kPinInWalls)) + l / (4.0 * shear_stiffness(kPinInWalls));
+  EXPECT_NEAR(pin_compliance(kPinInWalls, {0.0})(0, 0) / expected, 1.0, 1e-8);
+}
+
+TEST(PinBeam, ClampedPinGivesWayAsTextbooksSay) {
+  PinBeam pin = kPinInWalls;
+  pin.ends = PinEnds::one;
+  const double a = 0.5 * pin.span + 0.007, bending = bending_stiffness(pin);
+  const Eigen::MatrixXd compliance = pin_compliance(pin, {0.007});
+  EXPECT_NEAR(compliance(0, 0) / (std::pow(a, 3) / (3.0 * bending) + a / shear_stiffness(pin)), 1.0, 1e-8);
+  EXPECT_NEAR(compliance(1, 0) / (a * a / (2.0 * bending)), 1.0, 1e-8);
+  EXPECT_NEAR(compliance(1, 1) / (a / bending), 1.0, 1e-8);
+}
+
+// Two equal forces: no slope in the middle, opposite ones beside it.
+TEST(PinBeam, EqualForcesBendARestingPinSymmetrically) {
+  const Eigen::MatrixXd compliance = pin_compliance(kPinInWalls, {-0.007, 0.007});
+  const Eigen::VectorXd bent = compliance * Eigen::Vector4d(1.0, 1.0, 0.0, 0.0);
+  EXPECT_NEAR(bent[0], bent[1], 1e-9 * bent[0]);
+  EXPECT_NEAR(bent[2], -bent[3], 1e-9 * std::abs(bent[2]));
+  EXPECT_GT(bent[2], 0.0);  // rises towards the middle
+  EXPECT_LT((compliance - compliance.transpose()).norm(), 1e-12 * compliance.norm());
+}
+
+// The slope is that of the displacement but for the angle of shear, which a cross-section does not turn by.
+TEST(PinBeam, SlopeOfASlenderPinIsThatOfItsDisplacement) {
+  PinBeam slender = kPinInWalls;
+  slender.diameter = 1e-4;
+  const double h = 1e-5;
+  const Eigen::MatrixXd near = pin_compliance(slender, {0.004 - h, 0.004 + h, 0.004, -0.006});
+  EXPECT_NEAR((near(1, 3) - near(0, 3)) / (2.0 * h) / near(6, 3), 1.0, 1e-4);
+}
+
+TEST(PinBeam, BoreMakesItSofter) {
+  PinBeam bored = kPinInWalls;
+  bored.bore = 0.015;
+  EXPECT_GT(pin_compliance(bored, {0.0})(0, 0), 1.1 * pin_compliance(kPinInWalls, {0.0})(0, 0));
+}
+
+TEST(PinBeam, RefusesAPlaceBeyondItsSupports) {
+  EXPECT_THROW(pin_compliance(kPinInWalls, {0.02}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::pin_beam_test
