@@ -1,10 +1,10 @@
 #include "gearset/dynamics/mode_kind.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <complex>
+
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::dynamics {
 
@@ -43,9 +43,34 @@ MatrixXcd projected(const SetLayout& layout, const MatrixXcd& shapes, ModeKind k
   return part;
 }
 
-MatrixXcd orthonormal(const MatrixXcd& shapes) {
-  return Eigen::HouseholderQR<MatrixXcd>(shapes).householderQ() *
-         MatrixXcd::Identity(shapes.rows(), shapes.cols());
+// `count` orthonormal vectors of the space that the columns span: Gram and Schmidt's method, the column that
+// is left longest first, and twice, so that round-off leaves no share of the earlier ones.
+MatrixXcd orthonormal(MatrixXcd columns, Index count) {
+  MatrixXcd basis(columns.rows(), count);
+  for (Index k = 0; k < count; ++k) {
+    Index longest = 0;
+    columns.colwise().squaredNorm().maxCoeff(&longest);
+    Eigen::VectorXcd next = columns.col(longest).normalized();
+    next -= basis.leftCols(k) * (basis.leftCols(k).adjoint() * next);
+    basis.col(k) = next.normalized();
+    columns -= basis.col(k) * (basis.col(k).adjoint() * columns);
+  }
+  return basis;
+}
+
+// Shapes of a Hermitian matrix whose eigenvalue is above a half, orthonormal. As a real matrix of twice the
+// size it is symmetric, and has each eigenvalue twice; the projector on a space is the same either way.
+MatrixXcd shapes_above_half(const MatrixXcd& hermitian) {
+  const Index n = hermitian.rows();
+  Eigen::MatrixXd doubled(2 * n, 2 * n);
+  doubled << hermitian.real(), -hermitian.imag(), hermitian.imag(), hermitian.real();
+  const mechanics::SymmetricModes modes = mechanics::symmetric_modes(doubled);
+  const Index own = (modes.values.array() > 0.5).count();
+  const Eigen::MatrixXd vectors = modes.vectors.rightCols(own);
+  MatrixXcd projector(n, n);
+  projector.real() = vectors.topRows(n) * vectors.topRows(n).transpose();
+  projector.imag() = vectors.bottomRows(n) * vectors.topRows(n).transpose();
+  return orthonormal(projector, own / 2);
 }
 
 }  // namespace
@@ -58,15 +83,12 @@ KindShares kind_shares(const SetLayout& layout, const Eigen::VectorXcd& shape) {
 }
 
 std::vector<KindShapes> by_kind(const SetLayout& layout, const MatrixXcd& shapes) {
-  const MatrixXcd basis = orthonormal(shapes);
+  const MatrixXcd basis = orthonormal(shapes, shapes.cols());
   std::vector<KindShapes> parts;
-  std::vector<bool> taken(static_cast<std::size_t>(basis.cols()), false);
   for (const ModeKind kind : {ModeKind::rotational, ModeKind::translational, ModeKind::planet}) {
     // In the space spanned, the shapes of this kind are those that its projector leaves alone.
-    const MatrixXcd share = basis.adjoint() * projected(layout, basis, kind);
-    const Eigen::SelfAdjointEigenSolver<MatrixXcd> solver(share);
-    const Index own = (solver.eigenvalues().array() > 0.5).count();
-    if (own > 0) parts.push_back({kind, basis * solver.eigenvectors().rightCols(own)});
+    const MatrixXcd own = shapes_above_half(basis.adjoint() * projected(layout, basis, kind));
+    if (own.cols() > 0) parts.push_back({kind, basis * own});
   }
   return parts;
 }
