@@ -54,10 +54,7 @@ class RowsReader {
   Entry read(std::istream& stream) {
     Entry list = make_entry(Entry::Shape::list, place(1, 1));
     std::string line;
-    for (line_ = 1; std::getline(stream, line); ++line_) {
-      if (line_ == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
-      const std::string text = trimmed(line);
-      if (text.empty() || text.front() == '#') continue;
+    while (next_csv_line(stream, line, line_)) {
       if (header_.empty()) {
         if (!read_header(line)) return {};
         continue;
@@ -125,7 +122,7 @@ class RowsReader {
   std::string_view file_;
   std::vector<Mistake>& mistakes_;
   std::vector<HeaderCell> header_;
-  int line_ = 1;
+  int line_ = 0;
 };
 
 // From the case's folder; what an option names and is not there, from where the command was given.
@@ -174,6 +171,15 @@ std::vector<std::string> csv_cells(const std::string& line, std::vector<int>& co
     if (end == std::string::npos) return cells;
     begin = end + 1;
   }
+}
+
+bool next_csv_line(std::istream& stream, std::string& line, int& number) {
+  while (++number, std::getline(stream, line)) {
+    if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first != std::string::npos && line[first] != '#') return true;
+  }
+  return false;
 }
 
 Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,

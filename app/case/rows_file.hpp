@@ -5,6 +5,7 @@
 //     has its own: "6000 rpm"
 #pragma once
 
+#include <istream>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ HeaderCell header_cell(const std::string& text, const std::vector<std::string>& 
 /// Fields of a line of comma-separated values; quotes may enclose one. `columns` become the places of their
 /// first characters, from 1.
 std::vector<std::string> csv_cells(const std::string& line, std::vector<int>& columns);
+
+/// The next line that is neither empty nor begins with #, without the mark of UTF-8 before the first one.
+/// `number` is that of the line before, and becomes that of this one; false where there is none.
+bool next_csv_line(std::istream& stream, std::string& line, int& number);
 
 /// The list that the file holds, every entry with its place there. Lines that are empty or begin with # are
 /// passed over. `file` is taken from the folder of `case_file`. What is wrong with the file as a whole, or

@@ -56,7 +56,7 @@ Field spectrum_field() {
           .columns = {{"power", dimension::power, {0.0, 1e7}, kLoad},
                       {"torque", dimension::torque, {0.0, 1e12}, kLoad},
                       {"speed", dimension::angular_speed, {0.0, 1e6}},
-                      {"share", {}, {0.0, 1.0}, kTime},
+                      {"share", {}, {0.0, 1.0 + kShareRoundOff}, kTime},
                       {"hours", {"time", "s", "h", "120 h", 3600.0}, {0.0, 1e9}, kTime, "h"}},
           .from_file = true};
 }

@@ -41,6 +41,10 @@ void write_rows(const Options& options, const std::string& series, const LoadSpe
     throw BadInput("--output: found the record itself; required: another file");
   if (fs::is_directory(options.output, ignored))
     throw BadInput("--output: found the folder " + options.output + "; required: a file such as loads.csv");
+  const fs::path folder = fs::path(options.output).parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored))
+    throw BadInput("--output: found the folder " + folder.string() +
+                   ", which is not there; required: one that is");
   write_aside_and_rename(options.output, spectrum_file(spectrum));
 }
 
@@ -58,6 +62,11 @@ int spectrum_command(const Options& options) {
     warnings.push_back(
         fmt::format("torque or speed is below 0 for {:.4g} % of the time; it counts by its magnitude",
                     100.0 * found.reversed_share));
+  if (found.loaded_rest_share > 0.0)
+    warnings.push_back(fmt::format(
+        "the drivetrain stands under a torque for {:.4g} % of the time, which no life counts: its row "
+        "is one at rest; see static_safety for such loads",
+        100.0 * found.loaded_rest_share));
   if (!options.output.empty()) write_rows(options, file, found.spectrum);
   if (options.json) {
     const nlohmann::ordered_json object{{"series", file},

@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostBins = 100;  // of torque, and of speed
+constexpr double kNoise = 1e-3;  // [-]  of the greatest torque: what a record at rest may show
+constexpr int kMostBins = 100;   // of torque, and of speed
 
 /// What a record holds, with the unit in which it is kept.
 struct Quantity {
@@ -83,9 +84,7 @@ Table table_of_csv(const fs::path& file) {
   Table table;
   std::vector<Column> columns;
   std::string text;
-  for (int line = 1; std::getline(stream, text); ++line) {
-    if (line == 1 && text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    if (text.find_first_not_of(" \t\r") == std::string::npos || text.front() == '#') continue;
+  for (int line = 0; next_csv_line(stream, text, line);) {
     std::vector<int> places;
     const std::vector<std::string> cells = csv_cells(text, places);
     if (columns.empty()) {
@@ -106,6 +105,9 @@ Table table_of_csv(const fs::path& file) {
     }
     table.lines.push_back(line);
   }
+  if (table.lines.empty())
+    refuse(file.string(), columns.empty() ? "nothing" : "names of columns and no sample below them",
+           "a first line such as time_s,speed_rpm,torque_N_m and a line for each sample");
   return table;
 }
 
@@ -233,6 +235,9 @@ LoadSeries read_load_series(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored))
     refuse(file.string(), "no file", "a CSV or netCDF file of a record over time");
+  if (file.extension() == ".nc" && !is_netcdf(file))
+    refuse(file.string(), "a name that ends in .nc, and a content that does not begin as netCDF does",
+           "an undamaged netCDF file, or a CSV file of another name");
   const Table table = is_netcdf(file) ? table_of_netcdf(file) : table_of_csv(file);
   LoadSeries series{needed(file, table, kQuantities[0]), {}, needed(file, table, kQuantities[1])};
   const bool by_torque = table.values.contains("torque");
@@ -286,6 +291,7 @@ BinnedSeries binned(const LoadSeries& series, const BinCounts& counts) {
     const double speed = std::abs(series.speed[i]), torque = std::abs(series.torque[i]);
     if (!magnitudes(i).turns()) {
       rest += time;
+      if (torque > kNoise * greatest) result.loaded_rest_share += time / result.duration;
       continue;
     }
     if (series.speed[i] < 0.0 || series.torque[i] < 0.0) result.reversed_share += time / result.duration;

@@ -46,6 +46,7 @@ struct BinnedSeries {
   double duration = 0.0;        // [s]
   double reversed_share = 0.0;  // [-]  of the time, with torque against the speed or both against their sign:
                                 // counted by magnitude
+  double loaded_rest_share = 0.0;  // [-]  of the time, at rest under a torque, which uses up no life
 };
 
 /// Bins of equal width between the least and the greatest torque and speed of all samples that turn. Torques
