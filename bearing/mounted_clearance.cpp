@@ -23,7 +23,9 @@ class MountedRings {
  public:
   MountedRings(const Bearing& bearing, const Mounting& mounting, const Surroundings& around,
                const Acting& acting)
-      : races_(geometry_of(bearing)) {
+      : races_(geometry_of(bearing)),
+        inner_ring_(mounting.rings == Rings::both),
+        outer_ring_(mounting.rings != Rings::none) {
     const auto body = [&](double inside, double outside, double temperature, double speed) {
       return Annulus{.inner_radius = inside,
                      .outer_radius = outside,
@@ -32,7 +34,8 @@ class MountedRings {
                      .warmth = acting.warmth ? temperature - kSizesTemperature : 0.0,
                      .speed = acting.speed ? speed : 0.0};
     };
-    const double bore = 0.5 * bearing.inner.seat_diameter, outside = 0.5 * bearing.outer.seat_diameter;
+    const double bore = inner_ring_ ? 0.5 * bearing.inner.seat_diameter : races_.inner_radius;
+    const double outside = outer_ring_ ? 0.5 * bearing.outer.seat_diameter : races_.outer_radius;
     inner_ = {body(0.5 * mounting.pin_bore, bore, mounting.pin_temperature, around.pin_speed),
               body(bore, races_.inner_radius, mounting.inner_ring_temperature, around.pin_speed),
               mounting.inner_interference};
@@ -46,18 +49,24 @@ class MountedRings {
                      (acting.warmth ? mounting.roller_temperature - kSizesTemperature : 0.0);
   }
 
-  double inner_pressure() const { return inner_.pressure(); }
-  double outer_pressure() const { return outer_.pressure(); }
+  double inner_pressure() const { return inner_ring_ ? inner_.pressure() : 0.0; }
+  double outer_pressure() const { return outer_ring_ ? outer_.pressure() : 0.0; }
 
   /// By how much the clearance grows [m, of diameters].
   double growth() const {
-    const double of_outer = displacement(outer_.within, races_.outer_radius, 0.0, outer_pressure());
-    const double of_inner = displacement(inner_.around, races_.inner_radius, inner_pressure(), 0.0);
+    const double of_outer = outer_ring_
+                                ? displacement(outer_.within, races_.outer_radius, 0.0, outer_pressure())
+                                : displacement(outer_.around, races_.outer_radius);
+    const double of_inner = inner_ring_
+                                ? displacement(inner_.around, races_.inner_radius, inner_pressure(), 0.0)
+                                : displacement(inner_.within, races_.inner_radius);
     return 2.0 * (of_outer - of_inner - roller_growth_);
   }
 
  private:
   BearingGeometry races_;
+  bool inner_ring_;
+  bool outer_ring_;
   PressedPair inner_;
   PressedPair outer_;
   double roller_growth_ = 0.0;  // [m]  of its diameter
@@ -100,10 +109,13 @@ ClearanceChain clearance_chain(const Bearing& bearing, const Mounting& mounting,
   const double stated = mounting.unmounted_clearance;
   Bearing on_the_shelf = bearing;
   on_the_shelf.radial_clearance = stated;
-  mechanics::require(mounting.pin_bore < bearing.inner.seat_diameter, "bearing.fit.pin_bore",
-                     mounting.pin_bore, "less than the diameter of the pin");
-  mechanics::require(around.planet_outer_radius > 0.5 * bearing.outer.seat_diameter,
-                     "radius of the planet's body", around.planet_outer_radius, "more than that of its bore");
+  const BearingGeometry races = geometry_of(on_the_shelf);
+  const double pin = mounting.rings == Rings::both ? bearing.inner.seat_diameter : 2.0 * races.inner_radius;
+  const double bore = mounting.rings == Rings::none ? 2.0 * races.outer_radius : bearing.outer.seat_diameter;
+  mechanics::require(mounting.pin_bore < pin, "bearing.fit.pin_bore", mounting.pin_bore,
+                     "less than the diameter of the pin");
+  mechanics::require(around.planet_outer_radius > 0.5 * bore, "radius of the planet's body",
+                     around.planet_outer_radius, "more than that of its bore");
   const auto after = [&](const Acting& acting) {
     return stated + MountedRings(on_the_shelf, mounting, around, acting).growth();
   };

@@ -65,12 +65,21 @@ constexpr described::Names<ClearanceState, 2> names_of(ClearanceState) {
   return {{{ClearanceState::operating, "operating"}, {ClearanceState::unmounted, "unmounted"}}};
 }
 
+/// Which rings a planet bearing has. Rollers without inner ring run on the pin, without outer ring in the
+/// bore of the planet: race and seat are then one circle.
+enum class Rings { both, outer, none };
+
+constexpr described::Names<Rings, 3> names_of(Rings) {
+  return {{{Rings::both, "both"}, {Rings::outer, "outer"}, {Rings::none, "none"}}};
+}
+
 /// Temperature at which sizes are stated [degC] (ISO 1), and expansion of bearing steel [1/K].
 inline constexpr double kSizesTemperature = 20.0;
 inline constexpr double kSteelExpansion = 11.5e-6;
 
 /// Left out: neither tight nor loose, a solid pin, all at the temperature at which sizes hold.
 struct Mounting {
+  Rings rings = Rings::both;
   ClearanceState state = ClearanceState::operating;
   double unmounted_clearance = 0.0;  // [m]  the one stated, where it is that of the bearing on the shelf
   double inner_interference = 0.0;   // [m]  bore of the inner ring under the pin, of the diameters
@@ -104,6 +113,10 @@ void describe(Visitor& visit, Mounting& m) {
   };
   members(
       visit, m,
+      field(m.rings, "bearing.rings", Felt::balance,
+            "rings of a planet bearing: both, the outer one with rollers that run on the pin, or none, with "
+            "rollers that run on the pin and in the planet's bore",
+            {.models = planetary_drivetrain, .reason = "as most bearings are bought"}),
       field(m.state, "bearing.clearance_state", Felt::balance,
             "whether bearing.radial_clearance is that of the running bearing, or that of the bearing on the "
             "shelf, from which "
@@ -157,7 +170,8 @@ struct ClearanceChain {
 
 /// The chain of `bearing`. Where the clearance stated is the operating one, all are equal. Races
 /// are taken where the stated clearance has them; ribs of the rings stiffen nothing. Throws
-/// std::invalid_argument where pin or planet leave no room for a hole or a rim.
+/// std::invalid_argument where pin or planet leave no room for a hole or a rim. Where a ring is missing, the
+/// pin's or the planet's own circle is the race: there is no seat, and no pressure in it.
 ClearanceChain clearance_chain(const Bearing& bearing, const Mounting& mounting, const Surroundings& around);
 
 }  // namespace orbearing::bearing

@@ -5,6 +5,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "mechanics/checks.hpp"
+
 namespace orbearing::bearing {
 
 namespace {
@@ -35,6 +37,14 @@ const CageMaterial& usual_cage_material(double density) {
   return *std::min_element(
       usual_materials.begin(), usual_materials.end(),
       [&](const CageMaterial& a, const CageMaterial& b) { return distance(a) < distance(b); });
+}
+
+const CageMaterial& cage_material(std::string_view name) {
+  const auto found = std::find_if(usual_materials.begin(), usual_materials.end(),
+                                  [name](const CageMaterial& one) { return one.name.ends_with(name); });
+  mechanics::require(!name.empty() && found != usual_materials.end(), "material of a cage", name,
+                     "polyamide, aluminium, steel or brass");
+  return *found;
 }
 
 double usual_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers) {

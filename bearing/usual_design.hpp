@@ -16,6 +16,10 @@ struct CageMaterial {
 /// The usual cage material nearest in density: glass-filled polyamide (warm), aluminium, steel or brass.
 const CageMaterial& usual_cage_material(double density);
 
+/// The usual cage material of this name: polyamide, aluminium, steel or brass. Throws std::invalid_argument
+/// for another one.
+const CageMaterial& cage_material(std::string_view name);
+
 /// Play of a roller in its pocket in diametral measure: a fiftieth of its diameter, at most half of the gap
 /// between neighbours on the pitch circle. [m]; 0 where the rollers touch
 double usual_pocket_clearance(double roller_diameter, double pitch_diameter, int rollers);

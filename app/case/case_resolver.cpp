@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/case/bought_case.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/key_hints.hpp"
@@ -28,6 +29,7 @@ class Resolver {
     find_model();
     find_shape();
     read_block(root_, "");
+    if (model_ != no_model) fill_as_bought(data_, model_);
     report_missing();
     fill_defaults();
     fill_derived_defaults(data_);
@@ -187,7 +189,16 @@ class Resolver {
   bool is_needed(const Input& input) const {
     if (model_ == no_model) return (input.field->required_by & every_model) == every_model;
     const unsigned kind = data_.shape.teeth ? unsigned{model_} : toothless_set | model_;
-    return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input);
+    return (input.field->required_by & kind) != 0 && !is_of_missing_bearing(input) &&
+           !is_of_missing_cage(input);
+  }
+
+  // A full complement of rollers has no cage.
+  bool is_of_missing_cage(const Input& input) const {
+    if (!input.field->path.starts_with("bearing.cage.")) return false;
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const auto complement = data_.values.find(set + "bearing.complement");
+    return complement != data_.values.end() && complement->second.value.given == "full";
   }
 
   bool is_of_missing_bearing(const Input& input) const {

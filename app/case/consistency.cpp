@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/case/arrangement_case.hpp"
+#include "app/case/bought_case.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
@@ -199,13 +200,15 @@ std::optional<Races> races_of(const Checker& check) {
 void check_rings(Checker& check, const Races& races) {
   check.ordered("bearing.roller_diameter", "an inner raceway: a roller with half the clearance", 0.0,
                 races.inner);
-  if (check.has({"bearing.bore"}))
+  // Without a ring, seat and race are one.
+  const std::string rings = check.has({"bearing.rings"}) ? check.choice("bearing.rings") : "both";
+  if (check.has({"bearing.bore"}) && rings == "both")
     check.ordered("bearing.bore", "a bore within the inner raceway", check.length("bearing.bore"),
                   races.inner);
   if (check.has({"bearing.bore", "bearing.fit.pin_bore"}))
     check.ordered("bearing.fit.pin_bore", "a hole in the pin", check.length("bearing.fit.pin_bore"),
                   check.length("bearing.bore"));
-  if (check.has({"bearing.outside_diameter"}))
+  if (check.has({"bearing.outside_diameter"}) && rings != "none")
     check.ordered("bearing.outside_diameter", "an outer raceway within the outside diameter", races.outer,
                   check.length("bearing.outside_diameter"));
 }
@@ -272,9 +275,12 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_roller_circle(check);
   const std::optional<Races> races = races_of(check);
   if (races) check_rings(check, *races);
-  check_cage(check, races);
-  check_guide_land(check);
+  if (!is_full_complement(resolved)) {
+    check_cage(check, races);
+    check_guide_land(check);
+  }
   check_widths(check);
+  check_as_bought(resolved, mistakes);
   check_refinements(resolved, mistakes);
   check_profile(resolved, mistakes);
   check_static_bearing(resolved, mistakes);

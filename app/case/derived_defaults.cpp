@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/case/bought_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/settings.hpp"
@@ -123,7 +124,8 @@ struct DefaultRule {
 // In an order in which each finds what it follows from.
 constexpr DefaultRule default_rules[] = {
     {"bearing.cage.pocket_clearance",
-     "a fiftieth of the diameter of a roller or ball, at most half of the gap between them", pocket_clearance},
+     "a fiftieth of the diameter of a roller or ball, at most half of the gap between them",
+     pocket_clearance},
     {"bearing.cage.pocket_stiffness",
      "a bar between two pockets, clamped at both ends, of the usual cage material nearest in density",
      pocket_stiffness},
@@ -167,6 +169,7 @@ void fill_derived_defaults(CaseData& data) {
   const Model model =
       told_apart(model_of(found->second.value.given), data.values.contains("simulation.duration"),
                  data.values.contains("bearing.rollers"));
+  fill_as_bought(data, model);
   fill_from_grade(data, model);
   if ((model & described::in_time) == 0) return;
   std::vector<std::string> prefixes{""};

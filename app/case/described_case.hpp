@@ -7,9 +7,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include "app/case/bought_case.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/resolved_case.hpp"
 
@@ -24,11 +26,16 @@ class DescribedCase {
   void operator()(Member& member, const described::Facts& facts) {
     if ((facts.details.models & in_.model()) == 0) return;
     // What follows from other values must have done so.
-    if (in_.has(facts.path) || !default_rule(facts.path).empty()) read(member, facts);
+    if (in_.has(facts.path) || (!default_rule(facts.path).empty() && !is_of_missing_cage(facts.path)))
+      read(member, facts);
   }
 
  private:
   using Facts = described::Facts;
+
+  bool is_of_missing_cage(std::string_view path) const {
+    return path.starts_with("bearing.cage.") && is_full_complement(in_);
+  }
 
   void read(bool& member, const Facts& facts) { member = in_.flag(facts.path); }
   template <std::integral Count>

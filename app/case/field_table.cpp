@@ -6,6 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "app/case/bought_case.hpp"
 #include "app/case/described_fields.hpp"
 #include "gearset/gear_pair.hpp"
 
@@ -57,11 +58,15 @@ constexpr const char* written_first[] = {"name",
                                          "gearset.face_width",
                                          "bearing.type",
                                          "bearing.per_planet",
+                                         "bearing.designation",
+                                         "bearing.complement",
                                          "bearing.rollers",
                                          "bearing.roller_diameter",
                                          "bearing.roller_length",
                                          "bearing.pitch_diameter",
+                                         "bearing.clearance_class",
                                          "bearing.radial_clearance",
+                                         "bearing.rings",
                                          "bearing.bore",
                                          "bearing.outside_diameter",
                                          "bearing.width",
@@ -74,6 +79,7 @@ constexpr const char* written_first[] = {"name",
                                          "bearing.cage.inner_diameter",
                                          "bearing.cage.outer_diameter",
                                          "bearing.cage.width",
+                                         "bearing.cage.material",
                                          "bearing.cage.density",
                                          "bearing.cage.guide_land_diameter",
                                          "bearing.cage.guidance",
@@ -115,6 +121,7 @@ std::vector<Field> build_table() {
   table::add_oil_fields(fields);
   for (Field& field : fields)
     if ((field.models & planetary_drivetrain) != 0) field.use = with_planet_defect(field.use, field.path);
+  table::add_bought_fields(fields);
   return grouped(std::move(fields));
 }
 

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "app/case/field_table.hpp"
 #include "app/case/objection.hpp"
-#include "app/case/settings.hpp"
+#include "app/case/put_in_place.hpp"
 #include "bearing/film/oil_grade.hpp"
 
 namespace orbearing::app {
@@ -50,24 +49,6 @@ std::vector<OilProperty> properties_of(const std::string& grade, const bearing::
            fmt::format("{:.6g} mm2/s", 1e6 * bearing::kinematic_viscosity(oil, temperature)), reason}};
 }
 
-bool same(double a, double b) {
-  constexpr double digits = 1e-5;  // a resolved case holds six
-  return std::abs(a - b) <= digits * std::abs(a);
-}
-
-// What is stated is kept for those who say that it has no effect.
-void put(CaseData& data, const OilProperty& property, FieldValue value) {
-  StoredValue& stored = data.values[property.path];
-  const bool stated = !stored.value.given.empty() && !stored.from_default;
-  if (stated && !same(value.number, stored.value.number)) {
-    stored.replaced = stored.value.given;
-    stored.value = std::move(value);
-  } else if (stored.replaced.empty()) {
-    stored = {std::move(value), {}, true};
-  }
-  data.assumed[property.path] = property.reason;
-}
-
 }  // namespace
 
 double oil_density(const ResolvedCase& in) {
@@ -94,8 +75,7 @@ void fill_from_grade(CaseData& data, Model model) {
   for (const OilProperty& property : properties) {
     const Field* field = find_field(property.path);
     if ((field->models & model) == 0) continue;
-    FieldReading reading = read_field_text(*field, property.text);
-    if (reading.good) put(data, property, std::move(reading.value));
+    put_in_place(data, property.path, property.text, property.reason);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "app/case/case_shape.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/given_by.hpp"
 
 namespace orbearing::app {
 
@@ -131,11 +132,35 @@ unsigned kinds_of(Model model) {
   return model == ball_bearing ? lone_balls : unsigned{model};
 }
 
+// That a block has a value at `path` within it, one of `values` if there are any.
+Json present(std::string_view path, const std::vector<std::string>& values) {
+  const auto dot = path.find('.');
+  const std::string key(path.substr(0, dot));
+  Json schema{{"required", {key}}};
+  if (dot != std::string_view::npos)
+    schema["properties"] = {{key, present(path.substr(dot + 1), values)}};
+  else if (!values.empty())
+    schema["properties"] = {{key, {{"enum", values}}}};
+  return schema;
+}
+
+// A value of the bearing that is required unless another one gives it.
+void require_or_given(Json& root, const Field& field, const std::vector<Condition>& givers) {
+  constexpr std::size_t block = std::string_view("bearing.").size();
+  Json either = Json::array({present(std::string_view(field.path).substr(block), {})});
+  for (const Condition& giver : givers)
+    either.push_back(present(std::string_view(giver.paths.front()).substr(block), giver.values));
+  block_of(root, "bearing.x", true)["allOf"].push_back({{"anyOf", std::move(either)}});
+}
+
 void add_field(Json& root, const Field& field, Model model) {
   const bool required = (field.required_by & kinds_of(model)) == kinds_of(model);
-  Json& block = block_of(root, field.path, required);
+  const std::vector<Condition> givers = given_by(field.path);
+  if (required && !givers.empty()) require_or_given(root, field, givers);
+  const bool always = required && givers.empty();
+  Json& block = block_of(root, field.path, always);
   const std::string key = field.path.substr(field.path.rfind('.') + 1);
-  if (required) block["required"].push_back(key);
+  if (always) block["required"].push_back(key);
   block["properties"][key] = field_schema(field);
 }
 

@@ -2,6 +2,7 @@
 set(ORBEARING_CASE_SOURCES
   case/arrangement_case.cpp
   case/bearing_fields.cpp
+  case/bought_case.cpp
   case/case_file.cpp
   case/case_resolver.cpp
   case/case_shape.cpp
@@ -27,6 +28,7 @@ set(ORBEARING_CASE_SOURCES
   case/pair_case.cpp
   case/printable.cpp
   case/profile_case.cpp
+  case/put_in_place.cpp
   case/refinement_consistency.cpp
   case/resolved_case.cpp
   case/rows_file.cpp

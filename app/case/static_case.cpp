@@ -1,5 +1,6 @@
 #include "app/case/static_case.hpp"
 
+#include "app/case/bought_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/profile_case.hpp"
 
@@ -24,6 +25,7 @@ bearing::Bearing bearing_of(const ResolvedCase& in) {
   bearing::Bearing bearing;
   if ((in.model() & with_balls) != 0) bearing.elements = bearing::Balls{};
   bearing = from_case(in, bearing);
+  if (is_full_complement(in)) bearing.cage = {};
   std::visit([&](auto& elements) { complete(in, elements); }, bearing.elements);
   bearing.motions = bearing::rating::turning(
       in.choice("operation.turning_race") == "outer" ? bearing::Race::outer : bearing::Race::inner);

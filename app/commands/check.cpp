@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/case/bought_case.hpp"
 #include "app/case/case_file.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/defect_case.hpp"
@@ -54,6 +55,7 @@ int check_command(const Options& options) {
   Checked checked = check(resolved);
   if (resolved.model() == planetary_drivetrain)
     for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
+  for (const Derived& row : bought_quantities(resolved)) checked.derived.push_back(row);
   const std::vector<std::string> idle = idle_inputs(resolved);
   checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());
   if (options.json) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/case/bought_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/study/rated_oil.hpp"
@@ -61,6 +62,7 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   study::PlanetaryDrivetrain out = from_case<study::PlanetaryDrivetrain>(in);
   out.set = set_of(in);
   out.drive = from_case<gearset::Drive>(in);
+  if (is_full_complement(in)) out.bearing.cage = {};  // what is stated of one has no effect
   out.inertia = out.dynamics.inertia;
   out.lubricant = out.dynamics.lubricant;
   out.film_in_approach = out.dynamics.race.film_in_approach;
@@ -71,6 +73,8 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.pins_displaced = has_displaced_pins(in);
   out.rated = rated_bearing(in, out.bearing);
   out.mounting.unmounted_clearance = out.bearing.radial_clearance;
+  // Without inner ring the pin itself, down to its hole, is what carries the race and moves with it.
+  if (out.mounting.rings != bearing::Rings::both) out.bearing.inner.seat_diameter = out.mounting.pin_bore;
   study::mount(out);
   return out;
 }

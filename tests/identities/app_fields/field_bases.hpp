@@ -31,7 +31,7 @@ inline const std::string kBearing = R"(bearing:
   pitch_diameter: 35.64 mm
   radial_clearance: 5 um
   bore: 25 mm
-  outside_diameter: 47 mm
+  outside_diameter: 46 mm
   width: 11.9 mm
   cage:
     inner_diameter: 33.44 mm
@@ -218,11 +218,12 @@ inline std::string rollers_case() {
 inline const std::vector<Base>& bases() {
   static const std::vector<Base> all{
       {"bearing_in_a_set", kDrivetrain + kGears + kBearing + kShortRun},
-      // What pins load is seen at rest, and in motion as one system; modes, meshes and
-      // a bearing by itself cannot feel them, and the other
-      // rungs in motion know the same fields and take much longer.
+      // What pins load is seen at rest, and in motion as one system; modes, meshes and a bearing by itself
+      // cannot feel them, gears by themselves do in the case before, and the other rungs in motion know the
+      // same fields and take much longer.
       {"displaced_pins", displaced_pins(), "",
-       use::dynamic | use::co_simulated | use::natural | use::mesh | use::fmu_bearing},
+       use::dynamic | use::co_simulated | use::natural | use::mesh | use::fmu_bearing | use::gears |
+           use::fmu_gearset},
       {"gears_alone", kDrivetrain + kGears},
       {"masses_and_springs", kToothless},
       {"multi_stage", multi_stage(), "first"},
@@ -310,6 +311,9 @@ inline const std::map<std::string, Change>& stated_changes() {
        {"50", {"lubricant.grade=ISO VG 220", "film.enabled=true", "operation.shaft_speed=9000 rpm"}}},
       {"life.viscosity_ratio_by", {"film", {"lubricant.grade=ISO VG 220"}}},
       {"bearing.radial_clearance", {"8 um"}},
+      {"bearing.cage.material", {"brass"}},
+      {"bearing.complement", {"full", {"bearing.rollers=21"}}},
+      {"bearing.rings", {"none"}},
       {"bearing.fit.inner_interference", {"4 um", {shelf}}},
       {"bearing.fit.outer_interference", {"40 um", {shelf}}},  // the teeth open less at this speed
       {"bearing.fit.pin_bore", {"10 mm", {shelf, "bearing.fit.inner_interference=6 um"}}},
@@ -466,6 +470,12 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
 inline Change change_of(const Field& field, const ResolvedCase& in, const std::string& path) {
   if (field.path == "gearset.planets" && in.has("gearset.dynamics.pin_error.tangential"))
     return {"4", {}, {"gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]"}};
+  const bool rollers = (in.model() & with_rollers) != 0;
+  if (field.path == "bearing.designation")
+    return {rollers ? "NU 204" : in.model() == duplex_pair ? "7205 A" : "6204"};
+  if (field.path == "bearing.clearance_class")
+    return {"C3",
+            rollers ? std::vector<std::string>{} : std::vector<std::string>{"bearing.designation=6204"}};
   if (field.path == "operation.shaft_speed" && (in.model() & described::lone_scratched) != 0)
     return {"6400 rpm"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())

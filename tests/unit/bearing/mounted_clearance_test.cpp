@@ -164,5 +164,37 @@ TEST(MountedClearance, NeedsRoomForHoleAndRim) {
                std::invalid_argument);
 }
 
+// Without rings pin and planet carry the races themselves: warm by 60 and 40 K they move by e T of their
+// diameters, rollers by 70 K; no seat presses. 11.5e-6 (40 35.01 - 60 24.99 - 2 70 5) mm = -9.1885 um.
+TEST(MountedClearance, WithoutRingsPinAndPlanetAreTheRaces) {
+  Bearing needles{.inner = {.seat_diameter = 24.99 * kMm},
+                  .outer = {.seat_diameter = 35.01 * kMm},
+                  .elements = CylindricalRollers{.count = 14, .diameter = 5.0 * kMm, .length = 20.0 * kMm},
+                  .pitch_diameter = 30.0 * kMm,
+                  .width = 22.0 * kMm,
+                  .material = kSteel};
+  Mounting mounting = on_the_shelf(20.0 * kUm);
+  mounting.rings = Rings::none;
+  mounting.pin_temperature = 80.0;
+  mounting.planet_temperature = 60.0;
+  mounting.roller_temperature = 90.0;
+  mounting.inner_interference = mounting.outer_interference = 10.0 * kUm;  // of rings that are not there
+  const ClearanceChain chain = clearance_chain(needles, mounting, kRim);
+  EXPECT_DOUBLE_EQ(chain.fitted, 20.0 * kUm);
+  EXPECT_NEAR(chain.warm - chain.fitted, -9.1885 * kUm, kPrinted * 9.0 * kUm);
+  EXPECT_EQ(chain.inner_pressure, 0.0);
+  EXPECT_EQ(chain.outer_pressure, 0.0);
+}
+
+// With the outer ring alone, its seat acts as ever.
+TEST(MountedClearance, OfAnOuterRingAloneIsThatOfItsSeat) {
+  Mounting both = on_the_shelf(0.0);
+  both.outer_interference = 12.0 * kUm;
+  Mounting outer = both;
+  outer.rings = Rings::outer;
+  EXPECT_DOUBLE_EQ(clearance_chain(planet_bearing(), outer, kRim).fitted,
+                   clearance_chain(planet_bearing(), both, kRim).fitted);
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::mounted_clearance_test

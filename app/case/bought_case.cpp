@@ -1,0 +1,434 @@
+#include "app/case/bought_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+
+#include "app/case/field_table.hpp"
+#include "app/case/given_by.hpp"
+#include "app/case/objection.hpp"
+#include "app/case/put_in_place.hpp"
+#include "app/units.hpp"
+#include "bearing/catalogue/clearance_class.hpp"
+#include "bearing/catalogue/inference.hpp"
+#include "bearing/usual_design.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace catalogue = bearing::catalogue;
+using boost::math::double_constants::pi;
+
+constexpr const char *kDesignation = "bearing.designation", *kClass = "bearing.clearance_class",
+                     *kClearance = "bearing.radial_clearance", *kState = "bearing.clearance_state",
+                     *kMaterial = "bearing.cage.material", *kComplement = "bearing.complement",
+                     *kRings = "bearing.rings", *kRollers = "bearing.rollers",
+                     *kDensity = "bearing.cage.density";
+
+// Fullest rings of rollers keep this much of their diameter between neighbours, so that the last one goes in.
+constexpr double kLeastGap = 1e-3;  // [-]
+
+std::string millimetres(double length) {
+  return fmt::format("{:.9g} mm", kMilli * length);
+}
+
+int most_rollers(double pitch_diameter, double roller_diameter) {
+  return static_cast<int>(std::floor(pi / std::asin((1.0 + kLeastGap) * roller_diameter / pitch_diameter)));
+}
+
+catalogue::ClearanceClass class_of(const std::string& name) {
+  for (const auto& one : names_of(catalogue::ClearanceClass{}))
+    if (one.text == name) return one.value;
+  throw std::logic_error("no clearance class '" + name + "'");
+}
+
+// Each point of a sweep is a copy of its case that asks anew.
+const catalogue::Inside& known_inside(const catalogue::Entry& entry) {
+  static std::map<const catalogue::Entry*, catalogue::Inside> known;
+  static std::mutex one_at_a_time;
+  const std::scoped_lock lock(one_at_a_time);
+  const auto found = known.find(&entry);
+  return found != known.end() ? found->second
+                              : known.emplace(&entry, catalogue::inside_of(entry)).first->second;
+}
+
+// What a case or one of its sets states, and what is put in its place.
+class Bought {
+ public:
+  Bought(CaseData& data, std::string prefix, Model model)
+      : data_(data), prefix_(std::move(prefix)), model_(model) {}
+
+  void fill() {
+    fill_designation();
+    fill_class();
+    fill_material();
+    fill_complement();
+    fill_rings();
+  }
+
+ private:
+  const FieldValue* find(const std::string& path) const {
+    const auto found = data_.values.find(prefix_ + path);
+    return found == data_.values.end() ? nullptr : &found->second.value;
+  }
+  bool takes(const std::string& path) const {
+    const Field* field = find_field(path);
+    return field != nullptr && (field->models & model_) != 0;
+  }
+  void put(const std::string& path, const std::string& text, const std::string& reason) {
+    if (takes(path)) put_in_place(data_, prefix_ + path, text, reason);
+  }
+  void put_usual(const std::string& path, const std::string& text, const std::string& reason) {
+    if (takes(path)) put_where_absent(data_, prefix_ + path, text, reason);
+  }
+
+  void fill_designation() {
+    const FieldValue* name = find(kDesignation);
+    entry_ = name == nullptr ? nullptr : catalogue::find(name->given);
+    if (entry_ == nullptr) return;
+    const bool rollers = entry_->family == catalogue::Family::cylindrical;
+    if (rollers != ((model_ & with_rollers) != 0)) return;  // check_as_bought() says it
+    const catalogue::Inside& inside = known_inside(*entry_);
+    const std::string printed = fmt::format("default: {} in [NSKE1102]", name->given);
+    const std::string inferred = fmt::format(
+        "default: inferred from the ratings of {} (docs/bearings.md); one {} more would leave a {} of "
+        "{:.2g} % less",
+        name->given, rollers ? "roller" : "ball", rollers ? "length" : "diameter",
+        -100.0 * inside.per_element);
+    put(rollers ? kRollers : "bearing.balls", fmt::format("{}", inside.elements), inferred);
+    put(rollers ? "bearing.roller_diameter" : "bearing.ball_diameter", millimetres(inside.diameter),
+        inferred);
+    if (rollers)
+      put("bearing.roller_length", millimetres(inside.length), inferred);
+    else
+      put("bearing.contact_angle", fmt::format("{:g} deg", kDegree * entry_->contact_angle), printed);
+    put("bearing.pitch_diameter", millimetres(inside.pitch_diameter), inferred);
+    put("bearing.bore", millimetres(entry_->bore), printed);
+    put("bearing.outside_diameter", millimetres(entry_->outside), printed);
+    put("bearing.width", millimetres(entry_->width), printed);
+    put("bearing.dynamic_capacity", fmt::format("{:g} N", entry_->dynamic_rating), printed);
+    if (rollers) put_usual("bearing.type", "cylindrical-roller", printed);
+    fill_usual_cage(inside);
+  }
+
+  // As a window cage of sheet or polyamide has them: somewhat outside the pitch circle, since it is guided
+  // there.
+  void fill_usual_cage(const catalogue::Inside& inside) {
+    const std::string reason = "default: a usual cage of a bearing of this section, guided at the outer ring";
+    constexpr double inward = 0.4, outward = 0.5, land = 0.56, share_of_width = 0.76;
+    put_usual("bearing.cage.inner_diameter", millimetres(inside.pitch_diameter - inward * inside.diameter),
+              reason);
+    put_usual("bearing.cage.outer_diameter", millimetres(inside.pitch_diameter + outward * inside.diameter),
+              reason);
+    // Without a land the cage falls out of the middle; one around a stated cage is the user's to state.
+    const auto outer = data_.values.find(prefix_ + "bearing.cage.outer_diameter");
+    if (outer != data_.values.end() && outer->second.from_default)
+      put_usual("bearing.cage.guide_land_diameter",
+                millimetres(inside.pitch_diameter + land * inside.diameter), reason);
+    put_usual("bearing.cage.width", millimetres(share_of_width * entry_->width), reason);
+  }
+
+  void fill_class() {
+    const FieldValue *name = find(kClass), *bore = find("bearing.bore");
+    if (name == nullptr || (entry_ == nullptr && bore == nullptr)) return;
+    const double diameter = entry_ != nullptr ? entry_->bore : bore->number;
+    try {
+      const catalogue::ClearanceRange range =
+          catalogue::clearance_range(family(), class_of(name->given), diameter);
+      put(kClearance, fmt::format("{:g} um", kMicro * range.middle()),
+          fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 5753)", name->given,
+                      kMicro * range.least, kMicro * range.most));
+      put_usual(kState, "unmounted", "default: a clearance class is that of a bearing on the shelf");
+    } catch (const std::invalid_argument&) {  // check_as_bought() says it
+    }
+  }
+
+  catalogue::Family family() const {
+    if (entry_ != nullptr) return entry_->family;
+    if ((model_ & with_rollers) != 0) return catalogue::Family::cylindrical;
+    const FieldValue* angle = find("bearing.contact_angle");
+    return angle == nullptr || angle->number == 0.0 ? catalogue::Family::deep_groove
+                                                    : catalogue::Family::angular_contact;
+  }
+
+  void fill_material() {
+    const FieldValue* name = find(kMaterial);
+    if (name == nullptr) return;
+    const bearing::CageMaterial& material = bearing::cage_material(name->given);
+    put(kDensity, fmt::format("{:g} kg/m3", material.density),
+        fmt::format("default: a cage of {}", material.name));
+  }
+
+  // Of rollers whose number is left out, as many as go in.
+  void fill_complement() {
+    const FieldValue *complement = find(kComplement), *pitch = find("bearing.pitch_diameter"),
+                     *diameter = find("bearing.roller_diameter");
+    if (complement == nullptr || complement->given != "full" || pitch == nullptr || diameter == nullptr)
+      return;
+    if (!(diameter->number < pitch->number)) return;
+    put_usual(kRollers, fmt::format("{}", most_rollers(pitch->number, diameter->number)),
+              "default: a full complement, as many as go in");
+  }
+
+  // The pin and the bore of the planet are the races.
+  void fill_rings() {
+    const FieldValue *rings = find(kRings), *pitch = find("bearing.pitch_diameter"),
+                     *diameter = find("bearing.roller_diameter"), *clearance = find(kClearance);
+    if (rings == nullptr || rings->given == "both" || pitch == nullptr || diameter == nullptr ||
+        clearance == nullptr)
+      return;
+    const double reach = diameter->number + 0.5 * clearance->number;
+    put("bearing.bore", millimetres(pitch->number - reach), "default: the pin, on which the rollers run");
+    if (rings->given == "none")
+      put("bearing.outside_diameter", millimetres(pitch->number + reach),
+          "default: the bore of the planet, in which the rollers run");
+  }
+
+  CaseData& data_;
+  std::string prefix_;
+  Model model_;
+  const catalogue::Entry* entry_ = nullptr;
+};
+
+void check_designation(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!in.has(kDesignation)) return;
+  const catalogue::Entry* entry = catalogue::find(in.choice(kDesignation));
+  const bool rollers = entry->family == catalogue::Family::cylindrical;
+  if (rollers != ((in.model() & with_rollers) != 0))
+    object_to(
+        in, kDesignation,
+        fmt::format("'{}', a bearing of {}", in.choice(kDesignation), rollers ? "rollers" : "balls"),
+        rollers ? "one of balls, such as 6205, is required" : "one of rollers, such as NU 205, is required",
+        mistakes);
+}
+
+catalogue::Family family_of(const ResolvedCase& in) {
+  if (in.has(kDesignation)) return catalogue::find(in.choice(kDesignation))->family;
+  if ((in.model() & with_rollers) != 0) return catalogue::Family::cylindrical;
+  return in.has("bearing.contact_angle") && in.quantity("bearing.contact_angle") != 0.0
+             ? catalogue::Family::angular_contact
+             : catalogue::Family::deep_groove;
+}
+
+std::optional<double> bore_of(const ResolvedCase& in) {
+  if (in.has(kDesignation)) return catalogue::find(in.choice(kDesignation))->bore;
+  return in.has("bearing.bore") ? std::optional<double>(in.quantity("bearing.bore")) : std::nullopt;
+}
+
+void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!in.has(kClass)) return;
+  const auto object = [&](std::string found, std::string required) {
+    object_to(in, kClass, std::move(found), std::move(required), mistakes);
+  };
+  if (in.has(kState) && in.choice(kState) == "operating")
+    object("a clearance class beside bearing.clearance_state: operating",
+           "a class is that of a bearing on the shelf: bearing.clearance_state: unmounted, or a radial "
+           "clearance in "
+           "place of the class, is required");
+  if (in.has(kRings) && in.choice(kRings) != "both")
+    object("a clearance class of a bearing without both rings",
+           "bearing.radial_clearance, of pin, rollers and bore together, is required");
+  const std::optional<double> bore = bore_of(in);
+  if (!bore) {
+    object("a clearance class without a bore", "bearing.designation or bearing.bore beside it is required");
+    return;
+  }
+  try {
+    (void)catalogue::clearance_range(family_of(in), class_of(in.choice(kClass)), *bore);
+  } catch (const std::invalid_argument& error) {
+    object(in.choice(kClass), error.what());
+  }
+}
+
+void check_complement(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (!is_full_complement(in) ||
+      !has_all(in, {kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
+    return;
+  const double pitch = in.quantity("bearing.pitch_diameter"),
+               diameter = in.quantity("bearing.roller_diameter");
+  if (!(diameter < pitch)) return;
+  const int most = most_rollers(pitch, diameter);
+  if (in.integer(kRollers) < most)
+    object_to(in, kComplement,
+              fmt::format("a full complement of {} rollers with room for {} more", in.integer(kRollers),
+                          most - in.integer(kRollers)),
+              fmt::format("{} rollers, or their number left out, are required", most), mistakes);
+}
+
+const Use& use_of_row(const std::vector<Field>& fields, const std::string& path) {
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.path == path; });
+  if (found == fields.end()) throw std::logic_error("no field '" + path + "'");
+  return found->use;
+}
+
+// Felt wherever one of `paths` is.
+Use use_of_any(const std::vector<Field>& fields, const std::vector<std::string>& paths) {
+  unsigned by = 0, unfelt = 0, refused = 0;
+  for (const std::string& path : paths) {
+    const Use& use = use_of_row(fields, path);
+    by |= use.by;
+    unfelt |= use.unfelt_by;
+    refused |= use.refused_by;
+  }
+  return {by, unfelt & ~(by | refused), refused & ~by};
+}
+
+void add_condition(std::vector<Field>& fields, const std::string& path, const Condition& condition) {
+  for (Field& field : fields)
+    if (field.path == path) field.use = field.use.when(condition);
+}
+
+std::vector<std::string> names_of_classes() {
+  std::vector<std::string> names;
+  for (const auto& one : names_of(catalogue::ClearanceClass{})) names.emplace_back(one.text);
+  return names;
+}
+
+Field choice(std::string path, std::string meaning, const Use& use, unsigned models,
+             std::vector<std::string> choices) {
+  return {.path = std::move(path),
+          .kind = Kind::choice,
+          .meaning = std::move(meaning),
+          .use = use,
+          .models = models,
+          .choices = std::move(choices)};
+}
+
+std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
+  std::vector<Derived> rows;
+  if (in.has(kDesignation)) {
+    const catalogue::Entry& entry = *catalogue::find(in.choice(kDesignation));
+    const catalogue::Inside& inside = known_inside(entry);
+    rows.push_back({"bearing.catalogue.dynamic_rating", entry.dynamic_rating, "N", "C as printed"});
+    rows.push_back({"bearing.catalogue.dynamic_rating_inferred", inside.dynamic_rating, "N",
+                    "C of ISO 281 by the inferred geometry"});
+    rows.push_back({"bearing.catalogue.static_rating", entry.static_rating, "N", "C_0 as printed"});
+    rows.push_back({"bearing.catalogue.static_rating_inferred", inside.static_rating, "N",
+                    "C_0 of ISO 76 by the inferred geometry"});
+  }
+  if (in.has(kClass)) {
+    const catalogue::ClearanceRange range =
+        catalogue::clearance_range(family_of(in), class_of(in.choice(kClass)), *bore_of(in));
+    rows.push_back(
+        {"bearing.clearance_class.least", kMicro * range.least, "um", "of bearings of this class"});
+    rows.push_back({"bearing.clearance_class.most", kMicro * range.most, "um", "of bearings of this class"});
+  }
+  return rows;
+}
+
+// Motion in time holds each roller in a pocket; without cage rollers push one another, which it does not
+// know.
+Use use_of_complement(const std::vector<Field>& fields) {
+  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
+  const Use& cage = use_of_row(fields, kDensity);
+  return {cage.by & ~moving, cage.unfelt_by & ~moving, cage.refused_by | moving};
+}
+
+}  // namespace
+
+void fill_as_bought(CaseData& data, Model model) {
+  if (!data.shape.several) {
+    Bought(data, "", model).fill();
+    return;
+  }
+  for (const std::string& set : data.shape.sets) Bought(data, set_prefix(set), model).fill();
+}
+
+void check_as_bought(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  check_designation(in, mistakes);
+  check_class(in, mistakes);
+  check_complement(in, mistakes);
+}
+
+bool is_full_complement(const ResolvedCase& in) {
+  return in.has(kComplement) && in.choice(kComplement) == "full";
+}
+
+std::vector<Derived> bought_quantities(const ResolvedCase& resolved) {
+  if (!resolved.shape().several) return quantities_of_one(resolved);
+  std::vector<Derived> rows;
+  for (const std::string& set : resolved.shape().sets)
+    for (Derived& row : quantities_of_one(resolved.of_set(set))) {
+      row.path = set_prefix(set) + row.path;
+      rows.push_back(std::move(row));
+    }
+  return rows;
+}
+
+std::vector<Condition> given_by(std::string_view path) {
+  const std::vector<std::string>& designated = paths_of_designation();
+  const bool of_cage = path.starts_with("bearing.cage.");
+  std::vector<Condition> by;
+  if (path == "bearing.type" || (of_cage && path != kDensity) ||
+      std::find(designated.begin(), designated.end(), path) != designated.end())
+    by.push_back(where_given({kDesignation}));
+  if (path == kRollers || of_cage) by.push_back(where(kComplement, {"full"}));
+  if (path == "bearing.bore") by.push_back(where(kRings, {"outer", "none"}));
+  if (path == "bearing.outside_diameter") by.push_back(where(kRings, {"none"}));
+  if (path == kClearance) by.push_back(where_given({kClass}));
+  if (path == kDensity) by.push_back(where_given({kMaterial}));
+  return by;
+}
+
+const std::vector<std::string>& paths_of_designation() {
+  static const std::vector<std::string> paths{kRollers,
+                                              "bearing.roller_diameter",
+                                              "bearing.roller_length",
+                                              "bearing.balls",
+                                              "bearing.ball_diameter",
+                                              "bearing.contact_angle",
+                                              "bearing.pitch_diameter",
+                                              "bearing.bore",
+                                              "bearing.outside_diameter",
+                                              "bearing.width",
+                                              "bearing.dynamic_capacity"};
+  return paths;
+}
+
+namespace table {
+
+void add_bought_fields(std::vector<Field>& fields) {
+  constexpr unsigned bought = with_rollers | with_balls;
+  std::vector<Field> rows{
+      choice(kDesignation,
+             "designation of the bearing in the project's catalogue: boundary dimensions and ratings as "
+             "printed, "
+             "rollers or balls inferred from them",
+             use_of_any(fields, paths_of_designation()), bought, catalogue::designations()),
+      choice(kClass,
+             "clearance class of the bearing on the shelf, ISO 5753; the middle of its range is taken",
+             use_of_any(fields, {kClearance}), with_rollers | lone_balls, names_of_classes()),
+      choice(kMaterial, "material of the cage, in place of its density", use_of_any(fields, {kDensity}),
+             with_rollers | described::balls_in_time, {"polyamide", "steel", "brass", "aluminium"}),
+      choice(kComplement, "whether a cage keeps the rollers apart, or they touch one another",
+             use_of_complement(fields), with_rollers, {"caged", "full"})};
+  for (Field& field : fields)
+    if (field.path == kRings) field.use = use_of_any(fields, {"bearing.bore", "bearing.outside_diameter"});
+  rows.back().default_text = "caged";
+  rows.back().default_reason = "as most bearings are bought";
+  for (const std::string& path : paths_of_designation())
+    add_condition(fields, path, where_absent(kDesignation));
+  add_condition(fields, kClearance, where_absent(kClass));
+  add_condition(fields, kDensity, where_absent(kMaterial));
+  for (Field& field : fields)
+    if (field.path.starts_with("bearing.cage.")) field.use = field.use.when(where(kComplement, {"caged"}));
+  add_condition(fields, "bearing.bore", where(kRings, {"both"}));
+  add_condition(fields, "bearing.outside_diameter", where(kRings, {"both", "outer"}));
+  add_condition(fields, "bearing.fit.inner_interference", where(kRings, {"both"}));
+  add_condition(fields, "bearing.temperature.inner_ring", where(kRings, {"both"}));
+  add_condition(fields, "bearing.fit.outer_interference", where(kRings, {"both", "outer"}));
+  add_condition(fields, "bearing.temperature.outer_ring", where(kRings, {"both", "outer"}));
+  for (Field& row : rows) fields.push_back(std::move(row));
+}
+
+}  // namespace table
+
+}  // namespace orbearing::app

@@ -1,0 +1,39 @@
+// A bearing as it is bought, in place of single values: by its designation, its clearance class, the material
+// of its cage, without a cage, without rings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/case/check_table.hpp"
+#include "app/case/field.hpp"
+#include "app/case/mistake.hpp"
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::app {
+
+/// Where a case says how its bearing is bought, what follows stands in place of what is stated, which then
+/// has no effect; so with each of several sets. Sizes of a cage that are left out beside a designation are
+/// those of a usual one.
+void fill_as_bought(CaseData& data, Model model);
+
+/// Whether anything is known of such a bearing, and whether what says so fits together.
+void check_as_bought(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
+/// Whether the bearing has no cage: a full complement of rollers.
+bool is_full_complement(const ResolvedCase& in);
+
+/// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
+/// the clearance.
+std::vector<Derived> bought_quantities(const ResolvedCase& resolved);
+
+/// Inputs that follow where `bearing.designation` is given.
+const std::vector<std::string>& paths_of_designation();
+
+namespace table {
+/// Rows of designation, class, cage material and complement, and the conditions that they put on the rows
+/// before them.
+void add_bought_fields(std::vector<Field>& fields);
+}  // namespace table
+
+}  // namespace orbearing::app

@@ -1,0 +1,189 @@
+// Issue 16, Build 8: bearings by designation, clearance class and cage material; full complement; without
+// rings.
+#include "app/case/bought_case.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "app/case/resolved_writer.hpp"
+#include "app/case/unused_inputs.hpp"
+#include "app/study/planetary_case.hpp"
+#include "bearing/catalogue/inference.hpp"
+#include "bearing/usual_design.hpp"
+#include "tests/unit/app_case/small_case.hpp"
+
+namespace orbearing::app::bought_case_test {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double kWritten = 1e-8;  // [-]  nine digits are put into a case
+constexpr double kUm = 1e-6;
+
+const std::string kByDesignation = R"(name: bought
+source: a catalogue
+model: roller-bearing
+load: {radial: 3000 N}
+bearing: {designation: NU 205, clearance_class: CN}
+)";
+
+const std::string kBallsByDesignation = R"(name: bought
+source: a catalogue
+model: ball-bearing
+load: {radial: 1000 N}
+bearing: {designation: 6205, clearance_class: C3}
+)";
+
+// As short as a planet's bearing can be stated.
+std::string planet(const std::string& bearing) {
+  return R"(name: planet
+source: a catalogue
+model: planetary-drivetrain
+input: {power: 150 kW, speed: 6000 rpm}
+gearset:
+  planets: 4
+  teeth: {sun: 37, planet: 22, ring: 79}
+  module: 3 mm
+  profile_shift: {sun: 0.2618, ring: 0.4146}
+  face_width: 28 mm
+bearing: {)" +
+         bearing + "}\n";
+}
+
+const std::string kBought =
+    "designation: NU 204, per_planet: 2, clearance_class: CN, cage: {material: brass}";
+const std::string kNeedles =
+    "type: cylindrical-roller, per_planet: 1, roller_diameter: 5 mm, roller_length: 20 mm, pitch_diameter: "
+    "30 mm, "
+    "radial_clearance: 20 um, width: 22 mm, rings: none, ";
+const std::string kCage =
+    "rollers: 14, cage: {inner_diameter: 28 mm, outer_diameter: 32 mm, width: 21.5 mm, material: steel}";
+
+ResolvedCase of(const std::string& text, const std::vector<std::string>& settings = {}) {
+  return parse_case(text, "case.yaml", settings);
+}
+
+TEST(BoughtBearing, DesignationGivesRollersRingsAndRating) {
+  const ResolvedCase in = of(kByDesignation);
+  const bearing::catalogue::Inside inside =
+      bearing::catalogue::inside_of(*bearing::catalogue::find("NU 205"));
+  EXPECT_EQ(in.integer("bearing.rollers"), inside.elements);
+  EXPECT_NEAR(in.quantity("bearing.roller_length"), inside.length, kWritten * inside.length);
+  EXPECT_DOUBLE_EQ(in.quantity("bearing.pitch_diameter"), inside.pitch_diameter);
+  EXPECT_DOUBLE_EQ(in.quantity("bearing.bore"), 25e-3);
+  EXPECT_DOUBLE_EQ(in.quantity("bearing.dynamic_capacity"), 29300.0);
+  EXPECT_THAT(in.assumed().at("bearing.roller_length"), AllOf(HasSubstr("inferred"), HasSubstr("NU 205")));
+  EXPECT_THAT(in.assumed().at("bearing.bore"), HasSubstr("NSKE1102"));
+  EXPECT_EQ(in.origin("bearing.rollers"), "default");
+}
+
+TEST(BoughtBearing, DesignationGivesBallsAndTheirAngle) {
+  const ResolvedCase in = of(kBallsByDesignation);
+  EXPECT_EQ(in.integer("bearing.balls"), 9);
+  EXPECT_DOUBLE_EQ(in.quantity("bearing.radial_clearance"), 20.5 * kUm);
+  EXPECT_EQ(in.with("bearing.designation", "6206").quantity("bearing.pitch_diameter"), 46e-3);
+  const ResolvedCase angular =
+      of(kBallsByDesignation, {"bearing={designation: 7205 B, radial_clearance: 0 um}"});
+  EXPECT_NEAR(angular.quantity("bearing.contact_angle"), 0.698131701, 1e-8);
+}
+
+// What the resolved case says when it is read again is the same case.
+TEST(BoughtBearing, ResolvedCaseReadAgainIsTheSame) {
+  for (const std::string& text :
+       {kByDesignation, kBallsByDesignation, planet(kBought), planet(kNeedles + kCage)}) {
+    const std::string written = write_resolved(of(text));
+    EXPECT_EQ(write_resolved(of(written)), written);
+  }
+}
+
+// As an oil's grade: what is stated beside it has no effect, and that is said.
+TEST(BoughtBearing, StatedGeometryBesideADesignationHasNoEffectAndIsWarnedOf) {
+  const ResolvedCase in =
+      of(kByDesignation, {"bearing.pitch_diameter=40 mm", "bearing.radial_clearance=12 um"});
+  EXPECT_DOUBLE_EQ(in.quantity("bearing.pitch_diameter"), 39e-3);
+  EXPECT_DOUBLE_EQ(in.quantity("bearing.radial_clearance"), 32.5 * kUm);
+  EXPECT_THAT(idle_inputs(in), ElementsAre(AllOf(HasSubstr("bearing.pitch_diameter: 40 mm has no effect"),
+                                                 HasSubstr("bearing.designation is not given")),
+                                           AllOf(HasSubstr("bearing.radial_clearance: 12 um has no effect"),
+                                                 HasSubstr("bearing.clearance_class is not given"))));
+  EXPECT_THAT(idle_inputs(of(kByDesignation)), IsEmpty());
+}
+
+TEST(BoughtBearing, WhatIsNotKnownIsRefused) {
+  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}), ElementsAre(HasSubstr("NU 205")));
+  EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=6205"}),
+              Contains(HasSubstr("'6205', a bearing of balls; one of rollers, such as NU 205, is required")));
+  EXPECT_THAT(mistakes(kBallsByDesignation, {"bearing.designation=7205 A"}),
+              ElementsAre(HasSubstr("angular-contact")));
+  EXPECT_THAT(mistakes(bearing_case, {"bearing.clearance_class=C3"}),
+              ElementsAre(HasSubstr("bearing.designation or bearing.bore beside it is required")));
+  EXPECT_THAT(mistakes(planet(kBought), {"bearing.clearance_state=operating"}),
+              ElementsAre(HasSubstr("a class is that of a bearing on the shelf")));
+}
+
+// 16.7: the class is the clearance from which fits, temperatures and speeds make the operating one.
+TEST(BoughtBearing, ClassIsTheUnmountedClearanceOfAPlanetBearing) {
+  const ResolvedCase in = of(planet(kBought), {"bearing.fit.inner_interference=8 um"});
+  EXPECT_EQ(in.choice("bearing.clearance_state"), "unmounted");
+  const study::PlanetaryDrivetrain drivetrain = bearing_sets(in).front().drivetrain;
+  const bearing::ClearanceChain chain = study::clearance_chain(drivetrain);
+  EXPECT_DOUBLE_EQ(chain.unmounted, 32.5 * kUm);
+  EXPECT_LT(chain.fitted, 32.5 * kUm - 5.0 * kUm);
+  EXPECT_DOUBLE_EQ(drivetrain.bearing.radial_clearance, chain.operating);
+  std::vector<std::string> shown;
+  for (const Derived& row : bought_quantities(in))
+    shown.push_back(fmt::format("{} {:g}", row.path, row.value));
+  EXPECT_THAT(shown,
+              AllOf(Contains("bearing.clearance_class.least 20"), Contains("bearing.clearance_class.most 45"),
+                    Contains("bearing.catalogue.dynamic_rating 25700")));
+}
+
+TEST(BoughtBearing, MaterialOfACageIsItsDensityAndStiffness) {
+  double stiffness = 0.0;
+  for (const char* name : {"polyamide", "brass", "steel"}) {
+    const ResolvedCase in = of(planet(kBought), {fmt::format("bearing.cage.material={}", name)});
+    EXPECT_DOUBLE_EQ(in.quantity("bearing.cage.density"), bearing::cage_material(name).density);
+    EXPECT_GT(in.quantity("bearing.cage.pocket_stiffness"), stiffness) << name;
+    stiffness = in.quantity("bearing.cage.pocket_stiffness");
+  }
+}
+
+TEST(FullComplement, HasAsManyRollersAsGoInAndNoCage) {
+  const ResolvedCase in = of(planet(kNeedles + "complement: full"));
+  EXPECT_EQ(in.integer("bearing.rollers"), 18);  // pi/asin(5.005/30) = 18.76
+  EXPECT_EQ(bearing_sets(in).front().geometry.bearing.cage_mass, 0.0);
+  EXPECT_THAT(mistakes(planet(kNeedles + "complement: full, rollers: 15")),
+              ElementsAre(HasSubstr("a full complement of 15 rollers with room for 3 more; 18 rollers")));
+  EXPECT_NO_THROW((void)require_used(in, use::quasi_static));
+  for (const use::Analysis moving : {use::dynamic, use::monolithic, use::fmu_bearing})
+    EXPECT_THROW((void)require_used(in, moving), BadInput);
+}
+
+TEST(FullComplement, TakesNoNoticeOfACageAndSaysSo) {
+  const ResolvedCase in = of(planet(kNeedles + "complement: full, cage: {material: steel}"));
+  EXPECT_EQ(bearing_sets(in).front().geometry.bearing.cage_mass, 0.0);
+  EXPECT_THAT(idle_inputs(in), Contains(HasSubstr("bearing.cage.material: steel has no effect")));
+}
+
+TEST(RinglessPlanet, RunsOnThePinAndInTheBoreOfThePlanet) {
+  const ResolvedCase in = of(planet(kNeedles + kCage));
+  EXPECT_NEAR(in.quantity("bearing.bore"), 24.99e-3, 1e-11);
+  EXPECT_NEAR(in.quantity("bearing.outside_diameter"), 35.01e-3, 1e-11);
+  const study::NamedSet set = bearing_sets(in).front();
+  EXPECT_NEAR(set.geometry.bearing.outer_ring_mass, 0.0, 1e-9);
+  EXPECT_NEAR(set.geometry.bearing.inner_radius, 0.5 * in.quantity("bearing.bore"), 1e-11);
+  EXPECT_THAT(
+      idle_inputs(of(planet(kNeedles + kCage), {"bearing.bore=20 mm"})),
+      ElementsAre(AllOf(HasSubstr("bearing.bore: 20 mm has no effect"), HasSubstr("bearing.rings is both"))));
+  EXPECT_THAT(mistakes(planet(kNeedles + kCage), {"bearing.clearance_class=CN"}),
+              ElementsAre(HasSubstr("without both rings")));
+}
+
+}  // namespace
+}  // namespace orbearing::app::bought_case_test
