@@ -121,6 +121,7 @@ class Bought {
   // As a window cage of sheet or polyamide has them: somewhat outside the pitch circle, since it is guided
   // there.
   void fill_usual_cage(const catalogue::Inside& inside) {
+    if ((model_ & described::in_motion) == 0) return;  // others need none
     const std::string reason = "default: a usual cage of a bearing of this section, guided at the outer ring";
     constexpr double inward = 0.4, outward = 0.5, land = 0.56, share_of_width = 0.76;
     put_usual("bearing.cage.inner_diameter", millimetres(inside.pitch_diameter - inward * inside.diameter),
@@ -426,7 +427,10 @@ void add_bought_fields(std::vector<Field>& fields) {
   add_condition(fields, "bearing.temperature.inner_ring", where(kRings, {"both"}));
   add_condition(fields, "bearing.fit.outer_interference", where(kRings, {"both", "outer"}));
   add_condition(fields, "bearing.temperature.outer_ring", where(kRings, {"both", "outer"}));
-  for (Field& row : rows) fields.push_back(std::move(row));
+  for (Field& row : rows) {
+    if (row.path == kMaterial) row.use = row.use.when(where(kComplement, {"caged"}));
+    fields.push_back(std::move(row));
+  }
 }
 
 }  // namespace table

@@ -9,6 +9,7 @@
 #include "app/case/bought_case.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/given_by.hpp"
 #include "app/case/key_hints.hpp"
 #include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
@@ -193,6 +194,17 @@ class Resolver {
            !is_of_missing_cage(input);
   }
 
+  // Nothing is missed of what another input would give that has a mistake itself, found here or by its own
+  // check.
+  bool is_of_faulty_giver(const Input& input) const {
+    const std::string set = input.path.substr(0, set_prefix_length(input.path));
+    const std::vector<Condition> givers = given_by(input.field->path);
+    return std::any_of(givers.begin(), givers.end(), [&](const Condition& giver) {
+      const std::string path = set + giver.paths.front();
+      return is_faulty(path) || (giver.values.empty() && data_.values.contains(path));
+    });
+  }
+
   // A full complement of rollers has no cage.
   bool is_of_missing_cage(const Input& input) const {
     if (!input.field->path.starts_with("bearing.cage.")) return false;
@@ -209,7 +221,8 @@ class Resolver {
 
   void report_missing() {
     for (const Input& input : inputs_of(every_model, data_.shape))
-      if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path))
+      if (is_needed(input) && !data_.values.contains(input.path) && !is_faulty(input.path) &&
+          !is_of_faulty_giver(input))
         object(nearest_block(input.path), input.path, "missing", requirement(*input.field) + " is required");
     if (!data_.shape.several) return;
     for (const char* key : {"sets", "shafts"})

@@ -73,8 +73,10 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.pins_displaced = has_displaced_pins(in);
   out.rated = rated_bearing(in, out.bearing);
   out.mounting.unmounted_clearance = out.bearing.radial_clearance;
-  // Without inner ring the pin itself, down to its hole, is what carries the race and moves with it.
-  if (out.mounting.rings != bearing::Rings::both) out.bearing.inner.seat_diameter = out.mounting.pin_bore;
+  // Without inner ring the pin itself carries the race and moves with it, down to its hole; of a solid one a
+  // hole of no account, since a bore is above 0.
+  if (out.mounting.rings != bearing::Rings::both)
+    out.bearing.inner.seat_diameter = std::max(out.mounting.pin_bore, 1e-3 * in.quantity("bearing.bore"));
   study::mount(out);
   return out;
 }
