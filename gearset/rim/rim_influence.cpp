@@ -58,7 +58,7 @@ RimSection rim_section(const PlanetarySet& set, const WorkingGeometry& geometry,
                        double ring_width) {
   return {.tooth = geometry.planet,
           .race_radius = race_radius,
-          .seat_radius = 0.5 * set.planet_bore,
+          .seat_radius = std::max(0.5 * set.planet_bore, race_radius),  // rollers may run in the bore itself
           .ring_width = ring_width,
           .face_width = set.face_width};
 }
