@@ -39,7 +39,7 @@ double ball_balance() {
   const equilibrium::RingLoad load{.radial = 5000.0, .axial = 17800.0, .moment = 50.0, .moment_across = 20.0};
   return time_of(
       [&] {
-        if (!equilibrium::balance_moving(balls, motion, load).report.converged)
+        if (!equilibrium::balance_bearing(balls, motion, load).report.converged)
           throw std::runtime_error("the balance of the benchmark was not found");
       },
       300);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bearing/geometry.hpp"
-#include "mechanics/path_search.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
@@ -396,11 +395,22 @@ void MovingBallRow::push_unlike(int path) {
   known_.reset();
 }
 
-double MovingBallRow::contact_stiffness(const RingState& state) const {
-  const auto slopes = [](const RaceSide& side, const Eigen::ArrayXd& load) {
-    return 1.5 * std::pow(side.constant, 2.0 / 3.0) * load.pow(1.0 / 3.0).sum();
+// Far above Hertz's stiffness of all contacts together, which is more than a row has.
+bool MovingBallRow::has_stiffness() const {
+  constexpr double kFarAbove = 10.0;
+  const auto slope = [](const RaceSide& side, double load) {
+    return 1.5 * std::pow(side.constant, 2.0 / 3.0) * std::cbrt(load);
   };
-  return slopes(inner_, state.contact_load) + slopes(outer_, state.outer_load);
+  double contacts = 0.0;
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+  for (Eigen::Index j = 0; j < geometry_.count(); ++j) {
+    const MovingBall& ball = balls_[static_cast<std::size_t>(j)];
+    contacts += slope(inner_, ball.inner_load) + slope(outer_, ball.outer_load);
+    const RingActs acts = acts_of(j);
+    stiffness -= acts.topRows<3>() * memory_[static_cast<std::size_t>(j)].slope *
+                 acts.topLeftCorner<3, 2>().transpose();
+  }
+  return stiffness.cwiseAbs().maxCoeff() <= kFarAbove * contacts;
 }
 
 int MovingBallRow::beyond_grooves() const {
@@ -478,127 +488,6 @@ bool MovingBallRow::choose_control() {
     known_.reset();
   }
   return changed;
-}
-
-namespace {
-
-// The row while it is frozen: a search in a convex energy.
-struct FrozenRow {
-  static constexpr double near = 1e-4;
-  MovingBallRow& row;
-
-  double lever() const { return row.lever(); }
-  double reach(double load) const { return row.reach(load); }
-  void add_forces(const RingPlace& place, RingImbalance& sum) { row.add_forces(place, sum); }
-  void put_loads(const RingPlace&, RingState&) {}
-};
-
-RingState balance_thawed(MovingBallRow& row, const RingLoad& load, const RingPlace& place) {
-  RingState state = balance_ring(row, load, place);
-  if (state.report.converged && !row.settled()) {
-    state.report.converged = false;
-    state.report.message = "a ball found no balance between its races";
-  }
-  return state;
-}
-
-std::string beyond_grooves(int balls) {
-  return "no balance within the grooves: " + std::to_string(balls) +
-         (balls == 1 ? " ball is" : " balls are") + " pressed beyond the end of a groove";
-}
-
-// The forces on ring and balls at once, of a row under an outer load.
-struct AllForcesAt {
-  MovingBallRow& row;
-  RingPlace outer;  // [N]
-  bool held;        // the tilts are given
-
-  MovingBallRow::AllForces operator()(const Eigen::VectorXd& places) const {
-    MovingBallRow::AllForces sum = row.all_forces(places);
-    sum.force.head<5>() += outer;
-    for (int i = 3; held && i < 5; ++i) {
-      sum.force[i] = 0.0;
-      sum.stiffness.row(i).setZero();
-      sum.stiffness.col(i).setZero();
-      sum.stiffness(i, i) = 1.0;
-    }
-    return sum;
-  }
-  // The share of all that follows from the motion, in place of the frozen row's centrifugal forces.
-  mechanics::PathForces operator()(const Eigen::VectorXd& places, double share) const {
-    row.freeze(true);
-    const MovingBallRow::AllForces from = (*this)(places);
-    row.freeze(false);
-    const MovingBallRow::AllForces to = (*this)(places);
-    return {.force = from.force + share * (to.force - from.force),
-            .stiffness = from.stiffness + share * (to.stiffness - from.stiffness),
-            .by_share = to.force - from.force,
-            .scale = std::max(outer.cwiseAbs().maxCoeff(), from.scale + share * (to.scale - from.scale))};
-  }
-};
-
-// From the balance of the frozen row, which is alone and found from any start, along the path on which the
-// motion comes in.
-RingState balance_along(MovingBallRow& row, const RingLoad& load, const RingPlace& start) {
-  row.freeze(true);
-  const RingPlace frozen = place_of(balance_ring(FrozenRow{row}, load, start), row.lever());
-  RingState state;
-  row.put_loads(frozen, state);
-  const int lost_at_start = row.beyond_grooves();
-  Eigen::VectorXd places = row.places(frozen);
-  const AllForcesAt forces{row, outer_load(load, row.lever()), load.tilt.has_value()};
-  const mechanics::PathReport path = mechanics::follow_path(forces, row.reach(forces.outer.norm()), places);
-  row.freeze(false);
-  state = state_at(row, row.put_places(places));
-  state.report.converged = path.converged;
-  state.report.iterations = path.steps;
-  if (!path.converged)
-    state.report.message =
-        lost_at_start > 0 ? beyond_grooves(lost_at_start) : "the balance was lost on the way to this speed";
-  return state;
-}
-
-// Newton's method from `start`; where it stops, along a path, and along others on which balls are pushed
-// unlike.
-RingState balance_from(MovingBallRow& row, const RingLoad& load, const RingPlace& start) {
-  constexpr int kPaths = 24;
-  RingState state = balance_thawed(row, load, start);
-  for (int path = 0; path < kPaths && !state.report.converged; ++path) {
-    row.push_unlike(path);
-    state = balance_along(row, load, start);
-  }
-  return state;
-}
-
-}  // namespace
-
-RingState balance_moving(const Bearing& bearing, const RowMotion& motion, const RingLoad& load) {
-  const BallRow row_at_rest(bearing);
-  const RingState at_rest = balance_ring(row_at_rest, load);
-  if (motion.speeds.at_rest() || (!motion.inertia.enabled && !motion.film)) return at_rest;
-  MovingBallRow row(bearing, motion, row_at_rest);
-  RingState state = balance_from(row, load, place_of(at_rest, row.lever()));
-  constexpr int kMostChanges = 6;
-  for (int i = 0; i < kMostChanges && state.report.converged && row.choose_control(); ++i) {
-    const RingState changed = balance_from(row, load, place_of(state, row.lever()));
-    if (!changed.report.converged) break;  // a race that cannot hold its balls leaves them to the other one
-    state = changed;
-  }
-  if (const int balls = row.beyond_grooves(); state.report.converged && balls > 0) {
-    state.report.converged = false;
-    state.report.message = beyond_grooves(balls);
-  }
-  // Where a ball neither rolls on the inner race nor has left it, its balance may stand on the point at which
-  // one ends: there it yields to no force, or to any.
-  constexpr double kFarAbove = 10.0;
-  if (state.report.converged && !(state.stiffness.topLeftCorner<3, 3>().cwiseAbs().maxCoeff() <
-                                  kFarAbove * row.contact_stiffness(state))) {
-    state.report.converged = false;
-    state.report.message =
-        "no balance within the grooves that has a stiffness: a ball stands where it leaves the inner race or "
-        "comes back to it";
-  }
-  return state;
 }
 
 }  // namespace orbearing::bearing::equilibrium

@@ -30,16 +30,16 @@ void describe(Visitor& visit, BallInertia& m) {
       visit, m,
       field(m.enabled, "equilibrium.ball_inertia", Felt::turning_balls,
             "centrifugal force and gyroscopic moment of the balls",
-            {.models = ball_bearing, .reason = "nothing left out"}),
+            {.models = ball_bearing | duplex_pair, .reason = "nothing left out"}),
       field(m.attitude, "equilibrium.ball_attitude", Felt::turning_balls,
             "what decides how the axes of the balls stand, and which race holds their gyroscopic moment",
-            {.models = ball_bearing,
+            {.models = ball_bearing | duplex_pair,
              .reason = "traction that grows with slip, as that of an oil film",
              .where = {"equilibrium.ball_inertia", "true"}}),
       field(m.gyroscopic_moment, "equilibrium.gyroscopic_moment", Felt::turning_balls,
             "gyroscopic moment of the balls: the rate of their angular momentum; with its sign turned, as "
             "textbooks print it; none",
-            {.models = ball_bearing,
+            {.models = ball_bearing | duplex_pair,
              .reason = "the rate of angular momentum",
              .where = {"equilibrium.ball_inertia", "true"}}));
 }
@@ -49,6 +49,9 @@ struct RowMotion {
   RingSpeeds speeds;
   BallInertia inertia;
   std::optional<Lubricant> film{};  // whose film stands for Hertz's approach, film/spin_film.hpp
+
+  /// Whether balls feel it. Else their row is that at rest.
+  bool moves_balls() const { return !speeds.at_rest() && (inertia.enabled || film.has_value()); }
 };
 
 /// One ball in balance.
@@ -89,8 +92,10 @@ class MovingBallRow {
   /// Centrifugal forces of the frozen row, unlike by a pattern that hangs on `path`; alike for 0. Forgets
   /// where the balls were.
   void push_unlike(int path);
-  /// Hertz's stiffness of all contacts together [N/m]: more than the row has.
-  double contact_stiffness(const RingState& state) const;
+  /// Whether the ring, where the loads were put, yields to forces. Where a ball neither rolls on the inner
+  /// race nor has left it, a balance may stand on the point at which one ends: there it yields to none, or to
+  /// any.
+  bool has_stiffness() const;
   /// Balls, where the loads were put, that are loaded where a groove stands upright and so has ended.
   int beyond_grooves() const;
   /// Places of ring (5) and balls (2 each, from their outer groove centre) [m].
@@ -184,8 +189,5 @@ class MovingBallRow {
   std::vector<BallMemory> memory_;
   std::vector<MovingBall> balls_;
 };
-
-/// Where the inner ring balances on a row that turns. At rest and without film the same as the row at rest.
-RingState balance_moving(const Bearing& bearing, const RowMotion& motion, const RingLoad& load);
 
 }  // namespace orbearing::bearing::equilibrium

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "mechanics/checks.hpp"
+#include "mechanics/path_search.hpp"
 
 namespace orbearing::bearing::equilibrium {
 
@@ -13,40 +15,40 @@ double lever_of_row(const std::variant<BallRow, RollerRow, MovingBallRow>& row) 
   return std::visit([](const auto& one) { return one.lever(); }, row);
 }
 
-// A group whose forces have no energy.
-struct TurningGroup {
-  static constexpr bool follows_motion = true;
-  const RowGroup& group;
-
-  double lever() const { return group.lever(); }
-  double reach(double load) const { return group.reach(load); }
-  void add_forces(const RingPlace& place, RingImbalance& sum) const { group.add_forces(place, sum); }
-  void put_loads(const RingPlace& place, RingState& state) const { group.put_loads(place, state); }
-};
-
 void append(const Eigen::ArrayXd& more, Eigen::ArrayXd& all) {
-  Eigen::ArrayXd joined(all.size() + more.size());
-  joined << all, more;
-  all = joined;
+  const Eigen::Index before = all.size();
+  all.conservativeResize(before + more.size());
+  all.tail(more.size()) = more;
+}
+
+bool feels_its_motion(const RowOnShaft& one) {
+  return !one.bearing.has_rollers() && one.motion.moves_balls();
 }
 
 }  // namespace
 
-RowGroup::RowGroup(const std::vector<RowOnShaft>& bearings, bool turning) {
+RowGroup::RowGroup(const std::vector<RowOnShaft>& bearings) {
   mechanics::require(!bearings.empty(), "rows", 0.0, "at least one");
   for (const RowOnShaft& one : bearings) {
     mechanics::require(std::abs(one.side) == 1.0, "side of a row", one.side, "+1 or -1");
     if (one.bearing.has_rollers())
-      rows_.push_back({RollerRow(one.bearing), {}, 0.0});
-    else if (turning && !one.motion.speeds.at_rest() && (one.motion.inertia.enabled || one.motion.film))
-      rows_.push_back({MovingBallRow(one.bearing, one.motion), {}, one.approach});
+      rows_.push_back({.row = RollerRow(one.bearing)});
     else
-      rows_.push_back({BallRow(one.bearing), {}, one.approach});
+      rows_.push_back({.row = BallRow(one.bearing), .approach = one.approach});
     lever_ = std::max(lever_, lever_of_row(rows_.back().row));
   }
   for (std::size_t k = 0; k < rows_.size(); ++k)
     rows_[k].motion =
         motion_of_row(bearings[k].position, bearings[k].side, lever_, lever_of_row(rows_[k].row));
+}
+
+RowGroup::RowGroup(const RowGroup& at_rest, const std::vector<RowOnShaft>& bearings) : RowGroup(at_rest) {
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    if (!feels_its_motion(bearings[k])) continue;
+    const BallRow& balls = std::get<BallRow>(at_rest.rows_[k].row);
+    rows_[k].row.emplace<MovingBallRow>(bearings[k].bearing, bearings[k].motion, balls);
+    places_ += 2 * balls.count();
+  }
 }
 
 RingPlace RowGroup::Placed::in_row(const RingPlace& place) const {
@@ -90,26 +92,228 @@ void RowGroup::put_loads(const RingPlace& place, RingState& state) const {
   }
 }
 
-bool RowGroup::turns() const {
-  return std::any_of(rows_.begin(), rows_.end(),
-                     [](const Placed& one) { return std::holds_alternative<MovingBallRow>(one.row); });
-}
-
 bool RowGroup::settled() const {
-  return std::all_of(rows_.begin(), rows_.end(), [](const Placed& one) {
-    const auto* balls = std::get_if<MovingBallRow>(&one.row);
+  return std::all_of(rows_.begin(), rows_.end(), [](Placed& one) {
+    const MovingBallRow* balls = one.turning();
     return !balls || balls->settled();
   });
 }
 
-RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& load) {
-  const RowGroup still(bearings, false), group(bearings, true);
-  const RingState at_rest = balance_ring(still, load);
-  if (!group.turns()) return at_rest;
-  RingState state = balance_ring(TurningGroup{group}, load, place_of(at_rest, group.lever()));
+bool RowGroup::choose_control() {
+  bool changed = false;
+  for (Placed& one : rows_)
+    if (MovingBallRow* balls = one.turning()) changed = balls->choose_control() || changed;
+  return changed;
+}
+
+void RowGroup::freeze(bool frozen) {
+  for (Placed& one : rows_)
+    if (MovingBallRow* balls = one.turning()) balls->freeze(frozen);
+}
+
+void RowGroup::push_unlike(int path) {
+  for (Placed& one : rows_)
+    if (MovingBallRow* balls = one.turning()) balls->push_unlike(path);
+}
+
+int RowGroup::beyond_grooves() const {
+  int sum = 0;
+  for (Placed& one : rows_)
+    if (const MovingBallRow* balls = one.turning()) sum += balls->beyond_grooves();
+  return sum;
+}
+
+bool RowGroup::has_stiffness() const {
+  return std::all_of(rows_.begin(), rows_.end(), [](Placed& one) {
+    const MovingBallRow* balls = one.turning();
+    return !balls || balls->has_stiffness();
+  });
+}
+
+// The shaft's place, then those of all balls that turn, row by row.
+Eigen::VectorXd RowGroup::places(const RingPlace& shaft) const {
+  Eigen::VectorXd all(places_);
+  all.head<5>() = shaft;
+  Eigen::Index from = 5;
+  for (Placed& one : rows_)
+    if (const MovingBallRow* balls = one.turning()) {
+      const Eigen::VectorXd own = balls->places(one.in_row(shaft));
+      all.segment(from, own.size() - 5) = own.tail(own.size() - 5);
+      from += own.size() - 5;
+    }
+  return all;
+}
+
+RingPlace RowGroup::put_places(const Eigen::VectorXd& all) {
+  const RingPlace shaft = all.head<5>();
+  Eigen::Index from = 5;
+  for (Placed& one : rows_)
+    if (MovingBallRow* balls = one.turning()) {
+      const Eigen::Index count = 2 * balls->geometry().count();
+      Eigen::VectorXd own(5 + count);
+      own << one.in_row(shaft), all.segment(from, count);
+      balls->put_places(own);
+      from += count;
+    }
+  return shaft;
+}
+
+MovingBallRow::AllForces RowGroup::all_forces(const Eigen::VectorXd& all) const {
+  const RingPlace shaft = all.head<5>();
+  MovingBallRow::AllForces sum{.force = Eigen::VectorXd::Zero(places_),
+                               .stiffness = Eigen::MatrixXd::Zero(places_, places_)};
+  Eigen::Index from = 5;
+  for (Placed& one : rows_) {
+    const RingPlace place = one.in_row(shaft);
+    const auto back = one.motion.transpose();
+    if (const MovingBallRow* balls = one.turning()) {
+      const Eigen::Index count = 2 * balls->geometry().count();
+      Eigen::VectorXd own(5 + count);
+      own << place, all.segment(from, count);
+      const MovingBallRow::AllForces forces = balls->all_forces(own);
+      sum.force.head<5>() += back * forces.force.head<5>();
+      sum.force.segment(from, count) = forces.force.tail(count);
+      sum.stiffness.topLeftCorner<5, 5>() += back * forces.stiffness.topLeftCorner<5, 5>() * one.motion;
+      sum.stiffness.block(0, from, 5, count) = back * forces.stiffness.topRightCorner(5, count);
+      sum.stiffness.block(from, 0, count, 5) = forces.stiffness.bottomLeftCorner(count, 5) * one.motion;
+      sum.stiffness.block(from, from, count, count) = forces.stiffness.bottomRightCorner(count, count);
+      sum.scale += forces.scale;
+      from += count;
+    } else {
+      RingImbalance own;
+      std::visit([&](auto& row) { row.add_forces(place, own); }, one.row);
+      sum.force.head<5>() += back * own.force;
+      sum.stiffness.topLeftCorner<5, 5>() += back * own.stiffness * one.motion;
+      sum.scale += own.scale;
+    }
+  }
+  return sum;
+}
+
+namespace {
+
+// A group whose forces have no energy.
+struct TurningGroup {
+  static constexpr bool follows_motion = true;
+  const RowGroup& group;
+
+  double lever() const { return group.lever(); }
+  double reach(double load) const { return group.reach(load); }
+  void add_forces(const RingPlace& place, RingImbalance& sum) const { group.add_forces(place, sum); }
+  void put_loads(const RingPlace& place, RingState& state) const { group.put_loads(place, state); }
+};
+
+// A group while it is frozen: a search in a convex energy.
+struct FrozenGroup {
+  static constexpr double near = 1e-4;
+  const RowGroup& group;
+
+  double lever() const { return group.lever(); }
+  double reach(double load) const { return group.reach(load); }
+  void add_forces(const RingPlace& place, RingImbalance& sum) const { group.add_forces(place, sum); }
+  void put_loads(const RingPlace&, RingState&) const {}
+};
+
+RingState balance_thawed(const RowGroup& group, const RingLoad& load, const RingPlace& place) {
+  RingState state = balance_ring(TurningGroup{group}, load, place);
   if (state.report.converged && !group.settled()) {
     state.report.converged = false;
     state.report.message = "a ball found no balance between its races";
+  }
+  return state;
+}
+
+std::string beyond_grooves(int balls) {
+  return "no balance within the grooves: " + std::to_string(balls) +
+         (balls == 1 ? " ball is" : " balls are") + " pressed beyond the end of a groove";
+}
+
+// The forces on shaft and balls at once, of rows under an outer load.
+struct AllForcesAt {
+  RowGroup& group;
+  RingPlace outer;  // [N]
+  bool held;        // the tilts are given
+
+  MovingBallRow::AllForces operator()(const Eigen::VectorXd& places) const {
+    MovingBallRow::AllForces sum = group.all_forces(places);
+    sum.force.head<5>() += outer;
+    for (int i = 3; held && i < 5; ++i) {
+      sum.force[i] = 0.0;
+      sum.stiffness.row(i).setZero();
+      sum.stiffness.col(i).setZero();
+      sum.stiffness(i, i) = 1.0;
+    }
+    return sum;
+  }
+  // The share of all that follows from the motion, in place of the frozen rows' centrifugal forces.
+  mechanics::PathForces operator()(const Eigen::VectorXd& places, double share) const {
+    group.freeze(true);
+    const MovingBallRow::AllForces from = (*this)(places);
+    group.freeze(false);
+    const MovingBallRow::AllForces to = (*this)(places);
+    return {.force = from.force + share * (to.force - from.force),
+            .stiffness = from.stiffness + share * (to.stiffness - from.stiffness),
+            .by_share = to.force - from.force,
+            .scale = std::max(outer.cwiseAbs().maxCoeff(), from.scale + share * (to.scale - from.scale))};
+  }
+};
+
+// From the balance of the frozen rows, which is alone and found from any start, along the path on which the
+// motion comes in.
+RingState balance_along(RowGroup& group, const RingLoad& load, const RingPlace& start) {
+  group.freeze(true);
+  const RingPlace frozen = place_of(balance_ring(FrozenGroup{group}, load, start), group.lever());
+  RingState state;
+  group.put_loads(frozen, state);
+  const int lost_at_start = group.beyond_grooves();
+  Eigen::VectorXd places = group.places(frozen);
+  const AllForcesAt forces{group, outer_load(load, group.lever()), load.tilt.has_value()};
+  const mechanics::PathReport path = mechanics::follow_path(forces, group.reach(forces.outer.norm()), places);
+  group.freeze(false);
+  state = state_at(group, group.put_places(places));
+  state.report.converged = path.converged;
+  state.report.iterations = path.steps;
+  if (!path.converged)
+    state.report.message =
+        lost_at_start > 0 ? beyond_grooves(lost_at_start) : "the balance was lost on the way to this speed";
+  return state;
+}
+
+// Newton's method from `start`; where it stops, along a path, and along others on which balls are pushed
+// unlike.
+RingState balance_from(RowGroup& group, const RingLoad& load, const RingPlace& start) {
+  constexpr int kPaths = 24;
+  RingState state = balance_thawed(group, load, start);
+  for (int path = 0; path < kPaths && !state.report.converged; ++path) {
+    group.push_unlike(path);
+    state = balance_along(group, load, start);
+  }
+  return state;
+}
+
+}  // namespace
+
+RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& load) {
+  const RowGroup still(bearings);
+  const RingState at_rest = balance_ring(still, load);
+  if (std::none_of(bearings.begin(), bearings.end(), feels_its_motion)) return at_rest;
+  RowGroup group(still, bearings);
+  RingState state = balance_from(group, load, place_of(at_rest, group.lever()));
+  constexpr int kMostChanges = 6;
+  for (int i = 0; i < kMostChanges && state.report.converged && group.choose_control(); ++i) {
+    const RingState changed = balance_from(group, load, place_of(state, group.lever()));
+    if (!changed.report.converged) break;  // a race that cannot hold its balls leaves them to the other one
+    state = changed;
+  }
+  if (!state.report.converged) return state;
+  if (const int balls = group.beyond_grooves(); balls > 0) {
+    state.report.converged = false;
+    state.report.message = beyond_grooves(balls);
+  } else if (!group.has_stiffness()) {
+    state.report.converged = false;
+    state.report.message =
+        "no balance within the grooves that has a stiffness: a ball stands where it leaves the inner race or "
+        "comes back to it";
   }
   return state;
 }

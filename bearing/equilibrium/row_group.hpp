@@ -44,34 +44,48 @@ struct RowOnShaft {
 /// All rows: the problem of ring_balance.hpp for the shaft. Balls that turn remember where they were.
 class RowGroup {
  public:
-  /// Throws std::invalid_argument as the rows do or where there are none. Balls are at rest unless `turning`.
-  RowGroup(const std::vector<RowOnShaft>& bearings, bool turning);
+  /// All rows at rest. Throws std::invalid_argument as the rows do or where there are none.
+  explicit RowGroup(const std::vector<RowOnShaft>& bearings);
+  /// The same rows in motion: balls that feel theirs turn.
+  RowGroup(const RowGroup& at_rest, const std::vector<RowOnShaft>& bearings);
 
   double lever() const { return lever_; }
   double reach(double load) const;
   void add_forces(const RingPlace& place, RingImbalance& sum) const;
   /// Loads and angles of the first row's elements, then of the second's and so on; no laminae.
   void put_loads(const RingPlace& place, RingState& state) const;
-  /// Whether a row turns, so that its forces have no energy.
-  bool turns() const;
-  /// Whether all balls found their balance the last time.
+
+  // Of moving_balls.hpp, of all rows whose balls turn.
   bool settled() const;
+  bool choose_control();
+  void freeze(bool frozen);
+  void push_unlike(int path);
+  int beyond_grooves() const;
+  bool has_stiffness() const;
+  Eigen::VectorXd places(const RingPlace& shaft) const;
+  RingPlace put_places(const Eigen::VectorXd& all);
+  MovingBallRow::AllForces all_forces(const Eigen::VectorXd& all) const;
 
  private:
   struct Placed {
     std::variant<BallRow, RollerRow, MovingBallRow> row;
-    Eigen::Matrix<double, 5, 5> motion;  // of the row by that of the shaft, tilts at both levers
-    double approach;                     // [m]
+    double approach = 0.0;  // [m]
+    // Of the row by that of the shaft, tilts at both levers.
+    Eigen::Matrix<double, 5, 5> motion = Eigen::Matrix<double, 5, 5>::Identity();
 
     RingPlace in_row(const RingPlace& place) const;
+    MovingBallRow* turning() { return std::get_if<MovingBallRow>(&row); }
   };
 
   mutable std::vector<Placed> rows_;
-  double lever_ = 0.0;  // [m]
+  double lever_ = 0.0;       // [m]
+  Eigen::Index places_ = 5;  // of the shaft and of the balls that turn
 };
 
 /// Where the shaft balances on all rows under `load`, which acts at the origin. Balls at speed are sought by
-/// Newton's method from the balance at rest alone. Throws as RowGroup does.
+/// Newton's method from the balance at rest, and where that stops along a path on which their motion comes
+/// in. A balance that presses balls beyond the ends of their grooves, or has no stiffness, is none; the
+/// report says so. Throws as RowGroup does.
 RingState balance_rows(const std::vector<RowOnShaft>& bearings, const RingLoad& load);
 
 }  // namespace orbearing::bearing::equilibrium

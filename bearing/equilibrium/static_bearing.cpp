@@ -1,5 +1,7 @@
 #include "bearing/equilibrium/static_bearing.hpp"
 
+#include "bearing/equilibrium/row_group.hpp"
+
 namespace orbearing::bearing::equilibrium {
 
 namespace {
@@ -22,7 +24,7 @@ RingState balance_bearing(const Bearing& bearing, const RingLoad& load) {
 }
 
 RingState balance_bearing(const Bearing& bearing, const RowMotion& motion, const RingLoad& load) {
-  return bearing.has_rollers() ? balance_bearing(bearing, load) : balance_moving(bearing, motion, load);
+  return bearing.has_rollers() ? balance_bearing(bearing, load) : balance_rows({{bearing, motion}}, load);
 }
 
 }  // namespace orbearing::bearing::equilibrium

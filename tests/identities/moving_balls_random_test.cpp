@@ -9,6 +9,7 @@
 #include <iostream>
 #include <random>
 
+#include "bearing/equilibrium/row_group.hpp"
 #include "bearing/equilibrium/static_bearing.hpp"
 #include "bearing/geometry.hpp"
 
@@ -87,7 +88,7 @@ TEST(RandomBalances, AreFoundOrAreNone) {
   int found = 0, none = 0;
   for (int i = 0; i < bearings; ++i) {
     const Drawn drawn = draws.next();
-    const RingState state = balance_moving(drawn.bearing, drawn.motion, drawn.load);
+    const RingState state = balance_bearing(drawn.bearing, drawn.motion, drawn.load);
     if (state.report.converged) {
       ++found;
       ASSERT_TRUE(state.stiffness.allFinite()) << i;
@@ -106,6 +107,34 @@ TEST(RandomBalances, AreFoundOrAreNone) {
   }
   std::cout << found << " in balance, " << none << " pressed beyond the ends of their grooves\n";
   EXPECT_GE(found, 0.8 * bearings);
+}
+
+// A group of rows is sought, and refused, as one row is: two bearings in one place bear half each.
+TEST(RandomBalances, TwoRowsInOnePlaceBearHalfEach) {
+  Draws draws;
+  int found = 0, none = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Drawn drawn = draws.next();
+    RingLoad twice = drawn.load;
+    for (double* one : {&twice.radial, &twice.axial, &twice.moment, &twice.moment_across}) *one *= 2.0;
+    const RowOnShaft row{.bearing = drawn.bearing, .motion = drawn.motion};
+    const RingState one = balance_bearing(drawn.bearing, drawn.motion, drawn.load);
+    const RingState both = balance_rows({row, row}, twice);
+    ASSERT_EQ(both.report.converged, one.report.converged) << i << ": " << both.report.message;
+    if (!one.report.converged) {
+      EXPECT_NE(both.report.message.find("no balance within the grooves"), std::string::npos) << i;
+      ++none;
+      continue;
+    }
+    const Eigen::Index count = one.contact_load.size();
+    const double most = std::max(one.contact_load.maxCoeff(), drawn.load.radial + drawn.load.axial);
+    for (const Eigen::Index first : {Eigen::Index{0}, count})
+      EXPECT_LT((both.contact_load.segment(first, count) - one.contact_load).abs().maxCoeff(), 1e-6 * most)
+          << i;
+    ++found;
+  }
+  EXPECT_GT(found, 40);
+  EXPECT_GT(none, 2);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
-#include "bearing/equilibrium/moving_balls.hpp"
+#include "bearing/equilibrium/static_bearing.hpp"
 
 namespace orbearing::bearing::equilibrium::ball_film_test {
 namespace {
@@ -24,7 +24,7 @@ const Lubricant oil{.viscosity = 0.01988, .pressure_viscosity = 19.75e-9};
 RingState at(double rpm, bool film) {
   RowMotion motion{.speeds = {.inner = rpm * kRpm}};
   if (film) motion.film = oil;
-  RingState state = balance_moving(bearing_7210(), motion, {.axial = 10000.0});
+  RingState state = balance_bearing(bearing_7210(), motion, {.axial = 10000.0});
   EXPECT_TRUE(state.report.converged) << rpm << " " << state.report.message;
   return state;
 }

@@ -33,7 +33,7 @@ constexpr BallAttitude attitudes[] = {BallAttitude::minimum_friction, BallAttitu
 
 // Computed by a separate program from the printed equations.
 TEST(MovingBalls, Bearing218AsPrinted) {
-  const RingState state = balance_moving(
+  const RingState state = balance_bearing(
       bearing_218(), turning(10000.0, BallAttitude::outer_race_control, GyroscopicMoment::as_printed),
       {.axial = 17800.0});
   ASSERT_TRUE(state.report.converged) << state.report.message;
@@ -114,7 +114,7 @@ TEST(MovingBalls, StiffnessIsTheSlopeOfTheForces) {
          {RingLoad{.radial = 9000.0, .axial = 17800.0, .moment = 60.0, .moment_across = 30.0},
           RingLoad{.radial = 15000.0, .axial = 9000.0}}) {
       const RowMotion motion = turning(9000.0, attitude);
-      const RingState state = balance_moving(bearing, motion, load);
+      const RingState state = balance_bearing(bearing, motion, load);
       ASSERT_TRUE(state.report.converged);
       MovingBallRow row(bearing, motion);
       const RingPlace place = place_of(state, row.lever());
@@ -138,7 +138,7 @@ TEST(MovingBalls, AtRestItIsTheStaticRow) {
   const RingLoad load{.radial = 4000.0, .axial = 17800.0, .moment = 50.0};
   const RingState still = balance_ring(BallRow(bearing), load);
   for (const BallAttitude attitude : attitudes) {
-    const RingState state = balance_moving(bearing, turning(1e-4, attitude), load);
+    const RingState state = balance_bearing(bearing, turning(1e-4, attitude), load);
     ASSERT_TRUE(state.report.converged);
     EXPECT_NEAR(state.axial / still.axial, 1.0, 1e-12);
     EXPECT_NEAR(state.radial / still.radial, 1.0, 1e-12);
@@ -147,7 +147,7 @@ TEST(MovingBalls, AtRestItIsTheStaticRow) {
     EXPECT_LT((state.stiffness - still.stiffness).norm() / still.stiffness.norm(), 1e-9);
     EXPECT_LT((state.stiffness - state.stiffness.transpose()).norm() / state.stiffness.norm(), 1e-10);
   }
-  EXPECT_EQ(balance_moving(bearing, turning(0.0), load).axial, still.axial);
+  EXPECT_EQ(balance_bearing(bearing, turning(0.0), load).axial, still.axial);
 }
 
 // Centrifugal force alone leaves an energy: stiffness is symmetric at all speeds but for what the orbit owes
@@ -156,7 +156,7 @@ TEST(MovingBalls, WithoutMassSpeedsAreNotFelt) {
   const Bearing bearing = bearing_218();
   RowMotion motion = turning(12000.0);
   motion.inertia.enabled = false;
-  const RingState state = balance_moving(bearing, motion, {.axial = 17800.0});
+  const RingState state = balance_bearing(bearing, motion, {.axial = 17800.0});
   EXPECT_EQ(state.axial, balance_ring(BallRow(bearing), {.axial = 17800.0}).axial);
 }
 
@@ -207,9 +207,9 @@ TEST(MovingBalls, ForcesAtTheContactsHoldTheMoments) {
 TEST(MovingBalls, OnePitchFurtherNothingChanges) {
   Bearing bearing = bearing_218();
   const RingLoad load{.radial = 5000.0, .axial = 12000.0, .moment = 20.0};
-  const RingState one = balance_moving(bearing, turning(8000.0), load);
+  const RingState one = balance_bearing(bearing, turning(8000.0), load);
   bearing.first_element = 2.0 * boost::math::double_constants::pi / 16.0;
-  const RingState other = balance_moving(bearing, turning(8000.0), load);
+  const RingState other = balance_bearing(bearing, turning(8000.0), load);
   EXPECT_NEAR(one.radial / other.radial, 1.0, 1e-9);
   EXPECT_NEAR((one.stiffness - other.stiffness).norm() / one.stiffness.norm(), 0.0, 1e-7);
 }
@@ -222,8 +222,8 @@ TEST(MovingBalls, ABallThatLeftTheInnerRaceOrbitsWithTheCage) {
   const double cage = 0.5 * 8000.0 * kRpm * (1.0 - geometry.element_radius / geometry.pitch_radius);
   const double thrown = geometry.element_mass * geometry.pitch_radius * cage * cage;
   for (const BallAttitude attitude : attitudes) {
-    const RingState state =
-        balance_moving(bearing, turning(8000.0, attitude), {.radial = 15000.0, .axial = 6000.0, .tilt = 0.0});
+    const RingState state = balance_bearing(bearing, turning(8000.0, attitude),
+                                            {.radial = 15000.0, .axial = 6000.0, .tilt = 0.0});
     ASSERT_TRUE(state.report.converged) << state.report.message;
     int unloaded = 0;
     for (Eigen::Index j = 0; j < state.contact_load.size(); ++j) {
@@ -245,7 +245,7 @@ TEST(MovingBalls, APathLeadsWhereNewtonStops) {
   MovingBallRow row(bearing, motion);
   const RingPlace at_rest = place_of(balance_ring(BallRow(bearing), load), row.lever());
   EXPECT_FALSE(balance_ring(row, load, at_rest).report.converged && row.settled());
-  const RingState state = balance_moving(bearing, motion, load);
+  const RingState state = balance_bearing(bearing, motion, load);
   ASSERT_TRUE(state.report.converged) << state.report.message;
   MovingBallRow again(bearing, motion);
   const RingImbalance borne = row_forces(again, place_of(state, again.lever()));
@@ -257,7 +257,7 @@ TEST(MovingBalls, APathLeadsWhereNewtonStops) {
 // tilt.
 TEST(MovingBalls, BallsPressedBeyondTheirGroovesAreNamed) {
   const RingState state =
-      balance_moving(bearing_218(), turning(10000.0), {.radial = 12000.0, .axial = 2000.0});
+      balance_bearing(bearing_218(), turning(10000.0), {.radial = 12000.0, .axial = 2000.0});
   EXPECT_FALSE(state.report.converged);
   EXPECT_NE(state.report.message.find("beyond the end of a groove"), std::string::npos)
       << state.report.message;
@@ -267,10 +267,10 @@ TEST(MovingBalls, EitherRingMayTurn) {
   const Bearing bearing = bearing_218();
   RowMotion motion;
   motion.speeds.outer = 6000.0 * kRpm;
-  const RingState outer = balance_moving(bearing, motion, {.axial = 17800.0});
+  const RingState outer = balance_bearing(bearing, motion, {.axial = 17800.0});
   ASSERT_TRUE(outer.report.converged);
   motion.speeds = {.inner = 6000.0 * kRpm};
-  const RingState inner = balance_moving(bearing, motion, {.axial = 17800.0});
+  const RingState inner = balance_bearing(bearing, motion, {.axial = 17800.0});
   // The outer race is further out, so balls orbit faster where it turns.
   EXPECT_GT(outer.outer_load[0], inner.outer_load[0]);
 }

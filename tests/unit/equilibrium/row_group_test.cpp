@@ -78,7 +78,7 @@ TEST(RowGroup, EveryEntryOfTheStiffnessOfThreeRowsIsASlopeOfTheForces) {
     const RingState state = balance_rows(spindle(rpm), load);
     ASSERT_TRUE(state.report.converged) << state.report.message;
     EXPECT_EQ(state.contact_load.size(), 16 + 16 + 14);
-    const RowGroup group(spindle(rpm), true);
+    const RowGroup group(RowGroup(spindle(rpm)), spindle(rpm));
     const RingPlace place = place_of(state, group.lever());
     const RingImbalance here = row_forces(group, place);
     EXPECT_LT((here.force + outer_load(load, group.lever())).norm(), 1e-9 * here.scale);
@@ -98,13 +98,13 @@ TEST(RowGroup, EveryEntryOfTheStiffnessOfThreeRowsIsASlopeOfTheForces) {
 // close.
 TEST(RowGroup, ADuplexPairAtSpeedHasItsOwnNaturalFrequencies) {
   const duplex::Shaft shaft{.mass = 12.0, .levers = {0.03, 0.03}, .inertia_x = 0.05, .inertia_y = 0.05};
-  const auto pair_at = [](double rpm) {
-    return balance_rows({row(rpm, 0.03, -1.0, 30e-6), row(rpm, -0.03, 1.0, 30e-6)}, {});
+  const duplex::Pair pair{.bearing = angular_balls(),
+                          .arrangement = duplex::Arrangement::back_to_back,
+                          .levers = shaft.levers,
+                          .approach = 30e-6};
+  const auto pair_at = [&](double rpm) {
+    return duplex::balance_pair_at_speed(pair, {.speeds = {.inner = rpm * kRpm}});
   };
-  duplex::Pair pair{.bearing = angular_balls(),
-                    .arrangement = duplex::Arrangement::back_to_back,
-                    .levers = shaft.levers,
-                    .approach = 30e-6};
   const duplex::PairModes of_pair = duplex::modes_of(duplex::balance_pair(pair).ring.stiffness, shaft);
   const duplex::PairModes at_rest = duplex::modes_of(pair_at(0.0).stiffness, shaft);
   const duplex::PairModes slow = duplex::modes_of(pair_at(1.0).stiffness, shaft);
@@ -120,6 +120,22 @@ TEST(RowGroup, ADuplexPairAtSpeedHasItsOwnNaturalFrequencies) {
     RecordProperty(name + "_at_speed_Hz", std::to_string(fast[i].frequency));
   }
   EXPECT_GT(fast_state.contact_angle.abs().minCoeff(), fast_state.outer_angle.abs().maxCoeff());
+}
+
+// Each row of a tandem keeps its load: balls that are thrown outward leave the sum of the axial forces as it
+// was.
+TEST(RowGroup, ATandemAtSpeedKeepsItsPreload) {
+  const duplex::Pair pair{.bearing = angular_balls(),
+                          .arrangement = duplex::Arrangement::tandem,
+                          .levers = {0.03, 0.03},
+                          .approach = 30e-6};
+  const auto axial_force = [](const RingState& state) {
+    return (state.contact_load * state.contact_angle.sin()).sum();
+  };
+  const RingState fast = duplex::balance_pair_at_speed(
+      pair, {.speeds = {.inner = 10000.0 * kRpm}, .inertia = {.gyroscopic_moment = GyroscopicMoment::none}});
+  ASSERT_TRUE(fast.report.converged);
+  EXPECT_NEAR(axial_force(fast) / axial_force(duplex::balance_pair(pair).ring), 1.0, 1e-9);
 }
 
 }  // namespace
