@@ -121,7 +121,7 @@ enum class Felt {
   run,            // means over time
   run_up,         // speeds that grow
   lone,           // a single bearing under a load of its own
-  turning_balls,  // balls of such a bearing whose rings turn, in balance
+  turning_balls,  // balls of such a bearing or of a pair whose rings turn, in balance
   lone_run,       // a ball bearing by itself in time
   defect,         // a bearing with scratches in motion
   one_contact,    // the film of a contact by itself

@@ -27,9 +27,10 @@ void check_shaft(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_both(in, "spindle.inertia_x", "spindle.inertia_y", mistakes);
   check_both(in, "housing.mass", "housing.inertia", mistakes);
   if (!in.has("spindle.diameter") && !in.has("spindle.inertia_x") && in.has("spindle.mass"))
-    object_to(in, "spindle.mass", "a shaft without inertia",
-              "spindle.inertia_x and spindle.inertia_y, or spindle.diameter of a solid cylinder, are required",
-              mistakes);
+    object_to(
+        in, "spindle.mass", "a shaft without inertia",
+        "spindle.inertia_x and spindle.inertia_y, or spindle.diameter of a solid cylinder, are required",
+        mistakes);
   if (in.has("spindle.diameter") && in.has("spindle.inertia_x") && !in.has("measured.preload"))
     object_to(in, "spindle.diameter", "a cylinder beside the inertias of the shaft",
               "one of the two is required where nothing is identified", mistakes);
@@ -100,6 +101,11 @@ double pair_approach_of(const ResolvedCase& in, const bearing::Bearing& bearing,
   return duplex::approach_under(bearing, preload) + 0.5 * in.quantity("spacer_difference");
 }
 
+bearing::equilibrium::RowMotion pair_motion_of(const ResolvedCase& in) {
+  return {.speeds = {.inner = in.quantity("operation.shaft_speed")},
+          .inertia = from_case<bearing::equilibrium::BallInertia>(in)};
+}
+
 duplex::Shaft duplex_shaft_of(const ResolvedCase& in) {
   duplex::Shaft shaft{.mass = in.quantity("spindle.mass"),
                       .levers = {in.quantity("spindle.first_lever"), in.quantity("spindle.second_lever")}};
@@ -150,6 +156,11 @@ std::vector<MeasuredPair> measured_pairs_of(const ResolvedCase& in) {
 
 void check_duplex(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.model() != duplex_pair) return;
+  if (has_all(in, {"stiffness", "operation.shaft_speed"}) && is_linear_pair(in) &&
+      (in.quantity("operation.shaft_speed") != 0.0 || in.has("operation.speeds")))
+    object_to(in, in.has("operation.speeds") ? "operation.speeds" : "operation.shaft_speed",
+              "a shaft that turns, beside stiffness: linear",
+              "nonlinear is required: the linear formulas know no speed", mistakes);
   check_shaft(in, mistakes);
   check_measured(in, mistakes);
   check_identification(in, mistakes);

@@ -21,6 +21,9 @@ bool is_linear_pair(const ResolvedCase& resolved);
 /// Approach [m] of each row by `preload` [N] and by the spacers that the case states.
 double pair_approach_of(const ResolvedCase& resolved, const bearing::Bearing& bearing, double preload);
 
+/// How the shaft and its balls turn.
+bearing::equilibrium::RowMotion pair_motion_of(const ResolvedCase& resolved);
+
 /// Constants of the shaft for the nonlinear pair, and those for the linear formulas: each of the latter is
 /// that of the shaft where the case states no other.
 bearing::duplex::Shaft duplex_shaft_of(const ResolvedCase& resolved);

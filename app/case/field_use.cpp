@@ -49,7 +49,7 @@ unsigned holding(described::Felt felt) {
     case lone:
       return use::lone_balance | use::balls_in_motion | use::defect | use::duplex;
     case turning_balls:
-      return use::lone_balance;
+      return use::lone_balance | use::duplex;
     case lone_run:
       return use::ball_run;
     case defect:
@@ -180,7 +180,7 @@ Use with_stiffness(Use use, std::string_view path) {
 Use with_turning_rings(const Use& use, const described::Facts& facts) {
   Condition turning = where_given({"operation.shaft_speed", "operation.outer_speed", "operation.speeds"});
   if (facts.felt == described::Felt::turning_balls) return use.when(turning);
-  if (facts.path == "material.density") return use.felt_too(use::lone_balance, turning);
+  if (facts.path == "material.density") return use.felt_too(use::lone_balance | use::duplex, turning);
   if (facts.path == "film.enabled") {
     turning.paths.emplace_back("input.speed");  // planets turn always
     return also_used(use, use::lone_balance).when(turning);

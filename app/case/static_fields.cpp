@@ -63,15 +63,17 @@ Field speed_of_ring(std::string path, std::string meaning) {
 
 void add_operation(std::vector<Field>& fields) {
   Field shaft = speed_of_ring("operation.shaft_speed", "speed of the inner ring");
-  shaft.use.by |= use::defect | use::moving_defect;
-  shaft.models |= described::lone_scratched;
+  shaft.use.by |= use::defect | use::moving_defect | use::duplex;
+  shaft.models |= described::lone_scratched | duplex_pair;
   fields.push_back(std::move(shaft));
   fields.push_back(speed_of_ring("operation.outer_speed", "speed of the outer ring"));
   fields.push_back({.path = "operation.speeds",
                     .kind = Kind::list,
-                    .meaning = "speeds of the inner ring over which run and stiffness tabulate the balance",
-                    .use = Use(use::lone_balance, 0),
-                    .models = ball_bearing,
+                    .meaning = "speeds of the inner ring over which run and stiffness tabulate the balance, "
+                               "and modes and run of a "
+                               "duplex pair its natural frequencies",
+                    .use = Use(use::lone_balance | use::duplex, 0),
+                    .models = ball_bearing | duplex_pair,
                     .dimension = dimension::angular_speed,
                     .range = {-1e6, 1e6},
                     .element = Kind::quantity});

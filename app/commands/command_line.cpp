@@ -219,7 +219,7 @@ void add_commands(CommandTable table) {
   modes.add_option(
       "--speed", options.speed,
       "speed of the driven member (of the carrier where the set has no teeth), e.g. \"6000 rpm\"; "
-      "default: at rest");
+      "of a shaft on a pair of bearings, in place of operation.shaft_speed; default: at rest");
   CLI::App& stiffness = table.add(
       "stiffness", "5 x 5 stiffness of a bearing over speed and load, for rotor dynamics", stiffness_command);
   add_case(stiffness, options);

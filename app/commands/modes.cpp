@@ -15,13 +15,25 @@ namespace orbearing::app {
 
 namespace {
 
-const std::string kFromSetting = "--set: input.speed: ";  // how a case that is changed names the option
-
 double speed_option(const std::string& text) {
   const Reading<double> speed = read_quantity(text, dimension::angular_speed);
   if (speed.value && *speed.value >= 0.0) return *speed.value;
   throw BadInput("--speed: found '" + text + "'" + (speed.value ? "" : ": " + speed.fault) +
                  "; required: an angular speed like '6000 rpm', not negative");
+}
+
+// The case with the speed of that option in place of the one at `path`.
+ResolvedCase with_speed(const ResolvedCase& resolved, const std::string& path, const std::string& speed) {
+  const std::string from_setting = "--set: " + path + ": ";  // how a case that is changed names the option
+  speed_option(speed);
+  try {
+    return resolved.with(path, speed);
+  } catch (const BadInput& error) {
+    std::vector<std::string> lines = error.messages;
+    for (std::string& line : lines)
+      if (line.starts_with(from_setting)) line.replace(0, from_setting.size(), "--speed: ");
+    throw BadInput(lines);
+  }
 }
 
 // The set at rest, or turning at a speed of its driven member (of its carrier where it has no teeth).
@@ -30,21 +42,16 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
   const double speed = speed_option(*options.speed);
   if (speed == 0.0 || resolved.model() != planetary_drivetrain || !resolved.shape().teeth)
     return gear_model_at(resolved, speed);
-  try {
-    return gear_model_of(resolved.with("input.speed", *options.speed));
-  } catch (const BadInput& error) {
-    std::vector<std::string> lines = error.messages;
-    for (std::string& line : lines)
-      if (line.starts_with(kFromSetting)) line.replace(0, kFromSetting.size(), "--speed: ");
-    throw BadInput(lines);
-  }
+  return gear_model_of(with_speed(resolved, "input.speed", *options.speed));
 }
 
 }  // namespace
 
 int modes_command(const Options& options) {
   const ResolvedCase resolved = read_point(options.case_file, options.settings);
-  if (is_duplex(resolved)) return duplex_modes(resolved, options);
+  if (is_duplex(resolved))
+    return duplex_modes(
+        options.speed ? with_speed(resolved, "operation.shaft_speed", *options.speed) : resolved, options);
   const double speed = options.speed ? speed_option(*options.speed) : 0.0;
   const gearset::dynamics::SetModel model = model_at(resolved, options);
   std::vector<std::string> warnings = gear_dynamics_warnings(resolved);

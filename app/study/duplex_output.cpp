@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "app/results/json_number.hpp"
+#include "app/results/result_row.hpp"
 #include "app/units.hpp"
 
 namespace orbearing::app {
@@ -137,6 +139,49 @@ void add_modes(const PairColumn& column, PointContent& content) {
   for (NamedArray* array : {&frequency, &shape, &stiffness}) content.arrays.push_back(std::move(*array));
 }
 
+std::string status_of(const PairAtSpeed& point) {
+  return point.modes ? "ok" : point.state.report.message;
+}
+
+// Frequencies [Hz], angles [deg] and loads [N] of the ball with the largest load on the inner race: by name.
+std::vector<std::pair<std::string, double>> values_at(const PairAtSpeed& point) {
+  std::vector<std::pair<std::string, double>> values;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < duplex::mode_kinds.size(); ++i)
+    values.emplace_back(std::string(duplex::name_of(duplex::mode_kinds[i])) + "_Hz",
+                        point.modes ? (*point.modes)[i].frequency : none);
+  const bearing::equilibrium::RingState& state = point.state;
+  Eigen::Index ball = 0;
+  if (point.modes) state.contact_load.maxCoeff(&ball);
+  const auto of_ball = [&](const Eigen::ArrayXd& inner, const Eigen::ArrayXd& outer) {
+    return !point.modes ? none : outer.size() > 0 ? outer[ball] : inner[ball];
+  };
+  const auto& [load, angle] = std::pair(state.contact_load, state.contact_angle);
+  values.emplace_back("inner_angle_deg", kDegree * of_ball(angle, {}));
+  values.emplace_back("outer_angle_deg", kDegree * of_ball(angle, state.outer_angle));
+  values.emplace_back("inner_load_max_N", of_ball(load, {}));
+  values.emplace_back("outer_load_max_N", of_ball(load, state.outer_load));
+  return values;
+}
+
+void add_speeds_of_pair(const std::vector<PairAtSpeed>& points, PointContent& content) {
+  content.dimensions.push_back({"speed", points.size()});
+  NamedArray speed{"over_speed_speed", {"speed"}, "rad s-1", "of the shaft", {}};
+  NamedArray frequency{"over_speed_natural_frequency",
+                       {"speed", "mode"},
+                       "s-1",
+                       "order of natural_frequency; none: no balance",
+                       {}};
+  for (const PairAtSpeed& point : points) {
+    speed.values.push_back(point.speed);
+    for (std::size_t i = 0; i < duplex::mode_kinds.size(); ++i)
+      frequency.values.push_back(point.modes ? (*point.modes)[i].frequency
+                                             : std::numeric_limits<double>::quiet_NaN());
+  }
+  content.arrays.push_back(std::move(speed));
+  content.arrays.push_back(std::move(frequency));
+}
+
 void add_response(const Response& response, PointContent& content) {
   const std::size_t lines = response.accelerance[0].size();
   content.dimensions.push_back({"line", lines});
@@ -202,13 +247,54 @@ std::string pair_modes_text(const PairPoint& point) {
   return text;
 }
 
+Json pair_speeds_json(const std::vector<PairAtSpeed>& points) {
+  Json rows = Json::array();
+  for (const PairAtSpeed& point : points) {
+    Json row{{"speed_rpm", speed_in_rpm(point.speed)}, {"status", status_of(point)}};
+    for (const auto& [name, value] : values_at(point)) row[name] = number_or_null(value);
+    rows.push_back(std::move(row));
+  }
+  return rows.empty() ? Json::object() : Json{{"over_speed", rows}};
+}
+
+std::string pair_speeds_text(const std::vector<PairAtSpeed>& points) {
+  if (points.empty()) return "";
+  std::string text = fmt::format("\n{:>12}", "speed [rpm]");
+  for (const auto& [name, value] : values_at(points.front())) text += fmt::format(" {:>17}", name);
+  for (const PairAtSpeed& point : points) {
+    text += fmt::format("\n{:>12.6g}", speed_in_rpm(point.speed));
+    for (const auto& [name, value] : values_at(point))
+      text += std::isfinite(value) ? fmt::format(" {:>17.2f}", value) : fmt::format(" {:>17}", "-");
+    if (!point.modes) text += "  " + status_of(point);
+  }
+  return text + "\n";
+}
+
+std::string pair_speeds_csv(const std::vector<PairAtSpeed>& points) {
+  std::string text = "speed_rpm";
+  for (const auto& [name, value] : values_at({})) text += "," + name;
+  text += ",status\n";
+  for (const PairAtSpeed& point : points) {
+    text += fmt::format("{:.9g}", speed_in_rpm(point.speed));
+    for (const auto& [name, value] : values_at(point))
+      text += std::isfinite(value) ? fmt::format(",{:.9g}", value) : ",";
+    text += ",\"" + status_of(point) + "\"\n";
+  }
+  return text;
+}
+
 Json duplex_json(const DuplexStudy& study) {
   const PairPoint& point = study.point;
   Json object = pair_modes_json(point);
+  object.update(pair_speeds_json(study.over_speed));
   const auto& [loads, angles] = std::pair(point.state.contact_load, point.state.contact_angle);
   object["approach_um"] = kMicro * point.approach;
   object["contact_angle_deg"] = kDegree * angles[0];
   object["contact_load_max_N"] = loads.maxCoeff();
+  if (point.state.outer_load.size() > 0) {
+    object["outer_contact_angle_deg"] = kDegree * point.state.outer_angle[0];
+    object["outer_contact_load_max_N"] = point.state.outer_load.maxCoeff();
+  }
   object["pressure_max_MPa"] = 1e-6 * point.state.largest_pressure;
   object["shaft"] = shaft_json(point.asked().shaft);
   object["stiffness_matrix"] = matrix_json(point.asked().stiffness);
@@ -233,7 +319,7 @@ std::string duplex_text(const DuplexStudy& study) {
       "MPa\n\n",
       kMicro * point.approach, kDegree * point.state.contact_angle[0], point.state.contact_load.maxCoeff(),
       1e-6 * point.state.largest_pressure);
-  text += pair_modes_text(point);
+  text += pair_modes_text(point) + pair_speeds_text(study.over_speed);
   return study.identification ? text + identification_text(*study.identification) : text;
 }
 
@@ -256,7 +342,20 @@ PointContent duplex_content(const DuplexStudy& study) {
                      "rad",
                      "the same",
                      {state.contact_angle.begin(), state.contact_angle.end()}}};
+  if (state.outer_load.size() > 0) {
+    content.arrays.push_back({"outer_contact_load",
+                              {"ball"},
+                              "N",
+                              "on the outer races; contact_load is that on the inner ones",
+                              {state.outer_load.begin(), state.outer_load.end()}});
+    content.arrays.push_back({"outer_contact_angle",
+                              {"ball"},
+                              "rad",
+                              "the same",
+                              {state.outer_angle.begin(), state.outer_angle.end()}});
+  }
   add_modes(study.point.asked(), content);
+  if (!study.over_speed.empty()) add_speeds_of_pair(study.over_speed, content);
   add_response(study.response, content);
   if (study.identification) add_predictions(*study.identification, content);
   return content;

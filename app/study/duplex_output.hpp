@@ -12,6 +12,11 @@ namespace orbearing::app {
 /// modes: [{frequency_Hz, kind, multiplicity, shape, energy_share}], five rows; the other stiffness beside.
 nlohmann::ordered_json pair_modes_json(const PairPoint& point);
 std::string pair_modes_text(const PairPoint& point);
+/// over_speed: [{speed_rpm, status, tilt_x_Hz, ..., inner_angle_deg, ...}], null where there is no balance;
+/// the same as text and as a table. Empty without speeds.
+nlohmann::ordered_json pair_speeds_json(const std::vector<PairAtSpeed>& points);
+std::string pair_speeds_text(const std::vector<PairAtSpeed>& points);
+std::string pair_speeds_csv(const std::vector<PairAtSpeed>& points);
 
 /// The same with the balance under preload, the identification and its predictions.
 nlohmann::ordered_json duplex_json(const DuplexStudy& study);

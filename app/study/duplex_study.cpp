@@ -31,6 +31,11 @@ void warn(duplex::Arrangement arrangement, PairPoint& point) {
         "stiffness: linear is the source's calculation as printed: both rows approach with one axial sign, "
         "where "
         "rows that face each other have opposite ones");
+  if (point.state.outer_load.size() > 0)
+    point.warnings.push_back(
+        "operation.shaft_speed: felt by the balls; the shaft's own gyroscopic moment, which would part its "
+        "tilts into "
+        "two whirls, is left out");
   if (!(point.state.contact_load.minCoeff() > 0.0))
     point.warnings.push_back("preload: some balls are not pressed; the stiffness is that of the others");
 }
@@ -162,18 +167,23 @@ Response response_of(const ResolvedCase& in, const PairPoint& point) {
   return response;
 }
 
+bearing::equilibrium::RingState balanced_at(const duplex::Pair& pair,
+                                            const bearing::equilibrium::RowMotion& motion) {
+  return motion.moves_balls() ? duplex::balance_pair_at_speed(pair, motion) : duplex::balance_pair(pair).ring;
+}
+
 PairPoint balanced(const ResolvedCase& in) {
   const bearing::Bearing bearing = duplex_bearing_of(in);
   const duplex::Shaft shaft = duplex_shaft_of(in);
   PairPoint point{.linear = is_linear_pair(in)};
   point.approach = pair_approach_of(in, bearing, in.quantity("preload"));
   const duplex::Arrangement arrangement = arrangement_of_pair(in);
-  duplex::PairState state = duplex::balance_pair({bearing, arrangement, shaft.levers, point.approach});
-  if (!state.ring.report.converged)
-    throw ComputationFailed(in.text("name") + ": " + state.ring.report.message);
-  point.nonlinear = column_of(shaft, state.ring.stiffness, housing_of(in), kPhysical);
-  point.state = std::move(state.ring);
-  if (arrangement != duplex::Arrangement::back_to_back) {
+  const bearing::equilibrium::RowMotion motion = pair_motion_of(in);
+  point.state = balanced_at({bearing, arrangement, shaft.levers, point.approach}, motion);
+  if (!point.state.report.converged)
+    throw ComputationFailed(in.text("name") + ": " + point.state.report.message);
+  point.nonlinear = column_of(shaft, point.state.stiffness, housing_of(in), kPhysical);
+  if (arrangement != duplex::Arrangement::back_to_back && motion.speeds.at_rest()) {
     const duplex::Shaft other = linear_shaft_of(in);
     point.printed =
         column_of(other, duplex::linear_stiffness(duplex::pressed_row(bearing, point.approach), other.levers),
@@ -197,8 +207,26 @@ PairPoint pair_point(const ResolvedCase& in) {
   }
 }
 
+std::vector<PairAtSpeed> pair_over_speed(const ResolvedCase& in) {
+  std::vector<PairAtSpeed> found;
+  if (!in.has("operation.speeds")) return found;
+  const bearing::Bearing bearing = duplex_bearing_of(in);
+  const duplex::Shaft shaft = duplex_shaft_of(in);
+  const duplex::Pair pair{bearing, arrangement_of_pair(in), shaft.levers,
+                          pair_approach_of(in, bearing, in.quantity("preload"))};
+  bearing::equilibrium::RowMotion motion = pair_motion_of(in);
+  for (const double speed : in.list("operation.speeds")) {
+    motion.speeds.inner = speed;
+    PairAtSpeed at{.speed = speed, .modes = {}, .state = balanced_at(pair, motion)};
+    if (at.state.report.converged)
+      at.modes = duplex::modes_of(at.state.stiffness, shaft, housing_of(in), kPhysical);
+    found.push_back(std::move(at));
+  }
+  return found;
+}
+
 DuplexStudy duplex_study(const ResolvedCase& in) {
-  DuplexStudy study{.point = pair_point(in)};
+  DuplexStudy study{.point = pair_point(in), .over_speed = pair_over_speed(in)};
   study.warnings = study.point.warnings;
   if (in.has("measured.preload")) study.identification = identification_of(in);
   if (study.identification) warn(*study.identification, study.warnings);

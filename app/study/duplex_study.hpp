@@ -19,11 +19,11 @@ struct PairColumn {
   bearing::duplex::PairModes modes;
 };
 
-/// The pair under its preload.
+/// The pair under its preload at the speed of the shaft.
 struct PairPoint {
   bool linear = false;  // what the case asks for
   PairColumn nonlinear;
-  std::optional<PairColumn> printed;  // linear formulas; of face-to-face and tandem
+  std::optional<PairColumn> printed;  // linear formulas; of face-to-face and tandem that stand
   bearing::equilibrium::RingState state;
   double approach = 0.0;  // [m]  of each row
   std::vector<std::string> warnings;
@@ -58,8 +58,16 @@ struct Response {
   std::array<std::vector<std::complex<double>>, 3> accelerance;  // [1/kg]  along x, y, z
 };
 
+/// The pair at one of `operation.speeds`.
+struct PairAtSpeed {
+  double speed = 0.0;                               // [rad/s]
+  std::optional<bearing::duplex::PairModes> modes;  // none: no balance
+  bearing::equilibrium::RingState state;            // its report says why
+};
+
 struct DuplexStudy {
   PairPoint point;
+  std::vector<PairAtSpeed> over_speed;           // where the case states speeds
   std::optional<Identification> identification;  // where the case holds measured frequencies
   Response response;
   std::vector<std::string> warnings;
@@ -70,6 +78,8 @@ bool is_duplex(const ResolvedCase& resolved);
 
 /// Throws ComputationFailed where no balance is found.
 PairPoint pair_point(const ResolvedCase& resolved);
+/// At each of `operation.speeds`, of the nonlinear pair; empty where the case has none.
+std::vector<PairAtSpeed> pair_over_speed(const ResolvedCase& resolved);
 DuplexStudy duplex_study(const ResolvedCase& resolved);
 
 /// A number by its name in the validation table: "tilt_x_Hz" and the like, "contact_angle_deg",

@@ -82,19 +82,48 @@ PairRow::RowStiffnesses PairRow::row_stiffnesses(const RingPlace& place) const {
   return {of(first_), of(second_)};
 }
 
-// Rows of a tandem are pressed by what draws the shaft along; found from the rows' own force where the shaft
-// has moved by the approach.
-PairState balance_pair(const Pair& pair, const RingLoad& load) {
-  Pair placed = pair;
-  RingLoad all = load;
+namespace {
+
+// What holds the rows together: their approach, or a load.
+struct Pressed {
+  Pair pair;
+  RingLoad load;
   RingPlace start = RingPlace::Zero();
+};
+
+// Rows of a tandem are pressed by what draws the shaft along; found from the rows' own force at rest where
+// the shaft has moved by the approach.
+Pressed pressed(const Pair& pair, const RingLoad& load) {
+  Pressed found{pair, load};
   if (pair.arrangement == Arrangement::tandem) {
-    start[2] = pair.approach;
-    placed.approach = 0.0;
-    all.axial -= equilibrium::row_forces(PairRow(placed), start).force[2];
+    found.start[2] = pair.approach;
+    found.pair.approach = 0.0;
+    found.load.axial -= equilibrium::row_forces(PairRow(found.pair), found.start).force[2];
   }
-  const PairRow row(placed);
-  PairState state{.ring = equilibrium::balance_ring(row, all, start), .rows = {}};
+  return found;
+}
+
+}  // namespace
+
+RingState balance_pair_at_speed(const Pair& pair, const equilibrium::RowMotion& motion,
+                                const RingLoad& load) {
+  const Pressed all = pressed(pair, load);
+  const Sides sides = sides_of(pair.arrangement);
+  const auto row = [&](double position, double side) {
+    return equilibrium::RowOnShaft{.bearing = pair.bearing,
+                                   .motion = motion,
+                                   .position = position,
+                                   .side = side,
+                                   .approach = all.pair.approach};
+  };
+  return equilibrium::balance_rows(
+      {row(pair.levers.first, sides.first), row(-pair.levers.second, sides.second)}, all.load);
+}
+
+PairState balance_pair(const Pair& pair, const RingLoad& load) {
+  const Pressed all = pressed(pair, load);
+  const PairRow row(all.pair);
+  PairState state{.ring = equilibrium::balance_ring(row, all.load, all.start), .rows = {}};
   state.rows = row.row_stiffnesses(equilibrium::place_of(state.ring, row.lever()));
   return state;
 }

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 
 #include "bearing/equilibrium/balls.hpp"
+#include "bearing/equilibrium/moving_balls.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::bearing::duplex {
@@ -98,6 +99,11 @@ struct PairState {
 /// Where the shaft balances under `load` beside the preload. Of a tandem the preload is a load of twice its
 /// approach_under along the shaft, which this function adds. Throws as PairRow does.
 PairState balance_pair(const Pair& pair, const equilibrium::RingLoad& load = {});
+
+/// The same with the shaft turning: balls are thrown outward and held against their gyroscopic moments. Rows
+/// that face each other keep the approach with which they were mounted, those of a tandem their load.
+equilibrium::RingState balance_pair_at_speed(const Pair& pair, const equilibrium::RowMotion& motion,
+                                             const equilibrium::RingLoad& load = {});
 
 /// Stiffness of the shaft about its mass centre from that of its rows: Eq. (1) on both sides.
 Stiffness pair_stiffness(const PairRow::RowStiffnesses& rows, Arrangement arrangement,

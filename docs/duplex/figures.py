@@ -86,6 +86,25 @@ def over_geometry(program):
     figure.savefig(HERE / "geometry.png", dpi=90)
 
 
+def over_speed(program):
+    """Also prints the table of the text, of both arrangements."""
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4.5), sharey=True, constrained_layout=True)
+    speeds = "operation.speeds=[" + ", ".join(f"{v} rpm" for v in range(0, 15001, 500)) + "]"
+    for axis, arrangement in zip(axes, ("tandem", "face-to-face")):
+        rows = call(program, "modes", f"arrangement={arrangement}", speeds)["over_speed"]
+        for k, kind in enumerate(KINDS):
+            axis.plot([row["speed_rpm"] for row in rows], [row[f"{kind}_Hz"] for row in rows], color=f"C{k}", lw=1.2,
+                      ls="--" if kind in ("tilt_y", "radial_y") else "-", label=kind)
+        axis.set(title=f"7020C, {arrangement}, 540 N", xlabel="speed of the shaft (rpm)")
+        for row in rows[::10]:
+            print("| " + " | ".join([arrangement, f"{row['speed_rpm']:.0f}", *(f"{row[kind + '_Hz']:.0f}" for kind in KINDS),
+                                     f"{row['inner_angle_deg']:.1f}, {row['outer_angle_deg']:.1f}",
+                                     f"{row['inner_load_max_N']:.0f}, {row['outer_load_max_N']:.0f}"]) + " |")
+    axes[0].set_ylabel("natural frequency (Hz)")
+    axes[1].legend(fontsize=8)
+    figure.savefig(HERE / "speed.png", dpi=90)
+
+
 def shapes_and_response(program, work):
     result = call(program, "run", "bearing.contact_angle=25 deg", "preload=830 N", more=("-o", str(work / "a5")))
     file = netCDF4.Dataset(next((work / "a5" / "points").glob("*.nc")))
@@ -143,4 +162,5 @@ if __name__ == "__main__":
             print(name, json.dumps(result["identified"][name]))
         over_preload(program, result)
         over_geometry(program)
+        over_speed(program)
         shapes_and_response(program, Path(folder))

@@ -154,7 +154,7 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::moving_defect:
       return defect_json(defect_study(in, DefectRung::all)).dump();
     case use::duplex_modes:
-      return pair_modes_json(pair_point(in)).dump();
+      return pair_modes_json(pair_point(in)).dump() + pair_speeds_json(pair_over_speed(in)).dump();
     case use::duplex_run:
       return duplex_json(duplex_study(in)).dump();
     case use::spin_film:

@@ -361,6 +361,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"film.approach", {"as-printed", {"film.enabled=true"}}},
       {"film.enabled", {"true", turning_balls}},
       {"film.solver", {"reynolds", {"contact.ellipticity=3", "points=[[20 N, 5 m/s, 200 rad/s]]"}}},
+      {"contact.length",
+       {"10 mm", {"film.solver=reynolds", "points=[[600 N, 5 m/s, 0 rad/s]]", "contact.ellipticity=3"}}},
       {"lubricant.viscosity", {"0.02 Pa.s", filmed}},
       {"lubricant.pressure_viscosity", {"2e-8 Pa-1", filmed}},
       {"operation.speeds", {"[1000 rpm, 2000 rpm]"}},
