@@ -11,6 +11,7 @@
 #include "app/case/defect_case.hpp"
 #include "app/case/duplex_case.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/objection.hpp"
 #include "app/case/oil_case.hpp"
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
@@ -265,6 +266,28 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
                  "diameters, width and density, or no cage, are required");
 }
 
+// A contact is an ellipse or a line; a line is solved and does not spin.
+void check_contact(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  if (in.model() != spin_film || !in.has("film.solver")) return;
+  if (!in.has("contact.length")) {
+    if (!in.has("contact.ellipticity"))
+      object_to(in, "contact.ellipticity", "neither an ellipse nor a line",
+                "contact.ellipticity, or contact.length of a line contact, is required", mistakes);
+    return;
+  }
+  if (in.choice("film.solver") != "reynolds")
+    object_to(in, "contact.length", "a line contact beside film.solver: " + in.choice("film.solver"),
+              "film.solver: reynolds is required: the regressions know ellipses alone", mistakes);
+  if (!in.has("points")) return;
+  const std::vector<double>& rows = in.list("points");
+  for (std::size_t i = 2; i < rows.size(); i += 3)
+    if (rows[i] != 0.0) {
+      object_to(in, "points", "a line contact that spins", "no spin is required beside contact.length",
+                mistakes);
+      return;
+    }
+}
+
 void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   Checker check(resolved, mistakes);
   check_traction(check);
@@ -286,6 +309,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_static_bearing(resolved, mistakes);
   check_defect(resolved, mistakes);
   check_duplex(resolved, mistakes);
+  check_contact(resolved, mistakes);
   if (resolved.model() == roller_bearing) check_whole_cage(check, resolved);
 }
 

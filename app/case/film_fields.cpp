@@ -7,6 +7,12 @@ namespace orbearing::app::table {
 
 void add_film_fields(std::vector<Field>& fields) {
   add_described(fields, bearing::film::EllipticalContact{});
+  add_described(fields, bearing::film::LineContact{});
+  for (Field& field : fields) {
+    if (field.path != "contact.ellipticity") continue;
+    field.required_by = no_model;  // consistency.cpp asks for one of the two
+    field.use = field.use.when(where_absent("contact.length"));
+  }
   add_described(fields, bearing::film::FilmChoice{});
   fields.push_back({.path = "points",
                     .kind = Kind::list,

@@ -27,10 +27,16 @@ int run_film_case(const ResolvedCase& resolved, const Options& options) {
   if (!folder.finished().contains(0)) {
     if (!folder.path().empty()) {
       write_aside_and_rename(folder.path() / "film.csv", film_csv(study));
-      for (std::size_t i = 0; i < study.points.size(); ++i)
-        if (study.points[i].solution && study.points[i].solution->converged)
+      for (std::size_t i = 0; i < study.points.size(); ++i) {
+        const FilmPoint& point = study.points[i];
+        if (point.lost()) continue;
+        if (point.solution)
           write_aside_and_rename(folder.path() / fmt::format("film_map_{}.csv", i + 1),
-                                 film_map_csv(*study.points[i].solution));
+                                 film_map_csv(*point.solution));
+        if (point.line)
+          write_aside_and_rename(folder.path() / fmt::format("film_line_{}.csv", i + 1),
+                                 film_line_csv(*point.line));
+      }
     }
     folder.keep(
         {{0, lone_result_file(header, "film of a contact", film_content(study)), lone_row(folder.head())}});

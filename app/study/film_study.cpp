@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "app/case/described_case.hpp"
 #include "app/results/json_number.hpp"
@@ -16,18 +17,57 @@ namespace {
 namespace film = bearing::film;
 using Json = nlohmann::ordered_json;
 
+constexpr double kMicrometres = 1e6, kNewtons = 1.0;
+
 struct FilmQuantity {
   const char* name;
+  double scale;  // of results and tables, with its unit
+  const char* unit;
+  const char* units;  // in files of arrays
   const char* meaning;
-  double film::Films::*value;
+  double (*value)(const FilmPoint&);
 };
 
-constexpr std::array<FilmQuantity, 5> film_quantities{
-    {{"h_c", "central film, Eq. (11) of [Guo2013] or by Reynolds' equation", &film::Films::central},
-     {"h_min", "least film, Eq. (12) or by Reynolds' equation", &film::Films::least},
-     {"h_c_HamrockDowson", "central film without spin, Eq. (13)", &film::Films::central_hamrock_dowson},
-     {"h_min_HamrockDowson", "least film without spin, Eq. (13)", &film::Films::least_hamrock_dowson},
-     {"h_0", "approach of the rigid bodies, Eq. (10) or by Reynolds' equation", &film::Films::rigid}}};
+constexpr std::array<FilmQuantity, 5> ellipse_quantities{
+    {{"h_c", kMicrometres, "um", "m", "central film, Eq. (11) of [Guo2013] or by Reynolds' equation",
+      [](const FilmPoint& point) { return point.films.central; }},
+     {"h_min", kMicrometres, "um", "m", "least film, Eq. (12) or by Reynolds' equation",
+      [](const FilmPoint& point) { return point.films.least; }},
+     {"h_c_HamrockDowson", kMicrometres, "um", "m", "central film without spin, Eq. (13)",
+      [](const FilmPoint& point) { return point.films.central_hamrock_dowson; }},
+     {"h_min_HamrockDowson", kMicrometres, "um", "m", "least film without spin, Eq. (13)",
+      [](const FilmPoint& point) { return point.films.least_hamrock_dowson; }},
+     {"h_0", kMicrometres, "um", "m", "approach of the rigid bodies, Eq. (10) or by Reynolds' equation",
+      [](const FilmPoint& point) { return point.films.rigid; }}}};
+
+// Of a line contact; nothing where Reynolds' equation was not solved.
+template <double film::LineFilm::*member>
+double of_line(const FilmPoint& point) {
+  return point.line->converged ? (*point.line).*member : std::numeric_limits<double>::quiet_NaN();
+}
+
+constexpr std::array<FilmQuantity, 5> line_quantities{
+    {{"h_c", kMicrometres, "um", "m", "central film by Reynolds' equation",
+      of_line<&film::LineFilm::central>},
+     {"h_min", kMicrometres, "um", "m", "least film by Reynolds' equation", of_line<&film::LineFilm::least>},
+     {"h_flow", kMicrometres, "um", "m", "oil that passes, as a film without pressure at the rolling speed",
+      of_line<&film::LineFilm::flow>},
+     {"h_min_DowsonHigginson", kMicrometres, "um", "m", "least film, [DowsonHigginson1966]",
+      [](const FilmPoint& point) { return point.least_dowson_higginson; }},
+     {"rolling_resistance", kNewtons, "N", "N",
+      "by which the oil in the inlet holds each surface back, isothermal, of an inlet without end",
+      [](const FilmPoint& point) {
+        return point.length * (of_line<&film::LineFilm::rolling_traction>(point) +
+                               of_line<&film::LineFilm::inlet_beyond>(point));
+      }}}};
+
+std::span<const FilmQuantity> quantities_of(const FilmPoint& point) {
+  return point.line ? std::span<const FilmQuantity>(line_quantities) : ellipse_quantities;
+}
+
+std::string name_of(const FilmQuantity& one) {
+  return std::string(one.name) + "_" + one.unit;
+}
 
 struct MotionQuantity {
   const char* name;  // as in results
@@ -46,8 +86,16 @@ NamedArray over_points(std::string name, std::string units, std::string meaning)
   return {std::move(name), {"point"}, std::move(units), std::move(meaning), {}};
 }
 
-FilmPoint solved(const film::EllipticalContact& contact, const bearing::Lubricant& oil,
+FilmPoint solved(const film::EllipticalContact& contact, double length, const bearing::Lubricant& oil,
                  const film::ContactMotion& motion) {
+  if (length > 0.0) {
+    const film::LineFilmCase line = film::line_film_case(contact, length, oil, motion);
+    return {.motion = motion,
+            .films = {},
+            .line = film::solve_line_film(line),
+            .length = length,
+            .least_dowson_higginson = film::dowson_higginson(line)};
+  }
   FilmPoint point{.motion = motion, .films = {}, .solution = {}};
   point.solution = film::solve_point_film(film::point_film_case(contact, oil, motion));
   point.films = film::films_of(*point.solution, contact, oil, motion);
@@ -62,6 +110,7 @@ bool is_spin_film(const ResolvedCase& resolved) {
 
 FilmStudy film_study(const ResolvedCase& in) {
   const auto contact = from_case<film::EllipticalContact>(in);
+  const auto line = from_case<film::LineContact>(in);
   const auto oil = from_case<bearing::Lubricant>(in);
   const auto choice = from_case<film::FilmChoice>(in);
   const std::vector<double>& rows = in.list("points");
@@ -69,8 +118,8 @@ FilmStudy film_study(const ResolvedCase& in) {
   for (std::size_t i = 0; i < rows.size(); i += motion_quantities.size()) {
     const film::ContactMotion motion{.load = rows[i], .rolling = rows[i + 1], .spin = rows[i + 2]};
     if (choice.solver == film::FilmSolver::reynolds) {
-      study.points.push_back(solved(contact, oil, motion));
-      if (!study.points.back().solution->converged)
+      study.points.push_back(solved(contact, line.length, oil, motion));
+      if (study.points.back().lost())
         study.warnings.push_back(
             fmt::format("points: in row {} Reynolds' equation was not solved", study.points.size()));
       continue;
@@ -83,16 +132,17 @@ FilmStudy film_study(const ResolvedCase& in) {
 }
 
 double film_property(const FilmStudy& study, const std::string& quantity) {
-  for (const FilmQuantity& one : film_quantities)
-    if (quantity == std::string(one.name) + "_um") return 1e6 * study.points.front().films.*one.value;
+  const FilmPoint& point = study.points.front();
+  for (const FilmQuantity& one : quantities_of(point))
+    if (quantity == name_of(one)) return one.scale * one.value(point);
   return std::numeric_limits<double>::quiet_NaN();
 }
 
 Json film_json(const FilmPoint& point) {
   Json object;
   for (const MotionQuantity& one : motion_quantities) object[one.name] = point.motion.*one.value;
-  for (const FilmQuantity& one : film_quantities)
-    object[std::string(one.name) + "_um"] = number_or_null(1e6 * point.films.*one.value);
+  for (const FilmQuantity& one : quantities_of(point))
+    object[name_of(one)] = number_or_null(one.scale * one.value(point));
   return object;
 }
 
@@ -104,13 +154,14 @@ Json film_json(const FilmStudy& study) {
 
 std::string film_text(const FilmStudy& study) {
   std::string text = fmt::format("{:>10} {:>14} {:>12}", "load [N]", "rolling [m/s]", "spin [rad/s]");
-  for (const FilmQuantity& one : film_quantities)
-    text += fmt::format(" {:>24}", std::string(one.name) + " [um]");
+  const std::span<const FilmQuantity> quantities = quantities_of(study.points.front());
+  for (const FilmQuantity& one : quantities)
+    text += fmt::format(" {:>26}", fmt::format("{} [{}]", one.name, one.unit));
   for (const FilmPoint& point : study.points) {
     text += fmt::format("\n{:>10.6g} {:>14.6g} {:>12.6g}", point.motion.load, point.motion.rolling,
                         point.motion.spin);
-    for (const FilmQuantity& one : film_quantities)
-      text += fmt::format(" {:>24.4f}", 1e6 * point.films.*one.value);
+    for (const FilmQuantity& one : quantities)
+      text += fmt::format(" {:>26.4f}", one.scale * one.value(point));
   }
   return text + "\n";
 }
@@ -122,10 +173,9 @@ PointContent film_content(const FilmStudy& study) {
     for (const FilmPoint& point : study.points)
       content.arrays.back().values.push_back(point.motion.*one.value);
   }
-  for (const FilmQuantity& one : film_quantities) {
-    content.arrays.push_back(over_points(one.name, "m", one.meaning));
-    for (const FilmPoint& point : study.points)
-      content.arrays.back().values.push_back(point.films.*one.value);
+  for (const FilmQuantity& one : quantities_of(study.points.front())) {
+    content.arrays.push_back(over_points(one.name, one.units, one.meaning));
+    for (const FilmPoint& point : study.points) content.arrays.back().values.push_back(one.value(point));
   }
   return content;
 }
@@ -133,12 +183,12 @@ PointContent film_content(const FilmStudy& study) {
 std::string film_csv(const FilmStudy& study) {
   std::string text;
   for (const MotionQuantity& one : motion_quantities) text += std::string(one.name) + ",";
-  for (const FilmQuantity& one : film_quantities) text += std::string(one.name) + "_um,";
+  const std::span<const FilmQuantity> quantities = quantities_of(study.points.front());
+  for (const FilmQuantity& one : quantities) text += name_of(one) + ",";
   text.back() = '\n';
   for (const FilmPoint& point : study.points) {
     for (const MotionQuantity& one : motion_quantities) text += fmt::format("{},", point.motion.*one.value);
-    for (const FilmQuantity& one : film_quantities)
-      text += fmt::format("{:.9g},", 1e6 * point.films.*one.value);
+    for (const FilmQuantity& one : quantities) text += fmt::format("{:.9g},", one.scale * one.value(point));
     text.back() = '\n';
   }
   return text;
@@ -150,6 +200,14 @@ std::string film_map_csv(const film::PointFilm& solution) {
     for (Eigen::Index i = 0; i < solution.x.size(); ++i)
       text += fmt::format("{:.6g},{:.6g},{:.6g},{:.6g},{:.4g}\n", 1e3 * solution.x[i], 1e3 * solution.y[j],
                           1e-9 * solution.pressure(i, j), 1e6 * solution.film(i, j), solution.fraction(i, j));
+  return text;
+}
+
+std::string film_line_csv(const film::LineFilm& solution) {
+  std::string text = "x_mm,pressure_GPa,film_um,oil_fraction\n";
+  for (Eigen::Index i = 0; i < solution.x.size(); ++i)
+    text += fmt::format("{:.6g},{:.6g},{:.6g},{:.4g}\n", 1e3 * solution.x[i], 1e-9 * solution.pressure[i],
+                        1e6 * solution.film[i], solution.fraction[i]);
   return text;
 }
 

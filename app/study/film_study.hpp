@@ -16,6 +16,12 @@ struct FilmPoint {
   bearing::film::ContactMotion motion;
   bearing::film::Films films;
   std::optional<bearing::film::PointFilm> solution{};  // of Reynolds' equation
+  std::optional<bearing::film::LineFilm> line{};       // the same of a line contact, which has nothing else
+  double length = 0.0;                                 // [m]  of that contact
+  double least_dowson_higginson = 0.0;                 // [m]  of it
+
+  /// Whether Reynolds' equation was asked for and not solved.
+  bool lost() const { return (solution && !solution->converged) || (line && !line->converged); }
 };
 
 struct FilmStudy {
@@ -29,7 +35,8 @@ bool is_spin_film(const ResolvedCase& resolved);
 FilmStudy film_study(const ResolvedCase& resolved);
 
 /// Of the first point, by its name in the results: "h_c_um", "h_min_um", "h_c_HamrockDowson_um",
-/// "h_min_HamrockDowson_um", "h_0_um"; NaN for a name that is not known.
+/// "h_min_HamrockDowson_um", "h_0_um", of lines "h_flow_um", "h_min_DowsonHigginson_um" and
+/// "rolling_resistance_N"; NaN for a name that is not known.
 double film_property(const FilmStudy& study, const std::string& quantity);
 
 /// load_N, rolling_speed_m_s, spin_rad_s and the films in um; null where nothing is loaded.
@@ -41,5 +48,6 @@ PointContent film_content(const FilmStudy& study);
 std::string film_csv(const FilmStudy& study);
 /// Pressure and film at each node of a solution of Reynolds' equation, as rows of text.
 std::string film_map_csv(const bearing::film::PointFilm& solution);
+std::string film_line_csv(const bearing::film::LineFilm& solution);
 
 }  // namespace orbearing::app

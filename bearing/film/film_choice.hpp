@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "bearing/film/reynolds/line.hpp"
 #include "bearing/film/reynolds/point.hpp"
 #include "bearing/film/spin_film.hpp"
 
@@ -32,6 +33,27 @@ void describe(Visitor& visit, FilmChoice& m) {
           {.models = spin_film,
            .reason = "as the source; a solution takes about a second and has no range to leave"}));
 }
+
+/// A contact of rollers, in place of an ellipse.
+struct LineContact {
+  double length = 0.0;  // [m]  0: an ellipse
+};
+
+template <class Visitor>
+void describe(Visitor& visit, LineContact& m) {
+  using namespace described;
+  members(visit, m,
+          field(m.length, "contact.length", Felt::one_contact,
+                "length of a line contact, in place of contact.ellipticity",
+                {.models = spin_film, .dimension = dimension::length, .range = positive(1e4)}));
+}
+
+/// The same of a line contact of `length` [m].
+LineFilmCase line_film_case(const EllipticalContact& contact, double length, const Lubricant& oil,
+                            const ContactMotion& motion);
+
+/// Least film [m] of a line contact, 2.65 U^0.7 G^0.54 W^-0.13 R [DowsonHigginson1966].
+double dowson_higginson(const LineFilmCase& line);
 
 /// The contact and motion as Reynolds' equation takes them; directions do not matter, so sizes alone.
 PointFilmCase point_film_case(const EllipticalContact& contact, const Lubricant& oil,

@@ -239,6 +239,8 @@ LineFilm solve_line_film(const LineFilmCase& contact, const LineFilmGrid& grid) 
   double traction = 0.0;
   for (Index i = 0; i < n; ++i) traction += 0.25 * (equations.H[i] + equations.H[i + 1]) * (P[i + 1] - P[i]);
   result.rolling_traction = traction * pressure * film;
+  result.flow = -mean * film;
+  result.inlet_beyond = 12.0 * contact.oil.viscosity * contact.rolling * r / -result.x[0];
   return result;
 }
 

@@ -34,7 +34,9 @@ struct LineFilm {
   double mass_error = 0.0;        // [-]  largest difference of the flow from its mean where there is pressure
   double central = 0.0;           // [m]
   double least = 0.0;             // [m]
+  double flow = 0.0;              // [m]  oil that passes: a film without pressure at the rolling speed
   double rolling_traction = 0.0;  // [N/m]  by which the flow that pressure drives holds each surface back
+  double inlet_beyond = 0.0;      // [N/m]  what a parabolic inlet beyond the domain would add to it
   double largest_pressure = 0.0;  // [Pa]
   double rupture = 0.0;           // [m]  where the oil begins to cavitate
   Eigen::ArrayXd x;               // [m]

@@ -96,6 +96,37 @@ TEST(FilmStudy, ThePublishedContactIsSolvedByReynoldsEquation) {
   for (const FilmPoint& point : study.points) EXPECT_TRUE(point.solution->converged);
 }
 
+// Rollers have lines: the same command, with results of their own.
+TEST(FilmStudy, ALineContactIsSolved) {
+  const FilmStudy study = film_study(shipped("reynolds_line", {"points=[[684 N, 1.14 m/s, 0 rad/s]]"}));
+  EXPECT_THAT(study.warnings, IsEmpty());
+  const nlohmann::ordered_json row = film_json(study).at("film").at(0);
+  EXPECT_EQ(row.at("h_min_um").get<double>(), film_property(study, "h_min_um"));
+  EXPECT_NEAR(film_property(study, "h_min_um") / film_property(study, "h_min_DowsonHigginson_um"), 1.0, 0.1);
+  EXPECT_GT(film_property(study, "h_flow_um"), film_property(study, "h_c_um"));
+  EXPECT_GT(film_property(study, "rolling_resistance_N"), 0.0);
+  EXPECT_FALSE(row.contains("h_c_HamrockDowson_um"));
+  EXPECT_THAT(film_csv(study), HasSubstr("h_flow_um,h_min_DowsonHigginson_um,rolling_resistance_N\n"));
+  EXPECT_THAT(film_text(study), HasSubstr("rolling_resistance [N]"));
+  EXPECT_THAT(film_line_csv(*study.points[0].line), HasSubstr("x_mm,pressure_GPa,film_um,oil_fraction\n"));
+}
+
+TEST(FilmStudy, AContactIsAnEllipseOrALine) {
+  struct {
+    std::vector<std::string> settings;
+    const char* word;
+  } const refused[]{{{"film.solver=regression"}, "the regressions know ellipses alone"},
+                    {{"points=[[684 N, 1.14 m/s, 5 rad/s]]"}, "a line contact that spins"}};
+  for (const auto& one : refused) {
+    try {
+      shipped("reynolds_line", one.settings);
+      ADD_FAILURE() << one.word;
+    } catch (const BadInput& refusal) {
+      EXPECT_THAT(refusal.what(), HasSubstr(one.word));
+    }
+  }
+}
+
 TEST(BallFilms, OfLoadedBallsAlone) {
   const StaticStudy study = static_study(
       shipped("spin_bearing_7210", {"load.radial=4 kN", "load.axial=500 N", "operation.shaft_speed=6000 rpm",
