@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bearing/contact/film.hpp"
+#include "bearing/contact/friction.hpp"
 #include "bearing/film/reynolds/line.hpp"
 
 namespace orbearing::bearing::film::reynolds_line_test {
@@ -118,6 +120,41 @@ TEST(ReynoldsLine, TheInletBeyondTheDomainIsAccountedFor) {
   const double all = film.rolling_traction + film.inlet_beyond;
   EXPECT_GT(film.inlet_beyond, 0.05 * all);
   EXPECT_NEAR((longer.rolling_traction + longer.inlet_beyond) / all, 1.0, 0.02);
+}
+
+// docs/reynolds.md: an interpolation in the groups of Moes, between rigid bodies in oil of one viscosity and
+// elastic ones in oil that thickens.
+double interpolated_resistance(double material, double speed, double load) {
+  const double M = load / std::sqrt(2.0 * speed), L = material * std::pow(2.0 * speed, 0.25);
+  const double rigid = 1.506 * std::sqrt(M), elastic = 2.165 * std::pow(M, -0.0352) * std::pow(L, -0.0866);
+  return modulus * radius * std::pow(2.0 * speed, 0.75) *
+         std::pow(std::pow(rigid, -3.214) + std::pow(elastic, -3.214), -1.0 / 3.214);
+}
+
+// Issue 15, Build 5: rolling resistance of rollers, computed, beside the remembered law that rollers in
+// motion feel.
+TEST(ReynoldsLine, RollingResistanceOverTheContactsOfRollerBearings) {
+  for (const double material : {3e3, 6e3})
+    for (const double speed : {1e-12, 3e-11, 3e-10})
+      for (const double load : {3e-6, 3e-5, 3e-4}) {
+        LineFilmCase line = of_groups(speed, load);
+        line.oil.pressure_viscosity = material / modulus;
+        const LineFilm film = solve_line_film(line);
+        ASSERT_TRUE(film.converged);
+        const double resistance = film.rolling_traction + film.inlet_beyond;
+        EXPECT_NEAR(interpolated_resistance(material, speed, load) / resistance, 1.0, 0.08)
+            << material << ' ' << speed << ' ' << load;
+        const FilmContact contact{.equivalent_radius = radius,
+                                  .length = 1.0,
+                                  .reduced_modulus = modulus,
+                                  .lubricant = {.viscosity = line.oil.viscosity,
+                                                .pressure_viscosity = line.oil.pressure_viscosity}};
+        const double remembered = RollingResistance<double>::of(contact).force(
+            oiled_contact(line.load, std::log(line.rolling)), line.rolling);
+        const double ratio = resistance / remembered;
+        EXPECT_GT(ratio, load < 1e-5 ? 0.45 : 0.8);
+        EXPECT_LT(ratio, 1.8);
+      }
 }
 
 TEST(ReynoldsLine, EyringsOilThinsTheFilmThatSlides) {
