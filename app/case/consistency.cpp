@@ -1,6 +1,7 @@
 #include "app/case/consistency.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
@@ -270,9 +271,14 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
 void check_contact(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.model() != spin_film || !in.has("film.solver")) return;
   if (!in.has("contact.length")) {
-    if (!in.has("contact.ellipticity"))
-      object_to(in, "contact.ellipticity", "neither an ellipse nor a line",
-                "contact.ellipticity, or contact.length of a line contact, is required", mistakes);
+    const bool told = std::any_of(mistakes.begin(), mistakes.end(), [](const Mistake& mistake) {
+      return mistake.path == "contact.ellipticity";
+    });
+    if (!in.has("contact.ellipticity") && !told)
+      mistakes.push_back({in.place("model"),
+                          "contact.ellipticity",
+                          {"neither an ellipse nor a line",
+                           "contact.ellipticity, or contact.length of a line contact, is required"}});
     return;
   }
   if (in.choice("film.solver") != "reynolds")

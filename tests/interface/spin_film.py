@@ -67,6 +67,19 @@ class Contact(unittest.TestCase):
         inputs = {row["path"]: row for row in json.loads(call("check", FILM, "--json").stdout)["inputs"]}
         self.assertEqual(inputs["points"]["value"][1], [500, 10, 300])
 
+    def test_a_contact_is_an_ellipse_or_a_line(self):
+        with tempfile.TemporaryDirectory() as place:
+            neither = pathlib.Path(place) / "case.yaml"
+            neither.write_text("".join(line + "\n" for line in FILM.read_text().splitlines() if "ellipticity" not in line))
+            refused = call("run", neither, "--json")
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn("neither an ellipse nor a line", refused.stderr)
+            line = pathlib.Path(place) / "line"
+            done = call("run", CASES / "reynolds_line" / "case.yaml", "-o", line, "--json")
+            row = json.loads(done.stdout)["film"][0]
+            self.assertEqual(list(row)[3:], ["h_c_um", "h_min_um", "h_flow_um", "h_min_DowsonHigginson_um", "rolling_resistance_N"])
+            self.assertTrue((line / "film_line_1.csv").read_text().startswith("x_mm,pressure_GPa,film_um,oil_fraction\n"))
+
     def test_folder(self):
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place) / "out"
