@@ -10,8 +10,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/case/bought_fields.hpp"
 #include "app/case/field_table.hpp"
-#include "app/case/given_by.hpp"
 #include "app/case/objection.hpp"
 #include "app/case/put_in_place.hpp"
 #include "app/units.hpp"
@@ -25,12 +25,6 @@ namespace {
 
 namespace catalogue = bearing::catalogue;
 using boost::math::double_constants::pi;
-
-constexpr const char *kDesignation = "bearing.designation", *kClass = "bearing.clearance_class",
-                     *kClearance = "bearing.radial_clearance", *kState = "bearing.clearance_state",
-                     *kMaterial = "bearing.cage.material", *kComplement = "bearing.complement",
-                     *kRings = "bearing.rings", *kRollers = "bearing.rollers",
-                     *kDensity = "bearing.cage.density";
 
 // Fullest rings of rollers keep this much of their diameter between neighbours, so that the last one goes in.
 constexpr double kLeastGap = 1e-3;  // [-]
@@ -90,7 +84,7 @@ class Bought {
   }
 
   void fill_designation() {
-    const FieldValue* name = find(kDesignation);
+    const FieldValue* name = find(bought::kDesignation);
     entry_ = name == nullptr ? nullptr : catalogue::find(name->given);
     if (entry_ == nullptr) return;
     const bool rollers = entry_->family == catalogue::Family::cylindrical;
@@ -102,7 +96,7 @@ class Bought {
         "{:.2g} % less",
         name->given, rollers ? "roller" : "ball", rollers ? "length" : "diameter",
         -100.0 * inside.per_element);
-    put(rollers ? kRollers : "bearing.balls", fmt::format("{}", inside.elements), inferred);
+    put(rollers ? bought::kRollers : "bearing.balls", fmt::format("{}", inside.elements), inferred);
     put(rollers ? "bearing.roller_diameter" : "bearing.ball_diameter", millimetres(inside.diameter),
         inferred);
     if (rollers)
@@ -137,16 +131,16 @@ class Bought {
   }
 
   void fill_class() {
-    const FieldValue *name = find(kClass), *bore = find("bearing.bore");
+    const FieldValue *name = find(bought::kClass), *bore = find("bearing.bore");
     if (name == nullptr || (entry_ == nullptr && bore == nullptr)) return;
     const double diameter = entry_ != nullptr ? entry_->bore : bore->number;
     try {
       const catalogue::ClearanceRange range =
           catalogue::clearance_range(family(), class_of(name->given), diameter);
-      put(kClearance, fmt::format("{:g} um", kMicro * range.middle()),
+      put(bought::kClearance, fmt::format("{:g} um", kMicro * range.middle()),
           fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 5753)", name->given,
                       kMicro * range.least, kMicro * range.most));
-      put_usual(kState, "unmounted", "default: a clearance class is that of a bearing on the shelf");
+      put_usual(bought::kState, "unmounted", "default: a clearance class is that of a bearing on the shelf");
     } catch (const std::invalid_argument&) {  // check_as_bought() says it
     }
   }
@@ -160,28 +154,28 @@ class Bought {
   }
 
   void fill_material() {
-    const FieldValue* name = find(kMaterial);
+    const FieldValue* name = find(bought::kMaterial);
     if (name == nullptr) return;
     const bearing::CageMaterial& material = bearing::cage_material(name->given);
-    put(kDensity, fmt::format("{:g} kg/m3", material.density),
+    put(bought::kDensity, fmt::format("{:g} kg/m3", material.density),
         fmt::format("default: a cage of {}", material.name));
   }
 
   // Of rollers whose number is left out, as many as go in.
   void fill_complement() {
-    const FieldValue *complement = find(kComplement), *pitch = find("bearing.pitch_diameter"),
+    const FieldValue *complement = find(bought::kComplement), *pitch = find("bearing.pitch_diameter"),
                      *diameter = find("bearing.roller_diameter");
     if (complement == nullptr || complement->given != "full" || pitch == nullptr || diameter == nullptr)
       return;
     if (!(diameter->number < pitch->number)) return;
-    put_usual(kRollers, fmt::format("{}", most_rollers(pitch->number, diameter->number)),
+    put_usual(bought::kRollers, fmt::format("{}", most_rollers(pitch->number, diameter->number)),
               "default: a full complement, as many as go in");
   }
 
   // The pin and the bore of the planet are the races.
   void fill_rings() {
-    const FieldValue *rings = find(kRings), *pitch = find("bearing.pitch_diameter"),
-                     *diameter = find("bearing.roller_diameter"), *clearance = find(kClearance);
+    const FieldValue *rings = find(bought::kRings), *pitch = find("bearing.pitch_diameter"),
+                     *diameter = find("bearing.roller_diameter"), *clearance = find(bought::kClearance);
     if (rings == nullptr || rings->given == "both" || pitch == nullptr || diameter == nullptr ||
         clearance == nullptr)
       return;
@@ -199,19 +193,19 @@ class Bought {
 };
 
 void check_designation(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (!in.has(kDesignation)) return;
-  const catalogue::Entry* entry = catalogue::find(in.choice(kDesignation));
+  if (!in.has(bought::kDesignation)) return;
+  const catalogue::Entry* entry = catalogue::find(in.choice(bought::kDesignation));
   const bool rollers = entry->family == catalogue::Family::cylindrical;
   if (rollers != ((in.model() & with_rollers) != 0))
     object_to(
-        in, kDesignation,
-        fmt::format("'{}', a bearing of {}", in.choice(kDesignation), rollers ? "rollers" : "balls"),
+        in, bought::kDesignation,
+        fmt::format("'{}', a bearing of {}", in.choice(bought::kDesignation), rollers ? "rollers" : "balls"),
         rollers ? "one of balls, such as 6205, is required" : "one of rollers, such as NU 205, is required",
         mistakes);
 }
 
 catalogue::Family family_of(const ResolvedCase& in) {
-  if (in.has(kDesignation)) return catalogue::find(in.choice(kDesignation))->family;
+  if (in.has(bought::kDesignation)) return catalogue::find(in.choice(bought::kDesignation))->family;
   if ((in.model() & with_rollers) != 0) return catalogue::Family::cylindrical;
   return in.has("bearing.contact_angle") && in.quantity("bearing.contact_angle") != 0.0
              ? catalogue::Family::angular_contact
@@ -219,21 +213,21 @@ catalogue::Family family_of(const ResolvedCase& in) {
 }
 
 std::optional<double> bore_of(const ResolvedCase& in) {
-  if (in.has(kDesignation)) return catalogue::find(in.choice(kDesignation))->bore;
+  if (in.has(bought::kDesignation)) return catalogue::find(in.choice(bought::kDesignation))->bore;
   return in.has("bearing.bore") ? std::optional<double>(in.quantity("bearing.bore")) : std::nullopt;
 }
 
 void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
-  if (!in.has(kClass)) return;
+  if (!in.has(bought::kClass)) return;
   const auto object = [&](std::string found, std::string required) {
-    object_to(in, kClass, std::move(found), std::move(required), mistakes);
+    object_to(in, bought::kClass, std::move(found), std::move(required), mistakes);
   };
-  if (in.has(kState) && in.choice(kState) == "operating")
+  if (in.has(bought::kState) && in.choice(bought::kState) == "operating")
     object("a clearance class beside bearing.clearance_state: operating",
            "a class is that of a bearing on the shelf: bearing.clearance_state: unmounted, or a radial "
            "clearance in "
            "place of the class, is required");
-  if (in.has(kRings) && in.choice(kRings) != "both")
+  if (in.has(bought::kRings) && in.choice(bought::kRings) != "both")
     object("a clearance class of a bearing without both rings",
            "bearing.radial_clearance, of pin, rollers and bore together, is required");
   const std::optional<double> bore = bore_of(in);
@@ -242,71 +236,31 @@ void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
     return;
   }
   try {
-    (void)catalogue::clearance_range(family_of(in), class_of(in.choice(kClass)), *bore);
+    (void)catalogue::clearance_range(family_of(in), class_of(in.choice(bought::kClass)), *bore);
   } catch (const std::invalid_argument& error) {
-    object(in.choice(kClass), error.what());
+    object(in.choice(bought::kClass), error.what());
   }
 }
 
 void check_complement(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!is_full_complement(in) ||
-      !has_all(in, {kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
+      !has_all(in, {bought::kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
     return;
   const double pitch = in.quantity("bearing.pitch_diameter"),
                diameter = in.quantity("bearing.roller_diameter");
   if (!(diameter < pitch)) return;
   const int most = most_rollers(pitch, diameter);
-  if (in.integer(kRollers) < most)
-    object_to(in, kComplement,
-              fmt::format("a full complement of {} rollers with room for {} more", in.integer(kRollers),
-                          most - in.integer(kRollers)),
+  if (in.integer(bought::kRollers) < most)
+    object_to(in, bought::kComplement,
+              fmt::format("a full complement of {} rollers with room for {} more",
+                          in.integer(bought::kRollers), most - in.integer(bought::kRollers)),
               fmt::format("{} rollers, or their number left out, are required", most), mistakes);
-}
-
-const Use& use_of_row(const std::vector<Field>& fields, const std::string& path) {
-  const auto found =
-      std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.path == path; });
-  if (found == fields.end()) throw std::logic_error("no field '" + path + "'");
-  return found->use;
-}
-
-// Felt wherever one of `paths` is.
-Use use_of_any(const std::vector<Field>& fields, const std::vector<std::string>& paths) {
-  unsigned by = 0, unfelt = 0, refused = 0;
-  for (const std::string& path : paths) {
-    const Use& use = use_of_row(fields, path);
-    by |= use.by;
-    unfelt |= use.unfelt_by;
-    refused |= use.refused_by;
-  }
-  return {by, unfelt & ~(by | refused), refused & ~by};
-}
-
-void add_condition(std::vector<Field>& fields, const std::string& path, const Condition& condition) {
-  for (Field& field : fields)
-    if (field.path == path) field.use = field.use.when(condition);
-}
-
-std::vector<std::string> names_of_classes() {
-  std::vector<std::string> names;
-  for (const auto& one : names_of(catalogue::ClearanceClass{})) names.emplace_back(one.text);
-  return names;
-}
-
-Field choice(std::string path, std::string meaning, const Use& use, unsigned models,
-             std::vector<std::string> choices) {
-  return {.path = std::move(path),
-          .kind = Kind::choice,
-          .meaning = std::move(meaning),
-          .use = use,
-          .models = models,
-          .choices = std::move(choices)};
 }
 
 std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
   std::vector<Derived> rows;
-  if (in.has(kDesignation)) {
-    const catalogue::Entry& entry = *catalogue::find(in.choice(kDesignation));
+  if (in.has(bought::kDesignation)) {
+    const catalogue::Entry& entry = *catalogue::find(in.choice(bought::kDesignation));
     const catalogue::Inside& inside = known_inside(entry);
     rows.push_back({"bearing.catalogue.dynamic_rating", entry.dynamic_rating, "N", "C as printed"});
     rows.push_back({"bearing.catalogue.dynamic_rating_inferred", inside.dynamic_rating, "N",
@@ -315,22 +269,14 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
     rows.push_back({"bearing.catalogue.static_rating_inferred", inside.static_rating, "N",
                     "C_0 of ISO 76 by the inferred geometry"});
   }
-  if (in.has(kClass)) {
+  if (in.has(bought::kClass)) {
     const catalogue::ClearanceRange range =
-        catalogue::clearance_range(family_of(in), class_of(in.choice(kClass)), *bore_of(in));
+        catalogue::clearance_range(family_of(in), class_of(in.choice(bought::kClass)), *bore_of(in));
     rows.push_back(
         {"bearing.clearance_class.least", kMicro * range.least, "um", "of bearings of this class"});
     rows.push_back({"bearing.clearance_class.most", kMicro * range.most, "um", "of bearings of this class"});
   }
   return rows;
-}
-
-// Motion in time holds each roller in a pocket; without cage rollers push one another, which it does not
-// know.
-Use use_of_complement(const std::vector<Field>& fields) {
-  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
-  const Use& cage = use_of_row(fields, kDensity);
-  return {cage.by & ~moving, cage.unfelt_by & ~moving, cage.refused_by | moving};
 }
 
 }  // namespace
@@ -350,7 +296,7 @@ void check_as_bought(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
 }
 
 bool is_full_complement(const ResolvedCase& in) {
-  return in.has(kComplement) && in.choice(kComplement) == "full";
+  return in.has(bought::kComplement) && in.choice(bought::kComplement) == "full";
 }
 
 std::vector<Derived> bought_quantities(const ResolvedCase& resolved) {
@@ -363,76 +309,5 @@ std::vector<Derived> bought_quantities(const ResolvedCase& resolved) {
     }
   return rows;
 }
-
-std::vector<Condition> given_by(std::string_view path) {
-  const std::vector<std::string>& designated = paths_of_designation();
-  const bool of_cage = path.starts_with("bearing.cage.");
-  std::vector<Condition> by;
-  if (path == "bearing.type" || (of_cage && path != kDensity) ||
-      std::find(designated.begin(), designated.end(), path) != designated.end())
-    by.push_back(where_given({kDesignation}));
-  if (path == kRollers || of_cage) by.push_back(where(kComplement, {"full"}));
-  if (path == "bearing.bore") by.push_back(where(kRings, {"outer", "none"}));
-  if (path == "bearing.outside_diameter") by.push_back(where(kRings, {"none"}));
-  if (path == kClearance) by.push_back(where_given({kClass}));
-  if (path == kDensity) by.push_back(where_given({kMaterial}));
-  return by;
-}
-
-const std::vector<std::string>& paths_of_designation() {
-  static const std::vector<std::string> paths{kRollers,
-                                              "bearing.roller_diameter",
-                                              "bearing.roller_length",
-                                              "bearing.balls",
-                                              "bearing.ball_diameter",
-                                              "bearing.contact_angle",
-                                              "bearing.pitch_diameter",
-                                              "bearing.bore",
-                                              "bearing.outside_diameter",
-                                              "bearing.width",
-                                              "bearing.dynamic_capacity"};
-  return paths;
-}
-
-namespace table {
-
-void add_bought_fields(std::vector<Field>& fields) {
-  constexpr unsigned bought = with_rollers | with_balls;
-  std::vector<Field> rows{
-      choice(kDesignation,
-             "designation of the bearing in the project's catalogue: boundary dimensions and ratings as "
-             "printed, "
-             "rollers or balls inferred from them",
-             use_of_any(fields, paths_of_designation()), bought, catalogue::designations()),
-      choice(kClass,
-             "clearance class of the bearing on the shelf, ISO 5753; the middle of its range is taken",
-             use_of_any(fields, {kClearance}), with_rollers | lone_balls, names_of_classes()),
-      choice(kMaterial, "material of the cage, in place of its density", use_of_any(fields, {kDensity}),
-             with_rollers | described::balls_in_time, {"polyamide", "steel", "brass", "aluminium"}),
-      choice(kComplement, "whether a cage keeps the rollers apart, or they touch one another",
-             use_of_complement(fields), with_rollers, {"caged", "full"})};
-  for (Field& field : fields)
-    if (field.path == kRings) field.use = use_of_any(fields, {"bearing.bore", "bearing.outside_diameter"});
-  rows.back().default_text = "caged";
-  rows.back().default_reason = "as most bearings are bought";
-  for (const std::string& path : paths_of_designation())
-    add_condition(fields, path, where_absent(kDesignation));
-  add_condition(fields, kClearance, where_absent(kClass));
-  add_condition(fields, kDensity, where_absent(kMaterial));
-  for (Field& field : fields)
-    if (field.path.starts_with("bearing.cage.")) field.use = field.use.when(where(kComplement, {"caged"}));
-  add_condition(fields, "bearing.bore", where(kRings, {"both"}));
-  add_condition(fields, "bearing.outside_diameter", where(kRings, {"both", "outer"}));
-  add_condition(fields, "bearing.fit.inner_interference", where(kRings, {"both"}));
-  add_condition(fields, "bearing.temperature.inner_ring", where(kRings, {"both"}));
-  add_condition(fields, "bearing.fit.outer_interference", where(kRings, {"both", "outer"}));
-  add_condition(fields, "bearing.temperature.outer_ring", where(kRings, {"both", "outer"}));
-  for (Field& row : rows) {
-    if (row.path == kMaterial) row.use = row.use.when(where(kComplement, {"caged"}));
-    fields.push_back(std::move(row));
-  }
-}
-
-}  // namespace table
 
 }  // namespace orbearing::app

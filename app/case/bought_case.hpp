@@ -27,13 +27,4 @@ bool is_full_complement(const ResolvedCase& in);
 /// the clearance.
 std::vector<Derived> bought_quantities(const ResolvedCase& resolved);
 
-/// Inputs that follow where `bearing.designation` is given.
-const std::vector<std::string>& paths_of_designation();
-
-namespace table {
-/// Rows of designation, class, cage material and complement, and the conditions that they put on the rows
-/// before them.
-void add_bought_fields(std::vector<Field>& fields);
-}  // namespace table
-
 }  // namespace orbearing::app

@@ -6,7 +6,6 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "app/case/bought_case.hpp"
 #include "app/case/described_fields.hpp"
 #include "gearset/gear_pair.hpp"
 

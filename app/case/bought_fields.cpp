@@ -1,0 +1,137 @@
+// Rows of designation, class, cage material and complement, and the conditions that they put on the rows
+// before them.
+#include "app/case/bought_fields.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string_view>
+
+#include "app/case/field_table.hpp"
+#include "app/case/given_by.hpp"
+#include "bearing/catalogue/clearance_class.hpp"
+#include "bearing/catalogue/inference.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+namespace catalogue = bearing::catalogue;
+
+const Use& use_of_row(const std::vector<Field>& fields, const std::string& path) {
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.path == path; });
+  if (found == fields.end()) throw std::logic_error("no field '" + path + "'");
+  return found->use;
+}
+
+// Felt wherever one of `paths` is.
+Use use_of_any(const std::vector<Field>& fields, const std::vector<std::string>& paths) {
+  unsigned by = 0, unfelt = 0, refused = 0;
+  for (const std::string& path : paths) {
+    const Use& use = use_of_row(fields, path);
+    by |= use.by;
+    unfelt |= use.unfelt_by;
+    refused |= use.refused_by;
+  }
+  return {by, unfelt & ~(by | refused), refused & ~by};
+}
+
+void add_condition(std::vector<Field>& fields, const std::string& path, const Condition& condition) {
+  for (Field& field : fields)
+    if (field.path == path) field.use = field.use.when(condition);
+}
+
+std::vector<std::string> names_of_classes() {
+  std::vector<std::string> names;
+  for (const auto& one : names_of(catalogue::ClearanceClass{})) names.emplace_back(one.text);
+  return names;
+}
+
+Field choice(std::string path, std::string meaning, const Use& use, unsigned models,
+             std::vector<std::string> choices) {
+  return {.path = std::move(path),
+          .kind = Kind::choice,
+          .meaning = std::move(meaning),
+          .use = use,
+          .models = models,
+          .choices = std::move(choices)};
+}
+
+// Motion in time holds each roller in a pocket; without cage rollers push one another, which it does not
+// know.
+Use use_of_complement(const std::vector<Field>& fields) {
+  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
+  const Use& cage = use_of_row(fields, bought::kDensity);
+  return {cage.by & ~moving, cage.unfelt_by & ~moving, cage.refused_by | moving};
+}
+
+}  // namespace
+
+std::vector<Condition> given_by(std::string_view path) {
+  const std::vector<std::string>& designated = paths_of_designation();
+  const bool of_cage = path.starts_with("bearing.cage.");
+  std::vector<Condition> by;
+  if (path == "bearing.type" || (of_cage && path != bought::kDensity) ||
+      std::find(designated.begin(), designated.end(), path) != designated.end())
+    by.push_back(where_given({bought::kDesignation}));
+  if (path == bought::kRollers || of_cage) by.push_back(where(bought::kComplement, {"full"}));
+  if (path == "bearing.bore") by.push_back(where(bought::kRings, {"outer", "none"}));
+  if (path == "bearing.outside_diameter") by.push_back(where(bought::kRings, {"none"}));
+  if (path == bought::kClearance) by.push_back(where_given({bought::kClass}));
+  if (path == bought::kDensity) by.push_back(where_given({bought::kMaterial}));
+  return by;
+}
+
+const std::vector<std::string>& paths_of_designation() {
+  static const std::vector<std::string> paths{
+      bought::kRollers,           "bearing.roller_diameter", "bearing.roller_length",   "bearing.balls",
+      "bearing.ball_diameter",    "bearing.contact_angle",   "bearing.pitch_diameter",  "bearing.bore",
+      "bearing.outside_diameter", "bearing.width",           "bearing.dynamic_capacity"};
+  return paths;
+}
+
+namespace table {
+
+void add_bought_fields(std::vector<Field>& fields) {
+  constexpr unsigned bought = with_rollers | with_balls;
+  std::vector<Field> rows{
+      choice(bought::kDesignation,
+             "designation of the bearing in the project's catalogue: boundary dimensions and ratings as "
+             "printed, "
+             "rollers or balls inferred from them",
+             use_of_any(fields, paths_of_designation()), bought, catalogue::designations()),
+      choice(bought::kClass,
+             "clearance class of the bearing on the shelf, ISO 5753; the middle of its range is taken",
+             use_of_any(fields, {bought::kClearance}), with_rollers | lone_balls, names_of_classes()),
+      choice(bought::kMaterial, "material of the cage, in place of its density",
+             use_of_any(fields, {bought::kDensity}), with_rollers | described::balls_in_time,
+             {"polyamide", "steel", "brass", "aluminium"}),
+      choice(bought::kComplement, "whether a cage keeps the rollers apart, or they touch one another",
+             use_of_complement(fields), with_rollers, {"caged", "full"})};
+  for (Field& field : fields)
+    if (field.path == bought::kRings)
+      field.use = use_of_any(fields, {"bearing.bore", "bearing.outside_diameter"});
+  rows.back().default_text = "caged";
+  rows.back().default_reason = "as most bearings are bought";
+  for (const std::string& path : paths_of_designation())
+    add_condition(fields, path, where_absent(bought::kDesignation));
+  add_condition(fields, bought::kClearance, where_absent(bought::kClass));
+  add_condition(fields, bought::kDensity, where_absent(bought::kMaterial));
+  for (Field& field : fields)
+    if (field.path.starts_with("bearing.cage."))
+      field.use = field.use.when(where(bought::kComplement, {"caged"}));
+  add_condition(fields, "bearing.bore", where(bought::kRings, {"both"}));
+  add_condition(fields, "bearing.outside_diameter", where(bought::kRings, {"both", "outer"}));
+  add_condition(fields, "bearing.fit.inner_interference", where(bought::kRings, {"both"}));
+  add_condition(fields, "bearing.temperature.inner_ring", where(bought::kRings, {"both"}));
+  add_condition(fields, "bearing.fit.outer_interference", where(bought::kRings, {"both", "outer"}));
+  add_condition(fields, "bearing.temperature.outer_ring", where(bought::kRings, {"both", "outer"}));
+  for (Field& row : rows) {
+    if (row.path == bought::kMaterial) row.use = row.use.when(where(bought::kComplement, {"caged"}));
+    fields.push_back(std::move(row));
+  }
+}
+
+}  // namespace table
+
+}  // namespace orbearing::app

@@ -1,0 +1,20 @@
+// Names of the inputs by which a bearing is bought, and of those that follow from them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace orbearing::app {
+
+namespace bought {
+inline constexpr const char *kDesignation = "bearing.designation", *kClass = "bearing.clearance_class",
+                            *kClearance = "bearing.radial_clearance", *kState = "bearing.clearance_state",
+                            *kMaterial = "bearing.cage.material", *kComplement = "bearing.complement",
+                            *kRings = "bearing.rings", *kRollers = "bearing.rollers",
+                            *kDensity = "bearing.cage.density";
+}  // namespace bought
+
+/// Inputs that follow where `bearing.designation` is given.
+const std::vector<std::string>& paths_of_designation();
+
+}  // namespace orbearing::app
