@@ -168,8 +168,12 @@ class Bought {
     if (complement == nullptr || complement->given != "full" || pitch == nullptr || diameter == nullptr)
       return;
     if (!(diameter->number < pitch->number)) return;
-    put_usual(bought::kRollers, fmt::format("{}", most_rollers(pitch->number, diameter->number)),
-              "default: a full complement, as many as go in");
+    const std::string most = fmt::format("{}", most_rollers(pitch->number, diameter->number));
+    const std::string reason = "default: a full complement, as many as go in";
+    if (entry_ != nullptr)
+      put(bought::kRollers, most, reason);  // the designation's own number is that of a cage
+    else
+      put_usual(bought::kRollers, most, reason);
   }
 
   // The pin and the bore of the planet are the races.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace orbearing::app {
 
@@ -74,6 +75,34 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
              fmt::format("one for each of the {} bearings of a planet is required", bearings), mistakes);
 }
 
+// Bearings lie side by side within the face, which lies within the supports of the pin.
+void check_places(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::string state = "bearing.tilt_state", places = "bearing.axial_places", span = "support.pin_span";
+  if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("gearset.face_width"))
+    return;
+  const double face = resolved.quantity("gearset.face_width");
+  if (resolved.has(span) && resolved.quantity(span) < face)
+    object(resolved, span, resolved.given(span) + " beside a face of " + resolved.given("gearset.face_width"),
+           "at least the face, beyond which its supports lie, is required", mistakes);
+  if (!resolved.has(places) || !resolved.has("bearing.width")) return;
+  const double width = resolved.quantity("bearing.width");
+  std::vector<double> sorted = resolved.list(places);
+  std::sort(sorted.begin(), sorted.end());
+  constexpr double round_off = 1e-9;  // [m]
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    const bool within = std::abs(sorted[k]) + 0.5 * width <= 0.5 * face + round_off;
+    const bool apart = k == 0 || sorted[k] - sorted[k - 1] >= width - round_off;
+    if (within && apart) continue;
+    object(resolved, places,
+           within ? "bearings that reach into each other" : "a bearing that reaches beyond the face",
+           fmt::format(
+               "places at least their width of {:.4g} mm apart and within the face of {:.4g} mm are required",
+               1e3 * width, 1e3 * face),
+           mistakes);
+    return;
+  }
+}
+
 }  // namespace
 
 void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
@@ -82,6 +111,7 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
       check_form(resolved, fmt::format("bearing.{}.{}", race, form), mistakes);
   check_rim(resolved, mistakes);
   check_tilt(resolved, mistakes);
+  check_places(resolved, mistakes);
   const std::string deviations = "bearing.roller_diameter_deviation";
   if (!resolved.has(deviations) || !resolved.has("bearing.rollers")) return;
   const std::size_t given = resolved.list(deviations).size();

@@ -43,7 +43,7 @@ constexpr std::array<FilmQuantity, 5> ellipse_quantities{
 // Of a line contact; nothing where Reynolds' equation was not solved.
 template <double film::LineFilm::*member>
 double of_line(const FilmPoint& point) {
-  return point.line->converged ? (*point.line).*member : std::numeric_limits<double>::quiet_NaN();
+  return !point.lost() ? (*point.line).*member : std::numeric_limits<double>::quiet_NaN();
 }
 
 constexpr std::array<FilmQuantity, 5> line_quantities{
@@ -121,7 +121,9 @@ FilmStudy film_study(const ResolvedCase& in) {
       study.points.push_back(solved(contact, line.length, oil, motion));
       if (study.points.back().lost())
         study.warnings.push_back(
-            fmt::format("points: in row {} Reynolds' equation was not solved", study.points.size()));
+            fmt::format("points: in row {} Reynolds' equation was not solved: a film too thin for the grid, "
+                        "or bodies that run through each other",
+                        study.points.size()));
       continue;
     }
     study.points.push_back({motion, film::spin_films(contact, oil, motion), {}});

@@ -12,6 +12,10 @@
 
 namespace orbearing::app {
 
+/// Central film of a line, over a step of its grid squared, below which the grid does not tell it: its least
+/// film is some tenths too thin there.
+inline constexpr double kLeastFilmInSteps = 60.0;
+
 struct FilmPoint {
   bearing::film::ContactMotion motion;
   bearing::film::Films films;
@@ -21,7 +25,10 @@ struct FilmPoint {
   double least_dowson_higginson = 0.0;                 // [m]  of it
 
   /// Whether Reynolds' equation was asked for and not solved.
-  bool lost() const { return (solution && !solution->converged) || (line && !line->converged); }
+  bool lost() const {
+    return (solution && !solution->converged) ||
+           (line && (!line->converged || line->film_in_steps < kLeastFilmInSteps));
+  }
 };
 
 struct FilmStudy {

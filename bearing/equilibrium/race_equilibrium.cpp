@@ -149,16 +149,30 @@ QuasiStaticState solve(const RaceEquilibrium& problem) {
   return problem.outer_race.is_rigid() ? solve_in<2>(problem) : solve_in<Eigen::Dynamic>(problem);
 }
 
-Eigen::MatrixXd ring_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state) {
-  if (problem.outer_race.is_rigid()) return problem.imbalance(state.displacement).stiffness;
-  const RingCoordinates<Eigen::Dynamic> ring(problem);
+namespace {
+
+// Where the ring stands in a balance that was found.
+Eigen::VectorXd place_of(const RingCoordinates<Eigen::Dynamic>& ring, const QuasiStaticState& state) {
   Eigen::VectorXd place(ring.size());
   place << state.displacement, state.waves;
-  return imbalance_at<Eigen::Dynamic>(problem, ring, place).stiffness;
+  return place;
+}
+
+}  // namespace
+
+Eigen::ArrayXd roller_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state) {
+  const RingCoordinates<Eigen::Dynamic> ring(problem);
+  const Eigen::VectorXd place = place_of(ring, state);
+  Eigen::ArrayXd stiffness(problem.angle.size());
+  for (Eigen::Index j = 0; j < stiffness.size(); ++j)
+    stiffness[j] = roller_at(problem, j, ring.approach(j, place)).stiffness;
+  return stiffness;
 }
 
 Eigen::Matrix2d stiffness_at(const RaceEquilibrium& problem, const QuasiStaticState& state) {
-  return without_waves<2>(ring_stiffness(problem, state));
+  if (problem.outer_race.is_rigid()) return problem.imbalance(state.displacement).stiffness;
+  const RingCoordinates<Eigen::Dynamic> ring(problem);
+  return without_waves<2>(imbalance_at<Eigen::Dynamic>(problem, ring, place_of(ring, state)).stiffness);
 }
 
 }  // namespace orbearing::bearing

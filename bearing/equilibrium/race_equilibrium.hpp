@@ -82,11 +82,11 @@ mechanics::SearchLimits search_limits(const RaceEquilibrium& problem);
 /// Displacement, and waves of the outer race, at which the forces on the outer ring balance.
 QuasiStaticState solve(const RaceEquilibrium& problem);
 
-/// How stiffly the outer ring resists at the balance `state` [N/m]: by all its coordinates, the waves of an
-/// elastic race among them.
-Eigen::MatrixXd ring_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state);
+/// Load on the outer race by the approach of the races, of each roller at the balance `state` [N/m].
+Eigen::ArrayXd roller_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state);
 
-/// The same against displacement, the waves of its race free to follow.
+/// How stiffly the outer ring resists displacement at the balance `state` [N/m], the waves of its race free
+/// to follow.
 Eigen::Matrix2d stiffness_at(const RaceEquilibrium& problem, const QuasiStaticState& state);
 
 }  // namespace orbearing::bearing

@@ -1,12 +1,15 @@
 #include "coupling/study/planet_stiffness.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <boost/math/constants/constants.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "coupling/study/bearing_tangent.hpp"
+#include "mechanics/plane.hpp"
 
 namespace orbearing::study {
 
@@ -15,46 +18,80 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// Of rim and teeth: forces by deflections of both meshes and by the waves of the race, without rollers.
-MatrixXd rim_stiffness(const DrivetrainGeometry& geometry, const gearset::MeanLoads& gears, double sun_mesh,
-                       double ring_mesh) {
-  const gearset::rim::RimInfluence& rim = *geometry.rim;
+// What gives way to what, without rollers: meshes (sun, ring) and waves of the race.
+struct RimCompliance {
+  Eigen::Matrix2d meshes;  // [m/N]
+  MatrixXd waves_by_mesh;  // [m/N]  (waves, 2)
+  Eigen::VectorXd waves;   // [m/N]  each by its own force
+};
+
+RimCompliance rim_compliance(const gearset::rim::RimInfluence& rim, const gearset::MeanLoads& gears,
+                             double sun_mesh, double ring_mesh) {
   const double sense = gears.tangential_force < 0.0 ? -1.0 : 1.0;
   const auto waves_by = [&](const gearset::rim::RaceForm& form) {
     return bearing::waves_at_rest({rim.race, form.cosine, sense * form.sine});
   };
-  const Eigen::VectorXd own = bearing::wave_stiffness({rim.race, {}, {}}).cwiseInverse();
-  MatrixXd compliance = MatrixXd::Zero(2 + own.size(), 2 + own.size());
-  compliance.topLeftCorner<2, 2>() = rim.meshes;
-  compliance.diagonal().head<2>() += Eigen::Vector2d(1.0 / sun_mesh, 1.0 / ring_mesh);
-  compliance.col(0).tail(own.size()) = waves_by(rim.by_sun);
-  compliance.col(1).tail(own.size()) = waves_by(rim.by_ring);
-  compliance.topRows(2).rightCols(own.size()) = compliance.leftCols(2).bottomRows(own.size()).transpose();
-  compliance.diagonal().tail(own.size()) = own;
-  return compliance.inverse();
+  RimCompliance compliance{rim.meshes, {}, bearing::wave_stiffness({rim.race, {}, {}}).cwiseInverse()};
+  compliance.meshes.diagonal() += Eigen::Vector2d(1.0 / sun_mesh, 1.0 / ring_mesh);
+  compliance.waves_by_mesh.resize(compliance.waves.size(), 2);
+  compliance.waves_by_mesh << waves_by(rim.by_sun), waves_by(rim.by_ring);
+  return compliance;
 }
 
-// Of the rollers of all bearings, by displacement of the bore against the pins and by the waves of the race.
-MatrixXd roller_stiffness(const PlanetaryDrivetrain& drivetrain, const bearing::RaceEquilibrium& problem) {
+// Rollers that bear, at one place of the cage.
+struct LoadedRollers {
+  Eigen::Matrix2Xd outward;   // [-]
+  MatrixXd shapes;            // [-]    (waves, rollers)
+  Eigen::VectorXd stiffness;  // [N/m]
+};
+
+LoadedRollers loaded_rollers(const bearing::RaceEquilibrium& problem) {
   const bearing::QuasiStaticState balance = bearing::solve(problem);
   if (!balance.report.converged) throw std::runtime_error(balance.report.message);
-  MatrixXd stiffness = bearing::ring_stiffness(problem, balance);
-  stiffness.diagonal().tail(stiffness.rows() - 2) -= bearing::wave_stiffness(problem.outer_race);
-  return drivetrain.bearings_per_planet * stiffness;
+  const Eigen::ArrayXd stiffness = bearing::roller_stiffness(problem, balance);
+  std::vector<Index> loaded;
+  for (Index j = 0; j < stiffness.size(); ++j)
+    if (stiffness[j] > 0.0) loaded.push_back(j);
+  const auto count = static_cast<Index>(loaded.size());
+  LoadedRollers rollers{Eigen::Matrix2Xd(2, count), MatrixXd(bearing::wave_count(problem.outer_race), count),
+                        Eigen::VectorXd(count)};
+  for (Index i = 0; i < count; ++i) {
+    const double angle = problem.angle[loaded[static_cast<std::size_t>(i)]];
+    rollers.outward.col(i) = mechanics::direction(angle);
+    rollers.shapes.col(i) = bearing::wave_shapes(problem.outer_race, angle);
+    rollers.stiffness[i] = stiffness[loaded[static_cast<std::size_t>(i)]];
+  }
+  return rollers;
 }
 
-// With the waves and the pins free to follow. Coordinates: both meshes, planet, pins, waves.
-Eigen::Matrix4d condensed(const MatrixXd& rim, const MatrixXd& rollers, double support) {
-  constexpr Index kPlanet = 2, kPin = 4, kWaves = 6;
-  const Index waves = rim.rows() - 2;
-  MatrixXd of_rim = MatrixXd::Zero(2 + waves, kWaves + waves), of_rollers = of_rim;
-  of_rim.leftCols(2).topRows(2).setIdentity();
-  of_rim.bottomRightCorner(waves, waves).setIdentity();
-  of_rollers.block<2, 2>(0, kPlanet).setIdentity();
-  of_rollers.block<2, 2>(0, kPin) = -Eigen::Matrix2d::Identity();
-  of_rollers.bottomRightCorner(waves, waves).setIdentity();
-  MatrixXd all = of_rim.transpose() * rim * of_rim + of_rollers.transpose() * rollers * of_rollers;
-  all.diagonal().segment<2>(kPin).array() += support;
+// By deflections of both meshes and displacement of the bore against its pins: from what each mesh force and
+// each roller's load, the same in all bearings, moves, since rollers give way far more than short waves of
+// the race.
+Eigen::Matrix4d against_pins(const RimCompliance& rim, const LoadedRollers& rollers, int bearings) {
+  const Index count = rollers.stiffness.size();
+  MatrixXd moved(2 + count, 2 + count);
+  moved.topLeftCorner<2, 2>() = rim.meshes;
+  moved.bottomLeftCorner(count, 2) = bearings * rollers.shapes.transpose() * rim.waves_by_mesh;
+  moved.topRightCorner(2, count) = moved.bottomLeftCorner(count, 2).transpose();
+  moved.bottomRightCorner(count, count) =
+      bearings * bearings * rollers.shapes.transpose() * rim.waves.asDiagonal() * rollers.shapes;
+  moved.bottomRightCorner(count, count).diagonal() += bearings * rollers.stiffness.cwiseInverse();
+  MatrixXd by_place = MatrixXd::Zero(2 + count, 4);
+  by_place.topLeftCorner<2, 2>().setIdentity();
+  by_place.bottomRightCorner(count, 2) = -bearings * rollers.outward.transpose();
+  const Eigen::LLT<MatrixXd> factors(moved);
+  if (factors.info() != Eigen::Success)
+    throw std::runtime_error("elastic rim: found teeth, rim and rollers that give way against their forces");
+  return by_place.transpose() * factors.solve(by_place);
+}
+
+// With the supports of the pins in series.
+Eigen::Matrix4d on_supports(const Eigen::Matrix4d& planet, double support) {
+  Eigen::Matrix<double, 6, 6> all = Eigen::Matrix<double, 6, 6>::Zero();  // meshes, planet, pins
+  all.topLeftCorner<4, 4>() = planet;
+  all.bottomRightCorner<2, 2>() = planet.bottomRightCorner<2, 2>() + support * Eigen::Matrix2d::Identity();
+  all.bottomLeftCorner<2, 4>() = -planet.bottomRows<2>();
+  all.topRightCorner<4, 2>() = all.bottomLeftCorner<2, 4>().transpose();
   return bearing::without_waves<4>(all);
 }
 
@@ -65,15 +102,15 @@ Eigen::Matrix4d planet_stiffness(const PlanetaryDrivetrain& drivetrain, const Dr
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const bearing::Bearing like = of_like_rollers(drivetrain.bearing);
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
-  const MatrixXd rim = rim_stiffness(geometry, duty.gears, sun_mesh, ring_mesh);
+  const RimCompliance rim = rim_compliance(*geometry.rim, duty.gears, sun_mesh, ring_mesh);
   const double support = drivetrain.bearings_per_planet * drivetrain.dynamics.support.stiffness;
   const double pitch = boost::math::double_constants::two_pi / like.rollers().count;
   Eigen::Matrix4d compliance = Eigen::Matrix4d::Zero();
   for (int i = 0; i < options.cage_positions; ++i) {
-    const MatrixXd rollers = roller_stiffness(
-        drivetrain, bearing::quasi_static_problem(like, geometry.bearing, duty.point, options,
-                                                  i * pitch / options.cage_positions));
-    compliance += condensed(rim, rollers, support).inverse() / options.cage_positions;
+    const LoadedRollers rollers = loaded_rollers(bearing::quasi_static_problem(
+        like, geometry.bearing, duty.point, options, i * pitch / options.cage_positions));
+    const Eigen::Matrix4d planet = against_pins(rim, rollers, drivetrain.bearings_per_planet);
+    compliance += on_supports(planet, support).inverse() / options.cage_positions;
   }
   // The deflection of the bearing is that of the pin from the planet.
   const Eigen::Vector4d sign(1.0, 1.0, -1.0, -1.0);

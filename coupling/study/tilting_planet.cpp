@@ -19,8 +19,10 @@ bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
   constexpr double usual = 1.25;  // half a wall at either side, each a quarter of the face
   const double span = drivetrain.set.face_width * (seats.ends == bearing::PinEnds::both ? usual : 1.0);
   const bool bored =
-      drivetrain.mounting.state == bearing::ClearanceState::unmounted;  // else a case cannot say so
-  return {.diameter = drivetrain.bearing.inner.seat_diameter,
+      drivetrain.mounting.state == bearing::ClearanceState::unmounted;    // else a case cannot say so
+  const bool ringed = drivetrain.mounting.rings == bearing::Rings::both;  // else rollers run on the pin
+  return {.diameter = ringed ? drivetrain.bearing.inner.seat_diameter
+                             : 2.0 * bearing::geometry_of(drivetrain.bearing).inner_radius,
           .bore = bored ? drivetrain.mounting.pin_bore : 0.0,
           .span = seats.span.value_or(span),
           .ends = seats.ends,

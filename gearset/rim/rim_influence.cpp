@@ -56,9 +56,11 @@ void keep_positive(Eigen::ArrayXd& race) {
 
 RimSection rim_section(const PlanetarySet& set, const WorkingGeometry& geometry, double race_radius,
                        double ring_width) {
+  const double seat = 0.5 * set.planet_bore;
+  const bool has_ring = seat > race_radius * (1.0 + 1e-6);  // else rollers run in the bore itself
   return {.tooth = geometry.planet,
           .race_radius = race_radius,
-          .seat_radius = std::max(0.5 * set.planet_bore, race_radius),  // rollers may run in the bore itself
+          .seat_radius = has_ring ? seat : race_radius,
           .ring_width = ring_width,
           .face_width = set.face_width};
 }

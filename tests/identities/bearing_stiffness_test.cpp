@@ -1,4 +1,4 @@
-// The 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: loads a little larger
+// Issue 15, Build 1: the 5 x 5 stiffness against differences of the equilibrium itself, entry by entry: loads a little larger
 // and smaller, and how the ring then stands. Its product with these slopes is the unit matrix.
 #include <gtest/gtest.h>
 

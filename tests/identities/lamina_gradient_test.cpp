@@ -80,7 +80,7 @@ TEST(DropGradient, ByTheRollersParameterIsItsDifference) {
   }
 }
 
-// Issue item "elastic rim": the waves of the race follow too.
+// Issue 16, Build 1: the waves of the race follow too.
 TEST(DropGradient, OnARaceThatBends) {
   Study s = study(true);
   s.point.outer_race = {.compliance = Eigen::ArrayXd::Zero(5),

@@ -1,4 +1,4 @@
-// Issue item "elastic rim in the set's modes": meshes and bearings of a planet as one spring, against the
+// Issue 16, Build 1, in the set's modes: meshes and bearings of a planet as one spring, against the
 // balance itself and against its limits.
 #include <gtest/gtest.h>
 
@@ -50,6 +50,22 @@ TEST(PlanetStiffness, IsSymmetricAndSofterThanItsParts) {
   EXPECT_LT((soft - soft.transpose()).norm(), 1e-10 * soft.norm());
   EXPECT_LT(soft(0, 0), 0.95 * stiff(0, 0));
   EXPECT_LT(soft(1, 1), 0.95 * stiff(1, 1));
+}
+
+// A thick rim, on a single narrow bearing: no direction gives way against its force, and all of it is nearly rigid.
+TEST(PlanetStiffness, OfAThickRimIsNearlyThatOfItsParts) {
+  PlanetaryDrivetrain drivetrain = elastic_reducer();
+  drivetrain.set.module *= 2.0;
+  drivetrain.bearings_per_planet = 1;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  Eigen::Matrix4d parts = Eigen::Matrix4d::Zero();
+  parts.diagonal().head<2>() << kSun, kRing;
+  PlanetaryDrivetrain rigid = drivetrain;
+  rigid.rim = PlanetRim::rigid;
+  parts.bottomRightCorner<2, 2>() = bearing_tangent(rigid, derive(rigid)).stiffness;
+  const Eigen::Matrix4d found = planet_stiffness(drivetrain, geometry, kSun, kRing);
+  EXPECT_EQ(Eigen::LLT<Eigen::Matrix4d>(found).info(), Eigen::Success);
+  EXPECT_LT((found - parts).norm(), 0.1 * parts.norm());
 }
 
 // With the meshes' forces given, the displacement of the planet under a load of its own is that of its

@@ -1,4 +1,4 @@
-// Issue item "tilt as a freedom" in a point of the drivetrain: the reducer's planet on its own pin.
+// Issue 16, Build 2, in a point of the drivetrain: the reducer's planet on its own pin.
 #include <gtest/gtest.h>
 
 #include <cmath>

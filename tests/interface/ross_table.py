@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""ROSS reads our table of stiffness, and a rotor on it has the critical speeds that the table says.
+"""Issue 15, Build 3: ROSS reads our table of stiffness, and a rotor on it has the critical speeds that the table says.
 
 Skipped where ross-rotordynamics cannot be had from PyPI. Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """

@@ -1,4 +1,4 @@
-"""`orbearing run`, `check` and `validate` of single bearings under a static load, from outside."""
+"""Issue 15, Build 1: `orbearing run`, `check` and `validate` of single bearings under a static load, from outside."""
 
 import json
 import os

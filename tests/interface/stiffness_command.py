@@ -1,4 +1,4 @@
-"""`orbearing stiffness` of ball, roller and planet bearings, from outside."""
+"""Issue 15, Build 3: `orbearing stiffness` of ball, roller and planet bearings, from outside."""
 
 import csv
 import json

@@ -205,7 +205,7 @@ LineFilm solve_line_film(const LineFilmCase& contact, const LineFilmGrid& grid) 
   equations.rigid = expected - equations.H[middle];
   constexpr double kEnough = 1e-9;
   result.change = equations.solve(60, kEnough, result.iterations);
-  result.converged = result.change <= kEnough;
+  result.converged = result.change <= kEnough && equations.H.minCoeff() > 0.0;
 
   const double film = equations.unit_film();
   const Eigen::ArrayXd& P = equations.P;
@@ -221,6 +221,7 @@ LineFilm solve_line_film(const LineFilmCase& contact, const LineFilmGrid& grid) 
     return b + 0.5 * s * (c - a) + 0.5 * s * s * (a - 2.0 * b + c);
   };
   result.central = parabola(middle, -equations.X[middle] / step);
+  result.film_in_steps = result.central / (film * step * step);
   Index least = 0;
   result.film.segment(1, n - 1).minCoeff(&least);
   ++least;

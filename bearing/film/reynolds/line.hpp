@@ -29,8 +29,10 @@ struct LineFilmGrid {
 struct LineFilm {
   bool converged = false;
   int iterations = 0;
-  double change = 0.0;            // [-]  of pressure in the last iteration, largest over Hertz's
-  double load_error = 0.0;        // [-]
+  double change = 0.0;      // [-]  of pressure in the last iteration, largest over Hertz's
+  double load_error = 0.0;  // [-]
+  double film_in_steps =
+      0.0;  // [-]  central film over what a step of the grid takes off a parabola, b^2/R step^2
   double mass_error = 0.0;        // [-]  largest difference of the flow from its mean where there is pressure
   double central = 0.0;           // [m]
   double least = 0.0;             // [m]

@@ -1,4 +1,4 @@
-// Issue item "tilt as a freedom": the pin as a beam with shear, against closed forms.
+// Issue 16, Build 2: the pin as a beam with shear, against closed forms.
 #include "bearing/pin_beam.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Modes and frequency response of a shaft against closed forms.
+// Issue 15, Build 2: modes and frequency response of a shaft against closed forms.
 #include "bearing/duplex/shaft.hpp"
 
 #include <gtest/gtest.h>

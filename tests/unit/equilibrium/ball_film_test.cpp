@@ -1,5 +1,6 @@
-// The film of [Guo2013] in the balance of its bearing 7210: 40 degrees, 10 kN along the axis, 0 to 15000 rpm.
-// Number and size of balls are not printed: those of a catalogue bearing of this size are assumed.
+// Issue 15, Build 4 and 6: the film of [Guo2013] in the balance of its bearing 7210: 40 degrees, 10 kN along
+// the axis, 0 to 15000 rpm. Number and size of balls are not printed: those of a catalogue bearing of this
+// size are assumed.
 #include <gtest/gtest.h>
 
 #include <boost/math/constants/constants.hpp>

@@ -1,4 +1,4 @@
-// Issue item "elastic rim": a bearing whose outer race bends, in balance.
+// Issue 16, Build 1: a bearing whose outer race bends, in balance.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// Issue item "tilt as a freedom": a planet that finds its own tilt on two bearings.
+// Issue 16, Build 2 and "Done when": a planet that finds its own tilt on two bearings.
 #include "bearing/equilibrium/planet_on_pin.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ Vector2d force_of(const LaminaState& bearing) {
   return sum;
 }
 
-// Issue: equal bearings on a stiff pin give the results of one bearing alone.
+// Equal bearings on a stiff pin give the results of one bearing alone.
 TEST(PlanetOnPin, OfEqualBearingsOnAStiffPinIsOneBearing) {
   const Vector2d load(640.0 * 2.0, 1060.0 * 2.0);
   const QuasiStaticOptions options{.cage_positions = 4};

@@ -1,4 +1,4 @@
-// Reynolds' equation of a line contact.
+// Issue 15, Build 5: Reynolds' equation of a line contact.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Issue item "elastic rim": influence functions of a planet's rim.
+// Issue 16, Build 1: influence functions of a planet's rim.
 #include "gearset/rim/rim_influence.hpp"
 
 #include <gtest/gtest.h>
