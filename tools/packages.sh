@@ -36,7 +36,7 @@ libgmock-dev: matchers of the C++ tests
 python3-yaml: tests of the command line
 python3-jsonschema: test of the schema of case files
 python3-xarray: tests that open result files as users do
-python3-getfem: finite elements of others beside those of the planet's rim
+python3-getfem: finite elements of others, of a rim that bends
 python3-venv: FMI tools of others, installed below the build folder
 '
 
