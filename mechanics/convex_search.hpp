@@ -43,11 +43,11 @@ struct SearchReport {
   double residual = 0.0;  // [N]  force that remains
 };
 
-/// Lengths [m] that `force` causes on a stiffness that may be singular. A direction with next to no stiffness
-/// is given 1e-12 of the stiffest one's: forces along it ask for far too long a step, and no force for none.
+namespace detail {
+
 template <int N>
-Eigen::Vector<double, N> lengths_under(const Eigen::Vector<double, N>& force,
-                                       const Eigen::Matrix<double, N, N>& stiffness) {
+Eigen::Vector<double, N> lengths_by_pivots(const Eigen::Vector<double, N>& force,
+                                           const Eigen::Matrix<double, N, N>& stiffness) {
   constexpr double kFloor = 1e-12, kNothing = 1e-30;
   const Eigen::LDLT<Eigen::Matrix<double, N, N>> factors(stiffness);  // the stiffest freedom first
   const auto pivots = factors.vectorD().array();
@@ -58,6 +58,20 @@ Eigen::Vector<double, N> lengths_under(const Eigen::Vector<double, N>& force,
   factors.matrixU().solveInPlace(lengths);
   return factors.transpositionsP().transpose() * lengths;
 }
+
+}  // namespace detail
+
+/// Lengths [m] that `force` causes on a stiffness that may be singular. A direction with next to no stiffness
+/// is given 1e-12 of the stiffest one's: forces along it ask for far too long a step, and no force for none.
+template <int N>
+Eigen::Vector<double, N> lengths_under(const Eigen::Vector<double, N>& force,
+                                       const Eigen::Matrix<double, N, N>& stiffness) {
+  return detail::lengths_by_pivots<N>(force, stiffness);
+}
+
+/// Compiled once (linear_algebra.cpp).
+template <>
+Eigen::VectorXd lengths_under<Eigen::Dynamic>(const Eigen::VectorXd& force, const Eigen::MatrixXd& stiffness);
 
 namespace detail {
 

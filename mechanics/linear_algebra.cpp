@@ -1,7 +1,11 @@
 #include "mechanics/linear_algebra.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+
+#include "mechanics/convex_search.hpp"
 
 namespace orbearing::mechanics {
 
@@ -15,6 +19,19 @@ Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::Matrix
   if (threshold > 0.0) factors.setThreshold(threshold);
   factors.compute(matrix);
   return factors.solve(right);
+}
+
+std::optional<Eigen::MatrixXd> definite_solution(const Eigen::MatrixXd& matrix,
+                                                 const Eigen::MatrixXd& right) {
+  const Eigen::LLT<Eigen::MatrixXd> factors(matrix);
+  if (factors.info() != Eigen::Success) return std::nullopt;
+  return factors.solve(right);
+}
+
+template <>
+Eigen::VectorXd lengths_under<Eigen::Dynamic>(const Eigen::VectorXd& force,
+                                              const Eigen::MatrixXd& stiffness) {
+  return detail::lengths_by_pivots<Eigen::Dynamic>(force, stiffness);
 }
 
 }  // namespace orbearing::mechanics

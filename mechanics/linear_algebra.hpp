@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace orbearing::mechanics {
 
@@ -18,5 +19,8 @@ SymmetricModes symmetric_modes(const Eigen::MatrixXd& matrix);
 /// count as none; where it is 0, those below round-off do.
 Eigen::MatrixXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right,
                               double threshold = 0.0);
+
+/// matrix^-1 right of a symmetric, positive definite matrix; none where it is not.
+std::optional<Eigen::MatrixXd> definite_solution(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
 }  // namespace orbearing::mechanics

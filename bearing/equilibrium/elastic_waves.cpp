@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::bearing {
 
@@ -55,6 +58,15 @@ void add_form(const Eigen::VectorXd& waves, double share, const Eigen::ArrayXd& 
   race.compliance.resize((waves.size() + 3) / 2);  // only its orders count
   for (Eigen::Index place = 0; place < angles.size(); ++place)
     form[place] += share * waves.dot(wave_shapes(race, angles[place]));
+}
+
+Eigen::MatrixXd without_waves(const Eigen::MatrixXd& stiffness, Eigen::Index kept) {
+  const Eigen::Index waves = stiffness.rows() - kept;
+  if (waves == 0) return stiffness;
+  const Eigen::MatrixXd mixed = stiffness.bottomLeftCorner(waves, kept);
+  const auto followed = mechanics::definite_solution(stiffness.bottomRightCorner(waves, waves), mixed);
+  if (!followed) throw std::domain_error("stiffness: found coordinates that resist nothing");
+  return stiffness.topLeftCorner(kept, kept) - mixed.transpose() * *followed;
 }
 
 }  // namespace orbearing::bearing

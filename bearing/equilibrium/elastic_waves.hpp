@@ -2,7 +2,6 @@
 // each order from 2 on, all as displacements of the race outward [m]. Eqs. (19) to (21) of bearing/README.md.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "bearing/elastic_race.hpp"
@@ -22,14 +21,7 @@ Eigen::VectorXd wave_shapes(const ElasticRace& race, double angle);
 /// Adds `share` of the displacement of the race at all `angles` [rad] to `form` [m].
 void add_form(const Eigen::VectorXd& waves, double share, const Eigen::ArrayXd& angles, Eigen::ArrayXd& form);
 
-/// Stiffness against the first N coordinates where all that come after them follow without force.
-template <int N>
-Eigen::Matrix<double, N, N> without_waves(const Eigen::MatrixXd& stiffness) {
-  const Eigen::Index waves = stiffness.rows() - N;
-  if (waves == 0) return stiffness;
-  const Eigen::MatrixXd mixed = stiffness.bottomLeftCorner(waves, N);
-  return stiffness.topLeftCorner(N, N) -
-         mixed.transpose() * stiffness.bottomRightCorner(waves, waves).llt().solve(mixed);
-}
+/// Stiffness against the first `kept` coordinates where all that come after them follow without force.
+Eigen::MatrixXd without_waves(const Eigen::MatrixXd& stiffness, Eigen::Index kept);
 
 }  // namespace orbearing::bearing

@@ -61,7 +61,7 @@ Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& st
     follows.row(0).tail(waves) = wave_shapes(outer_race, state.angle[j]).transpose();
     sum += follows.transpose() * roller_stiffness(state.rollers[static_cast<std::size_t>(j)]) * follows;
   }
-  return without_waves<4>(sum);
+  return without_waves(sum, 4);
 }
 
 Eigen::Matrix4d mean_stiffness(const LaminaBearing& bearing, const LaminaResult& result,

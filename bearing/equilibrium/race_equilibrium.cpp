@@ -172,7 +172,7 @@ Eigen::ArrayXd roller_stiffness(const RaceEquilibrium& problem, const QuasiStati
 Eigen::Matrix2d stiffness_at(const RaceEquilibrium& problem, const QuasiStaticState& state) {
   if (problem.outer_race.is_rigid()) return problem.imbalance(state.displacement).stiffness;
   const RingCoordinates<Eigen::Dynamic> ring(problem);
-  return without_waves<2>(imbalance_at<Eigen::Dynamic>(problem, ring, place_of(ring, state)).stiffness);
+  return without_waves(imbalance_at<Eigen::Dynamic>(problem, ring, place_of(ring, state)).stiffness, 2);
 }
 
 }  // namespace orbearing::bearing

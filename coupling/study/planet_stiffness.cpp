@@ -1,6 +1,5 @@
 #include "coupling/study/planet_stiffness.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <boost/math/constants/constants.hpp>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "coupling/study/bearing_tangent.hpp"
+#include "mechanics/linear_algebra.hpp"
 #include "mechanics/plane.hpp"
 
 namespace orbearing::study {
@@ -79,10 +79,10 @@ Eigen::Matrix4d against_pins(const RimCompliance& rim, const LoadedRollers& roll
   MatrixXd by_place = MatrixXd::Zero(2 + count, 4);
   by_place.topLeftCorner<2, 2>().setIdentity();
   by_place.bottomRightCorner(count, 2) = -bearings * rollers.outward.transpose();
-  const Eigen::LLT<MatrixXd> factors(moved);
-  if (factors.info() != Eigen::Success)
+  const auto borne = mechanics::definite_solution(moved, by_place);
+  if (!borne)
     throw std::runtime_error("elastic rim: found teeth, rim and rollers that give way against their forces");
-  return by_place.transpose() * factors.solve(by_place);
+  return by_place.transpose() * *borne;
 }
 
 // With the supports of the pins in series.
@@ -92,7 +92,7 @@ Eigen::Matrix4d on_supports(const Eigen::Matrix4d& planet, double support) {
   all.bottomRightCorner<2, 2>() = planet.bottomRightCorner<2, 2>() + support * Eigen::Matrix2d::Identity();
   all.bottomLeftCorner<2, 4>() = -planet.bottomRows<2>();
   all.topRightCorner<4, 2>() = all.bottomLeftCorner<2, 4>().transpose();
-  return bearing::without_waves<4>(all);
+  return bearing::without_waves(all, 4);
 }
 
 }  // namespace
