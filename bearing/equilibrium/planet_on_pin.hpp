@@ -1,10 +1,10 @@
 // A planet on its pin: bearings side by side share its load and moment, the planet finds its own tilt, the
 // pin bends.
 //
-//             z ^    ___________                 u + t z     displacement of the bore at z
-//       wall ---|---|  bearing  |---             p(z), p'(z)  of the pin, a beam with shear
-//               |    -----------   planet        a bearing at z_k feels  u + t z_k - p_k  and the tilt  t -
-//               p'_k |    ___________
+//             z ^    ___________            u + t z         of the bore at z
+//       wall ---|---|  bearing  |---        p(z), p'(z)     of the pin, a beam with shear
+//               |    -----------   planet   a bearing at z_k feels
+//               |    ___________              u + t z_k - p_k and the tilt t - p'_k
 //       wall ---|---|  bearing  |---
 #pragma once
 
