@@ -146,6 +146,7 @@ class RandomMotion {
     draw.parameters.bore_mass = geometry_of(draw.bearing).outer_ring_mass * decades(1.0, 10.0);
     const auto on = [this] { return chance(0.85); };
     draw.parameters.inertia = {on(), on(), on(), on()};
+    if (chance(0.3)) draw.parameters.race.rolling_law = motion::RollingLaw::goksem_hargreaves;
   }
 
   std::seed_seq seed_;

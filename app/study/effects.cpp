@@ -69,6 +69,8 @@ constexpr Effect kChief[] = {
 
 constexpr Effect kOil[] = {
     {"oil", "traction.rolling_resistance", "true", "rolling resistance", "false", "no rolling resistance"},
+    {"oil", "traction.rolling_law", "reynolds", "rolling resistance computed", "goksem-hargreaves",
+     "rolling resistance by regression", "traction.rolling_resistance"},
     {"oil", "drag.enabled", "true", "oil drag", "false", "no oil drag"},
     {"oil", "contact.lubrication", "mixed", "mixed lubrication", "full", "no mixed lubrication"},
     {"oil", "bearing.cage.pocket_film", "hydrodynamic", "film in the pockets", "none",

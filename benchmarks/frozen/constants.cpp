@@ -17,8 +17,9 @@ void check(const bearing::motion::BearingModel& model) {
   using namespace bearing;
   require_within(model.plain, "waves, unequal or crowned rollers, mixed lubrication or pocket film");
   require_within(model.inner.load.with_film(), "dry contacts");
-  require_within(!model.inner.friction.limiting_shear && model.inner.friction.rolling_resistance,
-                 "limiting shear, and not rolling resistance off");
+  const auto& friction = model.inner.friction;
+  require_within(!friction.limiting_shear && friction.rolling_resistance && !friction.computed_rolling,
+                 "limiting shear, and not rolling resistance off or computed");
   require_within(model.guidance.present && model.guiding_race == bearing::Race::outer &&
                      model.guidance.film == motion::GuidanceFilm::short_bearing,
                  "other guidance than a short film on the outer ring");

@@ -77,13 +77,18 @@ double filmed_load(const BearingNumbers& b, double radius, double speed, double 
   return high > 0.0 ? 0.5 * (low + high) : 0.0;
 }
 
-// Goksem and Hargreaves as fitted by Zhou and Hoeprich; falls with the load below 1 N.
+// Drag of the oil at the inlet, in the groups of Moes; below 1 N in proportion to the load.
 double inlet_drag(const BearingNumbers& b, double radius, double speed, double load) {
   const double modulus = b.young / (1.0 - b.poisson * b.poisson);
-  const double U = b.oil.viscosity * speed / (modulus * radius);
+  const double twice_U = 2.0 * b.oil.viscosity * speed / (modulus * radius);
   const double W = load / (modulus * radius * b.roller_length);
-  return 4.318 * std::pow(b.oil.pressure_viscosity * modulus * U, 0.658) * std::pow(W, 0.0126) * radius *
-         b.roller_length / b.oil.pressure_viscosity * load / (load + 1.0);
+  const double M = W / std::sqrt(twice_U);
+  const double L = b.oil.pressure_viscosity * modulus * std::pow(twice_U, 0.25);
+  const double rigid = 1.4909 * std::sqrt(M);
+  const double elastic = 2.2818 / (std::pow(M, 0.04543) * std::pow(L, 0.0923));
+  const double group = 1.0 / std::cbrt(1.0 / std::pow(rigid, 3) + 1.0 / std::pow(elastic, 3));
+  return modulus * radius * b.roller_length * std::pow(twice_U, 0.75) * group *
+         std::sqrt(load / (load + 1.0));
 }
 
 // `outside`: the race is the bore, which lies around the roller.

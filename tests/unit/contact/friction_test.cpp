@@ -10,6 +10,7 @@ namespace {
 
 using motion::Lubrication;
 using motion::RaceContactParameters;
+using motion::RollingLaw;
 using motion::TractionLaw;
 
 constexpr double kRoundOff = 1e-13;
@@ -26,9 +27,11 @@ double friction(const FrictionLaws<double>& laws, double load, double sliding, d
   return laws.friction(load, sliding, std::log(speed));
 }
 
-double resistance(const FilmContact& contact, double load, double rolling, double speed) {
+double resistance(const FilmContact& contact, double load, double rolling, double speed,
+                  RollingLaw law = RollingLaw::reynolds) {
   RaceContactParameters parameters;
   parameters.rolling_resistance = true;
+  parameters.rolling_law = law;
   const auto laws = FrictionLaws<double>::of(parameters, contact);
   return laws.rolling_resistance ? laws.inlet(load, rolling, std::log(speed)) : 0.0;
 }
@@ -96,18 +99,41 @@ TEST(RollingResistance, FollowsThePublishedRegression) {
   const double published = 4.318 * std::pow(material_number * speed_number, 0.658) *
                            std::pow(load_number, 0.0126) * 0.01 * 0.01 / 2e-8;
   const double fades_out = load / (load + 1.0);
-  EXPECT_NEAR(resistance(contact, load, 10.0, 10.0), published * fades_out, kRoundOff * published);
+  EXPECT_NEAR(resistance(contact, load, 10.0, 10.0, RollingLaw::goksem_hargreaves), published * fades_out,
+              kRoundOff * published);
+}
+
+// Issue 15, Build 5: in the groups of Moes, by hand at round numbers.
+TEST(RollingResistance, ComputedFollowsItsInterpolation) {
+  const FilmContact contact{.equivalent_radius = 0.01,
+                            .length = 0.01,
+                            .reduced_modulus = 2e11,
+                            .lubricant = {.viscosity = 0.02, .pressure_viscosity = 2e-8}};
+  const double load = 1e4, twice_speed = 2.0 * 0.02 * 10.0 / (2e11 * 0.01);
+  const double M = load / (2e11 * 0.01 * 0.01) / std::sqrt(twice_speed);
+  const double L = 2e-8 * 2e11 * std::pow(twice_speed, 0.25);
+  const double rigid = 1.4909 * std::sqrt(M), elastic = 2.2818 * std::pow(M, -0.04543) * std::pow(L, -0.0923);
+  const double scale = 2e11 * 0.01 * 0.01 * std::pow(twice_speed, 0.75);
+  const double both = scale * std::pow(std::pow(rigid, -3) + std::pow(elastic, -3), -1.0 / 3.0);
+  EXPECT_NEAR(resistance(contact, load, 10.0, 10.0), both * std::sqrt(load / (load + 1.0)), 1e-12 * both);
+
+  FilmContact thin = contact;  // keeps its viscosity under pressure
+  thin.lubricant.pressure_viscosity = 0.0;
+  EXPECT_NEAR(resistance(thin, load, 10.0, 10.0), scale * rigid * std::sqrt(load / (load + 1.0)),
+              1e-12 * scale * rigid);
 }
 
 TEST(RollingResistance, VanishesWithLoadAndSpeedAndWithoutOil) {
-  const FilmContact oiled = oiled_contact();
-  EXPECT_EQ(resistance(oiled, 0.0, 5.0, 5.0), 0.0);
-  EXPECT_EQ(resistance(oiled, 100.0, 0.0, 0.01), 0.0);
-  EXPECT_LT(resistance(oiled, 1e-6, 5.0, 5.0), 1e-5 * resistance(oiled, 100.0, 5.0, 5.0));
-  EXPECT_EQ(resistance(oiled, 100.0, -5.0, 5.0), -resistance(oiled, 100.0, 5.0, 5.0));
-  FilmContact dry = oiled_contact();
-  dry.lubricant = {};
-  EXPECT_EQ(resistance(dry, 100.0, 5.0, 5.0), 0.0);
+  for (const RollingLaw law : {RollingLaw::reynolds, RollingLaw::goksem_hargreaves}) {
+    const FilmContact oiled = oiled_contact();
+    EXPECT_EQ(resistance(oiled, 0.0, 5.0, 5.0, law), 0.0);
+    EXPECT_EQ(resistance(oiled, 100.0, 0.0, 0.01, law), 0.0);
+    EXPECT_LT(resistance(oiled, 1e-6, 5.0, 5.0, law), 1e-5 * resistance(oiled, 100.0, 5.0, 5.0, law));
+    EXPECT_EQ(resistance(oiled, 100.0, -5.0, 5.0, law), -resistance(oiled, 100.0, 5.0, 5.0, law));
+    FilmContact dry = oiled_contact();
+    dry.lubricant = {};
+    EXPECT_EQ(resistance(dry, 100.0, 5.0, 5.0, law), 0.0);
+  }
 }
 
 TEST(MixedFriction, ShareGoesFromAllToNothing) {
@@ -209,8 +235,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Laws{"mixed_coulomb", TractionLaw::regularised_coulomb, Lubrication::mixed}),
     [](const auto& laws) { return std::string(laws.param.name); });
 
-TEST(RollingResistance, SlopesAreThoseOfTheForce) {
+class RollingSlopes : public testing::TestWithParam<RollingLaw> {};
+
+TEST_P(RollingSlopes, AreThoseOfTheForce) {
   RaceContactParameters parameters;
+  parameters.rolling_law = GetParam();
   const auto laws = FrictionLaws<double>::of(parameters, oiled_contact());
   for (const double load : {0.3, 40.0, 3000.0})
     for (const double rolling : {-5.0, 0.02, 30.0}) {
@@ -228,6 +257,9 @@ TEST(RollingResistance, SlopesAreThoseOfTheForce) {
                   kDifferenceError * size);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Laws, RollingSlopes,
+                         testing::Values(RollingLaw::reynolds, RollingLaw::goksem_hargreaves));
 
 }  // namespace
 }  // namespace orbearing::bearing::friction_test
