@@ -23,8 +23,9 @@ constexpr double kFirstRollerAngle = 0.0;  // [rad]
 // From the flat state to the padded one, whose other entries stay as they are.
 void scatter(const bearing::vectorised::PaddedLayout& layout, const double* flat, double* padded) {
   const int z = layout.rollers;
-  for (int group = 0; group < 5; ++group) std::copy_n(flat + group * z, z, padded + group * layout.lanes());
-  std::copy_n(flat + 5 * z, 14, padded + layout.cage());
+  for (int group = 0; group < layout.groups(); ++group)
+    std::copy_n(flat + group * z, z, padded + group * layout.lanes());
+  std::copy_n(flat + layout.groups() * z, 14, padded + layout.cage());
 }
 
 }  // namespace

@@ -11,9 +11,22 @@ namespace {
 constexpr double kBalance = 1e-14;  // of both tip loads, where round-off begins
 constexpr int kMostTiltSteps = 100;
 
+// Within which a roller under some load comes to stand where both contacts balance [s]. A rigid film of a
+// quarter of a micrometre between roller and race resists tilting so that it takes 4 us. Half and twice it
+// change lives by less than their scatter (bearing/motion/README.md).
+constexpr double kRelaxation = 2e-6;
+constexpr double kTypicalLoad = 10.0;  // [N]
+
 bool symmetric(const laminae::LaminaContact& contact) {
   const auto drops = contact.drops();
   return (drops - drops.reverse()).abs().maxCoeff() <= 1e-15 * drops.abs().maxCoeff();
+}
+
+// Slope of the tip load by the tip [N/m], of a contact that carries on its whole length.
+double tilting_stiffness(const laminae::LaminaContact& contact) {
+  double approach = contact.greatest_drop() + 1e-8;
+  while (contact.evaluate(approach, 0.0).load < kTypicalLoad) approach *= 1.1;
+  return contact.evaluate(approach, 0.0).by_tip;
 }
 
 bool flat(const laminae::LaminaContact& contact) {
@@ -26,12 +39,15 @@ LaminaRaces::LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact ou
     : inner_(std::move(inner)),
       outer_(std::move(outer)),
       bore_tip_(bore_tilt * outer_.half_length()),
+      resistance_(kRelaxation * (tilting_stiffness(inner_) + tilting_stiffness(outer_))),
       upright_(bore_tilt == Vector2::Zero() && symmetric(inner_) && symmetric(outer_)),
       even_(upright_ && flat(inner_) && flat(outer_)) {}
 
 // The elastic energy is convex in the tip, so that the moment out of balance falls with it: Newton's method
 // within a bracket.
-double LaminaRaces::roller_tip(double inner_approach, double outer_approach, double outer_tip) const {
+double LaminaRaces::balanced_tip(double inner_approach, double outer_approach, const Vector2& outward) const {
+  if (upright_) return 0.0;
+  const double outer_tip = bore_tip_.dot(outward);
   const double reach = std::abs(outer_tip) + std::max(inner_approach, 0.0) + std::max(outer_approach, 0.0) +
                        std::max(inner_.greatest_drop(), outer_.greatest_drop());
   double low = -reach, high = reach;
@@ -53,12 +69,10 @@ double LaminaRaces::roller_tip(double inner_approach, double outer_approach, dou
   return tip;
 }
 
-LaminaRaceLoads LaminaRaces::loads(double inner_approach, double outer_approach,
-                                   const Vector2& outward) const {
-  const double outer_tip = bore_tip_.dot(outward);
-  const double tip = upright_ ? 0.0 : roller_tip(inner_approach, outer_approach, outer_tip);
-  return {inner_.evaluate(inner_approach, -tip).load, outer_.evaluate(outer_approach, tip - outer_tip).load,
-          tip};
+LaminaRaceLoads LaminaRaces::loads(const LaminaStand& stand, const Vector2& outward) const {
+  const laminae::LaminaForce in = inner_.evaluate(stand.inner_approach, -stand.tip);
+  const laminae::LaminaForce out = outer_.evaluate(stand.outer_approach, stand.tip - bore_tip_.dot(outward));
+  return {in.load, out.load, in.tip_load - out.tip_load, out.tip_load};
 }
 
 void LaminaRaces::put_loads(Race race, const LaminaStand& stand, const Vector2& outward, double* load) const {
@@ -68,10 +82,9 @@ void LaminaRaces::put_loads(Race race, const LaminaStand& stand, const Vector2& 
     outer_.put_loads(stand.outer_approach, stand.tip - bore_tip_.dot(outward), load);
 }
 
-double LaminaRaces::energy(double inner_approach, double outer_approach, const Vector2& outward) const {
-  const double outer_tip = bore_tip_.dot(outward);
-  const double tip = loads(inner_approach, outer_approach, outward).tip;
-  return inner_.energy(inner_approach, -tip) + outer_.energy(outer_approach, tip - outer_tip);
+double LaminaRaces::energy(const LaminaStand& stand, const Vector2& outward) const {
+  return inner_.energy(stand.inner_approach, -stand.tip) +
+         outer_.energy(stand.outer_approach, stand.tip - bore_tip_.dot(outward));
 }
 
 }  // namespace orbearing::bearing::motion

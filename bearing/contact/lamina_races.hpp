@@ -1,5 +1,8 @@
-// Both contacts of a roller cut into laminae, in motion: the roller's tilt follows at once from the balance
-// of moments of both contacts, since a roller's tilting vibration (some 100 kHz) is far above all others.
+// Both contacts of a roller cut into laminae, in motion. The roller's tilt is a variable of its motion: the
+// moment that both contacts leave out of balance turns it against a resistance, as the oil that its ends
+// squeeze out gives it. Its inertia is left out, since its tilting vibration (some 100 kHz) is far above all
+// others, and so is that resistance's worth: within some microseconds the roller stands where both contacts
+// balance.
 //
 // The film of the straight contact turns the approach into the elastic approach in the middle; the laminae
 // take that, so that a straight roller that is not tilted has the loads of the line contact. What a roller
@@ -20,9 +23,10 @@ struct LaminaStand {
 
 /// Elastic loads of both contacts of a roller.
 struct LaminaRaceLoads {
-  double inner = 0.0;  // [N]
-  double outer = 0.0;  // [N]
-  double tip = 0.0;    // [m]  how much further outward the roller stands at x = l/2 than in the middle
+  double inner = 0.0;           // [N]
+  double outer = 0.0;           // [N]
+  double excess = 0.0;          // [N]  moment that turns the roller towards +tip, over l/2
+  double outer_tip_load = 0.0;  // [N]  moment of the outer contact about its middle, over l/2
 };
 
 class LaminaRaces {
@@ -30,10 +34,15 @@ class LaminaRaces {
   /// `bore_tilt` [rad]: the bore stands further outward at +x along this direction, as in OperatingPoint.
   LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact outer, const Vector2& bore_tilt);
 
-  /// Loads at the elastic approaches [m] in the middle of a roller in direction `outward`.
-  LaminaRaceLoads loads(double inner_approach, double outer_approach, const Vector2& outward) const;
-  /// Elastic energy [J]; its slopes by the approaches are the loads.
-  double energy(double inner_approach, double outer_approach, const Vector2& outward) const;
+  /// Loads of a roller in direction `outward`.
+  LaminaRaceLoads loads(const LaminaStand& stand, const Vector2& outward) const;
+  /// Elastic energy [J]; its slopes by the approaches are the loads, that by the tip is -excess.
+  double energy(const LaminaStand& stand, const Vector2& outward) const;
+  /// The tip [m] at which both contacts balance at the elastic approaches [m] in the middle of a roller; that
+  /// of the race it touches where it touches one alone.
+  double balanced_tip(double inner_approach, double outer_approach, const Vector2& outward) const;
+  /// Resistance to tilting [N s/m]: rate of the tip = excess / resistance.
+  double resistance() const { return resistance_; }
 
   const laminae::LaminaContact& inner() const { return inner_; }
   const laminae::LaminaContact& outer() const { return outer_; }
@@ -48,11 +57,10 @@ class LaminaRaces {
   bool upright() const { return upright_; }
 
  private:
-  double roller_tip(double inner_approach, double outer_approach, double outer_tip) const;
-
   laminae::LaminaContact inner_;
   laminae::LaminaContact outer_;
-  Vector2 bore_tip_;  // [m]
+  Vector2 bore_tip_;   // [m]
+  double resistance_;  // [N s/m]
   bool upright_;
   bool even_;
 };

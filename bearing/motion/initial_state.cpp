@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "bearing/equilibrium/race_equilibrium.hpp"
+#include "bearing/motion/instant.hpp"
 
 namespace orbearing::bearing::motion {
 
@@ -45,6 +46,19 @@ void set_roller(const Vector2& centre, double angle, double cage_speed, double s
   state.spin[j] = spin;
 }
 
+// Each roller tilted to where its contacts balance.
+void tilt_rollers(const BearingModel& model, double* x) {
+  if (!model.layout.tilting) return;
+  const ConstStateViews state = state_views(model.layout, x);
+  const RingBodies rings = ring_bodies(model, state);
+  MutableStateViews tilted = mutable_state_views(model.layout, x);
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    const RollerBody roller = roller_body(model, state, j);
+    const LaminaStand stand = roller_contacts(model, rings, roller, j).stand;
+    tilted.tip[j] = model.laminae->balanced_tip(stand.inner_approach, stand.outer_approach, roller.outward);
+  }
+}
+
 }  // namespace
 
 std::optional<Lubricant> added_film(const QuasiStaticOptions& options) {
@@ -71,6 +85,7 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
     set_roller(roller_centre(model, contacts, balance, j, start.pin, start.bore), balance.angle[j],
                start.cage_speed, start.spin, j, state);
+  tilt_rollers(model, x.data());
 }
 
 InitialState initial_state(const Bearing& bearing, const BearingModel& model,

@@ -37,6 +37,7 @@ struct RollerBody {
   double angle = 0.0;          // [rad]
   double radial_speed = 0.0;   // [m/s]
   double orbital_speed = 0.0;  // [rad/s]
+  double tip = 0.0;            // [m]      LaminaStand::tip
 };
 
 inline RollerBody roller_body(const BearingModel& model, const ConstStateViews& state, Eigen::Index j) {
@@ -50,6 +51,7 @@ inline RollerBody roller_body(const BearingModel& model, const ConstStateViews& 
   roller.motion.velocity =
       roller.radial_speed * roller.outward + roller.radius * roller.orbital_speed * across(roller.outward);
   roller.motion.speed = state.spin[j];
+  if (model.layout.tilting) roller.tip = state.tip[j];
   for (const RollerScratch& scratch : model.roller_scratches)
     if (scratch.roller == j) roller.motion.angle = state.turned[scratch.followed];
   return roller;
@@ -63,6 +65,9 @@ struct RollerForces {
   double orbit_drag = 0.0;  // [N]    along e_theta
   double spin_drag = 0.0;   // [N m]
   LaminaStand stand;        // of contacts cut into laminae
+  double tip_rate = 0.0;    // [m/s]
+  double tilt_power = 0.0;  // [W]  lost to the resistance against tilting
+  double held_tilt = 0.0;   // [W]  of what holds the bore's tilt while the roller passes through it
 };
 
 /// Direction of the pocket of roller `j` [-].
@@ -78,6 +83,7 @@ struct RollerContacts {
   double inner_load = 0.0;  // [N]
   double outer_load = 0.0;  // [N]
   LaminaStand stand;        // of contacts cut into laminae
+  LaminaRaceLoads tilting;  // of such contacts
 };
 
 /// Elastic approach in the middle [m].
@@ -95,11 +101,11 @@ inline RollerContacts roller_contacts(const BearingModel& model, const RingBodie
     LaminaStand& stand = contacts.stand;
     stand.inner_approach = elastic_approach(model.inner, contacts.inner.contact);
     stand.outer_approach = elastic_approach(model.outer, contacts.outer.contact);
-    const LaminaRaceLoads loads =
-        model.laminae->loads(stand.inner_approach, stand.outer_approach, roller.outward);
+    stand.tip = roller.tip;
+    const LaminaRaceLoads loads = model.laminae->loads(stand, roller.outward);
     contacts.inner_load = loads.inner;
     contacts.outer_load = loads.outer;
-    stand.tip = loads.tip;
+    contacts.tilting = loads;
   } else {
     contacts.inner_load = straight_load(model.inner, contacts.inner.contact);
     contacts.outer_load = straight_load(model.outer, contacts.outer.contact);
@@ -111,13 +117,21 @@ inline RollerForces roller_forces(const BearingModel& model, const RingBodies& r
                                   const RollerBody& roller, Eigen::Index j) {
   const double larger = model.radius_deviation[static_cast<std::size_t>(j)];
   const RollerContacts contacts = roller_contacts(model, rings, roller, j);
+  const LaminaRaceLoads& tilting = contacts.tilting;
+  const bool tilts = model.layout.tilting;
+  const double tip_rate = tilts ? tilting.excess / model.laminae->resistance() : 0.0;
+  const double passing =
+      tilts ? model.laminae->bore_tip().dot(across(roller.outward)) * roller.orbital_speed : 0.0;
   return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_load),
           .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_load),
           .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j),
                                   larger),
           .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
           .spin_drag = model.spin_drag.force(roller.motion.speed),
-          .stand = contacts.stand};
+          .stand = contacts.stand,
+          .tip_rate = tip_rate,
+          .tilt_power = tilting.excess * tip_rate,
+          .held_tilt = -tilting.outer_tip_load * passing};
 }
 
 /// The same for a model that is plain, at less cost.

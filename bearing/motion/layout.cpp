@@ -9,11 +9,10 @@ struct Variable {
   VariableKind kind;
 };
 
-constexpr Variable kOfRollers[] = {{"radius [m]", VariableKind::length},
-                                   {"angle [rad]", VariableKind::angle},
-                                   {"radial_speed [m/s]", VariableKind::velocity},
-                                   {"orbital_speed [rad/s]", VariableKind::angular_speed},
-                                   {"spin [rad/s]", VariableKind::angular_speed}};
+constexpr Variable kOfRollers[] = {
+    {"radius [m]", VariableKind::length},           {"angle [rad]", VariableKind::angle},
+    {"radial_speed [m/s]", VariableKind::velocity}, {"orbital_speed [rad/s]", VariableKind::angular_speed},
+    {"spin [rad/s]", VariableKind::angular_speed},  {"tip [m]", VariableKind::length}};
 constexpr Variable kOfRings[] = {{"cage_x [m]", VariableKind::length},
                                  {"cage_y [m]", VariableKind::length},
                                  {"cage_angle [rad]", VariableKind::angle},
@@ -33,8 +32,8 @@ constexpr Variable kOfRings[] = {{"cage_x [m]", VariableKind::length},
 
 std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
   std::vector<VariableKind> kinds;
-  for (const Variable& variable : kOfRollers)
-    kinds.insert(kinds.end(), static_cast<std::size_t>(layout.rollers), variable.kind);
+  for (Eigen::Index group = 0; group < layout.groups(); ++group)
+    kinds.insert(kinds.end(), static_cast<std::size_t>(layout.rollers), kOfRollers[group].kind);
   for (const Variable& variable : kOfRings) kinds.push_back(variable.kind);
   kinds.insert(kinds.end(), static_cast<std::size_t>(layout.followed), VariableKind::angle);
   return kinds;
@@ -42,9 +41,9 @@ std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
 
 std::vector<std::string> variable_names(const StateLayout& layout) {
   std::vector<std::string> names;
-  for (const Variable& variable : kOfRollers)
+  for (Eigen::Index group = 0; group < layout.groups(); ++group)
     for (Eigen::Index roller = 1; roller <= layout.rollers; ++roller)
-      names.push_back("roller_" + std::to_string(roller) + "_" + variable.name);
+      names.push_back("roller_" + std::to_string(roller) + "_" + kOfRollers[group].name);
   for (const Variable& variable : kOfRings) names.emplace_back(variable.name);
   for (Eigen::Index i = 1; i <= layout.followed; ++i)
     names.push_back("followed_roller_" + std::to_string(i) + "_turned [rad]");

@@ -1,7 +1,7 @@
 // Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
 //
-//   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | cage x y psi x' y' psi' | bore x y x' y' | pin x y
-//   x' y' | turned (followed) ]
+//   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | tip (Z), where rollers tilt | cage x y psi x' y'
+//   psi' | bore x y x' y' | pin x y x' y' | turned (followed) ]
 //
 #pragma once
 
@@ -19,9 +19,12 @@ enum class VariableKind { length, angle, velocity, angular_speed };
 struct StateLayout {
   Eigen::Index rollers = 0;
   Eigen::Index followed = 0;  // rollers whose turning is followed, since it carries scratches round
+  bool tilting = false;       // rollers tilt: contacts cut into laminae that are not level
 
-  Eigen::Index size() const { return 5 * rollers + 14 + followed; }
-  Eigen::Index cage() const { return 5 * rollers; }
+  /// Variables of each roller.
+  Eigen::Index groups() const { return tilting ? 6 : 5; }
+  Eigen::Index size() const { return cage() + 14 + followed; }
+  Eigen::Index cage() const { return groups() * rollers; }
   Eigen::Index bore() const { return cage() + 6; }
   Eigen::Index pin() const { return bore() + 4; }
   Eigen::Index turned() const { return pin() + 4; }
@@ -47,7 +50,8 @@ struct StateViews {
   View<Eigen::Vector2d> bore_velocity;  // [m/s]
   View<Eigen::Vector2d> pin_position;   // [m]
   View<Eigen::Vector2d> pin_velocity;   // [m/s]
-  View<Eigen::ArrayXd> turned;          // [rad]    (followed)  by the rollers that are followed, since the start
+  View<Eigen::ArrayXd> turned;  // [rad]    (followed)  by the rollers that are followed, since the start
+  View<Eigen::ArrayXd> tip;     // [m]      (rollers) or none; LaminaStand::tip
 };
 
 namespace detail {
@@ -58,9 +62,21 @@ StateViews<Scalar> views(const StateLayout& layout, Scalar* x) {
   Scalar* bore = x + layout.bore();
   Scalar* pin = x + layout.pin();
   using Pair = typename StateViews<Scalar>::template View<Eigen::Vector2d>;
-  return {{x, z},         {x + z, z}, {x + 2 * z, z}, {x + 3 * z, z}, {x + 4 * z, z}, Pair(cage),   cage[2],
-          Pair(cage + 3), cage[5],    Pair(bore),     Pair(bore + 2), Pair(pin),      Pair(pin + 2),
-          {x + layout.turned(), layout.followed}};
+  return {{x, z},
+          {x + z, z},
+          {x + 2 * z, z},
+          {x + 3 * z, z},
+          {x + 4 * z, z},
+          Pair(cage),
+          cage[2],
+          Pair(cage + 3),
+          cage[5],
+          Pair(bore),
+          Pair(bore + 2),
+          Pair(pin),
+          Pair(pin + 2),
+          {x + layout.turned(), layout.followed},
+          {x + 5 * z, layout.tilting ? z : 0}};
 }
 }  // namespace detail
 

@@ -256,6 +256,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .kinematic_cage_speed = reference_cage_speed(geometry, point, parameters.cage.reference_speed)};
   set_drag(bearing, parameters.drag, model);
   model.laminae = lamina_races(bearing, model);
+  model.layout.tilting = model.laminae && !model.laminae->upright();
   model.plain = is_plain(bearing, model);
   if (model.driving.ramp != 0.0) set_driving(parameters.inertia, model);
   return model;

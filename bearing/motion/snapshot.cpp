@@ -52,7 +52,7 @@ void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
 
 void add_losses(const BearingModel& model, const RollerBody& roller, const RollerForces& forces,
                 PowerLoss& loss) {
-  loss.race_damping += forces.inner.damping_power + forces.outer.damping_power;
+  loss.race_damping += forces.inner.damping_power + forces.outer.damping_power + forces.tilt_power;
   loss.inner_traction += forces.inner.traction_power;
   loss.outer_traction += forces.outer.traction_power;
   loss.rolling += forces.inner.rolling_power + forces.outer.rolling_power;
@@ -84,7 +84,7 @@ double contact_energy(const BearingModel& model, const RingBodies& rings, const 
   const double inner = elastic_approach(model.inner, contacts.inner.contact);
   const double outer = elastic_approach(model.outer, contacts.outer.contact);
   return straight - elastic_energy(model.inner, inner) - elastic_energy(model.outer, outer) +
-         model.laminae->energy(inner, outer, roller.outward);
+         model.laminae->energy({inner, outer, roller.tip}, roller.outward);
 }
 
 void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, const RingBodies& rings,
@@ -104,7 +104,7 @@ RingWrenches ring_wrenches(const BearingModel& model, const ConstStateViews& sta
   RingWrenches sum;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
     const RollerForces forces = roller_forces(model, rings, roller_body(model, state, j), j);
-    standing_form -= forces.inner.form_power + forces.outer.form_power;
+    standing_form += forces.held_tilt - forces.inner.form_power - forces.outer.form_power;
     sum.add(forces);
   }
   sum.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);

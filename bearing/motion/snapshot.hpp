@@ -50,7 +50,7 @@ struct PowerInput {
   double rotations = 0.0;       // what keeps bore and pin at their speeds
   double euler = 0.0;           // inertial loads of a carrier that speeds up
   double changing_film = 0.0;   // work of the films as their speed changes
-  double standing_form = 0.0;   // of what holds a form while its race turns through it
+  double standing_form = 0.0;   // of what holds a form or a tilt while race or rollers turn through it
   double changing_frame = 0.0;  // of the centrifugal field as the carrier's speed changes
 
   double total() const {

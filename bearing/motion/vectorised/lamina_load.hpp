@@ -54,61 +54,38 @@ inline PackPair contact_tips(const Pack& tip, const Pack& outer_tip) {
   return {-tip, tip - outer_tip};
 }
 
-/// Where the contacts of a pack of rollers stand at the last evaluation, for whoever asks for single laminae.
+/// How a pack of rollers stands in its contacts and tilts: motion::LaminaStand, and the rate of the tip with
+/// its slopes.
 struct LaminaStand {
   Pack inner_approach{}, outer_approach{}, tip{};  // [m]
+  Pack rate{};                                     // [m/s]  of the tip
+  Pack by_tip{}, by_inner{}, by_outer{};  // [1/s]  its slopes, the latter by the rigid bodies' approaches
 };
 
-/// Each roller tilts to where the moments of both contacts balance: Newton's method within a bracket, since
-/// the moment out of balance falls with the tilt.
-[[gnu::noinline]] inline LaminaPackSums balanced_sums(const BothRaces& race, const PackPair& elastic,
-                                                      const Pack& outer_tip, Pack& tip) {
-  constexpr int kMostIterations = 60;
-  constexpr double kBalance = 1e-12;  // of the loads
-  constexpr double kNothing = 1e-9;   // [N]  tip loads that move no roller
-  const LaminaConstants& laminae = race.laminae;
-  const Pack reach =
-      absolute(outer_tip) + larger(elastic.low, Pack{}) + larger(elastic.high, Pack{}) + laminae.deepest;
-  Pack low = -reach, high = reach;
-  const Pack inner_only = only(~(elastic.high > 0.0), spread(1.0));
-  const Pack outer_only = only(~(elastic.low > 0.0), spread(1.0));
-  tip = outer_tip * (0.5 + 0.5 * outer_only) * (1.0 - inner_only + inner_only * outer_only);
-  LaminaPackSums sums;
-  for (int i = 0; i < kMostIterations; ++i) {
-    sums = tilted_sums(laminae, elastic, contact_tips(tip, outer_tip));
-    const PackPair tip_load = race.stiffness * sums.tip_load, load = race.stiffness * sums.load;
-    const PackPair by_tip = kLineExponent * race.stiffness * sums.by_tip;
-    const Pack excess = tip_load.low - tip_load.high, stiffness = by_tip.low + by_tip.high;
-    const Mask open = absolute(excess) > kBalance * (load.low + load.high) + kNothing;
-    if (!any(open)) break;
-    low = select(excess > 0.0, tip, low);
-    high = select(excess > 0.0, high, tip);
-    const Pack newton = tip + excess / larger(stiffness, spread(1e-200));
-    const Pack next = select((newton > low) & (newton < high), newton, 0.5 * (low + high));
-    tip = select(open, next, tip);
-  }
-  return sums;
-}
-
-/// Load of each contact and its slope by its own elastic approach, the roller tilting. What passes from one
-/// race to the other through that tilt is left out: the integrator keeps its order with any matrix, and
-/// nothing passes without tilt.
+/// Load of each contact and its slope by its own elastic approach. What the tilt passes from one variable to
+/// the loads is left out of the slopes: the integrator keeps its order with any matrix, and the tilt itself
+/// is solved for with all of its own (PackEngine::complete_rollers).
 inline LoadSlope lamina_load(const BothRaces& race, const PackApproach& e, const Pack& cosine,
                              const Pack& sine, LaminaStand& stand) {
   const LaminaConstants& laminae = race.laminae;
-  stand = {e.value.low, e.value.high, Pack{}};
-  const LaminaPackSums sums =
-      laminae.upright
-          ? upright_sums(laminae, e.value)
-          : balanced_sums(race, e.value, laminae.bore_tip_x * cosine + laminae.bore_tip_y * sine, stand.tip);
+  stand.inner_approach = e.value.low;
+  stand.outer_approach = e.value.high;
   const NumberPair share = race.stiffness * (1.0 / laminae.count);
-  PackPair slope = sums.by_approach;
-  if (!laminae.upright) {
-    const PackPair by_tip = race.stiffness * sums.by_tip;
-    const Pack both = larger(by_tip.low + by_tip.high, spread(1e-200));
-    slope -= race.stiffness * sums.mixed * sums.mixed / both;
+  if (laminae.upright) {
+    const LaminaPackSums sums = upright_sums(laminae, e.value);
+    return {share * sums.load, kLineExponent * share * sums.by_approach};
   }
-  return {share * sums.load, kLineExponent * share * slope};
+  const Pack outer_tip = laminae.bore_tip_x * cosine + laminae.bore_tip_y * sine;
+  const LaminaPackSums sums = tilted_sums(laminae, e.value, contact_tips(stand.tip, outer_tip));
+  const NumberPair per_resistance = share * (1.0 / laminae.resistance);
+  const PackPair moment = per_resistance * sums.tip_load;
+  const PackPair by_tip = kLineExponent * per_resistance * sums.by_tip;
+  const PackPair mixed = kLineExponent * per_resistance * sums.mixed * e.by_approach;
+  stand.rate = moment.low - moment.high;
+  stand.by_tip = -(by_tip.low + by_tip.high);
+  stand.by_inner = mixed.low;
+  stand.by_outer = -mixed.high;
+  return {share * sums.load, kLineExponent * share * sums.by_approach};
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -36,6 +36,7 @@ struct RollerPack {
   FreeSlopes free;
   ContactSlopes<Pack> inner, outer;
   PocketSlopes pocket;
+  Pack tip_by_tip, tip_by_inner, tip_by_outer;  // [1/s]  LaminaStand
   bool caged = false;
 };
 
@@ -52,7 +53,8 @@ class PackEngine final : public Engine {
       : c_(constants),
         races_(both_races(c_)),
         given_(rollers),
-        layout_{constants.rollers, constants.followed},
+        layout_{constants.rollers, constants.followed,
+                constants.laminae.count > 0 && !constants.laminae.upright},
         packs_(layout_.lanes() / kLanes),
         linear_(packs_),
         block_(packs_),
@@ -90,7 +92,8 @@ class PackEngine final : public Engine {
   void complete(const double* rhs, const double (&rate)[2], double* k) const override;
 
  private:
-  using GuidanceDual = Dual<5>;  // by offset x y, velocity x y, cage speed
+  static constexpr int kTip = 5;  // group of the tips in the state
+  using GuidanceDual = Dual<5>;   // by offset x y, velocity x y, cage speed
 
   template <bool WithSlopes>
   void evaluate(const double* x, double load_x, double load_y, double* dx);
@@ -106,6 +109,8 @@ class PackEngine final : public Engine {
   template <bool OpenBore>
   void reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const;
   void complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const;
+  void tilt_rollers(int p, const double* rhs, const Pack& shift, const double (&b)[kRingUnknowns],
+                    double* k) const;
 
   Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
   const double* entry(const double* x, int group, int p) const {
@@ -194,6 +199,7 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   };
   ContactSlopes<PackPair> slopes;
   LaminaStand stand;
+  if (layout_.tilting) stand.tip = load(entry(x, kTip, p));
   const ContactForce<PackPair> races = race_contact<WithSlopes>(
       races_, radius, here, cosine, sine, {p * kLanes, x + layout_.turned()},
       joined(motion_to({pin[0], pin[1], pin[2], pin[3]}), motion_to({bore[0], bore[1], bore[2], bore[3]})),
@@ -202,6 +208,14 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     inner_approach_[p] = stand.inner_approach;
     outer_approach_[p] = stand.outer_approach;
     tip_[p] = stand.tip;
+  }
+  if (layout_.tilting) {
+    store(only(here, stand.rate), entry(dx, kTip, p));
+    if constexpr (WithSlopes) {
+      linear.tip_by_tip = stand.by_tip;
+      linear.tip_by_inner = stand.by_inner;
+      linear.tip_by_outer = stand.by_outer;
+    }
   }
   if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
   const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),

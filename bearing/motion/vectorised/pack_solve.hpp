@@ -105,6 +105,22 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   b[6] = ring_rhs(6) + cage[5] + g * (sum(loads.cage_moment) + land[2]) / c_.cage_inertia;
 }
 
+/// Rates of the tips, once those of roller and rings are known; `shift` is that of the rollers' radii. Where
+/// the rollers stand in their contacts is taken along the ray from the origin, which leaves that of the rings
+/// out.
+inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift,
+                                     const double (&b)[kRingUnknowns], double* k) const {
+  const RollerPack& at = linear_[p];
+  const double *bore = rhs + layout_.bore(), *pin = rhs + layout_.pin();
+  const auto along = [&](const double* ring, int first) {
+    return (ring[0] + g_ * b[first]) * at.cosine + (ring[1] + g_ * b[first + 1]) * at.sine;
+  };
+  const Pack inner = along(pin, kPin) - shift, outer = shift - along(bore, kBore);
+  store((load(entry(rhs, kTip, p)) + g_ * (at.tip_by_inner * inner + at.tip_by_outer * outer)) /
+            (1.0 - g_ * at.tip_by_tip),
+        entry(k, kTip, p));
+}
+
 /// All rates, once those of the rings are known: `b`.
 inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns],
                                          double* k) const {
@@ -123,8 +139,10 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
       for (int m = 0; m < block.ring_end(); ++m) rate[i] -= block.by_shared[i][m] * b[m];
       store(rate[i], entry(k, 2 + i, p));
     }
-    store(load(entry(rhs, 0, p)) + g * rate[0], entry(k, 0, p));
+    const Pack shift = load(entry(rhs, 0, p)) + g * rate[0];
+    store(shift, entry(k, 0, p));
     store(load(entry(rhs, 1, p)) + g * rate[1], entry(k, 1, p));
+    if (layout_.tilting) tilt_rollers(p, rhs, shift, b, k);
   }
   // What rollers have turned is no part of J: the order does not ask for it.
   for (int i = layout_.turned(); i < layout_.end(); ++i) k[i] = rhs[i];

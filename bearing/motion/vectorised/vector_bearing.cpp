@@ -43,9 +43,9 @@ void put_laminae(const motion::LaminaRaces& races, LaminaConstants& constants) {
                .place = races.inner().places().data(),
                .inner_drop = races.inner().drops().data(),
                .outer_drop = races.outer().drops().data(),
-               .deepest = std::max(races.inner().greatest_drop(), races.outer().greatest_drop()),
                .bore_tip_x = races.bore_tip().x(),
                .bore_tip_y = races.bore_tip().y(),
+               .resistance = races.resistance(),
                .upright = races.upright()};
 }
 
@@ -71,7 +71,8 @@ bool supports(const motion::BearingModel& model) {
 
 VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::InstructionSet set)
     : model_(model),
-      layout_{static_cast<int>(model.layout.rollers), static_cast<int>(model.layout.followed)},
+      layout_{static_cast<int>(model.layout.rollers), static_cast<int>(model.layout.followed),
+              model.layout.tilting},
       set_(set),
       inner_scratches_(model.inner.scratches),
       outer_scratches_(model.outer.scratches) {
@@ -160,17 +161,17 @@ std::vector<double> VectorBearing::padded(const Eigen::Ref<const Eigen::VectorXd
   const int z = layout_.rollers, lanes = layout_.lanes();
   const double pitch_radius = 0.5 * (model_.geometry.inner_radius + model_.geometry.outer_radius);
   std::fill(x.begin(), x.begin() + lanes, pitch_radius);
-  for (int group = 0; group < 5; ++group)
+  for (int group = 0; group < layout_.groups(); ++group)
     std::copy(flat.data() + group * z, flat.data() + (group + 1) * z, x.begin() + group * lanes);
-  std::copy(flat.data() + 5 * z, flat.data() + flat.size(), x.begin() + layout_.cage());
+  std::copy(flat.data() + layout_.groups() * z, flat.data() + flat.size(), x.begin() + layout_.cage());
   return x;
 }
 
 void VectorBearing::flatten(const double* padded, Eigen::Ref<Eigen::VectorXd> flat) const {
   const int z = layout_.rollers, lanes = layout_.lanes();
-  for (int group = 0; group < 5; ++group)
+  for (int group = 0; group < layout_.groups(); ++group)
     std::copy(padded + group * lanes, padded + group * lanes + z, flat.data() + group * z);
-  std::copy(padded + layout_.cage(), padded + layout_.end(), flat.data() + 5 * z);
+  std::copy(padded + layout_.cage(), padded + layout_.end(), flat.data() + layout_.groups() * z);
 }
 
 }  // namespace orbearing::bearing::vectorised

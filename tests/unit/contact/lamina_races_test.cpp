@@ -44,24 +44,41 @@ TEST(LaminaRaces, LoadsAreSlopesOfTheEnergy) {
   const double h = 1e-10;
   for (const double inner : {-2e-6, 1e-6, 6e-6}) {
     for (const double outer : {-1e-6, 2e-6, 9e-6}) {
-      const LaminaRaceLoads loads = races.loads(inner, outer, outward);
-      const double scale = 1.0 + loads.inner + loads.outer;
-      EXPECT_NEAR(
-          (races.energy(inner + h, outer, outward) - races.energy(inner - h, outer, outward)) / (2 * h),
-          loads.inner, 1e-6 * scale);
-      EXPECT_NEAR(
-          (races.energy(inner, outer + h, outward) - races.energy(inner, outer - h, outward)) / (2 * h),
-          loads.outer, 1e-6 * scale);
+      for (const double tip : {-3e-6, 0.0, 4e-6}) {
+        const LaminaRaceLoads loads = races.loads({inner, outer, tip}, outward);
+        const auto energy = [&](double in, double out, double t) {
+          return races.energy({inner + in, outer + out, tip + t}, outward);
+        };
+        const double scale = 1.0 + loads.inner + loads.outer;
+        EXPECT_NEAR((energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), loads.inner, 1e-6 * scale);
+        EXPECT_NEAR((energy(0, h, 0) - energy(0, -h, 0)) / (2 * h), loads.outer, 1e-6 * scale);
+        EXPECT_NEAR((energy(0, 0, h) - energy(0, 0, -h)) / (2 * h), -loads.excess, 1e-6 * scale);
+      }
     }
   }
+}
+
+// Issue 16, Build 2: the tilt is a variable of the motion, and where nothing turns the roller any more both
+// contacts balance.
+TEST(LaminaRaces, NothingTurnsARollerWhereBothContactsBalance) {
+  const LaminaRaces races(contact(6e-6, 31), contact(3e-6, 31), Vector2(1.5e-3, 0.0));
+  const Vector2 outward = Vector2(0.8, 0.6);
+  for (const double inner : {1e-6, 6e-6})
+    for (const double outer : {2e-6, 9e-6}) {
+      const double tip = races.balanced_tip(inner, outer, outward);
+      const LaminaRaceLoads loads = races.loads({inner, outer, tip}, outward);
+      EXPECT_LT(std::abs(loads.excess), 1e-12 * (loads.inner + loads.outer));
+      EXPECT_GT(races.loads({inner, outer, tip - 1e-7}, outward).excess, 0.0);
+      EXPECT_LT(races.loads({inner, outer, tip + 1e-7}, outward).excess, 0.0);
+    }
 }
 
 TEST(LaminaRaces, ARollerBetweenLikeContactsStandsHalfway) {
   const LaminaRaces races(contact(5e-6, 24), contact(5e-6, 24), Vector2(1e-3, 0.0));
   const double bore_tip = 1e-3 * kLength / 2;
-  EXPECT_NEAR(races.loads(8e-6, 8e-6, Vector2(1.0, 0.0)).tip, 0.5 * bore_tip, 1e-9 * bore_tip);
-  EXPECT_NEAR(races.loads(8e-6, 8e-6, Vector2(-1.0, 0.0)).tip, -0.5 * bore_tip, 1e-9 * bore_tip);
-  EXPECT_NEAR(races.loads(8e-6, 8e-6, Vector2(0.0, 1.0)).tip, 0.0, 1e-9 * bore_tip);
+  EXPECT_NEAR(races.balanced_tip(8e-6, 8e-6, Vector2(1.0, 0.0)), 0.5 * bore_tip, 1e-9 * bore_tip);
+  EXPECT_NEAR(races.balanced_tip(8e-6, 8e-6, Vector2(-1.0, 0.0)), -0.5 * bore_tip, 1e-9 * bore_tip);
+  EXPECT_NEAR(races.balanced_tip(8e-6, 8e-6, Vector2(0.0, 1.0)), 0.0, 1e-9 * bore_tip);
   EXPECT_FALSE(races.upright());
   EXPECT_TRUE(LaminaRaces(contact(5e-6, 24), contact(1e-6, 24), Vector2::Zero()).upright());
 }
@@ -69,8 +86,8 @@ TEST(LaminaRaces, ARollerBetweenLikeContactsStandsHalfway) {
 TEST(LaminaRaces, ARollerInOneContactFollowsThatRace) {
   const LaminaRaces races(contact(5e-6, 24), contact(5e-6, 24), Vector2(1e-3, 0.0));
   const double bore_tip = 1e-3 * kLength / 2;
-  EXPECT_NEAR(races.loads(-30e-6, 8e-6, Vector2(1.0, 0.0)).tip, bore_tip, 1e-9 * bore_tip);
-  EXPECT_NEAR(races.loads(8e-6, -30e-6, Vector2(1.0, 0.0)).tip, 0.0, 1e-9 * bore_tip);
+  EXPECT_NEAR(races.balanced_tip(-30e-6, 8e-6, Vector2(1.0, 0.0)), bore_tip, 1e-9 * bore_tip);
+  EXPECT_NEAR(races.balanced_tip(8e-6, -30e-6, Vector2(1.0, 0.0)), 0.0, 1e-9 * bore_tip);
 }
 
 }  // namespace

@@ -8,21 +8,25 @@ namespace orbearing::bearing::motion::layout_test {
 namespace {
 
 TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
-  const StateLayout layout{4};
-  Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(layout.size(), 0.0, static_cast<double>(layout.size() - 1));
-  const ConstStateViews state = state_views(layout, x.data());
-  std::multiset<double> seen;
-  for (const auto& rollers : {state.radius, state.angle, state.radial_speed, state.orbital_speed, state.spin})
-    seen.insert(rollers.begin(), rollers.end());
-  for (const auto& pair : {state.cage_position, state.cage_velocity, state.bore_position, state.bore_velocity,
-                           state.pin_position, state.pin_velocity})
-    seen.insert(pair.begin(), pair.end());
-  seen.insert({state.cage_angle, state.cage_speed});
-  EXPECT_EQ(seen, std::multiset<double>(x.begin(), x.end()));
+  for (const StateLayout& layout :
+       {StateLayout{4}, StateLayout{.rollers = 4, .followed = 1, .tilting = true}}) {
+    Eigen::VectorXd x =
+        Eigen::VectorXd::LinSpaced(layout.size(), 0.0, static_cast<double>(layout.size() - 1));
+    const ConstStateViews state = state_views(layout, x.data());
+    std::multiset<double> seen;
+    for (const auto& rollers : {state.radius, state.angle, state.radial_speed, state.orbital_speed,
+                                state.spin, state.tip, state.turned})
+      seen.insert(rollers.begin(), rollers.end());
+    for (const auto& pair : {state.cage_position, state.cage_velocity, state.bore_position,
+                             state.bore_velocity, state.pin_position, state.pin_velocity})
+      seen.insert(pair.begin(), pair.end());
+    seen.insert({state.cage_angle, state.cage_speed});
+    EXPECT_EQ(seen, std::multiset<double>(x.begin(), x.end()));
+  }
 }
 
 TEST(StateLayout, NamesAndKindsDescribeEachVariable) {
-  const StateLayout layout{3};
+  const StateLayout layout{.rollers = 3, .tilting = true};
   const auto names = variable_names(layout);
   const auto kinds = variable_kinds(layout);
   ASSERT_EQ(names.size(), static_cast<std::size_t>(layout.size()));

@@ -82,7 +82,7 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
 Eigen::VectorXd scale_by_kind(const BearingModel& model, const Eigen::VectorXd& values) {
   const Eigen::Index z = model.layout.rollers;
   Eigen::VectorXd scale(values.size());
-  for (int group = 0; group < 5; ++group)
+  for (Eigen::Index group = 0; group < model.layout.groups(); ++group)
     scale.segment(group * z, z).setConstant(values.segment(group * z, z).cwiseAbs().maxCoeff());
   const auto pairs = [&](Eigen::Index at, Eigen::Index n) {
     scale.segment(at, n).setConstant(values.segment(at, n).cwiseAbs().maxCoeff());
@@ -197,18 +197,19 @@ TEST_P(VectorBearingTest, SolvesWithTheTrueJacobian) {
 
 INSTANTIATE_TEST_SUITE_P(
     Variants, VectorBearingTest,
-    testing::Values(Variant{"dry", false, false, TractionLaw::regularised_coulomb, 15},
-                    Variant{"film", true, false, TractionLaw::regularised_coulomb, 15},
-                    Variant{"film_and_shear", true, false, TractionLaw::limiting_shear, 15},
-                    Variant{"inner_guidance", true, true, TractionLaw::limiting_shear, 16},
-                    Variant{"rough", true, false, TractionLaw::limiting_shear, 15, true},
-                    Variant{"rough_and_dry", false, false, TractionLaw::regularised_coulomb, 20, true},
-                    Variant{"laminae", true, false, TractionLaw::regularised_coulomb, 15, false, 7},
-                    Variant{"tilted", true, false, TractionLaw::regularised_coulomb, 15, false, 32, 1e-3},
-                    Variant{"tilted_and_dry", false, false, TractionLaw::limiting_shear, 17, false, 12, 3e-3},
-                    Variant{"scratched", true, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, true},
-                    Variant{"scratched_and_rough", false, false, TractionLaw::limiting_shear, 20, true, 0, 0.0, true},
-                    Variant{"few_rollers", false, false, TractionLaw::regularised_coulomb, 5}),
+    testing::Values(
+        Variant{"dry", false, false, TractionLaw::regularised_coulomb, 15},
+        Variant{"film", true, false, TractionLaw::regularised_coulomb, 15},
+        Variant{"film_and_shear", true, false, TractionLaw::limiting_shear, 15},
+        Variant{"inner_guidance", true, true, TractionLaw::limiting_shear, 16},
+        Variant{"rough", true, false, TractionLaw::limiting_shear, 15, true},
+        Variant{"rough_and_dry", false, false, TractionLaw::regularised_coulomb, 20, true},
+        Variant{"laminae", true, false, TractionLaw::regularised_coulomb, 15, false, 7},
+        Variant{"tilted", true, false, TractionLaw::regularised_coulomb, 15, false, 32, 1e-3},
+        Variant{"tilted_and_dry", false, false, TractionLaw::limiting_shear, 17, false, 12, 3e-3},
+        Variant{"scratched", true, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, true},
+        Variant{"scratched_and_rough", false, false, TractionLaw::limiting_shear, 20, true, 0, 0.0, true},
+        Variant{"few_rollers", false, false, TractionLaw::regularised_coulomb, 5}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
