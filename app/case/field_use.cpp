@@ -82,7 +82,7 @@ struct Exception {
 };
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
-constexpr unsigned no_tilt = use::rollers_in_motion | use::crown | use::planet_stiffness;
+constexpr unsigned no_tilt = use::rollers_in_motion | use::planet_stiffness;
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"input.power", 0, use::fmu_bearing},

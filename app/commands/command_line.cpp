@@ -87,8 +87,8 @@ void add_crown_choices(CLI::App& command, CrownOptions& crown) {
                      "johns-gohar, iso16281, fujiwara-kawase; default: the case's, else iso16281");
   command.add_option(
       "--tilts", crown.tilts,
-      "tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: \"0 mrad, 1 mrad, 2 "
-      "mrad\"");
+      "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: none, tilts are "
+      "computed from planet, pin and bearings (where that cannot be: \"0 mrad, 1 mrad, 2 mrad\")");
   command.add_option(
       "--drops", crown.drops,
       "relief of one roller at the outermost of 40 laminae: the same with lengths; default: 17 from 0 to "
@@ -101,9 +101,15 @@ void add_crown_choices(CLI::App& command, CrownOptions& crown) {
 
 void add_crown_aims(CLI::App& command, CrownOptions& crown) {
   command.add_option("--tolerance", crown.tolerance,
-                     "also the best crown where the drop may miss by this, plus and minus, e.g. \"1 um\"");
+                     "the recommended drop is for drops that miss by this, plus and minus, e.g. \"1 um\"");
   command.add_option("--tilt-tolerance", crown.tilt_tolerance,
-                     "also the best crown where each tilt may miss by this, e.g. \"0.5 mrad\"");
+                     "the same for each stated tilt, or for the inclination of the pin in either direction "
+                     "where tilts are computed, e.g. \"0.5 mrad\"");
+  command
+      .add_option("--distribution", crown.distribution,
+                  "how likely misses within the tolerances are: normal (three standard deviations, cut off; "
+                  "default), uniform, or worst (the ends alone; all there is for stated tilts)")
+      ->check(CLI::IsMember({"normal", "uniform", "worst"}));
   command
       .add_option(
           "--life", crown.life,

@@ -55,11 +55,12 @@ std::vector<std::string> require_crown_uses(const ResolvedCase& resolved, const 
 }
 
 nlohmann::ordered_json result_json(const ResolvedCase& resolved, const CrownOptions& options,
-                                   const CrownStudy& study) {
+                                   const std::vector<std::string>& noted, const CrownStudy& study) {
   nlohmann::ordered_json object{{"case", resolved.text("name")}, {"options", options_json(options)}};
   object.update(crown_json(study));
   object["assumptions"] = assumptions_json(resolved);
-  std::vector<std::string> warnings = gear_warnings(resolved);
+  std::vector<std::string> warnings = noted;
+  for (std::string& warning : gear_warnings(resolved)) warnings.push_back(std::move(warning));
   for (std::string& warning : clearance_warnings(resolved)) warnings.push_back(std::move(warning));
   const std::vector<std::string> unused = require_crown_uses(resolved, options);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
@@ -78,7 +79,7 @@ ResultRow done_row(const TableHead& head) {
 
 int crown_command(const Options& options) {
   require_place_of_results(options);
-  const ResolvedCase resolved = read_case(options.case_file, options.settings);
+  const auto [resolved, noted] = crown_case(read_case(options.case_file, options.settings), options.crown);
   const CrownRequest request = crown_request(resolved, options.crown);
   require_crown_uses(resolved, options.crown);
   const ManifestHeader header = manifest_header(resolved, options_text(options.crown));
@@ -90,7 +91,7 @@ int crown_command(const Options& options) {
     result = read_crown(options.output);
   } else {
     const CrownStudy study = computed(request, options);
-    result = {result_json(resolved, options.crown, study), crown_text(study), study.failed};
+    result = {result_json(resolved, options.crown, noted, study), crown_text(study), study.failed};
     if (!options.output.empty()) write_crown(options.output, result);
     folder.keep({{0, netcdf_of(header, study), done_row(folder.head())}});
   }

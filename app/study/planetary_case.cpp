@@ -1,6 +1,8 @@
 #include "app/study/planetary_case.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 
 #include "app/case/arrangement_case.hpp"
 #include "app/study/gear_case.hpp"
@@ -124,9 +126,25 @@ std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
   return warnings;
 }
 
+namespace {
+
+// Built where it is first asked for, from any thread: teeth take a while, and each analysis asks again.
+std::function<gearset::dynamics::SetParameters()> gears_built_once(const ResolvedCase& in) {
+  struct Built {
+    std::once_flag once;
+    gearset::dynamics::SetParameters set;
+  };
+  return [in, built = std::make_shared<Built>()] {
+    std::call_once(built->once, [&] { built->set = gear_model_of(in).parameters; });
+    return built->set;
+  };
+}
+
+}  // namespace
+
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   study::PlanetaryDrivetrain out = drivetrain_without_gear_set(in);
-  if (in.has("bearing.rollers")) out.gear_set = [in] { return gear_model_of(in).parameters; };
+  if (in.has("bearing.rollers")) out.gear_set = gears_built_once(in);
   return out;
 }
 

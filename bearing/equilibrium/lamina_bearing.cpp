@@ -31,7 +31,7 @@ struct Rollers {
   const LaminaBearing& bearing;
   const RaceEquilibrium& problem;
   Eigen::ArrayXd outer_tip;  // [m]  (rollers)
-  std::vector<RollerState>& states;
+  SettlingRollers settling;
 };
 
 struct SettledRoller {
@@ -43,13 +43,8 @@ struct SettledRoller {
 template <int N>
 mechanics::Imbalance<N> imbalance_at(const Rollers& rollers, const RingCoordinates<N>& ring,
                                      const Eigen::Vector<double, N>& place) {
-  const LaminaBearing& bearing = rollers.bearing;
-  const RaceEquilibrium& problem = rollers.problem;
-  const TiltedRoller roller{bearing.contact(Race::inner), bearing.contact(Race::outer),
-                            problem.contacts.inner.film(), problem.contacts.outer.film()};
   return ring.imbalance(place, [&](Eigen::Index j, double approach) {
-    RollerState& state = rollers.states[static_cast<std::size_t>(j)];
-    settle_roller(roller, {approach, 0.0, rollers.outer_tip[j], problem.inertial_load[j]}, state);
+    const RollerState& state = rollers.settling.settle(j, approach, rollers.outer_tip[j]);
     return SettledRoller{state.outer.load, state.stiffness};
   });
 }
@@ -58,10 +53,6 @@ Eigen::ArrayXd outer_tips(const LaminaBearing& bearing, const OperatingPoint& po
                           const RaceEquilibrium& problem) {
   return bearing.half_length() *
          (problem.angle.cos() * point.bore_tilt.x() + problem.angle.sin() * point.bore_tilt.y());
-}
-
-double largest_drop(const LaminaBearing& bearing) {
-  return std::max(bearing.contact(Race::inner).greatest_drop(), bearing.contact(Race::outer).greatest_drop());
 }
 
 // The rigid contacts' reach, with what profiles and tilt add.
@@ -81,17 +72,57 @@ std::string failure_text(const RaceEquilibrium& problem, double residual) {
 }
 
 void put_report(const RaceEquilibrium& problem, const mechanics::SearchReport& search, LaminaState& state) {
-  const bool rollers_settled =
-      std::all_of(state.rollers.begin(), state.rollers.end(), [](const RollerState& r) { return r.settled; });
   state.report = {search};
-  state.report.converged = rollers_settled && search.converged;
+  state.report.converged = are_settled(state.rollers) && search.converged;
   if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
 }
 
 }  // namespace
 
-void put_position(const LaminaBearing& bearing, const LaminaState& state, Eigen::Index position,
+SettlingRollers::SettlingRollers(const LaminaBearing& bearing, const RaceEquilibrium& problem,
+                                 std::vector<RollerState>& states)
+    : roller_{bearing.contact(Race::inner), bearing.contact(Race::outer), problem.contacts.inner.film(),
+              problem.contacts.outer.film()},
+      problem_(problem),
+      states_(states) {}
+
+const RollerState& SettlingRollers::settle(Eigen::Index j, double approach, double outer_tip) const {
+  RollerState& state = states_[static_cast<std::size_t>(j)];
+  settle_roller(roller_, {approach, 0.0, outer_tip, problem_.inertial_load[j]}, state);
+  return state;
+}
+
+Eigen::Vector2d force_on_bore(const LaminaState& state) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (Eigen::Index j = 0; j < state.angle.size(); ++j)
+    sum += state.rollers[static_cast<std::size_t>(j)].outer.load * direction(state.angle[j]);
+  return sum;
+}
+
+Eigen::Vector2d moment_on_bore(const LaminaBearing& bearing, const LaminaState& state) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (Eigen::Index j = 0; j < state.angle.size(); ++j)
+    sum += bearing.half_length() * state.rollers[static_cast<std::size_t>(j)].outer.tip_load *
+           direction(state.angle[j]);
+  return sum;
+}
+
+bool are_settled(const std::vector<RollerState>& rollers) {
+  return std::all_of(rollers.begin(), rollers.end(),
+                     [](const RollerState& roller) { return roller.settled; });
+}
+
+double largest_drop(const LaminaBearing& bearing) {
+  return std::max(bearing.contact(Race::inner).greatest_drop(), bearing.contact(Race::outer).greatest_drop());
+}
+
+void put_position(const LaminaBearing& bearing, LaminaState state, Eigen::Index position,
                   Eigen::Index positions, LaminaResult& result) {
+  const double part = 1.0 / static_cast<double>(positions);
+  result.displacement += part * state.displacement;
+  add_form(state.waves, part, result.angle, result.race_form);
+  result.moment += part * state.moment;
+  keep_worst(state.report, result.report);
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
     const RollerState& roller = state.rollers[static_cast<std::size_t>(j)];
     const Eigen::Index place = position + j * positions;
@@ -103,6 +134,7 @@ void put_position(const LaminaBearing& bearing, const LaminaState& state, Eigen:
     bearing.contact(Race::outer)
         .put_loads(roller.outer_approach, roller.outer_tip, result.outer_lamina_load.col(place).data());
   }
+  result.states.push_back(std::move(state));
 }
 
 LaminaResult empty_result(const LaminaBearing& bearing, const OperatingPoint& point,
@@ -163,14 +195,13 @@ LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& poi
   LaminaState state;
   if (near != nullptr) state.rollers = near->rollers;
   state.rollers.resize(static_cast<std::size_t>(problem.angle.size()));
-  const Rollers rollers{bearing, problem, outer_tips(bearing, point, problem), state.rollers};
+  const Rollers rollers{
+      bearing, problem, outer_tips(bearing, point, problem), {bearing, problem, state.rollers}};
   const mechanics::SearchReport search = problem.outer_race.is_rigid()
                                              ? settle_ring<2>(rollers, near, state)
                                              : settle_ring<Eigen::Dynamic>(rollers, near, state);
   state.angle = problem.angle;
-  for (Eigen::Index j = 0; j < state.angle.size(); ++j)
-    state.moment += bearing.half_length() * state.rollers[static_cast<std::size_t>(j)].outer.tip_load *
-                    direction(state.angle[j]);
+  state.moment = moment_on_bore(bearing, state);
   put_report(problem, search, state);
   return state;
 }
@@ -182,13 +213,8 @@ LaminaResult quasi_static_laminae(const LaminaBearing& bearing, const OperatingP
   const int positions = options.cage_positions;
   for (int position = 0; position < positions; ++position) {
     const LaminaState* near = result.states.empty() ? nullptr : &result.states.back();
-    LaminaState state = lamina_state(bearing, point, options, result.angle[position], near);
-    put_position(bearing, state, position, positions, result);
-    result.displacement += state.displacement / positions;
-    add_form(state.waves, 1.0 / positions, result.angle, result.race_form);
-    result.moment += state.moment / positions;
-    keep_worst(state.report, result.report);
-    result.states.push_back(std::move(state));
+    put_position(bearing, lamina_state(bearing, point, options, result.angle[position], near), position,
+                 positions, result);
   }
   return result;
 }

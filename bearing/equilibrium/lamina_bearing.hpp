@@ -7,6 +7,7 @@
 
 #include "bearing/contact/lamina_contact.hpp"
 #include "bearing/equilibrium/quasi_static.hpp"
+#include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/equilibrium/tilted_roller.hpp"
 
 namespace orbearing::bearing::laminae {
@@ -57,17 +58,44 @@ struct LaminaResult {
   std::vector<LaminaState> states;                            // (cage angles)
 };
 
+/// The rollers of a bearing at one cage angle, which settle between its races wherever these stand.
+class SettlingRollers {
+ public:
+  /// `states` (rollers): where the searches start, and what they find. All three outlive this.
+  SettlingRollers(const LaminaBearing& bearing, const RaceEquilibrium& problem,
+                  std::vector<RollerState>& states);
+
+  /// Roller `j` between races that have come closer by `approach` [m] in the middle, the outer one with its
+  /// end displaced by `outer_tip` [m].
+  const RollerState& settle(Eigen::Index j, double approach, double outer_tip) const;
+
+ private:
+  TiltedRoller roller_;
+  const RaceEquilibrium& problem_;
+  std::vector<RollerState>& states_;
+};
+
+/// What settled rollers do to the bore: force [N] and moment [N m], conjugate to its displacement and tilt.
+Eigen::Vector2d force_on_bore(const LaminaState& state);
+Eigen::Vector2d moment_on_bore(const LaminaBearing& bearing, const LaminaState& state);
+
+/// Whether all of them settled.
+bool are_settled(const std::vector<RollerState>& rollers);
+
+/// By how much profiles add to the reach of a search [m]: the largest drop of both contacts.
+double largest_drop(const LaminaBearing& bearing);
+
 /// Equilibrium with the first roller at `first_roller` [rad]; the search starts from `near` where one is
 /// given. The bore's tilt is that of the point; forces balance, the moment that holds the tilt is a result.
 LaminaState lamina_state(const LaminaBearing& bearing, const OperatingPoint& point,
                          const QuasiStaticOptions& options, double first_roller,
                          const LaminaState* near = nullptr);
 
-/// A result over one roller pitch without loads yet, and where the balance at cage angle `position` of
-/// `positions` goes in it: loads by place, not the means.
+/// A result over one roller pitch without loads yet, and what the balance at cage angle `position` of
+/// `positions` adds to it: loads by place, means, the worst report, the state itself.
 LaminaResult empty_result(const LaminaBearing& bearing, const OperatingPoint& point,
                           const QuasiStaticOptions& options);
-void put_position(const LaminaBearing& bearing, const LaminaState& state, Eigen::Index position,
+void put_position(const LaminaBearing& bearing, LaminaState state, Eigen::Index position,
                   Eigen::Index positions, LaminaResult& result);
 
 /// Equilibria over one roller pitch. Throws std::invalid_argument as quasi_static_bearing() does.

@@ -83,8 +83,7 @@ struct PinnedPlanet {
     const LaminaBearing& bearing = planet.bearings[k];
     const RaceEquilibrium& race = races[k];
     LaminaState& state = states[k];
-    const TiltedRoller roller{bearing.contact(Race::inner), bearing.contact(Race::outer),
-                              race.contacts.inner.film(), race.contacts.outer.film()};
+    const SettlingRollers rollers(bearing, race, state.rollers);
     state.displacement = displacement(k, at);
     const Vector2d relative = tilt(k, at);
     sum.force.head<2>() += race.load;  // what reaches the ring through the cage
@@ -92,11 +91,8 @@ struct PinnedPlanet {
     Eigen::Matrix<double, Eigen::Dynamic, 2> moves(size(), 2);  // coordinates by approach (outward) and tip
     for (Index j = 0; j < race.angle.size(); ++j) {
       const Vector2d e = direction(race.angle[j]);
-      RollerState& one = state.rollers[static_cast<std::size_t>(j)];
-      settle_roller(roller,
-                    {race.approach(j, state.displacement), 0.0, bearing.half_length() * relative.dot(e),
-                     race.inertial_load[j]},
-                    one);
+      const RollerState& one =
+          rollers.settle(j, race.approach(j, state.displacement), bearing.half_length() * relative.dot(e));
       moves.setZero();
       moves.col(0).head<2>() = e;
       moves.col(0).segment<2>(kTiltAt) = e * (planet.place[k] / lever);
@@ -124,13 +120,6 @@ PinnedPlanet pinned(const PlanetOnPin& planet, const OperatingPoint& point, cons
     states[k].rollers.resize(static_cast<std::size_t>(states[k].angle.size()));
   }
   return problem;
-}
-
-Vector2d force_on_bore(const LaminaState& bearing) {
-  Vector2d sum = Vector2d::Zero();
-  for (Index j = 0; j < bearing.angle.size(); ++j)
-    sum += bearing.rollers[static_cast<std::size_t>(j)].outer.load * direction(bearing.angle[j]);
-  return sum;
 }
 
 // Where the load would displace the stiffest share of it: each bearing under its part.
@@ -162,9 +151,8 @@ mechanics::SearchLimits limits_of(const PinnedPlanet& problem) {
     one.load += problem.load;
     const mechanics::SearchLimits own = search_limits(one);
     const LaminaBearing& bearing = problem.planet.bearings[k];
-    const double more = 2.0 * std::max(bearing.contact(Race::inner).greatest_drop(),
-                                       bearing.contact(Race::outer).greatest_drop()) +
-                        problem.error(k).norm() + problem.lever * problem.inclination(k).norm();
+    const double more =
+        2.0 * largest_drop(bearing) + problem.error(k).norm() + problem.lever * problem.inclination(k).norm();
     limits.reach = std::max(limits.reach, own.reach + more);
     limits.size = std::max(limits.size, own.size + own.reach + more);
   }
@@ -196,11 +184,8 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
   for (std::size_t k = 0; k < state.bearings.size(); ++k) {
     state.bearing_tilt.push_back(problem.tilt(k, at));
     LaminaState& one = state.bearings[k];
-    for (Index j = 0; j < one.angle.size(); ++j) {
-      const RollerState& roller = one.rollers[static_cast<std::size_t>(j)];
-      one.moment += planet.bearings[k].half_length() * roller.outer.tip_load * direction(one.angle[j]);
-      state.report.converged = state.report.converged && roller.settled;
-    }
+    one.moment = moment_on_bore(planet.bearings[k], one);
+    state.report.converged = state.report.converged && are_settled(one.rollers);
   }
   if (!state.report.converged) {
     std::ostringstream text;
@@ -232,10 +217,8 @@ PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const Op
     for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
       LaminaResult& one = result.bearings[k];
       result.bearing_tilt[k] += last.bearing_tilt[k] / positions;
-      one.displacement += last.bearings[k].displacement / positions;
-      one.moment += last.bearings[k].moment / positions;
       one.total_bore_load -= force_on_bore(last.bearings[k]) / positions;
-      put_position(planet.bearings[k], last.bearings[k], position, positions, result.bearings[k]);
+      put_position(planet.bearings[k], last.bearings[k], position, positions, one);
     }
   }
   for (LaminaResult& one : result.bearings) one.report = result.report;

@@ -191,7 +191,7 @@ struct PlanetaryDrivetrain {
   cosim::CoupledOptions exchange{.window = 5e-6};  // of gears and bearings that are co-simulated
   RunUp run_up;
   /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes
-  /// give their mean forces. Called once for each operating point that is computed in time.
+  /// give their mean forces. Called by each analysis anew, from any thread: the same every time.
   std::function<gearset::dynamics::SetParameters()> gear_set;
   bool pins_displaced = false;  // of gear_set: pins stand off their places, so that planets load unevenly
   bool mesh_variation = true;   // false: the meshes keep their mean stiffness, and give their mean forces

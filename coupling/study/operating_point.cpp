@@ -467,17 +467,6 @@ double largest_pressure(const PlanetaryDrivetrain& drivetrain, const DrivetrainG
   return std::max(pressure(Race::inner, result.inner), pressure(Race::outer, result.outer));
 }
 
-// Load sharing and every run of the gears begin with the same bodies and meshes, whose teeth take a while.
-PlanetaryDrivetrain with_gears_built_once(PlanetaryDrivetrain drivetrain) {
-  if (!drivetrain.gear_set) return drivetrain;
-  drivetrain.gear_set = [build = drivetrain.gear_set,
-                         built = std::optional<gearset::dynamics::SetParameters>()]() mutable {
-    if (!built) built = build();
-    return *built;
-  };
-  return drivetrain;
-}
-
 PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                       const std::vector<BearingDuty>& duties, PointResult result) {
   put_loads(drivetrain, geometry, duties, result);
@@ -498,9 +487,8 @@ bearing::motion::DynamicsParameters dynamics_parameters(const PlanetaryDrivetrai
   return parameters;
 }
 
-PointResult evaluate(const PlanetaryDrivetrain& stated, const DrivetrainGeometry& geometry,
+PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                      Fidelity fidelity) {
-  const PlanetaryDrivetrain drivetrain = with_gears_built_once(stated);
   const std::vector<BearingDuty> duties = planet_duties(drivetrain, geometry);
   const auto point = [&] {
     if (fidelity == Fidelity::quasi_static) return quasi_static_point(drivetrain, geometry, duties);
@@ -510,9 +498,8 @@ PointResult evaluate(const PlanetaryDrivetrain& stated, const DrivetrainGeometry
   return completed(drivetrain, geometry, duties, point());
 }
 
-PointResult evaluate_from(const PlanetaryDrivetrain& stated, const DrivetrainGeometry& geometry,
+PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const Eigen::VectorXd& start) {
-  const PlanetaryDrivetrain drivetrain = with_gears_built_once(stated);
   if (drivetrain.pins_displaced)
     throw std::invalid_argument(
         "state to start from: found one, and pins off their places, where each planet has its own; required: "

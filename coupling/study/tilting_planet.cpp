@@ -41,26 +41,46 @@ Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain) {
   return of_mesh(set.sun_mesh, 1.0) + of_mesh(set.ring_mesh, -1.0);
 }
 
-bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
-                                                   const BearingDuty& duty) {
+PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain) {
   const PinSeats& seats = drivetrain.seats;
-  bearing::laminae::PlanetOnPin planet{.place = axial_places(drivetrain)};
-  for (std::size_t k = 0; k < planet.place.size(); ++k) {
-    bearing::Bearing one = drivetrain.bearing;
-    if (!seats.clearance_differences.empty()) one.radial_clearance += seats.clearance_differences[k];
-    planet.bearings.emplace_back(one, mechanics::InstructionSet::baseline);  // equal points on all machines
+  PlanetSeat seat{.places = axial_places(drivetrain), .clearance_differences = seats.clearance_differences};
+  seat.clearance_differences.resize(seat.places.size(), 0.0);
+  seat.pin_compliance = bearing::pin_compliance(planet_pin(drivetrain), seat.places);
+  seat.pin_inclination = {seats.radial_inclination, seats.tangential_inclination};
+  seat.tilt_stiffness = mesh_tilt_stiffness(drivetrain);
+  return seat;
+}
+
+bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
+                                        mechanics::InstructionSet set) {
+  bearing::laminae::PlanetOnPin planet{.place = seat.places, .pin_compliance = seat.pin_compliance};
+  for (const double difference : seat.clearance_differences) {
+    bearing::Bearing one = bearing;
+    one.radial_clearance += difference;
+    planet.bearings.emplace_back(one, set);
   }
-  planet.pin_compliance = bearing::pin_compliance(planet_pin(drivetrain), planet.place);
-  const Eigen::Vector2d inclined(seats.radial_inclination, seats.tangential_inclination);
-  planet.pin_inclination.assign(planet.place.size(), inclined);
-  for (const double place : planet.place) planet.pin_error.push_back(place * inclined);
-  planet.tilt_stiffness = mesh_tilt_stiffness(drivetrain);
-  bearing::OperatingPoint point = duty.point;
-  point.bore_load *= drivetrain.bearings_per_planet;
-  bearing::laminae::PlanetOnPinResult result = bearing::laminae::planet_on_pin_over_a_pitch(
-      planet, point, Eigen::Vector2d::Zero(), quasi_static_options(drivetrain));
+  planet.pin_inclination.assign(seat.places.size(), seat.pin_inclination);
+  for (const double place : seat.places) planet.pin_error.push_back(place * seat.pin_inclination);
+  planet.tilt_stiffness = seat.tilt_stiffness;
+  return planet;
+}
+
+bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
+                                                   const bearing::OperatingPoint& point,
+                                                   const bearing::QuasiStaticOptions& options) {
+  bearing::OperatingPoint whole = point;
+  whole.bore_load *= static_cast<double>(planet.bearings.size());
+  bearing::laminae::PlanetOnPinResult result =
+      bearing::laminae::planet_on_pin_over_a_pitch(planet, whole, Eigen::Vector2d::Zero(), options);
   if (!result.report.converged) throw std::runtime_error(result.report.message);
   return result;
+}
+
+bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
+                                                   const BearingDuty& duty) {
+  return tilting_planet(planet_on(planet_seat(drivetrain), drivetrain.bearing,
+                                  mechanics::InstructionSet::baseline),  // equal points on all machines
+                        duty.point, quasi_static_options(drivetrain));
 }
 
 }  // namespace orbearing::study

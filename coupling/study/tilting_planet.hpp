@@ -17,8 +17,31 @@ bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain);
 /// spread over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]
 Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain);
 
-/// Balance of one planet over a roller pitch: one result for each bearing. Laminae are needed.
+/// What a planet stands on, whatever its load, its speed, and the clearance and profiles of its bearings:
+/// derived once, used from any thread.
+struct PlanetSeat {
+  std::vector<double> places;                 // [m]  (bearings)
+  std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the clearance that a bearing has
+  Eigen::MatrixXd pin_compliance;             // bearing::pin_compliance() at these places
+  Eigen::Vector2d pin_inclination;            // [rad]  of the unloaded pin: outward, ahead
+  Eigen::Matrix2d tilt_stiffness;             // [N m/rad]  of both meshes
+};
+
+/// Throws std::invalid_argument where the gears have no meshes.
+PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain);
+
+/// The planet on its seat, all its bearings like `bearing` but for their clearances.
+bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
+                                        mechanics::InstructionSet set = mechanics::best_instruction_set());
+
+/// Balance of one planet over a roller pitch: one result for each bearing. `point` is that of one bearing of
+/// a planet whose bearings carry alike. Laminae are needed.
 /// @throws std::runtime_error where the planet finds no balance
+bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
+                                                   const bearing::OperatingPoint& point,
+                                                   const bearing::QuasiStaticOptions& options);
+
+/// The same of a drivetrain at one duty.
 bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
                                                    const BearingDuty& duty);
 

@@ -26,11 +26,15 @@ def page(report: Report, blocks: Sequence[FigureBlock]) -> str:
 
 
 def headline(study: Report) -> str:
-    """The best crown in one sentence."""
-    best, straight = study.record("optimum"), study.record("straight")
-    worst = max((point["tilt_mrad"] for point in study.records("points")), default=0.0)
-    return (f"A drop of {format_number(best.get('drop_um'), 3)} µm ({best.get('profile')}) gives {format_quantity(best.get('life_h'), 'h', 3)} "
-            f"at tilts up to {format_number(worst)} mrad, {format_change(best.get('life_h'), straight.get('life_h'))} against straight rollers.")
+    """The advice in one sentence."""
+    advice = study.record("recommended")
+    left = f"{format_number(100 * (advice.get('straight_life_share') or 0.0), 3)} %"
+    within = record(advice.get("within_tolerances"))
+    life = format_quantity((within or advice).get("half_space_life_h"), "h", 3) + (" within the tolerances" if within else "")
+    if advice.get("no_crown_needed"):
+        return f"No crown is needed: straight rollers keep {left} of the {life} that the best drop gives."
+    return (f"A drop of {format_number(advice.get('drop_um'), 3)} µm ({advice.get('profile')}) gives {life}, "
+            f"of which straight rollers leave {left}.")
 
 
 def _summary(study: Report) -> Table:
@@ -40,24 +44,38 @@ def _summary(study: Report) -> Table:
     advice = study.record("recommended")
     band = f"{format_number(advice.get('least_drop_um'), 3)} to {format_quantity(advice.get('most_drop_um'), 'µm', 3)}"
     kept = format_number(100 * advice.get("life_kept_in_band", 0), 3)
-    tilts = sorted({point["tilt_mrad"] for point in study.records("points")})
+    computed = study.content.get("tilt") == "computed"
+    tilts = sorted({point["tilt_mrad"] for point in (records(advice.get("points")) if computed else study.records("points"))})
+    shown = [format_number(tilt) for tilt in dict.fromkeys((tilts[0], tilts[-1]) if computed else tilts)]
     rows = [("Operating points", where),
-            ("Life", f"by {study.content.get('laminae')} laminae after {study.content.get('life_measure')}; the shortest over the tilts"),
-            ("Tilts of the bore on its pin", ", ".join(format_number(tilt) for tilt in tilts) + " mrad"),
-            ("Best crown", f"{best.get('profile')}, drop {format_quantity(best.get('drop_um'), 'µm', 4)}"),
+            ("Recommended by", "life from half-space pressures of both races" + (" of all bearings of a planet" if computed else ", the shortest over the tilts")),
+            ("Optimum by", f"life on {study.content.get('laminae')} laminae after {study.content.get('life_measure')}"),
+            ("Tilts of the bore on its pin", (" to ".join(shown) + " mrad, computed from planet, pin and bearings") if computed else ", ".join(shown) + " mrad"),
+            *_tolerances(record(advice.get("within_tolerances"))),
+            ("Optimum by laminae", f"{best.get('profile')}, drop {format_quantity(best.get('drop_um'), 'µm', 4)}"),
             ("Recommended drop", f"{format_quantity(advice.get('drop_um'), 'µm', 3)}; {band} leaves at least {kept} % of the life"
                                  + ("; no crown is needed" if advice.get("no_crown_needed") else "")),
-            ("Without tilt", f"{format_quantity(best.get('untilted_life_h'), 'h')}, "
-                             f"{format_change(best.get('untilted_life_h'), straight.get('untilted_life_h'))} against straight rollers"),
+            *([] if computed else [("Without tilt", f"{format_quantity(best.get('untilted_life_h'), 'h')}, "
+                                    f"{format_change(best.get('untilted_life_h'), straight.get('untilted_life_h'))} against straight rollers")]),
             ("Greatest peak pressure", f"{format_quantity(best.get('peak_pressure_MPa'), 'MPa', 4)}, straight rollers "
                                        f"{format_quantity(straight.get('peak_pressure_MPa'), 'MPa', 4)}")]
     return Table(("Study", "Value"), rows)
 
 
+def _tolerances(asked: dict) -> list[tuple[str, str]]:
+    if not asked:
+        return []
+    lean = f"pins inclined by {format_number(asked['pin_inclination_mrad'])}" if "pin_inclination_mrad" in asked else f"tilts by {format_number(asked.get('tilt_mrad'))}"
+    kind = asked.get("distribution")
+    what = "the shortest life within them" if kind == "worst" else f"{kind} distribution; nine tenths of all bearings live"
+    return [("Tolerances", f"drop by {format_quantity(asked.get('drop_um'), 'µm', 3)}, {lean} mrad"),
+            ("Within the tolerances", f"{what} {format_quantity(asked.get('half_space_life_h'), 'h')}")]
+
+
 def _points(study: Report) -> str:
     """What the recommended crown meets at each operating point."""
     names = {"input_speed_rpm": "input speed (rpm)", "power_kW": "power (kW)", "share": "share of time", "tilt_mrad": "tilt (mrad)",
-             "life_h": "life at this point alone (h)", "damage_share": "share of damage", "peak_pressure_MPa": "peak pressure (MPa)",
+             "load_share": "largest share of the load", "half_space_life_h": "life from half-space pressures (h)", "life_h": "life by laminae (h)", "damage_share": "share of damage", "peak_pressure_MPa": "peak pressure (MPa)",
              "edge_ratio": "edge ratio"}
     rows = [tuple(point.get(name) for name in names) for point in records(study.record("recommended").get("points"))]
     if not rows:

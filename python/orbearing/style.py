@@ -53,6 +53,11 @@ RC = {
 }
 
 
+def tilt_text(tilt) -> str:
+    """Heading of a panel for a stated tilt in mrad; None: it was computed."""
+    return "tilt as computed" if tilt is None else f"tilt {tilt:.4g} mrad"
+
+
 def context():
     """The settings above, for as long as the context lasts, on top of matplotlib's own defaults."""
     return matplotlib.rc_context({**matplotlib.rcParamsDefault, **RC, "backend": "agg"})

@@ -146,7 +146,7 @@ TEST(LoadSpectra, IsWhatACrownStudyLivesUnder) {
     return problem_of(crown_request(reducer({"spectrum=" + rows}), {}));
   };
   const bearing::profile::Profile straight = bearing::profile::Straight{};
-  const auto life = [&](const CrownProblem& of) { return life_hours(of, straight, 1e-3); };
+  const auto life = [&](const CrownProblem& of) { return life_hours(of, straight, Lean(1e-3, 0.0)); };
   const double plain = life(problem_of(crown_request(reducer({}), {})));
   EXPECT_NEAR(life(problem("[" + kOwn + "]")), plain, kSame * plain);
   const double slow = life(problem("[{power: 60 kW, speed: 2000 rpm, share: 1}]"));

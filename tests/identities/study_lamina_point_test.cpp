@@ -78,7 +78,7 @@ TEST(LaminaPoint, LivesAsTheCrownStudySays) {
                                     crowning::LifeMeasure::lundberg_palmgren);
         const bearing::profile::Profile profile =
             crowning::profile_of(crowning::family_of("iso16281", drivetrain.bearing, 1.0), {drop, 1.0});
-        const double expected = crowning::life_hours(problem, profile, tilt);
+        const double expected = crowning::life_hours(problem, profile, crowning::Lean(tilt, 0.0));
         drivetrain.bearing.rollers().profile = profile;
         drivetrain.misalignment = {.planet_tilt = tilt};
         EXPECT_NEAR(point(drivetrain).life_hours, expected, kRoundOff * expected)

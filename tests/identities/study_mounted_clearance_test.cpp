@@ -76,7 +76,7 @@ TEST(StudyMountedClearance, IsThatOfEachPointOfACrownStudy) {
   using namespace study::crowning;
   const auto life = [](const std::vector<std::string>& settings) {
     const CrownProblem problem = problem_of(crown_request(reducer(settings), {}));
-    return life_hours(problem, bearing::profile::Straight{}, 1e-3);
+    return life_hours(problem, bearing::profile::Straight{}, Lean(1e-3, 0.0));
   };
   const double mounted = life(with(kMounted, "spectrum=[{power: 150 kW, speed: 11000 rpm, share: 1}]"));
   const std::string clearance = stated(point(reducer(with(kMounted, "input.speed=11000 rpm"))));

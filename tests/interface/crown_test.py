@@ -42,10 +42,80 @@ def life_at(study, drop, tilt):
     return next(p["life_h"] for p in study["points"] if (p["drop_um"], p["tilt_mrad"]) == (drop, tilt))
 
 
-class Contract(unittest.TestCase):
+STATED = ("--tilts", "0 mrad, 1 mrad, 2 mrad")
+
+
+class ComputedTilt(unittest.TestCase):
+    """Issue 16, Build 9: tilts are computed where none are stated."""
+
     @classmethod
     def setUpClass(cls):
         cls.study = crown()
+
+    def test_points_and_designs(self):
+        study, points = self.study, self.study["points"]
+        self.assertEqual(study["tilt"], "computed")
+        self.assertEqual(list(points[0])[:5], ["drop_um", "tilt_mrad", "life_h", "peak_pressure_MPa", "edge_ratio"])
+        self.assertGreaterEqual(len({p["drop_um"] for p in points}), 8)
+        self.assertTrue(all(0.01 < p["tilt_mrad"] < 0.05 for p in points))  # the pin's slope at 6000 rpm
+        for key in ("optimum", "straight"):
+            self.assertEqual(list(study[key])[:4], ["profile", "drop_um", "life_h", "peak_pressure_MPa"])
+        self.assertGreaterEqual(study["optimum"]["life_h"], max(p["life_h"] for p in points) * (1 - ROUND_OFF))
+        straight = next(p for p in points if p["drop_um"] == 0)
+        self.assertAlmostEqual(study["straight"]["life_h"] / straight["life_h"], 1, delta=ROUND_OFF)
+        self.assertNotIn("untilted_life_h", study["straight"])
+
+    def test_straight_it_is_the_life_of_a_run(self):
+        result = call("run", REDUCER, "--json", "--set", "bearing.tilt_state=computed", "--set", "bearing.laminae=40")
+        point = json.loads(result.stdout)["points"][0]
+        straight = next(p for p in self.study["points"] if p["drop_um"] == 0)
+        self.assertAlmostEqual(straight["life_h"] / point["life_h"], 1, delta=1e-7)  # laminae add up in another order
+        self.assertAlmostEqual(straight["tilt_mrad"] / point["largest_bearing_tilt_mrad"], 1, delta=1e-5)
+
+    def test_no_crown_is_needed_where_nothing_leans(self):
+        advice = self.study["recommended"]
+        self.assertTrue(advice["no_crown_needed"])
+        self.assertEqual(advice["least_drop_um"], 0)
+        self.assertGreater(advice["straight_life_share"], advice["life_kept_in_band"])
+        self.assertLess(advice["missed"][1]["life_share"], 1)
+        self.assertEqual(len(advice["points"]), 1)
+        self.assertNotIn("within_tolerances", advice)
+        self.assertAlmostEqual(max(p["life_share"] for p in advice["curve"]), 1, delta=1e-3)
+
+    def test_an_inclined_pin_asks_for_a_crown(self):
+        found = crown("--set", "support.pin_inclination.tangential=2 mrad", "--starts", "2")
+        advice = found["recommended"]
+        self.assertFalse(advice["no_crown_needed"])
+        self.assertGreater(advice["drop_um"], self.study["recommended"]["drop_um"])
+        self.assertGreater(advice["points"][0]["load_share"], 1.2)
+
+    def test_tolerances_cost_life_by_their_probability(self):
+        few = ["--starts", "1", "--tolerance", "1 um", "--tilt-tolerance", "0.5 mrad"]
+        normal, uniform, worst = (crown(*few, "--distribution", kind)["recommended"]["within_tolerances"] for kind in ("normal", "uniform", "worst"))
+        self.assertEqual((normal["distribution"], normal["drop_um"], normal["pin_inclination_mrad"]), ("normal", 1, 0.5))
+        lives = [one["half_space_life_h"] for one in (worst, uniform, normal)]
+        self.assertEqual(lives, sorted(lives))
+        self.assertLess(lives[-1], self.study["recommended"]["half_space_life_h"])
+        self.assertLess(normal["quadrature_error"], 0.02)
+
+    def test_stated_and_computed_exclude_each_other(self):
+        self.assertIn("--tilts: found beside", refusal("--tilts", "1 mrad", "--set", "bearing.tilt_state=computed", "--set", "bearing.laminae=20"))
+        self.assertIn("stated tilts", refusal(*STATED, "--tolerance", "1 um", "--distribution", "uniform"))
+        self.assertIn("without a tolerance", refusal("--distribution", "uniform"))
+
+    def test_what_cannot_be_computed_is_stated_and_said(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = call("crown", REDUCER, "-o", pathlib.Path(folder) / "out", "--json", "--drops", "4 um", "--starts", "1",
+                          "--set", "bearing.laminae=40", "--set", "bearing.misalignment.carrier_wind_up=0.01 deg")
+        found = json.loads(result.stdout)
+        self.assertEqual(found["tilt"], "stated")
+        self.assertTrue(any("carrier_wind_up" in text and "--tilts" in text for text in found["warnings"]))
+
+
+class Contract(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.study = crown(*STATED)
 
     def test_points(self):
         points = self.study["points"]
@@ -100,7 +170,7 @@ class Choices(unittest.TestCase):
         self.assertEqual(sorted({p["drop_um"] for p in study["points"]}), [1, 4, 7, 20])
 
     def test_several_profiles_and_the_best_of_them(self):
-        study = crown("--profile", "circular, straight-circular", "--starts", "2")
+        study = crown(*STATED, "--profile", "circular, straight-circular", "--starts", "2")
         lives = {best["profile"]: best["life_h"] for best in study["optima"]}
         self.assertEqual(set(lives), {"circular", "straight-circular"})
         self.assertEqual(study["optimum"]["life_h"], max(lives.values()))
@@ -108,14 +178,14 @@ class Choices(unittest.TestCase):
         self.assertTrue(0.1 <= share <= 0.95)
 
     def test_tolerance_asks_for_more_crown(self):
-        study = crown("--tolerance", "1 um", "--tilt-tolerance", "0.5 mrad", "--starts", "3")
+        study = crown(*STATED, "--tolerance", "1 um", "--tilt-tolerance", "0.5 mrad", "--starts", "3")
         robust, best = study["robust"], study["optimum"]
         self.assertGreater(robust["drop_um"], best["drop_um"])
         self.assertGreater(robust["life_in_band_h"], best["life_in_band_h"])
         self.assertLess(robust["life_h"], best["life_h"])
 
     def test_life_of_the_standard_feels_the_ends(self):
-        study = crown("--life", "iso16281", "--starts", "1")
+        study = crown(*STATED, "--life", "iso16281", "--starts", "1")
         self.assertEqual(study["life_measure"], "iso16281")
         self.assertGreater(life_at(study, 1, 0), life_at(study, 0, 0))
         self.assertGreater(study["optimum"]["drop_um"], 3)
@@ -190,6 +260,19 @@ class Folders(unittest.TestCase):
             life = next(p["life_h"] for p in json.loads(self.first.stdout)["points"] if p["drop_um"] == 4 and p["tilt_mrad"] == 1)
             self.assertEqual(float(data["life"][0, 1, 1]), life)
 
+    def test_page_of_computed_tilts(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("matplotlib is missing")
+        out = pathlib.Path(self.place.name) / "computed"
+        self.assertEqual(call("crown", REDUCER, "-o", out, "--quiet", "--starts", "1", "--tilt-tolerance", "0.2 mrad").returncode, 0)
+        self.assertEqual(call("report", out).returncode, 0)
+        page = (out / "report.html").read_text(encoding="utf-8")
+        for text in ("No crown is needed", "bearing 2 of a planet", "unloaded pin is inclined", "normal distribution"):
+            self.assertIn(text, page)
+        self.assertNotIn('class="missing"', page)
+
     def test_page(self):
         try:
             import matplotlib  # noqa: F401
@@ -198,7 +281,7 @@ class Folders(unittest.TestCase):
         result = call("report", self.out)
         self.assertEqual(result.returncode, 0, result.stderr)
         page = (self.out / "report.html").read_text(encoding="utf-8")
-        for slug in ("crown-map", "crown-front", "crown-profiles", "roller-pressure", "crown-zone", "crown-speeds"):
+        for slug in ("crown-drop", "crown-map", "crown-front", "crown-profiles", "roller-pressure", "crown-zone", "crown-speeds"):
             self.assertIn(f'<section id="{slug}">', page)
         self.assertNotIn('class="missing"', page)
 
@@ -214,7 +297,7 @@ class Terminal(unittest.TestCase):
 
     def test_help(self):
         text = call("crown", "--help").stdout
-        for option in ("--profile", "--tilts", "--drops", "--spectrum", "--shares", "--tolerance", "--tilt-tolerance", "--life", "--of", "--starts"):
+        for option in ("--profile", "--tilts", "--drops", "--spectrum", "--shares", "--tolerance", "--tilt-tolerance", "--distribution", "--life", "--of", "--starts"):
             self.assertIn(option, text)
         self.assertIn("crown", call("--help").stdout)
 

@@ -29,29 +29,28 @@ struct Stage {
   const CrownRequest& request;
   CrownProblem problem;
   RollerPressure pressure;
-  double best_drop;          // [m]
-  std::vector<Named> chief;  // straight, the standard's, the best
+  double advised_drop;       // [m]
+  std::vector<Named> chief;  // straight, the standard's, the recommended
 };
 
-Profile best_profile(const CrownProblem& problem, const ordered_json& optimum) {
-  const ProfileFamily family = family_in(problem, optimum.at("profile"));
+Profile advised_profile(const CrownProblem& problem, const ordered_json& advice) {
+  const ProfileFamily family = family_in(problem, advice.at("profile"));
   const double share =
-      optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
-  return profile_of(family, {1e-6 * optimum.at("drop_um").get<double>(), share});
+      advice.contains("crowned_share") ? advice.at("crowned_share").get<double>() : usual_share(family);
+  return profile_of(family, {1e-6 * advice.at("drop_um").get<double>(), share});
 }
 
 Stage stage_of(const CrownRequest& request, const ordered_json& result) {
   const CrownProblem problem = problem_of(request);
-  const ordered_json& optimum = result.at("optimum");
-  const std::string best = optimum.at("profile").get<std::string>();
+  const ordered_json& advice = result.at("recommended");
   return {request,
           problem,
           RollerPressure(problem),
-          1e-6 * optimum.at("drop_um").get<double>(),
+          1e-6 * advice.at("drop_um").get<double>(),
           {{"straight", bearing::profile::Straight{}},
            {"ISO/TS 16281", bearing::profile::Iso16281{problem.bearing.rollers().length,
                                                        problem.bearing.rollers().diameter, 1.0}},
-           {best + ", optimum", best_profile(problem, optimum)}}};
+           {advice.at("profile").get<std::string>() + ", recommended", advised_profile(problem, advice)}}};
 }
 
 std::vector<double> even(double from, double to, int count) {
@@ -78,12 +77,12 @@ ordered_json drawn_profile(const Named& profile, double length) {
   return {{"profile", profile.name}, {"x_mm", scaled(x, 1e3)}, {"drop_um", drops}};
 }
 
-// Every kind, as deep as the best.
+// Every kind, as deep as the recommended.
 std::vector<Named> all_kinds(const Stage& stage) {
   std::vector<Named> kinds{stage.chief.front()};
   for (const std::string& name : family_names()) {
     const ProfileFamily family = family_in(stage.problem, name);
-    kinds.push_back({name, profile_of(family, {std::max(stage.best_drop, 1e-7), usual_share(family)})});
+    kinds.push_back({name, profile_of(family, {std::max(stage.advised_drop, 1e-7), usual_share(family)})});
   }
   return kinds;
 }
@@ -97,13 +96,19 @@ std::size_t heaviest(const CrownProblem& problem) {
   return heaviest;
 }
 
+// What is stated; null where it is computed.
+ordered_json shown_tilt(const Stage& stage, double tilt) {
+  if (stage.request.computes_tilt()) return nullptr;
+  return 1e3 * tilt;
+}
+
 ordered_json pressure_curve(const Stage& stage, const Named& profile, double tilt) {
-  const auto loads = loads_at(stage.problem, profile.made, tilt, heaviest(stage.problem));
-  const WorstRoller roller =
-      worst_roller(lamina_bearing(stage.problem, profile.made, heaviest(stage.problem)), loads, Race::inner);
+  const DutyLoads loads =
+      loads_at(stage.problem, profile.made, lean_by(stage.problem, tilt), heaviest(stage.problem));
+  const WorstRoller roller = worst_roller(stage.problem, loads, Race::inner);
   const auto found = stage.pressure.on(Race::inner, profile.made, roller.load, roller.tilt);
   return {{"profile", profile.name},
-          {"tilt_mrad", 1e3 * tilt},
+          {"tilt_mrad", shown_tilt(stage, tilt)},
           {"load_N", roller.load},
           {"x_mm", scaled(found.x, 1e3)},
           {"pressure_MPa", scaled(found.pressure, 1e-6)},
@@ -120,9 +125,12 @@ ordered_json pressure_curves(const Stage& stage) {
   return curves;
 }
 
-// Pressure along every roller of the load zone on the inner race, at one cage angle out of four.
-ordered_json zone_of(const Stage& stage, const Named& profile, double tilt) {
-  const auto loads = loads_at(stage.problem, profile.made, tilt, heaviest(stage.problem));
+// Pressure along every roller of the load zone on the inner race of one bearing, at one cage angle out of
+// four.
+ordered_json zone_of(const Stage& stage, const Named& profile, double tilt, std::size_t bearing) {
+  const DutyLoads all =
+      loads_at(stage.problem, profile.made, lean_by(stage.problem, tilt), heaviest(stage.problem));
+  const bearing::laminae::LaminaResult& loads = all.bearings[bearing];
   const double half = 0.5 * stage.problem.bearing.rollers().length;
   ordered_json rows = ordered_json::array();
   std::vector<double> x;
@@ -140,13 +148,22 @@ ordered_json zone_of(const Stage& stage, const Named& profile, double tilt) {
       rows.push_back({{"angle_deg", kDegree * loads.states[s].angle[static_cast<Eigen::Index>(j)]},
                       {"pressure_MPa", pressure}});
     }
-  return {{"profile", profile.name}, {"tilt_mrad", 1e3 * tilt}, {"x_mm", x}, {"places", rows}};
+  ordered_json zone{{"profile", profile.name}, {"tilt_mrad", shown_tilt(stage, tilt)}};
+  if (stage.request.computes_tilt()) zone["bearing"] = bearing + 1;
+  zone.update({{"x_mm", x}, {"places", rows}});
+  return zone;
 }
 
+// Straight and best: without and with the greatest tilt that is stated, or the first and the last bearing of
+// a planet.
 ordered_json zones(const Stage& stage) {
   ordered_json all = ordered_json::array();
-  for (const Named& profile : {stage.chief.front(), stage.chief.back()})
-    for (const double tilt : {0.0, stage.request.tilts.back()}) all.push_back(zone_of(stage, profile, tilt));
+  const std::size_t last = stage.problem.seat ? stage.problem.seat->places.size() - 1 : 0;
+  const double most = stage.request.tilts.back();
+  for (const Named& profile : {stage.chief.front(), stage.chief.back()}) {
+    all.push_back(zone_of(stage, profile, 0.0, 0));
+    if (last > 0 || most > 0.0) all.push_back(zone_of(stage, profile, most, last));
+  }
   return all;
 }
 
@@ -164,7 +181,9 @@ ordered_json life_map(const Stage& stage, const ordered_json& optimum) {
   const ProfileFamily family = family_in(stage.problem, name);
   const double share =
       optimum.contains("crowned_share") ? optimum.at("crowned_share").get<double>() : usual_share(family);
-  const double most = std::max(1.25 * stage.request.tilts.back(), 1e-3);
+  const double asked =
+      stage.request.computes_tilt() ? stage.request.tolerance.tilt : stage.request.tilts.back();
+  const double most = std::max(1.25 * asked, stage.request.computes_tilt() ? 0.5e-3 : 1e-3);
   const std::vector<double> drops = even(0.0, stage.request.drops.back(), kMapDrops);
   const std::vector<double> tilts = even(0.0, most, kMapTilts);
   std::vector<Profile> profiles;
@@ -204,16 +223,17 @@ ordered_json speed_curves(const Stage& stage, const std::vector<double>& speeds)
   ordered_json all = ordered_json::array();
   std::vector<double> tilts{0.0};
   if (stage.request.tilts.back() > 0.0) tilts.push_back(stage.request.tilts.back());
+  std::vector<CrownProblem> problems;
+  for (const double speed : speeds)
+    problems.push_back(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0, {}}},
+                                     stage.request.measure, stage.request.laminae));
   for (const double tilt : tilts)
     for (const Named& profile : stage.chief) {
       std::vector<double> lives;
-      for (const double speed : speeds)
-        lives.push_back(
-            life_hours(crown_problem(stage.request.drivetrain, stage.request.geometry, {{speed, 1.0, {}}},
-                                     stage.request.measure, stage.request.laminae),
-                       profile.made, tilt));
+      for (const CrownProblem& problem : problems)
+        lives.push_back(life_hours(problem, profile.made, lean_by(problem, tilt)));
       all.push_back({{"profile", profile.name},
-                     {"tilt_mrad", 1e3 * tilt},
+                     {"tilt_mrad", shown_tilt(stage, tilt)},
                      {"speed_rpm", scaled(speeds, kRpm)},
                      {"life_h", lives}});
     }

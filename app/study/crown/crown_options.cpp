@@ -21,6 +21,7 @@ namespace crowning = study::crowning;
 
 constexpr Dimension kTilt{"angle", "rad", "mrad", "1 mrad"};
 constexpr Dimension kDrop{"length", "m", "um", "5 um"};
+constexpr int kLaminae = 40;             // of a case that does not cut its rollers
 constexpr double kMostTilt = 0.1;        // [rad]  far beyond any mounting
 constexpr double kMostDrop = 1e-3;       // [m]
 constexpr double kShareRoundOff = 1e-6;  // of a sum of shares that were rounded for typing
@@ -46,7 +47,27 @@ void require_range(const std::string& option, const std::vector<double>& values,
     }
 }
 
-std::vector<double> tilts_of(const CrownOptions& options, Mistakes& mistakes) {
+bool states_computed_tilt(const ResolvedCase& resolved) {
+  const char* state = "bearing.tilt_state";
+  return resolved.has(state) && resolved.choice(state) == "computed";
+}
+
+// What keeps the tilt of a case from being computed without being asked for; empty: nothing.
+std::string reason_to_state(const ResolvedCase& resolved) {
+  if (resolved.shape().several) return "several sets";
+  if (resolved.has("gearset.planet_rim") && resolved.choice("gearset.planet_rim") == "elastic")
+    return "gearset.planet_rim: elastic";
+  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"})
+    if (resolved.has(pins)) return pins;
+  for (const char* tilt : {"bearing.misalignment.planet_tilt", "bearing.misalignment.carrier_wind_up"})
+    if (resolved.has(tilt) && resolved.quantity(tilt) != 0.0) return tilt;
+  return "";
+}
+
+std::vector<double> tilts_of(const CrownOptions& options, bool computed, Mistakes& mistakes) {
+  if (computed && !options.tilts.empty())
+    mistakes.push_back("--tilts: found beside bearing.tilt_state: computed; required: one of both");
+  if (computed) return {0.0};
   if (options.tilts.empty()) return {0.0, 1e-3, 2e-3};
   std::vector<double> tilts = quantity_list("--tilts", options.tilts, kTilt, mistakes);
   require_range("--tilts", tilts, kMostTilt, "tilts from 0 to 100 mrad", mistakes);
@@ -77,6 +98,25 @@ double tolerance_of(const std::string& option, const std::string& text, const Di
         fmt::format("{}: found {}; required: at least 0 and less than the greatest drop or 100 mrad", option,
                     quote(text)));
   return value;
+}
+
+crowning::Distribution distribution_of(const CrownOptions& options, bool computed, Mistakes& mistakes) {
+  using enum crowning::Distribution;
+  if (options.distribution.empty()) return computed ? normal : worst;
+  for (const crowning::Distribution one : {worst, normal, uniform})
+    if (name_of(one) == options.distribution) {
+      if (!computed && one != worst)
+        mistakes.push_back("--distribution: found " + options.distribution +
+                           " beside stated tilts; required: worst, or computed tilts");
+      if (options.tolerance.empty() && options.tilt_tolerance.empty())
+        mistakes.push_back(
+            "--distribution: found without a tolerance; required: --tolerance or "
+            "--tilt-tolerance beside it");
+      return one;
+    }
+  mistakes.push_back(fmt::format("--distribution: found {}; required: worst, normal or uniform",
+                                 quote(options.distribution)));
+  return worst;
 }
 
 std::vector<double> shares_of(const CrownOptions& options, std::size_t speeds, Mistakes& mistakes) {
@@ -204,6 +244,7 @@ nlohmann::ordered_json options_json(const CrownOptions& options) {
           {"shares", options.shares},
           {"tolerance", options.tolerance},
           {"tilt_tolerance", options.tilt_tolerance},
+          {"distribution", options.distribution},
           {"life", options.life},
           {"of", options.of_set},
           {"starts", options.starts}};
@@ -216,6 +257,7 @@ CrownOptions options_from(const nlohmann::ordered_json& object) {
           .shares = object.at("shares"),
           .tolerance = object.at("tolerance"),
           .tilt_tolerance = object.at("tilt_tolerance"),
+          .distribution = object.at("distribution"),
           .life = object.at("life"),
           .of_set = object.at("of"),
           .spectrum = object.at("spectrum"),
@@ -233,17 +275,30 @@ std::string options_text(const CrownOptions& options) {
   return printable(text);
 }
 
+CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options) {
+  require_bearing(resolved);
+  if (!options.tilts.empty() || states_computed_tilt(resolved)) return {resolved, {}};
+  if (const std::string reason = reason_to_state(resolved); !reason.empty())
+    return {resolved,
+            {"tilts: stated, 0 to 2 mrad, and not computed beside " + reason + "; --tilts states others"}};
+  std::vector<Setting> settings{{"bearing.tilt_state", "computed"}};
+  if (!resolved.has("bearing.laminae")) settings.emplace_back("bearing.laminae", std::to_string(kLaminae));
+  return {resolved.with(settings), {}};
+}
+
 CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options) {
   require_bearing(resolved);
   study::NamedSet set = set_of(resolved, options);
   const bearing::Bearing& bearing = set.drivetrain.bearing;
+  const bool computed = set.drivetrain.seats.tilt == study::TiltState::computed;
   Mistakes mistakes;
   CrownRequest request{.measure = measure_of(options, mistakes),
-                       .laminae = bearing.rollers().laminae > 0 ? bearing.rollers().laminae : 40,
+                       .laminae = bearing.rollers().laminae > 0 ? bearing.rollers().laminae : kLaminae,
                        .spectrum = spectrum_of(resolved, options, mistakes),
                        .profiles = profiles_of(options, bearing, mistakes),
-                       .tilts = tilts_of(options, mistakes),
+                       .tilts = tilts_of(options, computed, mistakes),
                        .drops = drops_of(options, bearing, mistakes),
+                       .distribution = distribution_of(options, computed, mistakes),
                        .starts = options.starts};
   const double greatest = request.drops.empty() ? kMostDrop : request.drops.back();
   request.tolerance = {tolerance_of("--tolerance", options.tolerance, kDrop, greatest, mistakes),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
-#include "coupling/study/crowning/crown_optimum.hpp"
+#include "coupling/study/crowning/tolerance_population.hpp"
 
 namespace orbearing::app {
 
@@ -18,6 +18,7 @@ struct CrownOptions {
   std::string shares;          // --shares          of the time, one for each swept speed
   std::string tolerance;       // --tolerance       plus and minus about the drop
   std::string tilt_tolerance;  // --tilt-tolerance  plus and minus about each tilt
+  std::string distribution;    // --distribution    of misses within the tolerances
   std::string life = "lundberg-palmgren";
   std::string of_set;     // --of: which of several sets
   bool spectrum = false;  // all swept speeds
@@ -39,13 +40,25 @@ struct CrownRequest {
   int laminae = 40;
   std::vector<study::crowning::SpectrumPoint> spectrum;
   std::vector<std::string> profiles;
-  std::vector<double> tilts;  // [rad]
+  std::vector<double> tilts;  // [rad]  one of 0 where they are computed
   std::vector<double> drops;  // [m]  rising
   study::crowning::Tolerance tolerance;
+  study::crowning::Distribution distribution = study::crowning::Distribution::worst;
   int starts = 10;
+
+  bool computes_tilt() const { return drivetrain.seats.tilt == study::TiltState::computed; }
 };
 
-/// Throws BadInput with every mistake at once.
+/// The case as crown takes it: tilts are computed where neither options nor the case state them.
+struct CrownCase {
+  ResolvedCase resolved;
+  std::vector<std::string> warnings;  // why they are not, where that is the reason
+};
+
+/// Throws BadInput where the case has no planet bearing.
+CrownCase crown_case(const ResolvedCase& resolved, const CrownOptions& options);
+
+/// Of a case as crown_case() gives it. Throws BadInput with every mistake at once.
 CrownRequest crown_request(const ResolvedCase& resolved, const CrownOptions& options);
 
 /// Speeds of the input [rad/s] that the case sweeps; its own speed where it sweeps none.

@@ -17,10 +17,10 @@ namespace {
 using nlohmann::ordered_json;
 using namespace study::crowning;
 
-ordered_json point_json(const CrownPoint& point, const std::string& profile) {
+ordered_json point_json(const CrownPoint& point, const std::string& profile, bool computed) {
   const bool ok = point.status == "ok";
   return {{"drop_um", in_table_unit(point.drop, kMicro)},
-          {"tilt_mrad", in_table_unit(point.tilt, kMilli)},
+          {"tilt_mrad", in_table_unit(computed ? point.largest_tilt : point.tilt, kMilli)},
           {"life_h", number_or_null(point.life_hours)},
           {"peak_pressure_MPa", ok ? number_or_null(kMega * point.pressure.peak) : nullptr},
           {"edge_ratio", ok ? number_or_null(point.pressure.edge_ratio) : nullptr},
@@ -36,11 +36,13 @@ ordered_json design_json(const CrownDesign& design, LifeMeasure measure) {
                       {"life_h", number_or_null(design.life_hours)},
                       {"peak_pressure_MPa", number_or_null(kMega * design.peak_pressure)},
                       {"edge_ratio", number_or_null(design.edge_ratio)},
-                      {"untilted_life_h", number_or_null(design.untilted_life_hours)},
                       {other, number_or_null(design.other_life_hours)},
                       {"L10mh", number_or_null(design.modified_life_hours)},
-                      {"half_space_life_h", number_or_null(design.pressure_life_hours)},
-                      {"untilted_half_space_life_h", number_or_null(design.untilted_pressure_life_hours)}};
+                      {"half_space_life_h", number_or_null(design.pressure_life_hours)}};
+  if (std::isfinite(design.untilted_life_hours)) {
+    object["untilted_life_h"] = design.untilted_life_hours;
+    object["untilted_half_space_life_h"] = number_or_null(design.untilted_pressure_life_hours);
+  }
   if (design.has_share) object["crowned_share"] = design.crown.share;
   if (std::isfinite(design.life_in_band)) object["life_in_band_h"] = design.life_in_band;
   return object;
@@ -85,6 +87,8 @@ ordered_json duties_json(const CrownStudy& study) {
                       {"power_kW", in_table_unit(power_at(study, point), kKilo)},
                       {"share", point.share},
                       {"tilt_mrad", in_table_unit(record.tilt, kMilli)},
+                      {"load_share", record.load_share},
+                      {"half_space_life_h", number_or_null(record.pressure_life_hours)},
                       {"life_h", number_or_null(record.life_hours)},
                       {"damage_share", number_or_null(record.damage_share)},
                       {"peak_pressure_MPa", number_or_null(kMega * record.pressure.peak)},
@@ -93,28 +97,88 @@ ordered_json duties_json(const CrownStudy& study) {
   return duties;
 }
 
+ordered_json drop_life_json(const DropLife& at) {
+  return {{"drop_um", kMicro * at.drop}, {"life_share", number_or_null(at.life_share)}};
+}
+
+// Where there are tolerances.
+ordered_json tolerance_json(const CrownStudy& study) {
+  const CrownRequest& request = study.request;
+  const HalfSpaceAdvice& advice = study.recommended.advice;
+  const char* tilt = request.computes_tilt() ? "pin_inclination_mrad" : "tilt_mrad";
+  return {{"drop_um", kMicro * request.tolerance.drop},
+          {tilt, kMilli * request.tolerance.tilt},
+          {"distribution", name_of(request.distribution)},
+          {"half_space_life_h", number_or_null(advice.life_hours)},
+          {"quadrature_error", number_or_null(advice.quadrature_error)}};
+}
+
+bool has_tolerance(const CrownStudy& study) {
+  return study.request.tolerance.drop > 0.0 || study.request.tolerance.tilt > 0.0;
+}
+
 ordered_json recommended_json(const CrownStudy& study) {
-  const auto& [design, band, duties] = study.recommended;
-  return {{"profile", design.profile},
-          {"drop_um", kMicro * design.crown.drop},
-          {"least_drop_um", kMicro * band.least},
-          {"most_drop_um", kMicro * band.most},
-          {"most_is_greatest_studied", band.open},
-          {"life_h", number_or_null(design.life_hours)},
-          {"life_kept_in_band", kKeptLife},
-          {"straight_life_share", number_or_null(study.straight.life_hours / design.life_hours)},
-          {"no_crown_needed", band.least == 0.0},
-          {"points", duties_json(study)}};
+  const auto& [design, advice, duties] = study.recommended;
+  ordered_json object{{"profile", design.profile},
+                      {"drop_um", kMicro * design.crown.drop},
+                      {"least_drop_um", kMicro * advice.band.least},
+                      {"most_drop_um", kMicro * advice.band.most},
+                      {"most_is_greatest_studied", advice.band.open},
+                      {"half_space_life_h", number_or_null(design.pressure_life_hours)},
+                      {"life_h", number_or_null(design.life_hours)},
+                      {"peak_pressure_MPa", number_or_null(kMega * design.peak_pressure)},
+                      {"edge_ratio", number_or_null(design.edge_ratio)},
+                      {"life_kept_in_band", kKeptLife},
+                      {"straight_life_share", number_or_null(advice.straight_life_hours / advice.life_hours)},
+                      {"no_crown_needed", advice.no_crown_needed()},
+                      {"missed", {drop_life_json(advice.low), drop_life_json(advice.high)}},
+                      {"by_laminae", drop_life_json(advice.other)},
+                      {"interpolation_error", number_or_null(advice.interpolation_error)}};
+  if (design.has_share) object["crowned_share"] = design.crown.share;
+  if (has_tolerance(study)) object["within_tolerances"] = tolerance_json(study);
+  object["points"] = duties_json(study);
+  object["curve"] = ordered_json::array();
+  for (const DropLife& one : advice.curve) object["curve"].push_back(drop_life_json(one));
+  return object;
+}
+
+std::string tolerance_text(const CrownStudy& study) {
+  if (!has_tolerance(study)) return "";
+  const CrownRequest& request = study.request;
+  return fmt::format(" for drops within {:.3g} um and {} within {:.3g} mrad, {}",
+                     kMicro * request.tolerance.drop, request.computes_tilt() ? "pins inclined" : "tilts",
+                     kMilli * request.tolerance.tilt,
+                     request.distribution == Distribution::worst
+                         ? "at their worst"
+                         : fmt::format("{} distribution, of which nine tenths live {:.0f} h",
+                                       name_of(request.distribution), study.recommended.advice.life_hours));
 }
 
 std::string recommended_text(const CrownStudy& study) {
-  const auto& [design, band, duties] = study.recommended;
-  return fmt::format(
-      "recommended: {}, drop {:.3g} um; from {:.3g} to {:.3g} um{} at least {:.0f} % of its life is "
-      "left, straight rollers leave {:.0f} %{}\n",
-      design.profile, kMicro * design.crown.drop, kMicro * band.least, kMicro * band.most,
-      band.open ? " (the greatest studied)" : "", 100.0 * kKeptLife,
-      100.0 * study.straight.life_hours / design.life_hours, band.least == 0.0 ? ": no crown is needed" : "");
+  const auto& [design, advice, duties] = study.recommended;
+  std::string text = fmt::format(
+      "recommended by half-space pressures{}:\n  {}, drop {:.3g} um{}; from {:.3g} to {:.3g} um{} at least "
+      "{:.0f} % of its life is left\n  straight rollers leave {:.1f} %, {:.3g} um {:.1f} %, {:.3g} um {:.1f} "
+      "%, "
+      "the drop by laminae ({:.3g} um) {:.1f} %\n",
+      tolerance_text(study), design.profile, kMicro * design.crown.drop,
+      advice.no_crown_needed() ? " (no crown is needed)" : "", kMicro * advice.band.least,
+      kMicro * advice.band.most, advice.band.open ? " (the greatest studied)" : "", 100.0 * kKeptLife,
+      100.0 * advice.straight_life_hours / advice.life_hours, kMicro * advice.low.drop,
+      100.0 * advice.low.life_share, kMicro * advice.high.drop, 100.0 * advice.high.life_share,
+      kMicro * advice.other.drop, 100.0 * advice.other.life_share);
+  text += fmt::format("  {:>10} {:>9} {:>9} {:>10} {:>12} {:>10} {:>6}\n", "rpm", "kW", "mrad", "life [h]",
+                      "half-space", "peak [MPa]", "edge");
+  std::size_t next = 0;
+  for (const SpectrumPoint& point : study.request.spectrum) {
+    if (point.speed <= 0.0 || point.share <= 0.0) continue;
+    const DutyRecord& duty = duties[next++];
+    text +=
+        fmt::format("  {:>10.6g} {:>9.4g} {:>9.3g} {:>10.0f} {:>12.0f} {:>10.0f} {:>6.2f}\n",
+                    kRpm * point.speed, kKilo * power_at(study, point), kMilli * duty.tilt, duty.life_hours,
+                    duty.pressure_life_hours, kMega * duty.pressure.peak, duty.pressure.edge_ratio);
+  }
+  return text;
 }
 
 ordered_json spectrum_json(const CrownStudy& study) {
@@ -127,11 +191,11 @@ ordered_json spectrum_json(const CrownStudy& study) {
 }
 
 std::string design_line(const char* name, const CrownDesign& design, double straight) {
-  std::string line =
-      fmt::format("{:<12} {:<18} {:>8.3g} {:>10.0f} {:>8.3g} {:>10.0f} {:>10.0f} {:>6.2f} {:>11.0f}", name,
-                  design.profile, kMicro * design.crown.drop, design.life_hours, design.life_hours / straight,
-                  design.untilted_life_hours, kMega * design.peak_pressure, design.edge_ratio,
-                  design.pressure_life_hours);
+  std::string line = fmt::format(
+      "{:<12} {:<18} {:>8.3g} {:>10.0f} {:>8.3g} {:>10} {:>10.0f} {:>6.2f} {:>11.0f}", name, design.profile,
+      kMicro * design.crown.drop, design.life_hours, design.life_hours / straight,
+      std::isfinite(design.untilted_life_hours) ? fmt::format("{:.0f}", design.untilted_life_hours) : "-",
+      kMega * design.peak_pressure, design.edge_ratio, design.pressure_life_hours);
   if (design.has_share) line += fmt::format("  crowned over {:.3g} of each half", design.crown.share);
   if (std::isfinite(design.life_in_band))
     line += fmt::format("  {:.0f} h within the tolerances", design.life_in_band);
@@ -144,7 +208,8 @@ std::string grid_text(const CrownStudy& study, std::size_t profile) {
       fmt::format("profile {}: life [h], peak pressure [MPa], edge ratio at tilts of the bore\n{:>10}",
                   study.request.profiles[profile], "drop [um]");
   for (const double tilt : tilts)
-    text += fmt::format("  | {:>24}", fmt::format("{:.4g} mrad", kMilli * tilt));
+    text += fmt::format(
+        "  | {:>24}", study.request.computes_tilt() ? "computed" : fmt::format("{:.4g} mrad", kMilli * tilt));
   text += '\n';
   for (std::size_t i = 0; i < study.points[profile].size(); ++i) {
     const CrownPoint& point = study.points[profile][i];
@@ -166,9 +231,12 @@ std::string where_text(const CrownStudy& study) {
                                 ? fmt::format("input speed {:.6g} rpm", kRpm * spectrum.front().speed)
                                 : fmt::format("spectrum of {} points, {:.6g} to {:.6g} rpm", spectrum.size(),
                                               kRpm * low->speed, kRpm * high->speed);
-  return fmt::format("{}; life by laminae after {}; worst of tilts {:.4g} to {:.4g} mrad\n", where,
-                     name_of(study.request.measure), kMilli * study.request.tilts.front(),
-                     kMilli * study.request.tilts.back());
+  const std::string tilts =
+      study.request.computes_tilt()
+          ? "tilts computed from planet, pin and bearings"
+          : fmt::format("worst of tilts {:.4g} to {:.4g} mrad", kMilli * study.request.tilts.front(),
+                        kMilli * study.request.tilts.back());
+  return fmt::format("{}; life by laminae after {}; {}\n", where, name_of(study.request.measure), tilts);
 }
 
 NamedArray grid_array(const CrownStudy& study, const char* name, const char* units, const char* meaning,
@@ -184,11 +252,13 @@ NamedArray grid_array(const CrownStudy& study, const char* name, const char* uni
 
 ordered_json crown_json(const CrownStudy& study) {
   const LifeMeasure measure = study.request.measure;
+  const bool computed = study.request.computes_tilt();
   ordered_json points = ordered_json::array();
   for (std::size_t profile = 0; profile < study.points.size(); ++profile)
     for (const CrownPoint& point : study.points[profile])
-      points.push_back(point_json(point, study.request.profiles[profile]));
-  ordered_json object{{"life_measure", name_of(measure)},
+      points.push_back(point_json(point, study.request.profiles[profile], computed));
+  ordered_json object{{"tilt", computed ? "computed" : "stated"},
+                      {"life_measure", name_of(measure)},
                       {"laminae", study.request.laminae},
                       {"spectrum", spectrum_json(study)},
                       {"points", points},
@@ -207,8 +277,9 @@ std::string crown_text(const CrownStudy& study) {
   std::string text = where_text(study) + '\n';
   for (std::size_t profile = 0; profile < study.points.size(); ++profile) text += grid_text(study, profile);
   const double straight = study.straight.life_hours;
-  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6} {:>11}\n", "worst tilt",
-                      "profile", "drop", "life", "times", "untilted", "peak", "edge", "life [h] of");
+  text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6} {:>11}\n",
+                      study.request.computes_tilt() ? "" : "worst tilt", "profile", "drop", "life", "times",
+                      "untilted", "peak", "edge", "life [h] of");
   text += fmt::format("{:<12} {:<18} {:>8} {:>10} {:>8} {:>10} {:>10} {:>6} {:>11}\n", "", "", "[um]", "[h]",
                       "straight", "[h]", "[MPa]", "ratio", "half-space");
   text += design_line("straight", study.straight, straight);
@@ -228,8 +299,11 @@ PointContent crown_content(const CrownStudy& study) {
       {"tilt",
        {"tilt"},
        "rad",
-       "tilt of the planet's bore on its pin in the plane of the load",
+       request.computes_tilt() ? "beyond the tilt that is computed"
+                               : "tilt of the planet's bore on its pin in the plane of the load",
        request.tilts},
+      grid_array(study, "largest_tilt", "rad", "largest tilt of a bore on its pin, computed or stated",
+                 [](const CrownPoint& p) { return p.largest_tilt; }),
       grid_array(study, "life", "h", "life of one bearing", [](const CrownPoint& p) { return p.life_hours; }),
       grid_array(study, "L10mh", "h", "life of one bearing by film and cleanliness",
                  [](const CrownPoint& p) { return p.modified_life_hours; }),

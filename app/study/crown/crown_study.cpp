@@ -36,7 +36,9 @@ LifeMeasure not_this(LifeMeasure measure) {
   return measure == LifeMeasure::iso16281 ? LifeMeasure::lundberg_palmgren : LifeMeasure::iso16281;
 }
 
+// Of the worst; a population has no band of its own.
 bool has_band(const CrownRequest& request) {
+  if (request.computes_tilt()) return false;
   return request.tolerance.drop > 0.0 || request.tolerance.tilt > 0.0;
 }
 
@@ -61,18 +63,21 @@ CrownDesign design_of(const Bench& bench, const std::string& name, const Profile
     design.life_hours = std::min(design.life_hours, point.life_hours);
     if (!(point.modified_life_hours >= design.modified_life_hours))
       design.modified_life_hours = point.modified_life_hours;
-    design.other_life_hours = std::min(design.other_life_hours, life_hours(bench.other, made, point.tilt));
+    design.other_life_hours =
+        std::min(design.other_life_hours, life_hours(bench.other, made, lean_by(bench.other, point.tilt)));
     if (point.pressure.peak <= design.peak_pressure) continue;
     design.peak_pressure = point.pressure.peak;
     design.edge_ratio = point.pressure.edge_ratio;
   }
-  design.untilted_life_hours =
-      tilts.front() == 0.0 ? points.front().life_hours : life_hours(bench.problem, made, 0.0);
   const std::vector<double> lives = pressure_lives(bench.problem, bench.pressure, made, tilts, bench.jobs);
   design.pressure_life_hours = *std::min_element(lives.begin(), lives.end());
+  design.life_in_band = design.untilted_life_hours = design.untilted_pressure_life_hours = kNone;
+  if (bench.request.computes_tilt()) return design;
+  const Lean none = Lean::Zero();
+  const bool studied = tilts.front() == 0.0;
+  design.untilted_life_hours = studied ? points.front().life_hours : life_hours(bench.problem, made, none);
   design.untilted_pressure_life_hours =
-      tilts.front() == 0.0 ? lives.front() : pressure_life_hours(bench.problem, bench.pressure, made, 0.0);
-  design.life_in_band = kNone;
+      studied ? lives.front() : pressure_life_hours(bench.problem, bench.pressure, made, none);
   return design;
 }
 
@@ -124,6 +129,19 @@ void add_warnings(CrownStudy& study) {
   }
 }
 
+void add_advice_warnings(CrownStudy& study) {
+  constexpr double noted = 0.01;  // of a life
+  const HalfSpaceAdvice& advice = study.recommended.advice;
+  if (advice.interpolation_error > noted)
+    study.warnings.push_back(fmt::format(
+        "recommended: lives between the drops at which they were computed miss by {:.2g} of themselves",
+        advice.interpolation_error));
+  if (advice.quadrature_error > noted)
+    study.warnings.push_back(
+        fmt::format("recommended: twice as many nodes within the tolerances change the life by {:.2g} of it",
+                    advice.quadrature_error));
+}
+
 void put_points(const Bench& bench, const Progressed& progressed, CrownStudy& study) {
   std::size_t before = 0;
   for (const std::string& name : study.request.profiles) {
@@ -148,13 +166,36 @@ void put_searches(const Bench& bench, CrownStudy& study) {
   study.best_robust = longest(study.robust, [](const CrownDesign& design) { return design.life_in_band; });
 }
 
+// The share of a crown without depth is none.
+double share_beside(const CrownSearch& search, const ProfileFamily& family, double greatest) {
+  return search.best.crown.drop > kAtEnd * greatest ? search.best.crown.share : usual_share(family);
+}
+
+// Of each kind the best drop by half-space pressures, with the share that laminae find; the one that lives
+// longest.
 Recommendation recommendation(const Bench& bench, const CrownStudy& study) {
-  const CrownDesign& best =
-      study.robust.empty() ? study.searches[study.best].best : study.robust[study.best_robust].best;
-  const ProfileFamily family = family_in(bench.problem, best.profile);
-  const std::vector<double>& tilts = bench.request.tilts;
-  return {best, drop_band(bench.problem, family, best.crown, tilts, bench.request.drops.back(), bench.jobs),
-          duty_records(bench.problem, bench.pressure, best.made, tilts, bench.jobs)};
+  constexpr double usual_miss = 1e-6;  // [m]
+  const CrownRequest& request = bench.request;
+  Recommendation best;
+  for (std::size_t i = 0; i < study.searches.size(); ++i) {
+    const CrownSearch& search = study.searches[i];
+    const ProfileFamily family = family_in(bench.problem, request.profiles[i]);
+    const double share = share_beside(search, family, request.drops.back());
+    const HalfSpaceAdvice advice =
+        half_space_advice(bench.problem, bench.pressure, family, share,
+                          {.tilts = request.tilts,
+                           .tolerance = request.tolerance,
+                           .distribution = request.distribution,
+                           .greatest_drop = request.drops.back(),
+                           .miss = request.tolerance.drop > 0.0 ? request.tolerance.drop : usual_miss,
+                           .other_drop = search.best.crown.drop,
+                           .jobs = bench.jobs});
+    if (advice.life_hours <= best.advice.life_hours) continue;
+    best.advice = advice;
+    best.design = crowned(bench, request.profiles[i], family, {advice.drop, share});
+  }
+  best.duties = duty_records(bench.problem, bench.pressure, best.design.made, request.tilts, bench.jobs);
+  return best;
 }
 
 }  // namespace
@@ -194,6 +235,7 @@ CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& 
     throw ComputationFailed(std::string("crown: ") + error.what());
   }
   add_warnings(study);
+  add_advice_warnings(study);
   return study;
 }
 

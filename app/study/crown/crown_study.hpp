@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "app/study/crown/crown_options.hpp"
-#include "coupling/study/crowning/crown_band.hpp"
 #include "coupling/study/crowning/crown_grid.hpp"
+#include "coupling/study/crowning/duty_record.hpp"
+#include "coupling/study/crowning/half_space_search.hpp"
 
 namespace orbearing::app {
 
@@ -21,7 +22,7 @@ struct CrownDesign {
   double peak_pressure = 0.0;                 // [Pa]
   double edge_ratio = 0.0;                    // [-]   at that pressure
   double modified_life_hours = 0.0;           // [h]  worst, by film and cleanliness; NaN without an oil
-  double untilted_life_hours = 0.0;           // [h]
+  double untilted_life_hours = 0.0;           // [h]   NaN where tilts are computed, as below
   double other_life_hours = 0.0;              // [h]   worst, by the measure that is not optimised
   double pressure_life_hours = 0.0;           // [h]  worst, from half-space pressures
   double untilted_pressure_life_hours = 0.0;  // [h]
@@ -36,10 +37,10 @@ struct CrownSearch {
   bool at_end = false;  // the greatest drop studied is the best: a greater one may be better
 };
 
-/// The drop to take, how closely, and what each duty does to it.
+/// The drop to take by half-space pressures, how closely, and what each duty does to it.
 struct Recommendation {
   CrownDesign design;
-  study::crowning::DropBand band;
+  study::crowning::HalfSpaceAdvice advice;
   std::vector<study::crowning::DutyRecord> duties;  // those of the problem: at speed, for some time
 };
 
@@ -50,10 +51,11 @@ struct CrownStudy {
   std::vector<CrownSearch> searches;                              // (profiles)
   std::size_t best = 0;                                           // the profile that lives longest
   CrownDesign straight;
-  CrownDesign reference;            // profile of ISO/TS 16281 as it stands in the standard
-  std::vector<CrownSearch> robust;  // (profiles) best within the tolerances; empty without any
+  CrownDesign reference;  // profile of ISO/TS 16281 as it stands in the standard
+  std::vector<CrownSearch>
+      robust;  // (profiles) best within the tolerances; empty without any, or computed tilts
   std::size_t best_robust = 0;
-  Recommendation recommended;  // the best within the tolerances where there are such, else the best
+  Recommendation recommended;  // for the tolerances where there are such
   std::vector<std::string> warnings;
   int failed = 0;  // points without balance
 };

@@ -17,10 +17,11 @@ using bearing::profile::Profile;
 // Loads are found once, for life and pressure.
 void put_duties(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
                 CrownPoint& point) {
-  std::vector<bearing::laminae::LaminaResult> loads;
+  std::vector<DutyLoads> loads;
   Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size())), modified(hours.size());
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
-    loads.push_back(loads_at(problem, profile, point.tilt, duty));
+    loads.push_back(loads_at(problem, profile, lean_by(problem, point.tilt), duty));
+    point.largest_tilt = std::max(point.largest_tilt, loads.back().tilt);
     hours[static_cast<Eigen::Index>(duty)] = duty_hours(problem, loads.back(), duty);
     modified[static_cast<Eigen::Index>(duty)] = modified_duty_hours(problem, loads.back(), duty);
   }
@@ -69,7 +70,7 @@ Eigen::ArrayXXd life_grid(const CrownProblem& problem, const std::vector<Profile
   in_parallel(profiles.size() * tilts.size(), jobs, [&](std::size_t i) {
     const std::size_t profile = i / tilts.size(), tilt = i % tilts.size();
     lives(static_cast<Eigen::Index>(profile), static_cast<Eigen::Index>(tilt)) =
-        life_hours(problem, profiles[profile], tilts[tilt]);
+        life_hours(problem, profiles[profile], lean_by(problem, tilts[tilt]));
   });
   return lives;
 }

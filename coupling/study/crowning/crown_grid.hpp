@@ -12,7 +12,8 @@ namespace orbearing::study::crowning {
 /// One profile at one tilt, under the whole spectrum.
 struct CrownPoint {
   double drop = 0.0;                 // [m]    of one roller at profile::kDropPlace
-  double tilt = 0.0;                 // [rad]  of the bore on its pin
+  double tilt = 0.0;                 // [rad]  as stated, of the bore on its pin, or as lean_by() takes it
+  double largest_tilt = 0.0;         // [rad]  largest of a bore against its pin over bearings and duties
   double life_hours = 0.0;           // [h]
   double modified_life_hours = 0.0;  // [h]  by film and cleanliness; not a number without an oil
   PeakPressure pressure;             // greatest over the spectrum

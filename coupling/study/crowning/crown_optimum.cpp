@@ -33,7 +33,14 @@ struct Search {
     return {x[0] * options.greatest_drop, with_share() ? x[1] : usual_share(family)};
   }
   CrownLife of_member(const Crown& crown, const Member& member) const {
-    return crown_life(problem, family, {std::max(crown.drop + member.offset, 0.0), crown.share}, member.tilt);
+    return crown_life(problem, family, missed(crown, member), lean_by(problem, member.tilt));
+  }
+  double log_life(const Crown& crown, const Member& member) const {
+    return std::log(
+        life_hours(problem, profile_of(family, missed(crown, member)), lean_by(problem, member.tilt)));
+  }
+  static Crown missed(const Crown& crown, const Member& member) {
+    return {std::max(crown.drop + member.offset, 0.0), crown.share};
   }
 };
 
@@ -62,18 +69,22 @@ void shortfalls(unsigned count, double* result, unsigned n, const double* x, dou
 
 double worst_log_life(const Search& search, const Crown& crown) {
   double worst = std::numeric_limits<double>::infinity();
-  for (const Member& member : search.members)
-    worst = std::min(worst, search.of_member(crown, member).log_hours);
+  for (const Member& member : search.members) worst = std::min(worst, search.log_life(crown, member));
   return worst;
+}
+
+std::pair<std::vector<double>, std::vector<double>> bounds_of(const Search& search) {
+  std::vector<double> low{search.options.least_drop / search.options.greatest_drop}, high{1.0};
+  if (search.with_share()) low.push_back(kLeastShare), high.push_back(kGreatestShare);
+  return {low, high};
 }
 
 nlopt::opt programme(Search& search) {
   const unsigned n = search.size();
   nlopt::opt programme(nlopt::LD_SLSQP, n);
-  std::vector<double> low(n, -HUGE_VAL), high(n, HUGE_VAL);
-  low[0] = search.options.least_drop / search.options.greatest_drop;
-  high[0] = 1.0;
-  if (search.with_share()) low[1] = kLeastShare, high[1] = kGreatestShare;
+  auto [low, high] = bounds_of(search);
+  low.push_back(-HUGE_VAL);
+  high.push_back(HUGE_VAL);
   programme.set_lower_bounds(low);
   programme.set_upper_bounds(high);
   programme.set_max_objective(level, nullptr);
@@ -118,6 +129,35 @@ SearchEnd search_from(const Crown& start, Search search) {
   return end;
 }
 
+double log_life_alone(unsigned, const double* x, double*, void* data) {
+  Search& search = *static_cast<Search*>(data);
+  ++search.evaluations;
+  return search.log_life(search.crown(x), search.members.front());
+}
+
+// Without derivatives, of one member: they would be those of a planet whose bearings share its load and tilt.
+SearchEnd search_freely(const Crown& start, Search search) {
+  constexpr double first_step = 0.05, relative_end = 1e-6;
+  SearchEnd end{.start = start};
+  std::vector<double> x{start.drop / search.options.greatest_drop};
+  if (search.with_share()) x.push_back(start.share);
+  nlopt::opt simplices(nlopt::LN_SBPLX, static_cast<unsigned>(x.size()));
+  const auto [low, high] = bounds_of(search);
+  simplices.set_lower_bounds(low);
+  simplices.set_upper_bounds(high);
+  simplices.set_max_objective(log_life_alone, &search);
+  simplices.set_initial_step(first_step);
+  simplices.set_xtol_abs(relative_end);
+  simplices.set_maxeval(kMostEvaluations);
+  double reached = 0.0;
+  const nlopt::result result = simplices.optimize(x, reached);
+  end.converged = result > 0 && result != nlopt::MAXEVAL_REACHED;
+  end.crown = search.crown(x.data());
+  end.life_hours = std::exp(reached);
+  end.evaluations = search.evaluations;
+  return end;
+}
+
 std::vector<Crown> random_starts(const Search& search) {
   std::mt19937_64 engine(20250607);  // the same starts in every run
   const auto uniform = [&](double low, double high) {
@@ -153,7 +193,7 @@ double worst_life_hours(const CrownProblem& problem, const ProfileFamily& family
   double worst = std::numeric_limits<double>::infinity();
   for (const Member& member : members) {
     const Crown missed{std::max(crown.drop + member.offset, 0.0), crown.share};
-    worst = std::min(worst, life_hours(problem, profile_of(family, missed), member.tilt));
+    worst = std::min(worst, life_hours(problem, profile_of(family, missed), lean_by(problem, member.tilt)));
   }
   return worst;
 }
@@ -165,12 +205,16 @@ bool is_same(const SearchEnd& end, const CrownOptimum& best, const SearchOptions
 
 CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family,
                         const std::vector<Member>& members, const SearchOptions& options) {
+  if (problem.seat && members.size() != 1)
+    throw std::invalid_argument("best crown: found " + std::to_string(members.size()) +
+                                " members beside computed tilts; required: one");
   const Search search{problem, family, members, options};
   const std::vector<Crown> starts = random_starts(search);
   CrownOptimum optimum;
   optimum.ends.resize(starts.size());
-  in_parallel(starts.size(), options.jobs,
-              [&](std::size_t i) { optimum.ends[i] = search_from(starts[i], search); });
+  in_parallel(starts.size(), options.jobs, [&](std::size_t i) {
+    optimum.ends[i] = problem.seat ? search_freely(starts[i], search) : search_from(starts[i], search);
+  });
   const auto best =
       std::max_element(optimum.ends.begin(), optimum.ends.end(), [](const auto& a, const auto& b) {
         return (a.converged ? a.life_hours : 0.0) < (b.converged ? b.life_hours : 0.0);

@@ -4,7 +4,8 @@
 //   greatest z  with  z <= ln L(drop + e, share; tilt)  for all members (e, tilt)
 //
 // so that the worst of several lives has smooth constraints in place of a kink. Solved by sequential
-// quadratic programming [Kraft1988] [NLopt] with the derivatives of crown_life().
+// quadratic programming [Kraft1988] [NLopt] with the derivatives of crown_life(). Where tilts are computed
+// there is one member, whose life is sought without derivatives by simplices in subspaces [Rowan1990].
 #pragma once
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace orbearing::study::crowning {
 
 /// A case that the crown must live through.
 struct Member {
-  double tilt = 0.0;    // [rad]
+  double tilt = 0.0;    // [rad]  as lean_by() takes it
   double offset = 0.0;  // [m]  by which the drop may miss its nominal value
 };
 
@@ -63,7 +64,8 @@ inline constexpr double kSameDrop = 5e-3;  // of the greatest drop
 inline constexpr double kSameLife = 1e-4;  // relative
 bool is_same(const SearchEnd& end, const CrownOptimum& best, const SearchOptions& options);
 
-/// Throws std::runtime_error where no start ends.
+/// Throws std::runtime_error where no start ends, std::invalid_argument for several members where tilts are
+/// computed.
 CrownOptimum best_crown(const CrownProblem& problem, const ProfileFamily& family,
                         const std::vector<Member>& members, const SearchOptions& options);
 

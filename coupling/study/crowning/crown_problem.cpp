@@ -32,24 +32,24 @@ void require_whole(const std::vector<SpectrumPoint>& spectrum) {
                                 "; 1 is required");
 }
 
-LaminaResult balanced(const LaminaBearing& bearing, const CrownProblem& problem, double tilt,
+LaminaResult balanced(const LaminaBearing& bearing, const CrownProblem& problem, const Lean& lean,
                       std::size_t duty) {
   LaminaResult loads =
-      bearing::laminae::quasi_static_laminae(bearing, tilted(problem.duties[duty], tilt), problem.options);
+      bearing::laminae::quasi_static_laminae(bearing, tilted(problem.duties[duty], lean), problem.options);
   if (!loads.report.converged) throw std::runtime_error(loads.report.message);
   return loads;
 }
 
 // Of one duty.
 CrownLife duty_life(const CrownProblem& problem, const LaminaBearing& bearing,
-                    const std::vector<DropSlope>& slopes, double tilt, std::size_t duty) {
-  const LaminaResult loads = balanced(bearing, problem, tilt, duty);
+                    const std::vector<DropSlope>& slopes, const Lean& lean, std::size_t duty) {
+  const LaminaResult loads = balanced(bearing, problem, lean, duty);
   const bearing::life::LogLife life =
       log_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load);
   const bearing::laminae::DropGradient by_drops =
-      bearing::laminae::drop_gradient(bearing, tilted(problem.duties[duty], tilt), problem.options, loads,
+      bearing::laminae::drop_gradient(bearing, tilted(problem.duties[duty], lean), problem.options, loads,
                                       life.by_inner_load, life.by_outer_load);
-  CrownLife result{.log_hours = std::log(duty_hours(problem, loads, duty))};
+  CrownLife result{.log_hours = std::log(duty_hours(problem, {.bearings = {loads}}, duty))};
   for (std::size_t k = 0; k < slopes.size(); ++k) {
     const auto lamina = static_cast<Eigen::Index>(k);
     const double by_lamina_drop = by_drops.inner[lamina] + by_drops.outer[lamina];
@@ -76,6 +76,7 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
                        .options = quasi_static_options(drivetrain),
                        .rated = drivetrain.rated,
                        .lambda = drivetrain.lambda};
+  if (drivetrain.seats.tilt == TiltState::computed) problem.seat = planet_seat(drivetrain);
   problem.bearing.rollers().laminae = laminae;
   for (const SpectrumPoint& at : spectrum) {
     if (at.speed <= 0.0 || at.share <= 0.0) continue;
@@ -99,46 +100,103 @@ CrownProblem one_duty(const CrownProblem& problem, std::size_t duty) {
   return one;
 }
 
-LaminaBearing lamina_bearing(const CrownProblem& problem, const Profile& profile, std::size_t duty) {
+namespace {
+
+bearing::Bearing crowned(const CrownProblem& problem, const Profile& profile, std::size_t duty) {
   bearing::Bearing bearing = problem.bearing;
   bearing.radial_clearance = problem.duties[duty].radial_clearance;
   bearing.rollers().profile = profile;
-  return LaminaBearing(bearing);
+  return bearing;
 }
 
-bearing::OperatingPoint tilted(const Duty& duty, double tilt) {
+// All bearings side by side on a pin that leans.
+DutyLoads planet_loads(const CrownProblem& problem, const Profile& profile, const Lean& lean,
+                       std::size_t duty) {
+  PlanetSeat seat = *problem.seat;
+  seat.pin_inclination += lean;
+  bearing::laminae::PlanetOnPinResult found = tilting_planet(planet_on(seat, crowned(problem, profile, duty)),
+                                                             problem.duties[duty].point, problem.options);
+  DutyLoads loads{.bearings = std::move(found.bearings)};
+  double sum = 0.0, largest = 0.0;
+  for (std::size_t k = 0; k < loads.bearings.size(); ++k) {
+    loads.tilt = std::max(loads.tilt, found.bearing_tilt[k].norm());
+    const double load = loads.bearings[k].total_bore_load.norm();
+    sum += load;
+    largest = std::max(largest, load);
+  }
+  loads.load_share = largest * static_cast<double>(loads.bearings.size()) / sum;
+  return loads;
+}
+
+Eigen::ArrayXXd mean_of(const std::vector<LaminaResult>& bearings, Eigen::ArrayXXd LaminaResult::*loads) {
+  std::vector<Eigen::ArrayXXd> all;
+  for (const LaminaResult& one : bearings) all.push_back(one.*loads);
+  return mean_by_damage(all);
+}
+
+}  // namespace
+
+Eigen::ArrayXXd mean_by_damage(const std::vector<Eigen::ArrayXXd>& loads) {
+  if (loads.size() == 1) return loads.front();
+  Eigen::ArrayXXd sum = loads.front().pow(4);
+  for (std::size_t k = 1; k < loads.size(); ++k) sum += loads[k].pow(4);
+  return (sum / static_cast<double>(loads.size())).pow(0.25);
+}
+
+Eigen::ArrayXXd DutyLoads::inner_lamina_load() const {
+  return mean_of(bearings, &LaminaResult::inner_lamina_load);
+}
+
+Eigen::ArrayXXd DutyLoads::outer_lamina_load() const {
+  return mean_of(bearings, &LaminaResult::outer_lamina_load);
+}
+
+Lean lean_by(const CrownProblem& problem, double angle) {
+  return problem.seat ? Lean(0.0, angle) : Lean(angle, 0.0);
+}
+
+LaminaBearing lamina_bearing(const CrownProblem& problem, const Profile& profile, std::size_t duty) {
+  return LaminaBearing(crowned(problem, profile, duty));
+}
+
+bearing::OperatingPoint tilted(const Duty& duty, const Lean& lean) {
   bearing::OperatingPoint point = duty.point;
-  if (tilt != 0.0) point.bore_tilt += tilt * point.bore_load.normalized();
+  if (lean.isZero(0.0)) return point;
+  const Eigen::Vector2d along = point.bore_load.normalized();
+  point.bore_tilt += lean.x() * along + lean.y() * Eigen::Vector2d(-along.y(), along.x());
   return point;
 }
 
-LaminaResult loads_at(const CrownProblem& problem, const Profile& profile, double tilt, std::size_t duty) {
-  return balanced(lamina_bearing(problem, profile, duty), problem, tilt, duty);
+DutyLoads loads_at(const CrownProblem& problem, const Profile& profile, const Lean& lean, std::size_t duty) {
+  if (problem.seat) return planet_loads(problem, profile, lean, duty);
+  DutyLoads loads{.bearings = {balanced(lamina_bearing(problem, profile, duty), problem, lean, duty)}};
+  loads.tilt = tilted(problem.duties[duty], lean).bore_tilt.norm();
+  return loads;
 }
 
-double duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::size_t duty) {
+double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty) {
   const double revolutions =
-      lamina_life(problem.ratings[duty], loads.inner_lamina_load, loads.outer_lamina_load).bearing;
+      lamina_life(problem.ratings[duty], loads.inner_lamina_load(), loads.outer_lamina_load()).bearing;
   return bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[duty].point));
 }
 
-double modified_duty_hours(const CrownProblem& problem, const LaminaResult& loads, std::size_t duty) {
+double modified_duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   if (!problem.rated) return none;
   const double speed = turning_speed(problem.bearing, problem.duties[duty].point);
   const auto oil = bearing::rating::oil_condition(problem.rated->oil, speed, problem.bearing.pitch_diameter);
   const auto modified =
       bearing::rating::modified_life(problem.bearing, problem.lambda, problem.rated->ratings, oil,
-                                     {.whole = {}, .laminae = loads.inner_lamina_load.pow(4)},
-                                     {.whole = {}, .laminae = loads.outer_lamina_load.pow(4)});
+                                     {.whole = {}, .laminae = loads.inner_lamina_load().pow(4)},
+                                     {.whole = {}, .laminae = loads.outer_lamina_load().pow(4)});
   return modified ? problem.rated->reliability_factor * bearing::hours(modified->life.bearing, speed) : none;
 }
 
-double life_hours(const CrownProblem& problem, const Profile& profile, double tilt) {
+double life_hours(const CrownProblem& problem, const Profile& profile, const Lean& lean) {
   Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
     hours[static_cast<Eigen::Index>(duty)] =
-        duty_hours(problem, loads_at(problem, profile, tilt, duty), duty);
+        duty_hours(problem, loads_at(problem, profile, lean, duty), duty);
   return life_of_duties(problem, hours);
 }
 
@@ -154,13 +212,16 @@ double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen:
 
 // L = 1/sum(s_i/L_i): d ln L = sum of the duties' d ln L_i, weighted by the part of life each uses up.
 CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
-                     double tilt) {
+                     const Lean& lean) {
+  if (problem.seat)
+    throw std::invalid_argument(
+        "derivatives of a life by its crown: found a computed tilt; required: a stated one");
   const Profile profile = profile_of(family, crown);
   const std::vector<DropSlope> slopes = lamina_slopes(lamina_bearing(problem, profile, 0), family, crown);
   CrownLife sum;
   double used = 0.0;
   for (std::size_t duty = 0; duty < problem.duties.size(); ++duty) {
-    const CrownLife one = duty_life(problem, lamina_bearing(problem, profile, duty), slopes, tilt, duty);
+    const CrownLife one = duty_life(problem, lamina_bearing(problem, profile, duty), slopes, lean, duty);
     const double part = problem.duties[duty].share * std::exp(-one.log_hours);
     used += part;
     sum.by_drop += part * one.by_drop;

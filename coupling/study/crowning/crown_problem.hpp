@@ -8,7 +8,7 @@
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/life/lamina_life.hpp"
 #include "coupling/study/crowning/profile_family.hpp"
-#include "coupling/study/drivetrain.hpp"
+#include "coupling/study/tilting_planet.hpp"
 
 namespace orbearing::study::crowning {
 
@@ -19,7 +19,7 @@ using bearing::life::LifeMeasure;
 struct Duty {
   double speed = 0.0;             // [rad/s]  of the drivetrain's input
   double share = 1.0;             // [-]      of the time
-  bearing::OperatingPoint point;  // tilted by the wind-up alone; tilts of a study are added
+  bearing::OperatingPoint point;  // of one bearing; tilted by the wind-up alone: what a study states is added
   double radial_clearance = 0.0;  // [m]  of the bearing at this speed
 };
 
@@ -31,7 +31,16 @@ struct CrownProblem {
   std::vector<LaminaRating> ratings;  // (duties)
   std::optional<RatedBearing> rated;  // none: no life by film and cleanliness
   double lambda = 0.83;               // [-]  of Lundberg and Palmgren's capacities, whatever the measure
+  std::optional<PlanetSeat> seat{};   // where the tilt is computed; none: it is stated
 };
+
+/// How a planet leans [rad]. Where tilts are stated: that of the bore on its pin, along the load and across.
+/// Where they are computed: by how much the unloaded pin is inclined beyond its seat's own, outward and
+/// ahead.
+using Lean = Eigen::Vector2d;
+
+/// Of one number, as grids and pictures have it: along the load where stated, ahead where computed.
+Lean lean_by(const CrownProblem& problem, double angle);
 
 /// One operating point of a spectrum, as a drivetrain is asked for it.
 struct SpectrumPoint {
@@ -49,30 +58,42 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
 /// The same bearing at one of its duties alone.
 CrownProblem one_duty(const CrownProblem& problem, std::size_t duty);
 
-/// Loads under `profile` and a tilt [rad] of the bore on its pin in the plane of the load. Throws
-/// std::runtime_error where they do not balance.
-bearing::laminae::LaminaResult loads_at(const CrownProblem& problem, const bearing::profile::Profile& profile,
-                                        double tilt, std::size_t duty);
+/// Loads of the bearings that a study takes at one duty: of a planet whose tilt is computed all, else one.
+struct DutyLoads {
+  std::vector<bearing::laminae::LaminaResult> bearings;
+  double tilt = 0.0;        // [rad]  largest of a bore against its pin
+  double load_share = 1.0;  // [-]    largest load of a bearing over their mean
+
+  /// [N]  (laminae, places): what does the damage that the bearings take on the mean, as in a sweep.
+  Eigen::ArrayXXd inner_lamina_load() const;
+  Eigen::ArrayXXd outer_lamina_load() const;
+};
+
+/// Loads that do the mean damage of `loads` (bearings)(laminae, places): (mean of q^4)^(1/4).
+Eigen::ArrayXXd mean_by_damage(const std::vector<Eigen::ArrayXXd>& loads);
+
+/// Under `profile`. Throws std::runtime_error where they do not balance.
+DutyLoads loads_at(const CrownProblem& problem, const bearing::profile::Profile& profile, const Lean& lean,
+                   std::size_t duty);
 
 /// The bearing with `profile` on its rollers and the clearance of a duty, and the point of one with the tilt.
 bearing::laminae::LaminaBearing lamina_bearing(const CrownProblem& problem,
                                                const bearing::profile::Profile& profile, std::size_t duty);
-bearing::OperatingPoint tilted(const Duty& duty, double tilt);
+bearing::OperatingPoint tilted(const Duty& duty, const Lean& lean);
 
 /// Life [h] of one bearing at one duty alone, whose loads are known.
-double duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads, std::size_t duty);
+double duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
 
 /// The same by film and cleanliness, L_10mh [h]: kappa by speed and viscosity. Not a number where nothing is
 /// said of the oil, or kappa is below 0.1.
-double modified_duty_hours(const CrownProblem& problem, const bearing::laminae::LaminaResult& loads,
-                           std::size_t duty);
+double modified_duty_hours(const CrownProblem& problem, const DutyLoads& loads, std::size_t duty);
 
 /// The rule of Palmgren and Miner: life [h] of all, given that of each duty alone. What the duties leave of
 /// the time is rest.
 double life_of_duties(const CrownProblem& problem, const Eigen::Ref<const Eigen::ArrayXd>& hours);
 
 /// Life [h] of one bearing over the duties; of one duty, its own.
-double life_hours(const CrownProblem& problem, const bearing::profile::Profile& profile, double tilt);
+double life_hours(const CrownProblem& problem, const bearing::profile::Profile& profile, const Lean& lean);
 
 /// ln of the life in hours, and how it follows the crown.
 struct CrownLife {
@@ -81,8 +102,9 @@ struct CrownLife {
   double by_share = 0.0;  // [-]
 };
 
-/// The same life with its derivatives, by the adjoint of the equilibrium.
+/// The same life with its derivatives, by the adjoint of the equilibrium. Of stated tilts only: throws
+/// std::invalid_argument elsewhere.
 CrownLife crown_life(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
-                     double tilt);
+                     const Lean& lean);
 
 }  // namespace orbearing::study::crowning

@@ -40,13 +40,22 @@ Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const Rolle
   return found;
 }
 
+// Of all bearings of a duty on one race.
+Eigen::ArrayXXd loads_on(Race race, const CrownProblem& problem, const RollerPressure& pressure,
+                         const Profile& profile, const DutyLoads& loads, int angles) {
+  const rating::RollerSet set = rating::roller_set(problem.bearing);
+  std::vector<Eigen::ArrayXXd> all;
+  for (const LaminaResult& one : loads.bearings)
+    all.push_back(rating::loads_of_pressures(pressures_on(race, problem, pressure, profile, one, angles), set,
+                                             race, problem.bearing.material));
+  return mean_by_damage(all);
+}
+
 double revolutions(const CrownProblem& problem, const RollerPressure& pressure, const Profile& profile,
-                   const LaminaResult& loads, const bearing::RaceMotions& motions, int angles) {
+                   const DutyLoads& loads, const bearing::RaceMotions& motions, int angles) {
   const rating::RollerSet set = rating::roller_set(problem.bearing);
   const auto equivalent = [&](Race race, bearing::RaceMotion motion) {
-    const Eigen::ArrayXXd found = pressures_on(race, problem, pressure, profile, loads, angles);
-    return rating::equivalent_lamina_loads(
-        rating::loads_of_pressures(found, set, race, problem.bearing.material), motion);
+    return rating::equivalent_lamina_loads(loads_on(race, problem, pressure, profile, loads, angles), motion);
   };
   return rating::lamina_reference_life(
              rating::contact_capacities(set, rating::dynamic_capacity(set)),
@@ -56,23 +65,27 @@ double revolutions(const CrownProblem& problem, const RollerPressure& pressure, 
 
 }  // namespace
 
+double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
+                           const Profile& profile, const DutyLoads& loads, std::size_t duty, int angles) {
+  return bearing::hours(revolutions(problem, pressure, profile, loads, problem.ratings[duty].motions, angles),
+                        turning_speed(problem.bearing, problem.duties[duty].point));
+}
+
 double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pressure,
-                           const Profile& profile, double tilt, int angles) {
+                           const Profile& profile, const Lean& lean, int angles) {
   Eigen::ArrayXd hours(static_cast<Eigen::Index>(problem.duties.size()));
-  for (std::size_t i = 0; i < problem.duties.size(); ++i) {
-    const Duty& duty = problem.duties[i];
-    const LaminaResult loads = loads_at(problem, profile, tilt, i);
-    const double turns = revolutions(problem, pressure, profile, loads, problem.ratings[i].motions, angles);
-    hours[static_cast<Eigen::Index>(i)] = bearing::hours(turns, turning_speed(problem.bearing, duty.point));
-  }
+  for (std::size_t duty = 0; duty < problem.duties.size(); ++duty)
+    hours[static_cast<Eigen::Index>(duty)] =
+        pressure_duty_hours(problem, pressure, profile, loads_at(problem, profile, lean, duty), duty, angles);
   return life_of_duties(problem, hours);
 }
 
 std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPressure& pressure,
                                    const Profile& profile, const std::vector<double>& tilts, int jobs) {
   std::vector<double> lives(tilts.size());
-  in_parallel(tilts.size(), jobs,
-              [&](std::size_t i) { lives[i] = pressure_life_hours(problem, pressure, profile, tilts[i]); });
+  in_parallel(tilts.size(), jobs, [&](std::size_t i) {
+    lives[i] = pressure_life_hours(problem, pressure, profile, lean_by(problem, tilts[i]));
+  });
   return lives;
 }
 

@@ -6,13 +6,18 @@
 namespace orbearing::study::crowning {
 
 /// Life [h] after [ISO16281] with the loads that would press as hard, as line contacts, in place of lamina
-/// loads and stress riser; by Miner's rule over the duties. Pressures are found for every loaded roller at
-/// `angles` of the cage angles, about a millisecond each; the loads and tilts of the rollers are those on
-/// laminae.
+/// loads and stress riser; by Miner's rule over the duties. Pressures are found for every loaded roller of
+/// all bearings, on both races, at `angles` of the cage angles, about a millisecond each; the loads and tilts
+/// of the rollers are those on laminae.
 double pressure_life_hours(const CrownProblem& problem, const RollerPressure& pressure,
-                           const bearing::profile::Profile& profile, double tilt, int angles = 2);
+                           const bearing::profile::Profile& profile, const Lean& lean, int angles = 2);
 
-/// The same for each of `tilts` [rad], on `jobs` threads (0: all).
+/// The same of one duty alone, whose loads are known.
+double pressure_duty_hours(const CrownProblem& problem, const RollerPressure& pressure,
+                           const bearing::profile::Profile& profile, const DutyLoads& loads, std::size_t duty,
+                           int angles = 2);
+
+/// The same over the duties for each of `tilts` [rad], as lean_by() takes them, on `jobs` threads (0: all).
 std::vector<double> pressure_lives(const CrownProblem& problem, const RollerPressure& pressure,
                                    const bearing::profile::Profile& profile, const std::vector<double>& tilts,
                                    int jobs);

@@ -7,7 +7,6 @@ namespace orbearing::study::crowning {
 namespace {
 
 using bearing::Race;
-using bearing::laminae::LaminaBearing;
 using bearing::laminae::LaminaResult;
 using bearing::laminae::RollerState;
 using bearing::profile::Profile;
@@ -33,23 +32,23 @@ bearing::half_space::RollerContactPressure RollerPressure::on(Race race, const P
   return strips.under_load(strips.relief(bearing::half_space::relief_of(profile, other)), load, tilt);
 }
 
-WorstRoller worst_roller(const LaminaBearing& bearing, const LaminaResult& loads, Race race) {
+WorstRoller worst_roller(const CrownProblem& problem, const DutyLoads& loads, Race race) {
+  const double half_length = 0.5 * problem.bearing.rollers().length;
   WorstRoller worst;
-  for (const bearing::laminae::LaminaState& state : loads.states)
-    for (std::size_t j = 0; j < state.rollers.size(); ++j)
-      keep_worst(state.rollers[j], race, bearing.half_length(), state.angle[static_cast<Eigen::Index>(j)],
-                 worst);
+  for (const LaminaResult& one : loads.bearings)
+    for (const bearing::laminae::LaminaState& state : one.states)
+      for (std::size_t j = 0; j < state.rollers.size(); ++j)
+        keep_worst(state.rollers[j], race, half_length, state.angle[static_cast<Eigen::Index>(j)], worst);
   return worst;
 }
 
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
-                           const Profile& profile, const std::vector<LaminaResult>& loads) {
-  const LaminaBearing bearing = lamina_bearing(problem, profile, 0);
+                           const Profile& profile, const std::vector<DutyLoads>& loads) {
   PeakPressure worst;
   for (const Race race : {Race::inner, Race::outer}) {
     WorstRoller roller;
-    for (const LaminaResult& duty : loads) {
-      const WorstRoller found = worst_roller(bearing, duty, race);
+    for (const DutyLoads& duty : loads) {
+      const WorstRoller found = worst_roller(problem, duty, race);
       if (found.load > roller.load) roller = found;
     }
     if (roller.load <= 0.0) continue;

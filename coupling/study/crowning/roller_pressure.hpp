@@ -21,15 +21,14 @@ class RollerPressure {
   bearing::half_space::StripContact outer_;
 };
 
-/// The most loaded roller on one race, over all cage angles.
+/// The most loaded roller on one race, over all bearings and cage angles.
 struct WorstRoller {
   double load = 0.0;   // [N]
   double tilt = 0.0;   // [rad]  of the roller against the race: the contact closes more at positive places
   double angle = 0.0;  // [rad]
 };
 
-WorstRoller worst_roller(const bearing::laminae::LaminaBearing& bearing,
-                         const bearing::laminae::LaminaResult& loads, bearing::Race race);
+WorstRoller worst_roller(const CrownProblem& problem, const DutyLoads& loads, bearing::Race race);
 
 /// Greatest pressure of both races, with the edge ratio of the contact that has it.
 struct PeakPressure {
@@ -41,7 +40,6 @@ struct PeakPressure {
 /// Of the most loaded roller on each race, at the duty that loads it most; `loads` are those of the duties,
 /// in their order. The roller's tilt is that of its balance on laminae.
 PeakPressure peak_pressure(const CrownProblem& problem, const RollerPressure& pressure,
-                           const bearing::profile::Profile& profile,
-                           const std::vector<bearing::laminae::LaminaResult>& loads);
+                           const bearing::profile::Profile& profile, const std::vector<DutyLoads>& loads);
 
 }  // namespace orbearing::study::crowning

@@ -23,6 +23,7 @@ def blocks(report: Report) -> list[FigureBlock]:
     """In the order of the page."""
     crown, figures = report.record("crown"), report.record("figures")
     return [
+        drops(record(crown.get("recommended"))),
         life_map(record(figures.get("map")), crown),
         fronts(records(figures.get("fronts")), crown),
         profiles(records(figures.get("profiles")), figures),
@@ -30,6 +31,39 @@ def blocks(report: Report) -> list[FigureBlock]:
         zones(records(figures.get("zone"))),
         speeds(records(figures.get("speeds"))),
     ]
+
+
+def drops(advice: dict) -> FigureBlock:
+    """What is left of the longest life over the drop, the band, and what other drops cost."""
+    title = "Which drop, and how closely"
+    curve = records(advice.get("curve"))
+    if not curve:
+        return FigureBlock("crown-drop", title, missing="This study holds no lives over the drop.")
+    figure, axes = style.panel((6.0, 4.0))
+    drop, share = ([100 * p["life_share"] if key == "life_share" else p[key] for p in curve] for key in ("drop_um", "life_share"))
+    least, most, kept = advice["least_drop_um"], advice["most_drop_um"], 100 * advice["life_kept_in_band"]
+    axes.axvspan(least, most, color=style.SKY, alpha=0.25, linewidth=0, label=f"at least {format_number(kept)} % is left")
+    axes.plot(drop, share, color=style.BLACK)
+    axes.plot([advice["drop_um"]], [100], color=style.VERMILION, marker="*", markersize=13, linestyle="", clip_on=False, zorder=3, label="recommended")
+    marks = [("straight rollers", 0.0, advice.get("straight_life_share"), "s", style.BLACK)]
+    marks += [("missed by one tolerance", p["drop_um"], p["life_share"], "o", style.ORANGE) for p in records(advice.get("missed"))]
+    laminae = record(advice.get("by_laminae"))
+    marks.append(("by laminae", laminae.get("drop_um"), laminae.get("life_share"), "D", style.BLUE))
+    for name, place, left, marker, colour in marks:
+        if is_number(place) and is_number(left):
+            known = axes.get_legend_handles_labels()[1]
+            axes.plot([place], [100 * left], color=colour, marker=marker, linestyle="", clip_on=False, label=None if name in known else name)
+    axes.set_xlim(0, max(drop))
+    axes.set_ylim(0, 105)
+    axes.set_xlabel("drop of one roller at the outermost of 40 laminae (µm)")
+    axes.set_ylabel("life left (% of the longest)")
+    style.legend_above(axes, columns=3)
+    caption = ("Life from half-space pressures of both races of all bearings studied, over the drop. Where tolerances are given, each drop stands for all "
+               "rollers and pins made to it within them.")
+    rows = [(name, place, None if not is_number(left) else 100 * left) for name, place, left, _, _ in marks]
+    return FigureBlock("crown-drop", title, caption, (style.to_svg(figure, "crown-drop", "Life left over the drop"),),
+                       summary=Table(("rollers", "drop (µm)", "life left (%)"), [("recommended", advice["drop_um"], 100.0), *rows]),
+                       data=Table(("drop (µm)", "life left (%)"), list(zip(drop, share))))
 
 
 def life_map(found: dict, crown: dict) -> FigureBlock:
@@ -49,12 +83,14 @@ def life_map(found: dict, crown: dict) -> FigureBlock:
     bar.ax.yaxis.set_major_formatter(lambda value, _: format_number(value, 3))
     bar.ax.minorticks_off()
     axes.set_xlabel("drop of one roller at the outermost of 40 laminae (µm)")
-    axes.set_ylabel("tilt of the bore on its pin (mrad)")
+    computed = crown.get("tilt") == "computed"
+    axes.set_ylabel("inclination of the pin ahead (mrad)" if computed else "tilt of the bore on its pin (mrad)")
     axes.grid(False)
     style.legend_above(axes, columns=1)
-    caption = (f"Life of one bearing with the profile {found.get('profile')}, colours in steps of equal ratio. A crown costs life where the bore "
-               "stands straight and saves it where the bore leans. The optimum is the crown under which the shortest life over the tilts studied "
-               "is longest.")
+    caption = (f"Life of one bearing by laminae with the profile {found.get('profile')}, colours in steps of equal ratio. A crown costs life where "
+               "the bore stands straight and saves it where the bore leans. ")
+    caption += ("Tilts are computed; the unloaded pin is inclined besides in the sense of the carrier's rotation." if computed else
+                "The optimum is the crown under which the shortest life over the tilts studied is longest.")
     picture = style.to_svg(figure, "crown-map", "Contours of life over drop and tilt")
     return FigureBlock("crown-map", title, caption, (picture,), summary=_design_table(crown))
 
@@ -73,9 +109,18 @@ def _ridge(drop: np.ndarray, life: np.ndarray) -> np.ndarray:
 
 
 def _mark_optima(axes: Axes, found: dict, crown: dict) -> None:
-    tilts = sorted({point["tilt_mrad"] for point in records(crown.get("points"))})
+    computed = crown.get("tilt") == "computed"
+    tilts = [0.0] if computed else sorted({point["tilt_mrad"] for point in records(crown.get("points"))})
     best = record(crown.get("optimum"))
-    axes.plot([best["drop_um"]] * len(tilts), tilts, color=style.VERMILION, marker="o", markersize=6, clip_on=False, label="optimum, at the tilts studied")
+    label = "optimum by laminae" if computed else "optimum, at the tilts studied"
+    axes.plot([best["drop_um"]] * len(tilts), tilts, color=style.VERMILION, marker="o", markersize=6, clip_on=False, label=label)
+    if computed:
+        wide, high = found.get("drop_tolerance_um") or 0.0, found.get("tilt_tolerance_mrad") or 0.0
+        drop = record(crown.get("recommended"))["drop_um"]
+        axes.plot([drop], [0.0], color=style.ORANGE, marker="*", markersize=12, linestyle="", clip_on=False, label="recommended")
+        if wide or high:
+            low = max(drop - wide, 0.0)
+            axes.add_patch(Rectangle((low, 0.0), drop + wide - low, high, fill=False, edgecolor=style.ORANGE, linewidth=1.8, label="its tolerances"))
     robust = record(crown.get("robust"))
     if not robust:
         return
@@ -88,8 +133,8 @@ def _mark_optima(axes: Axes, found: dict, crown: dict) -> None:
 def _design_table(crown: dict) -> Table:
     rows = []
     straight = record(crown.get("straight")).get("life_h")
-    for name, key in (("straight", "straight"), ("ISO/TS 16281, as in the standard", "reference"), ("optimum", "optimum"),
-                      ("best within the tolerances", "robust")):
+    for name, key in (("straight", "straight"), ("ISO/TS 16281, as in the standard", "reference"), ("optimum by laminae", "optimum"),
+                      ("best within the tolerances, by laminae", "robust"), ("recommended, by half-space pressures", "recommended")):
         one = record(crown.get(key))
         if one:
             ratio = one["life_h"] / straight if is_number(one.get("life_h")) and straight else None
@@ -139,7 +184,7 @@ def profiles(found: list[dict], figures: dict) -> FigureBlock:
         return FigureBlock("crown-profiles", title, missing="This study holds no profiles.")
     true = _true_outlines(found[:CHIEF], figures)
     stretched = _stretched(found[:CHIEF], "crown-chief", "compared in this study")
-    kinds = _stretched(found[CHIEF:], "crown-kinds", "every kind at the optimum's drop")
+    kinds = _stretched(found[CHIEF:], "crown-kinds", "every kind at the recommended drop")
     times = format_number(_magnification(found[:CHIEF], figures), 3)
     caption = (f"Above: rollers to scale, nothing stretched; the second row shows the same with the drop {times} times as large. Below: "
                "the drop alone, over one roller's length. Logarithmic profiles end in a lip that the lowest part of the picture leaves out.")
@@ -197,7 +242,7 @@ def zones(found: list[dict]) -> FigureBlock:
     if not drawn:
         return FigureBlock("crown-zone", title, missing="This study holds no pressures over the load zone.")
     figure = Figure(figsize=(7.4, 6.0))
-    panels = figure.subplots(2, 2, sharex=True, sharey=True)
+    panels = figure.subplots(2, len(drawn) // 2 or 1, sharex=True, sharey=True, squeeze=False)
     grids = [_zone_grid(zone) for zone in drawn]
     top = max(float(np.nanmax(grid[2][:, 2:-2])) for grid in grids)
     step = 100.0 * np.ceil(top / 1200.0)
@@ -207,9 +252,9 @@ def zones(found: list[dict]) -> FigureBlock:
     for axes, zone, (angle, x, pressure) in zip(panels.flat, drawn, grids):
         axes.grid(False)
         filled = axes.contourf(angle, x, pressure.T, levels=levels, cmap="viridis", extend="max")
-        name, tilt = zone.get("profile"), format_number(zone.get("tilt_mrad"))
-        axes.set_title(f"{name}, {tilt} mrad", loc="left", fontsize=9)
-        rows.append((name, zone.get("tilt_mrad"), float(np.nanmax(pressure[:, 2:-2]))))
+        where = style.tilt_text(zone.get("tilt_mrad")) if zone.get("bearing") is None else f"bearing {zone['bearing']} of a planet"
+        axes.set_title(f"{zone.get('profile')}, {where}", loc="left", fontsize=9)
+        rows.append((zone.get("profile"), where, float(np.nanmax(pressure[:, 2:-2]))))
     for axes in panels[:, 0]:
         axes.set_ylabel("along the roller (mm)")
     for axes in panels[-1]:
@@ -222,7 +267,7 @@ def zones(found: list[dict]) -> FigureBlock:
     caption = ("Pressure on the pin's race along every loaded roller, at the operating point with the greatest load. Places count from outward, in the sense of the "
                "carrier's rotation. White: no contact. The two outermost of 64 elements at a sharp end lie beyond the colours.")
     return FigureBlock("crown-zone", title, caption, (style.to_svg(figure, "crown-zone", "Pressure along the rollers over the load zone"),),
-                       summary=Table(("profile", "tilt (mrad)", "greatest pressure but at the outermost elements (MPa)"), rows))
+                       summary=Table(("profile", "at", "greatest pressure but at the outermost elements (MPa)"), rows))
 
 
 def _zone_grid(zone: dict) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -251,13 +296,13 @@ def speeds(found: list[dict]) -> FigureBlock:
         for number, line in enumerate(line for line in drawn if line["tilt_mrad"] == tilt):
             axes.plot(line["speed_rpm"], line["life_h"], color=style.SERIES[number], linestyle=style.DASHES[number], marker="o",
                       markersize=3.5, label=style.legend_label(str(line["profile"])))
-        axes.set_title(f"tilt {format_number(tilt)} mrad", loc="left")
+        axes.set_title(style.tilt_text(tilt), loc="left")
         style.speed_axis(axes)
     style.life_axis(panels[0])
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", ncol=3)
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
     data = [(line["profile"], line["tilt_mrad"], speed, life) for line in drawn for speed, life in zip(line["speed_rpm"], line["life_h"])]
-    return FigureBlock("crown-speeds", title, "Life of one bearing at each speed alone, at constant power, without tilt and at the greatest tilt studied.",
+    return FigureBlock("crown-speeds", title, "Life of one bearing by laminae at each speed alone, at constant power; of stated tilts without and at the greatest.",
                        (style.to_svg(figure, "crown-speeds", "Life over input speed with and without crown"),),
                        data=Table(("profile", "tilt (mrad)", "input speed (rpm)", "life (h)"), data))

@@ -54,7 +54,7 @@ def _draw(curves: list[dict], hertz: float | None) -> str:
             if curve.get("tilt_mrad") == tilt:
                 _line(axes, curve, profiles.index(curve.get("profile")))
         _frame(axes, hertz)
-        axes.set_title(f"tilt {format_number(tilt)} mrad", loc="left")
+        axes.set_title(style.tilt_text(tilt), loc="left")
     top = _top(curves, hertz)
     panels[0].set_ylim(0, top)
     panels[0].set_ylabel("pressure at mid-width (MPa)")

@@ -21,7 +21,7 @@ TEST(CrownLife, StraightAndUntiltedIsTheLifeOfASweep) {
   for (const double rpm : {1000.0, 6000.0, 12000.0}) {
     drivetrain.drive.speed = rpm * kRpm;
     const double sweep = evaluate(drivetrain, derive(drivetrain)).life_hours;
-    const double ours = life_hours(problem_at(rpm, LifeMeasure::lundberg_palmgren), Straight{}, 0.0);
+    const double ours = life_hours(problem_at(rpm, LifeMeasure::lundberg_palmgren), Straight{}, Lean::Zero());
     EXPECT_NEAR(ours, sweep, kRoundOff * sweep) << rpm;
   }
 }
@@ -29,13 +29,13 @@ TEST(CrownLife, StraightAndUntiltedIsTheLifeOfASweep) {
 TEST(CrownLife, OfTheStandardIsThatOfTheRatings) {
   const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
   const Profile profile = bearing::profile::Iso16281{5.7e-3, 5.24e-3, 1.0};
-  const auto loads = loads_at(problem, profile, 1e-3, 0);
+  const auto loads = loads_at(problem, profile, Lean(1e-3, 0.0), 0);
   const auto set = bearing::rating::roller_set(problem.bearing);
   const auto expected = bearing::rating::lamina_life_gradient(
       bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
-      loads.inner_lamina_load, loads.outer_lamina_load, bearing::rating::turning(bearing::Race::outer));
+      loads.inner_lamina_load(), loads.outer_lamina_load(), bearing::rating::turning(bearing::Race::outer));
   const bearing::life::LogLife ours =
-      log_life(problem.ratings[0], loads.inner_lamina_load, loads.outer_lamina_load);
+      log_life(problem.ratings[0], loads.inner_lamina_load(), loads.outer_lamina_load());
   EXPECT_NEAR(ours.value, std::log(expected.life.bearing), kRoundOff);
   EXPECT_LT((ours.by_inner_load - expected.inner).abs().maxCoeff(),
             kRoundOff * expected.inner.abs().maxCoeff());
@@ -45,9 +45,10 @@ TEST(CrownLife, OfTheStandardIsThatOfTheRatings) {
 
 TEST(CrownLife, OfASpectrumIsMinersSum) {
   const CrownProblem both = problem_at({{1000.0 * kRpm, 0.25}, {9000.0 * kRpm, 0.75}}, LifeMeasure::iso16281);
-  const double slow = life_hours(one_duty(both, 0), Straight{}, 1e-3);
-  const double fast = life_hours(one_duty(both, 1), Straight{}, 1e-3);
-  EXPECT_NEAR(life_hours(both, Straight{}, 1e-3), 1.0 / (0.25 / slow + 0.75 / fast), kRoundOff * slow);
+  const double slow = life_hours(one_duty(both, 0), Straight{}, Lean(1e-3, 0.0));
+  const double fast = life_hours(one_duty(both, 1), Straight{}, Lean(1e-3, 0.0));
+  EXPECT_NEAR(life_hours(both, Straight{}, Lean(1e-3, 0.0)), 1.0 / (0.25 / slow + 0.75 / fast),
+              kRoundOff * slow);
 }
 
 TEST(CrownLife, SharesMustAddUp) {
@@ -57,7 +58,7 @@ TEST(CrownLife, SharesMustAddUp) {
 
 double log_life_at(const CrownProblem& problem, const ProfileFamily& family, const Crown& crown,
                    double tilt) {
-  return std::log(life_hours(problem, profile_of(family, crown), tilt));
+  return std::log(life_hours(problem, profile_of(family, crown), Lean(tilt, 0.0)));
 }
 
 class CrownSlopes : public testing::TestWithParam<std::string> {};
@@ -71,7 +72,7 @@ TEST_P(CrownSlopes, AreCentralDifferences) {
       const ProfileFamily family = family_of(GetParam(), problem.bearing, 1500.0);
       const Crown crown{4.3e-6, has_share(family) ? 0.41 : 1.0};
       const double tilt = 0.7e-3, drop_step = 1e-11, share_step = 1e-6;
-      const CrownLife ours = crown_life(problem, family, crown, tilt);
+      const CrownLife ours = crown_life(problem, family, crown, Lean(tilt, 0.0));
       const auto at = [&](double drop, double share) {
         return log_life_at(problem, family, {crown.drop + drop, crown.share + share}, tilt);
       };

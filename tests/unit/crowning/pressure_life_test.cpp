@@ -16,9 +16,10 @@ TEST(PressureLife, TwoCageAnglesAreEnough) {
   const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
   const RollerPressure pressure(problem);
   for (const double tilt : {0.0, 2e-3}) {
-    const double four = pressure_life_hours(problem, pressure, bearing::profile::Straight{}, tilt, 4);
-    EXPECT_NEAR(pressure_life_hours(problem, pressure, bearing::profile::Straight{}, tilt, 2), four,
-                kFewAngles * four);
+    const double four =
+        pressure_life_hours(problem, pressure, bearing::profile::Straight{}, Lean(tilt, 0.0), 4);
+    EXPECT_NEAR(pressure_life_hours(problem, pressure, bearing::profile::Straight{}, Lean(tilt, 0.0), 2),
+                four, kFewAngles * four);
   }
 }
 
@@ -30,19 +31,19 @@ TEST(PressureLife, OfADeepProfileIsThatOfItsLaminaeWithoutRiser) {
   const CrownProblem problem = problem_at(6000.0, LifeMeasure::iso16281);
   const RollerPressure pressure(problem);
   const bearing::profile::Profile deep = bearing::profile::CircularCrown{5.7e-3, 12e-6};
-  const auto loads = loads_at(problem, deep, 0.0, 0);
+  const auto loads = loads_at(problem, deep, Lean::Zero(), 0);
   const auto set = bearing::rating::roller_set(problem.bearing);
   const bearing::RaceMotion inner = problem.ratings[0].motions.inner,
                             outer = problem.ratings[0].motions.outer;
   const double revolutions =
       bearing::rating::lamina_reference_life(
           bearing::rating::contact_capacities(set, bearing::rating::dynamic_capacity(set)),
-          {bearing::rating::equivalent_lamina_loads(loads.inner_lamina_load, inner),
-           bearing::rating::equivalent_lamina_loads(loads.outer_lamina_load, outer)})
+          {bearing::rating::equivalent_lamina_loads(loads.inner_lamina_load(), inner),
+           bearing::rating::equivalent_lamina_loads(loads.outer_lamina_load(), outer)})
           .bearing;
   const double expected =
       bearing::hours(revolutions, turning_speed(problem.bearing, problem.duties[0].point));
-  const double ours = pressure_life_hours(problem, pressure, deep, 0.0);
+  const double ours = pressure_life_hours(problem, pressure, deep, Lean::Zero());
   EXPECT_NEAR(std::pow(ours / expected, -1.0 / 9.0), 1.0, kPressure);
 }
 

@@ -1,0 +1,197 @@
+#include "coupling/study/crowning/half_space_search.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+
+#include "coupling/study/crowning/drop_curve.hpp"
+#include "coupling/study/parallel.hpp"
+
+namespace orbearing::study::crowning {
+
+namespace {
+
+constexpr int kFirstIntervals = 16, kMostIntervals = 64;
+constexpr double kSmooth = 5e-3;  // of a life: what a curve may miss
+constexpr int kScan = 800;        // drops among which the best and the ends of its band are looked for
+constexpr int kDrawn = 160;       // drops at which the curve is a result
+constexpr int kBits = 24;         // to which they are then found
+
+struct Lives {
+  const CrownProblem& problem;
+  const RollerPressure& pressure;
+  const ProfileFamily& family;
+  double share;
+  int jobs;
+
+  double log_life(double drop, const Lean& lean) const {
+    return std::log(pressure_life_hours(problem, pressure, profile_of(family, {drop, share}), lean));
+  }
+  // (leans, drops)
+  Eigen::ArrayXXd log_lives(const std::vector<LeanPart>& leans, const Eigen::ArrayXd& drops) const {
+    const auto count = static_cast<Eigen::Index>(leans.size());
+    Eigen::ArrayXXd found(count, drops.size());
+    in_parallel(static_cast<std::size_t>(found.size()), jobs, [&](std::size_t i) {
+      const auto place = static_cast<Eigen::Index>(i);
+      found(place % count, place / count) =
+          log_life(drops[place / count], leans[static_cast<std::size_t>(place % count)].lean);
+    });
+    return found;
+  }
+};
+
+// ln of the life over the drop, a curve for each lean.
+class Curves {
+ public:
+  Curves(const Lives& lives, const Population& population, double greatest)
+      : lives_(lives), population_(population), greatest_(greatest) {
+    values_ = lives.log_lives(population.leans, curve_nodes(greatest, kFirstIntervals));
+    draw();
+  }
+
+  // Halves the intervals; what is known stays.
+  void refine() {
+    const int intervals = 2 * this->intervals();
+    const Eigen::ArrayXd nodes = curve_nodes(greatest_, intervals);
+    Eigen::ArrayXXd finer(values_.rows(), intervals + 1);
+    finer(Eigen::all, Eigen::seq(0, intervals, 2)) = values_;
+    finer(Eigen::all, Eigen::seq(1, intervals, 2)) =
+        lives_.log_lives(population_.leans, nodes(Eigen::seq(1, intervals, 2)));
+    values_ = finer;
+    draw();
+  }
+  int intervals() const { return static_cast<int>(values_.cols()) - 1; }
+
+  double life(double drop) const { return life(drop, population_); }
+  // Of one with the same leans.
+  double life(double drop, const Population& population) const {
+    return life_of(population, missed(population.drop_miss, drop));
+  }
+  double straight_life() const {
+    Population straight = population_;
+    straight.drop_miss = Eigen::ArrayXd::Zero(1);
+    straight.drop_weight = Eigen::ArrayXd::Ones(1);
+    return life(0.0, straight);
+  }
+  // Largest over the leans, in parts of a life.
+  double error(double drop) const {
+    const Eigen::ArrayXXd exact = lives_.log_lives(population_.leans, Eigen::ArrayXd::Constant(1, drop));
+    double largest = 0.0;
+    for (std::size_t i = 0; i < curves_.size(); ++i)
+      largest =
+          std::max(largest, std::abs(std::expm1(curves_[i](drop) - exact(static_cast<Eigen::Index>(i), 0))));
+    return largest;
+  }
+
+ private:
+  void draw() {
+    curves_.clear();
+    for (Eigen::Index i = 0; i < values_.rows(); ++i)
+      curves_.emplace_back(greatest_, values_.row(i).transpose());
+  }
+  // A drop cannot miss below none.
+  Eigen::ArrayXXd missed(const Eigen::ArrayXd& misses, double drop) const {
+    Eigen::ArrayXXd hours(values_.rows(), misses.size());
+    for (Eigen::Index i = 0; i < hours.rows(); ++i)
+      for (Eigen::Index j = 0; j < misses.size(); ++j)
+        hours(i, j) = std::exp(curves_[static_cast<std::size_t>(i)](std::max(drop + misses[j], 0.0)));
+    return hours;
+  }
+
+  const Lives& lives_;
+  const Population& population_;
+  double greatest_;  // [m]
+  Eigen::ArrayXXd values_;
+  std::vector<DropCurve> curves_;
+};
+
+// The longest of a scan, then between its neighbours.
+double best_drop(const Curves& curves, double greatest) {
+  int best = 0;
+  double longest = 0.0;
+  for (int i = 0; i <= kScan; ++i)
+    if (const double life = curves.life(greatest * i / kScan); life > longest) {
+      longest = life;
+      best = i;
+    }
+  const double step = greatest / kScan;  // as unit: the search's end is absolute
+  const auto [steps, lost] = boost::math::tools::brent_find_minima(
+      [&](double at) { return -curves.life(step * at); }, std::max(0.0, best - 1.0),
+      std::min(1.0 * kScan, best + 1.0), kBits);
+  return step * (-lost > longest ? steps : best);
+}
+
+// From `best` towards `end` the last drop that still leaves enough.
+template <class Enough>
+double end_of_band(double best, double end, const Enough& enough) {
+  double good = best;
+  for (int i = 1; i <= kScan; ++i) {
+    double bad = best + (end - best) * i / kScan;
+    if (enough(bad)) {
+      good = bad;
+      continue;
+    }
+    for (int bit = 0; bit < kBits; ++bit) {
+      const double middle = 0.5 * (good + bad);
+      (enough(middle) ? good : bad) = middle;
+    }
+    return good;
+  }
+  return end;
+}
+
+DropBand band_around(const Curves& curves, double best, double greatest) {
+  const double required = kKeptLife * curves.life(best);
+  const auto enough = [&](double drop) { return curves.life(drop) >= required; };
+  DropBand band{end_of_band(best, 0.0, enough), end_of_band(best, greatest, enough), false};
+  band.open = band.most >= greatest;
+  return band;
+}
+
+double relative(double one, double other) {
+  return std::abs(one / other - 1.0);
+}
+
+// Of leans by lives without a miss of the drop, of the drop by the curves.
+double quadrature_error(const Lives& lives, const Curves& curves, const HalfSpaceAim& aim, double drop) {
+  const auto of = [&](const Tolerance& tolerance, const PopulationNodes& nodes) {
+    return population_of(lives.problem, aim.tilts, tolerance, aim.distribution, nodes);
+  };
+  const PopulationNodes usual, more_leans{2 * usual.lean, usual.drop}, more_drops{usual.lean, 2 * usual.drop};
+  const Population finer = of(aim.tolerance, more_drops);
+  if (finer.worst) return 0.0;
+  const auto leaning = [&](const PopulationNodes& nodes) {
+    const Population population = of({0.0, aim.tolerance.tilt}, nodes);
+    return life_of(population, lives.log_lives(population.leans, Eigen::ArrayXd::Constant(1, drop)).exp());
+  };
+  const double of_leans = aim.tolerance.tilt > 0.0 ? relative(leaning(usual), leaning(more_leans)) : 0.0;
+  return of_leans + relative(curves.life(drop), curves.life(drop, finer));
+}
+
+}  // namespace
+
+HalfSpaceAdvice half_space_advice(const CrownProblem& problem, const RollerPressure& pressure,
+                                  const ProfileFamily& family, double share, const HalfSpaceAim& aim) {
+  const Lives lives{problem, pressure, family, share, aim.jobs};
+  const Population population = population_of(problem, aim.tilts, aim.tolerance, aim.distribution);
+  Curves curves(lives, population, aim.greatest_drop + aim.tolerance.drop);
+  HalfSpaceAdvice advice;
+  for (;;) {
+    advice.drop = best_drop(curves, aim.greatest_drop);
+    advice.interpolation_error = curves.error(advice.drop);
+    if (advice.interpolation_error <= kSmooth || curves.intervals() >= kMostIntervals) break;
+    curves.refine();
+  }
+  advice.life_hours = curves.life(advice.drop);
+  advice.straight_life_hours = curves.straight_life();
+  advice.band = band_around(curves, advice.drop, aim.greatest_drop);
+  const auto left_at = [&](double drop) -> DropLife { return {drop, curves.life(drop) / advice.life_hours}; };
+  advice.low = left_at(std::max(advice.drop - aim.miss, 0.0));
+  advice.high = left_at(std::min(advice.drop + aim.miss, aim.greatest_drop));
+  advice.other = left_at(aim.other_drop);
+  for (int i = 0; i <= kDrawn; ++i) advice.curve.push_back(left_at(aim.greatest_drop * i / kDrawn));
+  advice.quadrature_error = quadrature_error(lives, curves, aim, advice.drop);
+  return advice;
+}
+
+}  // namespace orbearing::study::crowning
