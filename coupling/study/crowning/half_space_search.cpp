@@ -12,10 +12,11 @@ namespace orbearing::study::crowning {
 namespace {
 
 constexpr int kFirstIntervals = 16, kMostIntervals = 64;
-constexpr double kSmooth = 5e-3;  // of a life: what a curve may miss
-constexpr int kScan = 800;        // drops among which the best and the ends of its band are looked for
-constexpr int kDrawn = 160;       // drops at which the curve is a result
-constexpr int kBits = 24;         // to which they are then found
+constexpr double kSmooth = 5e-3;      // of a life: what a curve may miss
+constexpr double kQuadrature = 1e-2;  // of a life: beyond it a population is taken with twice as many nodes
+constexpr int kScan = 800;            // drops among which the best and the ends of its band are looked for
+constexpr int kDrawn = 160;           // drops at which the curve is a result
+constexpr int kBits = 24;             // to which they are then found
 
 struct Lives {
   const CrownProblem& problem;
@@ -153,27 +154,25 @@ double relative(double one, double other) {
 }
 
 // Of leans by lives without a miss of the drop, of the drop by the curves.
-double quadrature_error(const Lives& lives, const Curves& curves, const HalfSpaceAim& aim, double drop) {
-  const auto of = [&](const Tolerance& tolerance, const PopulationNodes& nodes) {
-    return population_of(lives.problem, aim.tilts, tolerance, aim.distribution, nodes);
+double quadrature_error(const Lives& lives, const Curves& curves, const HalfSpaceAim& aim,
+                        const PopulationNodes& nodes, double drop) {
+  const auto of = [&](const Tolerance& tolerance, const PopulationNodes& taken) {
+    return population_of(lives.problem, aim.tilts, tolerance, aim.distribution, taken);
   };
-  const PopulationNodes usual, more_leans{2 * usual.lean, usual.drop}, more_drops{usual.lean, 2 * usual.drop};
+  const PopulationNodes more_leans{2 * nodes.lean, nodes.drop}, more_drops{nodes.lean, 2 * nodes.drop};
   const Population finer = of(aim.tolerance, more_drops);
   if (finer.worst) return 0.0;
-  const auto leaning = [&](const PopulationNodes& nodes) {
-    const Population population = of({0.0, aim.tolerance.tilt}, nodes);
+  const auto leaning = [&](const PopulationNodes& taken) {
+    const Population population = of({0.0, aim.tolerance.tilt}, taken);
     return life_of(population, lives.log_lives(population.leans, Eigen::ArrayXd::Constant(1, drop)).exp());
   };
-  const double of_leans = aim.tolerance.tilt > 0.0 ? relative(leaning(usual), leaning(more_leans)) : 0.0;
+  const double of_leans = aim.tolerance.tilt > 0.0 ? relative(leaning(nodes), leaning(more_leans)) : 0.0;
   return of_leans + relative(curves.life(drop), curves.life(drop, finer));
 }
 
-}  // namespace
-
-HalfSpaceAdvice half_space_advice(const CrownProblem& problem, const RollerPressure& pressure,
-                                  const ProfileFamily& family, double share, const HalfSpaceAim& aim) {
-  const Lives lives{problem, pressure, family, share, aim.jobs};
-  const Population population = population_of(problem, aim.tilts, aim.tolerance, aim.distribution);
+HalfSpaceAdvice advice_with(const Lives& lives, const HalfSpaceAim& aim, const PopulationNodes& nodes) {
+  const Population population =
+      population_of(lives.problem, aim.tilts, aim.tolerance, aim.distribution, nodes);
   Curves curves(lives, population, aim.greatest_drop + aim.tolerance.drop);
   HalfSpaceAdvice advice;
   for (;;) {
@@ -190,8 +189,21 @@ HalfSpaceAdvice half_space_advice(const CrownProblem& problem, const RollerPress
   advice.high = left_at(std::min(advice.drop + aim.miss, aim.greatest_drop));
   advice.other = left_at(aim.other_drop);
   for (int i = 0; i <= kDrawn; ++i) advice.curve.push_back(left_at(aim.greatest_drop * i / kDrawn));
-  advice.quadrature_error = quadrature_error(lives, curves, aim, advice.drop);
+  advice.quadrature_error = quadrature_error(lives, curves, aim, nodes, advice.drop);
   return advice;
+}
+
+}  // namespace
+
+HalfSpaceAdvice half_space_advice(const CrownProblem& problem, const RollerPressure& pressure,
+                                  const ProfileFamily& family, double share, const HalfSpaceAim& aim) {
+  const Lives lives{problem, pressure, family, share, aim.jobs};
+  PopulationNodes nodes;
+  HalfSpaceAdvice advice = advice_with(lives, aim, nodes);
+  if (advice.quadrature_error <= kQuadrature) return advice;
+  nodes.lean *= 2;
+  nodes.drop *= 2;
+  return advice_with(lives, aim, nodes);
 }
 
 }  // namespace orbearing::study::crowning
