@@ -45,6 +45,9 @@ TEST(CrownOfAPlanet, StraightItHasTheLifeOfASweep) {
   EXPECT_NEAR(loads.tilt, std::max(swept.seats[0].tilt.norm(), swept.seats[1].tilt.norm()),
               1e-6 * loads.tilt);
   EXPECT_GT(loads.load_share, 1.1);
+  drivetrain.seats.tangential_inclination = 0.0;
+  EXPECT_GT(loads_at(problem_of(drivetrain), kStraight, Lean::Zero(), 0).load_share,
+            1.05);  // by clearance alone
 }
 
 // What a study adds to the inclination is what a case states of it.
