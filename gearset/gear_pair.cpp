@@ -19,8 +19,8 @@ constexpr double degree = 0.017453292519943295;
 double working_angle(const GearPair& pair) {
   const double teeth = pair.teeth[0] + pair.teeth[1];
   const double shifts = pair.shift[0] + pair.shift[1];
-  const double value =
-      involute(pair.rack.pressure_angle) + 2.0 * std::tan(pair.rack.pressure_angle) * shifts / teeth;
+  const double value = involute(transverse_pressure_angle(pair.rack.pressure_angle, pair.helix_angle)) +
+                       2.0 * std::tan(pair.rack.pressure_angle) * shifts / teeth;
   if (value < 0.0)
     throw std::domain_error("found shifts that bring the base circles together; a larger sum is required");
   const double angle = inverse_involute(value);
@@ -72,13 +72,16 @@ void remark_tips(const PairGeometry& g, int gear, int other, const std::string& 
 PairGeometry pair_geometry(const GearPair& pair) {
   PairGeometry geometry;
   for (std::size_t i = 0; i < 2; ++i)
-    geometry.gears[i] = make_external_tooth(pair.teeth[i], pair.shift[i], pair.module, pair.rack);
+    geometry.gears[i] =
+        make_external_tooth(pair.teeth[i], pair.shift[i], pair.module, pair.rack, pair.helix_angle);
   const auto& [first, second] = geometry.gears;
   geometry.working_pressure_angle = working_angle(pair);
   geometry.centre_distance =
       (first.base_radius + second.base_radius) / std::cos(geometry.working_pressure_angle);
   geometry.path = external_contact_path(first, second, geometry.centre_distance);
   geometry.contact_ratio = contact_ratio(geometry.path, second);
+  geometry.base_helix_angle = base_helix_angle(pair.rack.pressure_angle, pair.helix_angle);
+  geometry.overlap_ratio = overlap_ratio(pair.face_width, pair.module, pair.helix_angle);
   return geometry;
 }
 

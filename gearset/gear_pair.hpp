@@ -18,6 +18,7 @@ struct GearPair {
   double face_width = 0.0;                   // [m]
   double bore = 0.0;                         // [m]  diameter, of both gears
   BasicRack rack;
+  double helix_angle = 0.0;  // [rad]  at the reference circle; positive: the first gear is right-handed
 };
 
 template <class Visitor>
@@ -38,7 +39,8 @@ void describe(Visitor& visit, GearPair& m) {
           length(m.bore, "pair.bore", "bore of both gears, held by a rigid shaft", 1e5),
           part(m.rack, [&] { describe_rack(visit, m.rack, "pair.", Felt::pair, gear_pair); }),
           field(m.shift, "pair.profile_shift", Felt::pair, "profile shifts of both gears, in modules",
-                {.models = gear_pair, .range = {-2.0, 2.0}, .reason = "standard gears"}));
+                {.models = gear_pair, .range = {-2.0, 2.0}, .reason = "standard gears"}),
+          helix_row(m.helix_angle, "pair.", Felt::pair, gear_pair, "first gear"));
 }
 
 /// The pair as assembled without backlash.
@@ -47,7 +49,9 @@ struct PairGeometry {
   double centre_distance = 0.0;         // [m]
   double working_pressure_angle = 0.0;  // [rad]
   ContactPath path;                     // from the tangent point on the second gear's base circle
-  double contact_ratio = 0.0;           // [-]
+  double contact_ratio = 0.0;           // [-]    transverse
+  double base_helix_angle = 0.0;        // [rad]  positive: the first gear is right-handed
+  double overlap_ratio = 0.0;           // [-]
 };
 
 /// Centre distance from the shifts by Eq. (2) of gearset/README.md.

@@ -29,6 +29,14 @@ MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, con
   loads.tangential_force = signed_normal_force * (std::cos(sun_angle) + std::cos(ring_angle));
   // Teeth only push: the sun outward and the ring inward, whichever flank carries.
   loads.radial_force = loads.normal_force * (std::sin(sun_angle) - std::sin(ring_angle));
+  loads.tooth_force = loads.normal_force / std::cos(geometry.base_helix_angle);
+  // The right-handed flank of a sun that pushes on counterclockwise faces down the axis.
+  const double thrust = signed_normal_force * std::tan(geometry.base_helix_angle);
+  loads.axial_force = 0.0 - thrust;  // spur gears: 0, not -0
+  loads.overturning_moment =
+      loads.axial_force * (planet_working_radius(geometry, geometry.sun_mesh) +
+                           planet_working_radius(geometry, geometry.ring_mesh));
+  loads.sun_thrust = 0.0 + set.planets * thrust;
   return loads;
 }
 
@@ -49,6 +57,14 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
                   {speed * ratios.speed.sun, speed * ratios.speed.ring, speed * ratios.speed.carrier,
                    speed * ratios.speed.planet_relative},
                   {torque * ratios.torque.sun, torque * ratios.torque.ring, torque * ratios.torque.carrier});
+}
+
+AxialReactions axial_reactions(const PlanetarySet& set, const MeanLoads& loads) {
+  const bool by_carrier = set.sun_thrust == SunThrust::carrier;
+  const double held = 0.0 - loads.sun_thrust;
+  return {.sun = by_carrier ? 0.0 : held,
+          .carrier = by_carrier ? held : 0.0,
+          .ring = loads.sun_thrust};
 }
 
 double planet_tangential_load(double carrier_torque, int planets, double centre_distance) {

@@ -18,13 +18,30 @@ struct MeanLoads {
   double sun_torque = 0.0;      // [N m]    external, on the member
   double ring_torque = 0.0;     // [N m]
   double carrier_torque = 0.0;  // [N m]
-  double normal_force = 0.0;    // [N]      of one mesh of one planet; equal at sun and ring, not negative
+  double normal_force = 0.0;    // [N]      of one mesh of one planet in the transverse section, along the line of
+                                //          action; equal at sun and ring, not negative
   double tangential_force =
       0.0;  // [N]      y, on one planet, both meshes; positive when the planet pulls the carrier on
   double radial_force = 0.0;  // [N]      x, on one planet, both meshes; positive outward
+  // Of helical teeth, along and about the axis on which the carrier turns counterclockwise:
+  double tooth_force = 0.0;         // [N]    of one mesh of one planet, normal to the teeth
+  double axial_force = 0.0;         // [N]    z, of the sun on one planet; the ring's is opposite and as large
+  double overturning_moment = 0.0;  // [N m]  about y, on one planet: tilts its axis outward at positive z
+  double sun_thrust = 0.0;          // [N]    z, of all planets on the sun; that on the ring is opposite
 };
 
-/// Mean loads of the set. Eqs. (15) to (20) of gearset/README.md.
+/// Axial forces from the housing's axial bearings on members, which balance the thrust of sun and ring; z as in
+/// MeanLoads.
+struct AxialReactions {
+  double sun = 0.0;      // [N]  from the housing on the sun
+  double carrier = 0.0;  // [N]  on the carrier
+  double ring = 0.0;     // [N]  on the ring
+};
+
+/// Eq. (39) of gearset/README.md.
+AxialReactions axial_reactions(const PlanetarySet& set, const MeanLoads& loads);
+
+/// Mean loads of the set. Eqs. (15) to (20) and (35) to (38) of gearset/README.md.
 /// @throws std::invalid_argument if power or speed is not positive, or the driven member is fixed
 MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, const Drive& drive);
 

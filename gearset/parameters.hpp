@@ -14,7 +14,15 @@ constexpr described::Names<Member, 3> names_of(Member) {
   return {{{Member::sun, "sun"}, {Member::ring, "ring"}, {Member::carrier, "carrier"}}};
 }
 
-/// Basic rack profile; lengths in units of the module (ISO 53).
+/// What the axial bearing of a helical sun stands on.
+enum class SunThrust { housing, carrier };
+
+constexpr described::Names<SunThrust, 2> names_of(SunThrust) {
+  return {{{SunThrust::housing, "housing"}, {SunThrust::carrier, "carrier"}}};
+}
+
+/// Basic rack profile; lengths in units of the module (ISO 53). Of helical teeth it is that of the section
+/// normal to them, and the module is the normal one [ISO21771].
 struct BasicRack {
   double pressure_angle = 0.3490658503988659;  // [rad]     20 degrees
   double addendum = 1.0;                       // [module]  of the gear: h_a*
@@ -40,6 +48,18 @@ void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, descr
                 {.models = models, .range = {0.0, 0.6}, .reason = rack}));
 }
 
+/// Row of a helix angle, of the block of a case to which it belongs.
+inline described::Row<double> helix_row(double& member, const std::string& block, described::Felt felt,
+                                        unsigned models, std::string_view first) {
+  return described::field(member, block + "helix_angle", felt,
+                          "helix angle at the reference circle; positive: the teeth of the " +
+                              std::string(first) + " are right-handed",
+                          {.models = models,
+                           .dimension = described::dimension::angle,
+                           .range = {-45.0, 45.0},
+                           .reason = "spur gears"});
+}
+
 /// Parameters of one planetary set with equally spaced planets.
 struct PlanetarySet {
   int sun_teeth = 0;
@@ -55,6 +75,9 @@ struct PlanetarySet {
   double planet_bore = 0.0;  // [m]       diameter of the hole that the planet's bearings fill
   double density = 7850.0;   // [kg/m^3]
   Member fixed_member = Member::ring;
+  double helix_angle = 0.0;  // [rad]  at the reference circle; positive: the sun is right-handed, the planets
+                             //        and the ring left-handed
+  SunThrust sun_thrust = SunThrust::housing;
 };
 
 template <class Visitor>
@@ -85,7 +108,11 @@ void describe(Visitor& visit, PlanetarySet& m) {
           field(m.ring_shift, "gearset.profile_shift.ring", Felt::planet,
                 "profile shift of the ring, in modules, positive outward", shift),
           length(m.face_width, "gearset.face_width", "width of the teeth", 1e4), apart(m.planet_bore),
-          apart(m.density));
+          apart(m.density), helix_row(m.helix_angle, "gearset.", Felt::planet, set, "sun"),
+          field(m.sun_thrust, "gearset.sun_thrust", Felt::thrust,
+                "what the axial bearing of the sun stands on: the housing, or the carrier, whose own bearing "
+                "passes the thrust on",
+                {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}));
 }
 
 /// The power that enters the set, and where. The member that is neither fixed nor driven delivers.

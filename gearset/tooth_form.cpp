@@ -15,14 +15,17 @@ namespace {
 
 using boost::math::double_constants::pi;
 
-RackFillet rack_fillet(double shift, double module, const BasicRack& rack) {
+RackFillet rack_fillet(double shift, double module, const BasicRack& rack, double cos_helix) {
   const double centre_below_datum = rack.addendum + rack.clearance - rack.root_fillet_radius;
   RackFillet fillet;
   fillet.radius = module * rack.root_fillet_radius;
   fillet.centre_depth = module * (centre_below_datum - shift);
-  fillet.centre_offset = module * (pi / 4.0 - centre_below_datum * std::tan(rack.pressure_angle) -
-                                   rack.root_fillet_radius / std::cos(rack.pressure_angle));
+  fillet.centre_offset = module *
+                         (pi / 4.0 - centre_below_datum * std::tan(rack.pressure_angle) -
+                          rack.root_fillet_radius / std::cos(rack.pressure_angle)) /
+                         cos_helix;
   fillet.end_angle = pi / 2.0 - rack.pressure_angle;
+  fillet.cos_helix = cos_helix;
   if (fillet.centre_offset < 0.0) {
     throw std::domain_error(
         "the root fillet radius does not fit on the tip of the rack; choose a smaller one");
@@ -34,7 +37,7 @@ RackFillet rack_fillet(double shift, double module, const BasicRack& rack) {
 template <typename Tooth>
 double rack_cut_base_half_angle(const Tooth& tooth) {
   const double at_pitch_circle =
-      (pi / 2.0 + 2.0 * tooth.shift * std::tan(tooth.pressure_angle)) / tooth.teeth;
+      (pi / 2.0 + 2.0 * tooth.shift * std::tan(tooth.normal_pressure_angle)) / tooth.teeth;
   return at_pitch_circle + involute(tooth.pressure_angle);
 }
 
@@ -50,7 +53,8 @@ double trochoid_half_angle(const ExternalTooth& tooth, double radius) {
 // negative when the rack reaches beyond that point and cuts the involute's foot away. Eq. (10).
 double rack_flank_end(const ExternalTooth& tooth) {
   const double sine = std::sin(tooth.pressure_angle);
-  const double depth = tooth.fillet.centre_depth + tooth.fillet.radius * sine;
+  const double depth =
+      tooth.fillet.centre_depth + tooth.fillet.radius * std::sin(tooth.normal_pressure_angle);
   return tooth.pitch_radius * sine - depth / sine;
 }
 
@@ -76,23 +80,46 @@ double find_form_radius(const ExternalTooth& tooth) {
   return std::hypot(tooth.base_radius, rack_flank_end(tooth));
 }
 
-}  // namespace
-
-ExternalTooth make_external_tooth(int teeth, double shift, double module, const BasicRack& rack) {
+// Eqs. (31) and (33). What external gears and rings have alike.
+template <typename Tooth>
+Tooth reference_tooth(int teeth, double shift, double module, const BasicRack& rack, double helix_angle) {
   assert(teeth > 0 && module > 0.0);
-  ExternalTooth tooth;
+  Tooth tooth;
   tooth.teeth = teeth;
   tooth.module = module;
-  tooth.pressure_angle = rack.pressure_angle;
+  tooth.normal_pressure_angle = rack.pressure_angle;
+  tooth.helix_angle = std::abs(helix_angle);
+  tooth.pressure_angle = transverse_pressure_angle(rack.pressure_angle, helix_angle);
   tooth.shift = shift;
-  tooth.pitch_radius = 0.5 * module * teeth;
-  tooth.base_radius = tooth.pitch_radius * std::cos(rack.pressure_angle);
+  tooth.pitch_radius = 0.5 * module * teeth / std::cos(helix_angle);
+  tooth.base_radius = tooth.pitch_radius * std::cos(tooth.pressure_angle);
+  return tooth;
+}
+
+}  // namespace
+
+double transverse_pressure_angle(double normal_pressure_angle, double helix_angle) {
+  if (helix_angle == 0.0) return normal_pressure_angle;  // to the last bit
+  return std::atan(std::tan(normal_pressure_angle) / std::cos(helix_angle));
+}
+
+double base_helix_angle(double normal_pressure_angle, double helix_angle) {
+  return std::asin(std::sin(helix_angle) * std::cos(normal_pressure_angle));
+}
+
+double overlap_ratio(double face_width, double module, double helix_angle) {
+  return face_width * std::abs(std::sin(helix_angle)) / (pi * module);
+}
+
+ExternalTooth make_external_tooth(int teeth, double shift, double module, const BasicRack& rack,
+                                  double helix_angle) {
+  auto tooth = reference_tooth<ExternalTooth>(teeth, shift, module, rack, helix_angle);
   tooth.tip_radius = tooth.pitch_radius + module * (rack.addendum + shift);
   tooth.root_radius = tooth.pitch_radius - module * (rack.addendum + rack.clearance - shift);
   if (tooth.root_radius <= 0.0) {
     throw std::domain_error("the root circle of a gear vanishes; raise its number of teeth or profile shift");
   }
-  tooth.fillet = rack_fillet(shift, module, rack);
+  tooth.fillet = rack_fillet(shift, module, rack, std::cos(helix_angle));
   tooth.undercut = rack_flank_end(tooth) < 0.0;
   tooth.form_radius = find_form_radius(tooth);
   if (tooth.form_radius >= tooth.tip_radius) {
@@ -101,15 +128,9 @@ ExternalTooth make_external_tooth(int teeth, double shift, double module, const 
   return tooth;
 }
 
-RingTooth make_ring_tooth(int teeth, double shift, double module, const BasicRack& rack) {
-  assert(teeth > 0 && module > 0.0);
-  RingTooth tooth;
-  tooth.teeth = teeth;
-  tooth.module = module;
-  tooth.pressure_angle = rack.pressure_angle;
-  tooth.shift = shift;
-  tooth.pitch_radius = 0.5 * module * teeth;
-  tooth.base_radius = tooth.pitch_radius * std::cos(rack.pressure_angle);
+RingTooth make_ring_tooth(int teeth, double shift, double module, const BasicRack& rack,
+                          double helix_angle) {
+  auto tooth = reference_tooth<RingTooth>(teeth, shift, module, rack, helix_angle);
   tooth.tip_radius = tooth.pitch_radius - module * (rack.addendum - shift);
   tooth.root_radius = tooth.pitch_radius + module * (rack.addendum + rack.clearance + shift);
   return tooth;
@@ -144,20 +165,23 @@ TrochoidPoint trochoid_point(const ExternalTooth& tooth, double normal_angle) {
   const RackFillet& fillet = tooth.fillet;
   const double sine = std::sin(normal_angle);
   const double cosine = std::cos(normal_angle);
-  const double roll =
-      fillet.centre_depth * sine / cosine;  // [m] of the fillet's centre along the rolling line
-  const double x = roll + fillet.radius * sine;
+  // The normal in the transverse section is steeper than that of the circle by cos(helix): tan = tan chi cos.
+  const double flat = fillet.cos_helix, stretch = 1.0 / flat - flat;
+  const double roll = flat * (fillet.centre_depth * sine / cosine);  // [m]
+  const double x = roll + flat * (fillet.radius * sine);
   const double y = tooth.pitch_radius - fillet.centre_depth - fillet.radius * cosine;
-  const double from_space = std::atan2(x, y) - (roll - fillet.centre_offset) / tooth.pitch_radius;
+  const double middle = roll - fillet.centre_offset - stretch * fillet.radius * sine;  // [m] of the rack's tooth
+  const double from_space = std::atan2(x, y) - middle / tooth.pitch_radius;
   TrochoidPoint point;
   point.radius = std::hypot(x, y);
   point.half_angle = pi / tooth.teeth - from_space;
-  const double roll_slope = fillet.centre_depth / (cosine * cosine);  // [m/rad]
-  const double x_slope = roll_slope + fillet.radius * cosine;         // [m/rad]
-  const double y_slope = fillet.radius * sine;                        // [m/rad]
+  const double roll_slope = flat * (fillet.centre_depth / (cosine * cosine));  // [m/rad]
+  const double x_slope = roll_slope + flat * (fillet.radius * cosine);         // [m/rad]
+  const double y_slope = fillet.radius * sine;                                 // [m/rad]
+  const double middle_slope = roll_slope - stretch * fillet.radius * cosine;   // [m/rad]
   point.radius_slope = (x * x_slope + y * y_slope) / point.radius;
   point.half_angle_slope =
-      roll_slope / tooth.pitch_radius - (y * x_slope - x * y_slope) / (point.radius * point.radius);
+      middle_slope / tooth.pitch_radius - (y * x_slope - x * y_slope) / (point.radius * point.radius);
   return point;
 }
 

@@ -21,25 +21,27 @@ struct BaseRadii {
   double difference;  // [m] ring and planet
 };
 
+double rack_angle(const PlanetarySet& set) {
+  return transverse_pressure_angle(set.rack.pressure_angle, set.helix_angle);
+}
+
 BaseRadii base_radii(const PlanetarySet& set) {
-  const double per_tooth = 0.5 * set.module * std::cos(set.rack.pressure_angle);
+  const double per_tooth = 0.5 * set.module / std::cos(set.helix_angle) * std::cos(rack_angle(set));
   return {per_tooth * (set.sun_teeth + set.planet_teeth), per_tooth * (set.ring_teeth - set.planet_teeth)};
 }
 
 // Sum (external) or difference (internal) of the shifts of a pair without backlash. Eqs. (2) and (3).
-double pair_shift(double teeth, double base_radius, double centre_distance, double rack_angle) {
+double pair_shift(const PlanetarySet& set, double teeth, double base_radius, double centre_distance) {
   const double working = involute(pressure_angle_at(base_radius, centre_distance));
-  return teeth * (working - involute(rack_angle)) / (2.0 * std::tan(rack_angle));
+  return teeth * (working - involute(rack_angle(set))) / (2.0 * std::tan(set.rack.pressure_angle));
 }
 
 double sun_mesh_shift(const PlanetarySet& set, double centre_distance) {
-  return pair_shift(set.sun_teeth + set.planet_teeth, base_radii(set).sum, centre_distance,
-                    set.rack.pressure_angle);
+  return pair_shift(set, set.sun_teeth + set.planet_teeth, base_radii(set).sum, centre_distance);
 }
 
 double ring_mesh_shift(const PlanetarySet& set, double centre_distance) {
-  return pair_shift(set.ring_teeth - set.planet_teeth, base_radii(set).difference, centre_distance,
-                    set.rack.pressure_angle);
+  return pair_shift(set, set.ring_teeth - set.planet_teeth, base_radii(set).difference, centre_distance);
 }
 
 [[noreturn]] void no_common_centre_distance() {
@@ -79,15 +81,23 @@ MeshGeometry ring_mesh(const PlanetarySet& set, const WorkingGeometry& geometry)
 
 }  // namespace
 
+double planet_working_radius(const WorkingGeometry& geometry, const MeshGeometry& mesh) {
+  return geometry.planet.base_radius / std::cos(mesh.working_pressure_angle);
+}
+
 WorkingGeometry working_geometry(const PlanetarySet& set) {
   WorkingGeometry geometry;
   geometry.centre_distance = common_centre_distance(set);
   geometry.planet_shift = sun_mesh_shift(set, geometry.centre_distance) - set.sun_shift;
-  geometry.sun = make_external_tooth(set.sun_teeth, set.sun_shift, set.module, set.rack);
-  geometry.planet = make_external_tooth(set.planet_teeth, geometry.planet_shift, set.module, set.rack);
-  geometry.ring = make_ring_tooth(set.ring_teeth, set.ring_shift, set.module, set.rack);
+  const double helix = set.helix_angle;
+  geometry.sun = make_external_tooth(set.sun_teeth, set.sun_shift, set.module, set.rack, helix);
+  geometry.planet =
+      make_external_tooth(set.planet_teeth, geometry.planet_shift, set.module, set.rack, helix);
+  geometry.ring = make_ring_tooth(set.ring_teeth, set.ring_shift, set.module, set.rack, helix);
   geometry.sun_mesh = sun_mesh(set, geometry);
   geometry.ring_mesh = ring_mesh(set, geometry);
+  geometry.base_helix_angle = base_helix_angle(set.rack.pressure_angle, helix);
+  geometry.overlap_ratio = overlap_ratio(set.face_width, set.module, helix);
   return geometry;
 }
 

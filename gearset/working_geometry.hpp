@@ -9,9 +9,9 @@ namespace orbearing::gearset {
 
 /// One mesh of a planet at the working centre distance.
 struct MeshGeometry {
-  double working_pressure_angle = 0.0;  // [rad]
+  double working_pressure_angle = 0.0;  // [rad]  transverse
   ContactPath path;                     // from the tangent point on the planet's base circle
-  double contact_ratio = 0.0;           // [-]
+  double contact_ratio = 0.0;           // [-]    transverse
 };
 
 /// Derived once from the parameters of the set.
@@ -23,10 +23,15 @@ struct WorkingGeometry {
   RingTooth ring;
   MeshGeometry sun_mesh;
   MeshGeometry ring_mesh;
+  double base_helix_angle = 0.0;  // [rad]  of both meshes; positive: the sun's teeth are right-handed
+  double overlap_ratio = 0.0;     // [-]    of both meshes
 };
 
+/// Working radius of the planet in one of its meshes: where the force of the mean load acts. [m]
+double planet_working_radius(const WorkingGeometry& geometry, const MeshGeometry& mesh);
+
 /// Finds the centre distance, and with it the planet's shift, at which the planet meshes without backlash
-/// with both sun and ring. Eqs. (2) to (5) of gearset/README.md.
+/// with both sun and ring. Eqs. (2) to (5) of gearset/README.md, in the transverse section of helical teeth.
 /// @throws std::domain_error if no centre distance serves both meshes, or a tooth cannot be formed
 WorkingGeometry working_geometry(const PlanetarySet& set);
 

@@ -108,6 +108,7 @@ enum class Felt {
   planet,         // teeth and all that a planet is made of
   pair,           // a pair of gears
   gear_bodies,    // masses and springs of the gears
+  thrust,         // axial forces of helical gears
   gear_motion,    // gears in motion
   balance,        // what rollers carry, under a static load too
   carrier,        // the same, but only of a bearing that a carrier takes round
@@ -172,6 +173,14 @@ struct Name {
 };
 template <class E, std::size_t n>
 using Names = std::array<Name<E>, n>;
+
+/// How a case writes a value of an enumeration.
+template <class E>
+constexpr std::string_view text_of(E value) {
+  for (const auto& name : names_of(value))
+    if (name.value == value) return name.text;
+  return {};
+}
 
 template <class Member>
 struct Row {

@@ -17,6 +17,7 @@
 #include "app/case/pair_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/case/refinement_consistency.hpp"
+#include "app/case/set_case.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/static_consistency.hpp"
 #include "gearset/checks.hpp"
@@ -98,36 +99,15 @@ bool has_bearing(const ResolvedCase& resolved) {
   return false;
 }
 
-double bore_without_bearing(const Checker& check, const ResolvedCase& resolved) {
-  return resolved.number("gearset.planet_bore_ratio") * check.length("gearset.module") *
-         (check.count("gearset.teeth.planet") - 2.5);
-}
-
-gearset::PlanetarySet set_of(const Checker& check, const ResolvedCase& resolved) {
-  return {.sun_teeth = check.count("gearset.teeth.sun"),
-          .planet_teeth = check.count("gearset.teeth.planet"),
-          .ring_teeth = check.count("gearset.teeth.ring"),
-          .planets = check.count("gearset.planets"),
-          .module = check.length("gearset.module"),
-          .rack = {.pressure_angle = resolved.quantity("gearset.pressure_angle"),
-                   .addendum = resolved.number("gearset.addendum"),
-                   .clearance = resolved.number("gearset.clearance"),
-                   .root_fillet_radius = resolved.number("gearset.root_fillet_radius")},
-          .sun_shift = resolved.number("gearset.profile_shift.sun"),
-          .ring_shift = resolved.number("gearset.profile_shift.ring"),
-          .face_width = check.length("gearset.face_width"),
-          .planet_bore = has_bearing(resolved) ? check.length("bearing.outside_diameter")
-                                               : bore_without_bearing(check, resolved)};
-}
-
 void check_gears(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
                   "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
                   "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
-                  "gearset.face_width"}) ||
+                  "gearset.face_width", "gearset.helix_angle", "gearset.fixed", "gearset.sun_thrust",
+                  "material.density"}) ||
       (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
-  object_all(check, gearset::assembly_problems(set_of(check, resolved)),
+  object_all(check, gearset::assembly_problems(set_of(resolved)),
              "a set that can be assembled is required");
 }
 
@@ -141,7 +121,8 @@ bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) 
 
 void check_pair(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"pair.teeth", "pair.profile_shift", "pair.module", "pair.face_width", "pair.bore",
-                  "pair.pressure_angle", "pair.addendum", "pair.clearance", "pair.root_fillet_radius"}))
+                  "pair.pressure_angle", "pair.addendum", "pair.clearance", "pair.root_fillet_radius",
+                  "pair.helix_angle"}))
     return;
   const bool teeth = two_values(check, resolved, "pair.teeth");
   const bool shifts = two_values(check, resolved, "pair.profile_shift");

@@ -17,6 +17,7 @@ unsigned holding(described::Felt felt) {
     case planet:
       return use::of_a_drivetrain;
     case pair:
+    case thrust:
       return use::mesh;
     case gear_bodies:
       return use::gears_in_motion | use::natural;
@@ -86,7 +87,7 @@ constexpr unsigned no_tilt = use::rollers_in_motion | use::planet_stiffness;
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"input.power", 0, use::fmu_bearing},
-    {"input.speed", 0, use::mesh},
+    {"input.speed", 0, use::mesh},  // but for axial forces: with_axial_forces()
     {"gearset.planets", 0, use::fmu_bearing},
     {"gearset.planet_rim", use::rollers_in_motion | use::gears | use::fmu_gearset},
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
@@ -164,6 +165,12 @@ Use also_used(Use use, unsigned analyses) {
   return use;
 }
 
+// The power makes the axial forces that stand beside the meshes of helical gears.
+Use with_axial_forces(const Use& use, std::string_view path) {
+  const bool makes_them = path == "input.power" || path == "input.speed";
+  return makes_them ? use.felt_too(use::mesh, where_given({"gearset.helix_angle"})) : use;
+}
+
 // Laminae and what tilts the bore belong to lives, and are felt by the stiffness too; the law of line
 // contacts knows no modulus, their films do.
 Use with_stiffness(Use use, std::string_view path) {
@@ -203,7 +210,8 @@ Use use_of(const described::Facts& facts) {
   const unsigned without = leaving_out(facts.felt) | but.unused_by;
   const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
-  const Use at_rest = with_load_sharing(Use(by, unfelt, but.refused_by), facts.path);
+  const Use at_rest =
+      with_axial_forces(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
   const Use use = with_turning_rings(with_stiffness(at_rest, facts.path), facts);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;

@@ -43,6 +43,10 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (const char* spring = "gearset.dynamics.planet.bearing_stiffness"; resolved.has(spring))
     object(resolved, rim, fmt::format("elastic beside {}", spring),
            "no stiffness of the bearings is required, which follows from their rollers", mistakes);
+  if (const char* helix = "gearset.helix_angle"; resolved.has(helix) && resolved.quantity(helix) != 0.0)
+    object(resolved, rim, fmt::format("elastic beside {}", helix),
+           "rigid is required beside helical teeth: an elastic rim is computed in the plane of spur gears",
+           mistakes);
   for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
     if (!resolved.has(pins)) continue;
     const std::vector<double>& errors = resolved.list(pins);

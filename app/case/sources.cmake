@@ -36,6 +36,7 @@ set(ORBEARING_CASE_SOURCES
   case/spectrum_case.cpp
   case/resolved_writer.cpp
   case/schema.cpp
+  case/set_case.cpp
   case/settings.cpp
   case/ball_case.cpp
   case/static_case.cpp

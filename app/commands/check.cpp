@@ -53,8 +53,11 @@ Checked check(const ResolvedCase& resolved) {
 int check_command(const Options& options) {
   const ResolvedCase resolved = read_case(options.case_file, options.settings);
   Checked checked = check(resolved);
-  if (resolved.model() == planetary_drivetrain)
+  if (resolved.model() == planetary_drivetrain) {
+    for (std::string& warning : overturning_warnings(resolved.without_sweep()))
+      checked.warnings.push_back(std::move(warning));
     for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
+  }
   for (const Derived& row : bought_quantities(resolved)) checked.derived.push_back(row);
   const std::vector<std::string> idle = idle_inputs(resolved);
   checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());

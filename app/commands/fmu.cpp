@@ -116,6 +116,9 @@ int fmu_command(const Options& options) {
   Outcome outcome{facts.inputs.size(),    facts.outputs.size(),   facts.shown.parameters.size(),
                   content.size(),         fmu::token_of(numbers), platforms_of(libraries.found),
                   gear_warnings(resolved)};
+  const std::vector<std::string> left_out =
+      options.model == "gearset" ? planar_warnings(resolved) : overturning_warnings(resolved);
+  outcome.warnings.insert(outcome.warnings.end(), left_out.begin(), left_out.end());
   outcome.warnings.insert(outcome.warnings.end(), unused.begin(), unused.end());
   outcome.warnings.insert(outcome.warnings.end(), libraries.missing.begin(), libraries.missing.end());
   present(resolved, options, outcome);

@@ -16,6 +16,7 @@ int mesh_command(const Options& options) {
   study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());
   if (options.json) {
     nlohmann::ordered_json object{{"case", resolved.text("name")}, {"meshes", meshes_json(study)}};
+    if (study.axial) object["axial"] = axial_json(study);
     if (study.planet_rim) object["planet_rim"] = planet_rim_json(study);
     object["warnings"] = study.warnings;
     fmt::print("{}\n", object.dump(2));

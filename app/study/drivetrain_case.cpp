@@ -6,25 +6,13 @@
 #include "app/case/bought_case.hpp"
 #include "app/case/described_case.hpp"
 #include "app/case/profile_case.hpp"
+#include "app/case/set_case.hpp"
 #include "app/study/rated_oil.hpp"
 #include "gearset/checks.hpp"
 
 namespace orbearing::app {
 
 namespace {
-
-double planet_bore_of(const ResolvedCase& in) {
-  if (in.has("bearing.rollers")) return in.quantity("bearing.outside_diameter");
-  return in.number("gearset.planet_bore_ratio") * in.quantity("gearset.module") *
-         (in.integer("gearset.teeth.planet") - 2.5);
-}
-
-gearset::PlanetarySet set_of(const ResolvedCase& in) {
-  auto set = from_case<gearset::PlanetarySet>(in);
-  set.planet_bore = planet_bore_of(in);
-  set.density = in.quantity("material.density");
-  return set;
-}
 
 void add_waves(const ResolvedCase& in, const std::string& block, bool turning,
                std::vector<bearing::RaceHarmonic>& form) {
@@ -91,6 +79,20 @@ std::vector<std::string> gear_warnings(const ResolvedCase& resolved) {
   if (!resolved.shape().several) add("", resolved);
   for (const std::string& set : resolved.shape().sets) add(set_prefix(set), resolved.of_set(set));
   return texts;
+}
+
+bool is_helical(const ResolvedCase& resolved) {
+  const std::vector<Input> inputs = resolved.inputs();
+  return std::any_of(inputs.begin(), inputs.end(), [&](const Input& input) {
+    return input.field->path == "gearset.helix_angle" && resolved.has(input.path) &&
+           resolved.quantity(input.path) != 0.0;
+  });
+}
+
+std::vector<std::string> planar_warnings(const ResolvedCase& resolved) {
+  if (!is_helical(resolved)) return {};
+  return {"gearset.helix_angle: motion is that in the plane of the set; members are taken as held along their axes "
+          "and level, so that axial and tilting vibration is left out"};
 }
 
 }  // namespace orbearing::app

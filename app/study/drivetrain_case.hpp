@@ -16,4 +16,10 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& resol
 /// Warnings of the gears, each with its place in the case; sets without bearings included.
 std::vector<std::string> gear_warnings(const ResolvedCase& resolved);
 
+/// Whether some set has helical teeth.
+bool is_helical(const ResolvedCase& resolved);
+
+/// What motion of helical gears leaves out.
+std::vector<std::string> planar_warnings(const ResolvedCase& resolved);
+
 }  // namespace orbearing::app

@@ -128,6 +128,7 @@ std::vector<Derived> gear_dynamics_quantities(const ResolvedCase& resolved) {
 
 std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> texts = gear_warnings(resolved);
+  for (std::string& text : planar_warnings(resolved)) texts.push_back(std::move(text));
   if (!resolved.shape().teeth) return texts;
   for (const gearset::Warning& warning : gearset::foundation_warnings(planetary_meshes_of(resolved)))
     texts.push_back(warning.place + ": " + warning.text);

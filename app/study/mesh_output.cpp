@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/units.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -54,6 +56,8 @@ Json mesh_json(const NamedMesh& mesh) {
   const gearset::PeriodicCurve& curve = mesh.stiffness.curve;
   return {{"name", mesh.name},
           {"contact_ratio", mesh.stiffness.contact_ratio},
+          {"overlap_ratio", mesh.stiffness.overlap_ratio},
+          {"total_contact_ratio", mesh.stiffness.contact_ratio + mesh.stiffness.overlap_ratio},
           {"mean_N_per_m", curve.mean()},
           {"min_N_per_m", curve.least()},
           {"max_N_per_m", curve.largest()},
@@ -93,6 +97,14 @@ Json form_json(const gearset::rim::RaceForm& form) {
   return {{"cosine_m_per_N", waves_json(form.cosine)}, {"sine_m_per_N", waves_json(form.sine)}};
 }
 
+std::string axial_text(const AxialForces& axial) {
+  return fmt::format(
+      "\nhelical teeth: on each planet {:.4g} N from the sun along the axis and as much against it from the ring, "
+      "which overturn it by {:.4g} N m\nthrust of the sun {:.4g} N, held by the {}; of the ring {:.4g} N\n",
+      axial.loads.axial_force, axial.loads.overturning_moment, axial.loads.sun_thrust,
+      described::text_of(axial.held_by), 0.0 - axial.loads.sun_thrust);
+}
+
 std::string rim_text(const gearset::rim::RimInfluence& rim) {
   return fmt::format(
       "\nrim of the planet, beyond a race that is held: the tooth of the sun mesh gives way by {:.4g} um/kN, "
@@ -114,6 +126,22 @@ Json planet_rim_json(const MeshStudy& study) {
             {"ring_by_ring", rim.meshes(1, 1)}}}};
 }
 
+Json axial_json(const MeshStudy& study) {
+  if (!study.axial) return nullptr;
+  const gearset::MeanLoads& loads = study.axial->loads;
+  const gearset::AxialReactions& held = study.axial->reactions;
+  return {{"base_helix_angle_deg", kDegree * study.axial->base_helix_angle},
+          {"tooth_normal_force_N", loads.tooth_force},
+          {"sun_on_planet_N", loads.axial_force},
+          {"ring_on_planet_N", 0.0 - loads.axial_force},
+          {"planet_overturning_moment_N_m", loads.overturning_moment},
+          {"thrust_on_sun_N", loads.sun_thrust},
+          {"thrust_on_ring_N", 0.0 - loads.sun_thrust},
+          {"sun_thrust_held_by", described::text_of(study.axial->held_by)},
+          {"held_by_housing",
+           {{"sun_N", held.sun}, {"carrier_N", held.carrier}, {"ring_N", held.ring}}}};
+}
+
 Json meshes_json(const MeshStudy& study) {
   Json list = Json::array();
   for (const NamedMesh& mesh : study.meshes) list.push_back(mesh_json(mesh));
@@ -132,6 +160,7 @@ std::string mesh_text(const MeshStudy& study, Glyphs glyphs) {
     last = mesh.first;
     text += parts_text(mesh) + mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
   }
+  if (study.axial) text += axial_text(*study.axial);
   if (study.planet_rim) text += rim_text(*study.planet_rim);
   return text;
 }

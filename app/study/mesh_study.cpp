@@ -33,8 +33,8 @@ void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
   if (mesh.standard.in_range) return;
   texts.push_back(
       mesh.first + " and " + mesh.second +
-      ": profile shifts outside the range of ISO 6336-1, method B (pinion's not below the wheel's, "
-      "sum from -0.5 to 2); its values are shown all the same");
+      ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not below the wheel's, "
+      "sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
 }
 
 MeshStudy pair_study(const ResolvedCase& in) {
@@ -53,7 +53,8 @@ MeshStudy pair_study(const ResolvedCase& in) {
        .second = "second gear",
        .stiffness = gearset::mesh_stiffness(gears),
        .standard = gearset::iso6336_stiffness({pair.teeth[0], pair.teeth[1], pair.shift[0], pair.shift[1],
-                                               pair.rack, geometry.contact_ratio, material}),
+                                               pair.rack, geometry.contact_ratio, material,
+                                               pair.helix_angle}),
        .face_width = pair.face_width});
   const double place = gearset::pitch_point(gears);
   add_texts(gearset::pair_warnings(geometry), study.warnings);
@@ -90,11 +91,15 @@ MeshStudy set_study(const ResolvedCase& in) {
   NamedMesh sun{.first = "sun", .second = "planet", .stiffness = meshes.sun, .face_width = set.face_width};
   NamedMesh ring{.first = "ring", .second = "planet", .stiffness = meshes.ring, .face_width = set.face_width};
   sun.standard = gearset::iso6336_stiffness({set.sun_teeth, set.planet_teeth, set.sun_shift, shift, set.rack,
-                                             sun.stiffness.contact_ratio, material});
+                                             sun.stiffness.contact_ratio, material, set.helix_angle});
   // The standard counts the shift of a ring as that of an external gear: positive inward.
-  ring.standard = gearset::iso6336_stiffness(
-      {set.planet_teeth, 0, shift, -set.ring_shift, set.rack, ring.stiffness.contact_ratio, material});
+  ring.standard = gearset::iso6336_stiffness({set.planet_teeth, 0, shift, -set.ring_shift, set.rack,
+                                              ring.stiffness.contact_ratio, material, set.helix_angle});
   MeshStudy study;
+  if (set.helix_angle != 0.0) {
+    const gearset::MeanLoads loads = gearset::mean_loads(set, geometry, drivetrain.drive);
+    study.axial = {geometry.base_helix_angle, loads, set.sun_thrust, gearset::axial_reactions(set, loads)};
+  }
   const auto add = [&study](NamedMesh mesh, const std::vector<double>& lags) {
     for (std::size_t n = 0; n < lags.size(); ++n) {
       mesh.name = fmt::format("{}-planet {}", mesh.first, n + 1);
@@ -112,10 +117,12 @@ MeshStudy set_study(const ResolvedCase& in) {
   return study;
 }
 
-// Least or largest stiffness while `pairs` pairs touch; NaN where that many never do.
+// Least or largest stiffness while `pairs` pairs touch; NaN where that many never do, or helical teeth come into
+// contact one end first.
 double extreme(const gearset::MeshStiffness& mesh, int pairs, bool largest) {
   constexpr int samples = 2000;
   double found = std::numeric_limits<double>::quiet_NaN();
+  if (mesh.overlap_ratio > 0.0) return found;
   for (int i = 0; i < samples; ++i) {
     const double fraction = (i + 0.5) / samples;
     if (std::ceil(mesh.contact_ratio - fraction) != pairs) continue;
@@ -152,7 +159,8 @@ std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStu
   const double density = resolved.quantity("material.density");
   return {{"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
           {"pair.working_pressure_angle", kDegree * geometry.working_pressure_angle, "deg", "working"},
-          {"pair.contact_ratio", geometry.contact_ratio, "1", "where the involutes end"},
+          {"pair.contact_ratio", geometry.contact_ratio, "1", "where the involutes end; of helical teeth transverse"},
+          {"pair.overlap_ratio", geometry.overlap_ratio, "1", "face width in axial pitches"},
           {"pair.mass.first", mass(geometry.gears[0], pair, density), "kg", "the driving gear"},
           {"pair.mass.second", mass(geometry.gears[1], pair, density), "kg", "the driven gear"},
           {"pair.mesh_stiffness", study.meshes.front().stiffness.curve.mean(), "N/m",
@@ -166,6 +174,7 @@ double mesh_property(const MeshStudy& study, const std::string& quantity) {
   const gearset::Iso6336Stiffness& standard = mesh.standard;
   const std::map<std::string, double> known{
       {"contact_ratio", stiffness.contact_ratio},
+      {"overlap_ratio", stiffness.overlap_ratio},
       {"mean_N_per_m", stiffness.curve.mean()},
       {"single_min_N_per_m", extreme(stiffness, 1, false)},
       {"single_max_N_per_m", extreme(stiffness, 1, true)},

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
+#include "gearset/mean_loads.hpp"
 #include "gearset/mesh/iso6336.hpp"
 #include "gearset/mesh/mesh_stiffness.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
@@ -25,8 +27,17 @@ struct NamedMesh {
   double face_width = 0.0;  // [m]
 };
 
+/// Axial forces of a set with helical teeth at the case's input.
+struct AxialForces {
+  double base_helix_angle = 0.0;  // [rad]
+  gearset::MeanLoads loads;
+  gearset::SunThrust held_by = gearset::SunThrust::housing;
+  gearset::AxialReactions reactions;
+};
+
 struct MeshStudy {
   std::vector<NamedMesh> meshes;
+  std::optional<AxialForces> axial;  // of helical teeth
   std::shared_ptr<const gearset::rim::RimInfluence> planet_rim;  // where the case has it elastic
   std::vector<std::string> warnings;
 };

@@ -1,6 +1,9 @@
 #include "app/study/planetary_case.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 
@@ -8,6 +11,7 @@
 #include "app/study/gear_case.hpp"
 #include "app/units.hpp"
 #include "bearing/profile/design.hpp"
+#include "coupling/study/tilting_planet.hpp"
 #include "gearset/drivetrain/power_flow.hpp"
 
 namespace orbearing::app {
@@ -29,22 +33,41 @@ void add_gears(const study::PlanetaryDrivetrain& drivetrain, const study::Drivet
       {"gearset.sun_mesh.contact_ratio", gears.sun_mesh.contact_ratio, "1", "where the involutes end"});
   rows.push_back(
       {"gearset.ring_mesh.contact_ratio", gears.ring_mesh.contact_ratio, "1", "where the involutes end"});
+  if (drivetrain.set.helix_angle != 0.0) {
+    rows.push_back({"gearset.transverse_module",
+                    1e3 * drivetrain.set.module / std::cos(drivetrain.set.helix_angle), "mm",
+                    "normal module / cos(helix angle)"});
+    rows.push_back(
+        {"gearset.base_helix_angle", kDegree * gears.base_helix_angle, "deg", "at the base cylinders"});
+    rows.push_back({"gearset.overlap_ratio", gears.overlap_ratio, "1", "face width in axial pitches"});
+  }
   rows.push_back(
       {"gearset.planet_angle", 360.0 / drivetrain.set.planets, "deg", "between neighbouring planets"});
   rows.push_back(
       {"gearset.planet_mass", geometry.planet_mass, "kg", "gear body and outer rings of its bearings"});
 }
 
-void add_motion(const gearset::MeanLoads& gears, std::vector<Derived>& rows) {
+void add_motion(const gearset::PlanetarySet& set, const gearset::MeanLoads& gears,
+                std::vector<Derived>& rows) {
   rows.push_back({"operation.carrier_speed", kRpm * gears.carrier_speed, "rpm", "Willis"});
   rows.push_back({"operation.planet_speed", kRpm * gears.planet_speed_relative, "rpm",
                   "relative to the carrier; negative: against carrier rotation"});
   rows.push_back({"operation.input_torque_sun", gears.sun_torque, "N.m", "on the sun"});
-  rows.push_back({"operation.mesh_normal_force", gears.normal_force, "N", "one mesh of one planet"});
+  rows.push_back(
+      {"operation.mesh_normal_force", gears.normal_force, "N", "one mesh of one planet, transverse"});
+  if (gears.axial_force == 0.0) return;
+  rows.push_back({"operation.mesh_axial_force", gears.axial_force, "N",
+                  "sun on one planet, along the carrier's axis; the ring's is opposite"});
+  rows.push_back({"operation.overturning_moment", gears.overturning_moment, "N.m",
+                  "of both on one planet, about the tangential axis"});
+  const gearset::AxialReactions held = gearset::axial_reactions(set, gears);
+  rows.push_back({"operation.thrust.sun", held.sun, "N", "from the housing on the sun"});
+  rows.push_back({"operation.thrust.carrier", held.carrier, "N", "from the housing on the carrier"});
+  rows.push_back({"operation.thrust.ring", held.ring, "N", "from the housing on the ring"});
 }
 
-void add_duty(const study::BearingDuty& duty, std::vector<Derived>& rows) {
-  add_motion(duty.gears, rows);
+void add_duty(const gearset::PlanetarySet& set, const study::BearingDuty& duty, std::vector<Derived>& rows) {
+  add_motion(set, duty.gears, rows);
   rows.push_back({"operation.bore_load_x", duty.point.bore_load.x(), "N",
                   "gears and planet on one bearing, outward; cage and rollers not included"});
   rows.push_back(
@@ -142,6 +165,35 @@ std::function<gearset::dynamics::SetParameters()> gears_built_once(const Resolve
 
 }  // namespace
 
+std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  if (!is_helical(resolved)) return warnings;
+  for (const study::NamedSet& set : bearing_sets(resolved)) {
+    const study::PlanetaryDrivetrain& drivetrain = set.drivetrain;
+    if (drivetrain.set.helix_angle == 0.0 || drivetrain.seats.tilt == study::TiltState::computed) continue;
+    const gearset::MeanLoads gears = study::bearing_duty(drivetrain, set.geometry).gears;
+    const std::vector<double> places = study::axial_places(drivetrain);
+    double squares = 0.0;  // [m^2]  bearings on a stiff pin share a moment as their places
+    for (const double place : places) squares += place * place;
+    const double moment = std::abs(gears.overturning_moment);
+    const std::string as_loads =
+        squares > 0.0 ? fmt::format(
+                            "{:.4g} N outward at one end and inward at the other on the outer bearings at "
+                            "{:.4g} and {:.4g} mm",
+                            moment * places.back() / squares, 1e3 * places.front(), 1e3 * places.back())
+                      : std::string("a moment on the one bearing");
+    warnings.push_back(
+        fmt::format("{}gearset.helix_angle: the axial forces overturn a planet by {:.4g} N m at the case's "
+                    "input, which what "
+                    "holds its tilt is taken to hold; on bearings on a stiff pin that would be {}, beside "
+                    "{:.4g} N of both "
+                    "meshes on each; bearing.tilt_state: computed has it in the balance",
+                    set.name.empty() ? "" : set_prefix(set.name), moment, as_loads,
+                    std::hypot(gears.tangential_force, gears.radial_force) / drivetrain.bearings_per_planet));
+  }
+  return warnings;
+}
+
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   study::PlanetaryDrivetrain out = drivetrain_without_gear_set(in);
   if (in.has("bearing.rollers")) out.gear_set = gears_built_once(in);
@@ -187,7 +239,7 @@ std::vector<Derived> quantities_without_bearing(const ResolvedCase& resolved) {
   geometry.gears = gearset::working_geometry(drivetrain.set);
   geometry.planet_mass = gearset::planet_body(drivetrain.set, geometry.gears).mass;
   add_gears(drivetrain, geometry, rows);
-  add_motion(gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive), rows);
+  add_motion(drivetrain.set, gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive), rows);
   return rows;
 }
 
@@ -201,7 +253,7 @@ std::vector<Derived> derived_quantities(const ResolvedCase& resolved) {
     add_gears(set.drivetrain, set.geometry, of_set);
     add_bearing(set.drivetrain, set.geometry, of_set);
     add_clearance(resolved, set, of_set);
-    add_duty(study::bearing_duty(set.drivetrain, set.geometry), of_set);
+    add_duty(set.drivetrain.set, study::bearing_duty(set.drivetrain, set.geometry), of_set);
     if (!resolved.has("support.stiffness"))  // of several sets, each has its own pin
       of_set.push_back({"support.stiffness", set.drivetrain.dynamics.support.stiffness, "N/m",
                         "of the pin at one bearing, from its dimensions"});

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/case/unused_inputs.hpp"
+#include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
 #include "bearing/life/life_modification.hpp"
@@ -47,10 +48,13 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
       require_used(resolved, rung_of(resolved, outcome.header.fidelity), Axes::all);
   warnings.insert(warnings.end(), unused.begin(), unused.end());
   warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
-  const std::vector<std::string> clearance = clearance_warnings(resolved);
-  warnings.insert(warnings.end(), clearance.begin(), clearance.end());
-  const std::vector<std::string> oil = oil_warnings(resolved);
-  warnings.insert(warnings.end(), oil.begin(), oil.end());
+  const auto add = [&warnings](const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  };
+  add(overturning_warnings(resolved.without_sweep()));
+  if (in_time(fidelity_of(outcome.header.fidelity))) add(planar_warnings(resolved));
+  add(clearance_warnings(resolved));
+  add(oil_warnings(resolved));
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);
   };

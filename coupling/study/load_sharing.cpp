@@ -135,6 +135,9 @@ std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
     duty.gears.normal_force *= std::abs(share);
     duty.gears.tangential_force *= share;
     duty.gears.radial_force *= std::abs(share);  // teeth only push, whichever flank carries
+    duty.gears.tooth_force *= std::abs(share);
+    duty.gears.axial_force *= share;
+    duty.gears.overturning_moment *= share;
     const Vector2d more(duty.gears.radial_force - even.gears.radial_force,
                         duty.gears.tangential_force - even.gears.tangential_force);
     duty.point.bore_load += more / drivetrain.bearings_per_planet;

@@ -449,6 +449,9 @@ void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
     result.tangential_load += part * duty.gears.tangential_force / drivetrain.bearings_per_planet;
     result.radial_mesh_load += part * radial;
     result.centrifugal_load += part * (total.x() - radial);
+    result.axial_mesh_force += part * duty.gears.axial_force;
+    result.overturning_moment += part * duty.gears.overturning_moment;
+    result.sun_thrust += part * duty.gears.sun_thrust;
   }
 }
 

@@ -67,11 +67,12 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
 
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
+                                                   double overturning_moment,
                                                    const bearing::QuasiStaticOptions& options) {
   bearing::OperatingPoint whole = point;
   whole.bore_load *= static_cast<double>(planet.bearings.size());
-  bearing::laminae::PlanetOnPinResult result =
-      bearing::laminae::planet_on_pin_over_a_pitch(planet, whole, Eigen::Vector2d::Zero(), options);
+  bearing::laminae::PlanetOnPinResult result = bearing::laminae::planet_on_pin_over_a_pitch(
+      planet, whole, Eigen::Vector2d(overturning_moment, 0.0), options);
   if (!result.report.converged) throw std::runtime_error(result.report.message);
   return result;
 }
@@ -80,7 +81,7 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& dr
                                                    const BearingDuty& duty) {
   return tilting_planet(planet_on(planet_seat(drivetrain), drivetrain.bearing,
                                   mechanics::InstructionSet::baseline),  // equal points on all machines
-                        duty.point, quasi_static_options(drivetrain));
+                        duty.point, duty.gears.overturning_moment, quasi_static_options(drivetrain));
 }
 
 }  // namespace orbearing::study

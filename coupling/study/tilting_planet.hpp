@@ -14,7 +14,8 @@ std::vector<double> axial_places(const PlanetaryDrivetrain& drivetrain);
 bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain);
 
 /// How stiffly both meshes hold the planet against tilts of its axis, along x and y: each mean stiffness k
-/// spread over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]
+/// spread over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]. The axial forces
+/// of helical teeth are held by the torques, whatever the tilt, and give no stiffness.
 Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain);
 
 /// What a planet stands on, whatever its load, its speed, and the clearance and profiles of its bearings:
@@ -35,10 +36,12 @@ bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::B
                                         mechanics::InstructionSet set = mechanics::best_instruction_set());
 
 /// Balance of one planet over a roller pitch: one result for each bearing. `point` is that of one bearing of
-/// a planet whose bearings carry alike. Laminae are needed.
+/// a planet whose bearings carry alike; the axial forces of helical teeth overturn the planet by
+/// `overturning_moment` [N m], MeanLoads. Laminae are needed.
 /// @throws std::runtime_error where the planet finds no balance
 bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::PlanetOnPin& planet,
                                                    const bearing::OperatingPoint& point,
+                                                   double overturning_moment,
                                                    const bearing::QuasiStaticOptions& options);
 
 /// The same of a drivetrain at one duty.

@@ -22,11 +22,12 @@ constexpr std::array<double, 6> compression_row = {-6.2042e-5, 9.0889e-3, -4.096
 }  // namespace
 
 FoundationBody foundation_body(const ExternalTooth& tooth, double bore_radius) {
-  return {tooth.root_radius, half_thickness_angle(tooth, tooth.root_radius), bore_radius};
+  return {tooth.root_radius, half_thickness_angle(tooth, tooth.root_radius), bore_radius, tooth.helix_angle};
 }
 
 FoundationBody foundation_body(const RingTooth& tooth, double outside_radius) {
-  return {tooth.root_radius, half_thickness_angle(tooth, tooth.root_radius), outside_radius};
+  return {tooth.root_radius, half_thickness_angle(tooth, tooth.root_radius), outside_radius,
+          tooth.helix_angle};
 }
 
 FoundationCoefficients sainsot_coefficients(double half_angle, double ratio) {
@@ -47,16 +48,18 @@ bool sainsot_is_usable(const FoundationBody& body) {
 
 double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
                              const ToothLoad& load, double face_width, const mechanics::Material& material) {
-  const double thickness = 2.0 * body.root_radius * body.half_angle;         // [m] S_f
+  const double cos_helix = std::cos(body.helix_angle);
+  const double thickness = 2.0 * body.root_radius * body.half_angle * cos_helix;  // [m] S_f, normal to the tooth
   const double upwards = body.body_radius <= body.root_radius ? 1.0 : -1.0;  // the ring's tooth points inward
   const double lever = upwards * (load.axis_radius - body.root_radius);      // [m] u_f
   const double slenderness = lever / thickness;
-  const double across = std::pow(std::cos(load.force_angle), 2);
+  const double across = std::pow(std::cos(load.force_angle) / cos_helix, 2);
   const double along = std::pow(std::sin(load.force_angle), 2);
   const double transverse =
       (coefficients.moment * slenderness + coefficients.cross) * slenderness + coefficients.shear;
+  const double length = face_width / cos_helix;  // [m] of the tooth
   return (across * transverse + along * coefficients.shear * coefficients.compression) /
-         (face_width * material.youngs_modulus);
+         (length * material.youngs_modulus);
 }
 
 }  // namespace orbearing::gearset

@@ -11,6 +11,7 @@ struct FoundationBody {
   double root_radius = 0.0;  // [m]    radius of the circle that the tooth stands on
   double half_angle = 0.0;   // [rad]  half the angle that the tooth spans there
   double body_radius = 0.0;  // [m]    where the body is held: the bore; of a ring, the outside
+  double helix_angle = 0.0;  // [rad]  of its teeth
 };
 
 FoundationBody foundation_body(const ExternalTooth& tooth, double bore_radius);
@@ -36,7 +37,8 @@ bool in_sainsot_range(const FoundationBody& body);
 /// powers of h and 1/theta run away beyond, to negative stiffness too.
 bool sainsot_is_usable(const FoundationBody& body);
 
-/// Deflection along the force per unit of force. Eq. (6) of gearset/mesh/README.md.
+/// Deflection along the force in the transverse section per unit of that force. Eqs. (6) and (15) of
+/// gearset/mesh/README.md.
 /// @return [m/N]
 double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
                              const ToothLoad& load, double face_width, const mechanics::Material& material);

@@ -1,6 +1,9 @@
 #include "gearset/mesh/iso6336.hpp"
 
+#include <cmath>
 #include <utility>
+
+#include "gearset/tooth_form.hpp"
 
 namespace orbearing::gearset {
 
@@ -20,10 +23,17 @@ Iso6336Pair pinion_first(Iso6336Pair pair) {
   return pair;
 }
 
+// Teeth of the spur gear whose section is that normal to helical ones, per tooth of those.
+double virtual_teeth(const Iso6336Pair& pair) {
+  const double base = base_helix_angle(pair.rack.pressure_angle, pair.helix_angle);
+  return 1.0 / (std::pow(std::cos(base), 2) * std::cos(pair.helix_angle));
+}
+
 // q' of ISO 6336-1, method B [mm um / N].
 double flexibility(const Iso6336Pair& pair) {
-  const double z1 = 1.0 / pair.first_teeth;
-  const double z2 = pair.second_teeth > 0 ? 1.0 / pair.second_teeth : 0.0;
+  const double teeth = virtual_teeth(pair);
+  const double z1 = 1.0 / (teeth * pair.first_teeth);
+  const double z2 = pair.second_teeth > 0 ? 1.0 / (teeth * pair.second_teeth) : 0.0;
   const double x1 = pair.first_shift;
   const double x2 = pair.second_shift;
   return 0.04723 + 0.15551 * z1 + 0.25791 * z2 - 0.00635 * x1 - 0.11654 * x1 * z1 - 0.00193 * x2 -
@@ -45,10 +55,13 @@ Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& of_pair) {
   const double modulus = pair.material.youngs_modulus / steel;
   Iso6336Stiffness result;
   result.theoretical_single = newton_per_millimetre_micrometre / flexibility(pair);
-  result.single = result.theoretical_single * measured * rack_factor(pair.rack) * modulus;
+  result.single = result.theoretical_single * measured * rack_factor(pair.rack) * modulus *
+                  std::cos(pair.helix_angle);
   result.mesh = result.single * (0.75 * pair.contact_ratio + 0.25);
   const double sum = pair.first_shift + pair.second_shift;
-  result.in_range = pair.first_shift >= pair.second_shift && sum >= -0.5 && sum <= 2.0;
+  constexpr double largest_helix = 30.0 * degree;
+  result.in_range = pair.first_shift >= pair.second_shift && sum >= -0.5 && sum <= 2.0 &&
+                    std::abs(pair.helix_angle) <= largest_helix;
   return result;
 }
 

@@ -6,7 +6,7 @@
 
 namespace orbearing::gearset {
 
-/// What method B of ISO 6336-1 asks of a spur pair, in either order: the gear with fewer teeth is the pinion,
+/// What method B of ISO 6336-1 asks of a pair, in either order: the gear with fewer teeth is the pinion,
 /// of two with as many that of the larger shift.
 struct Iso6336Pair {
   int first_teeth = 0;
@@ -14,8 +14,9 @@ struct Iso6336Pair {
   double first_shift = 0.0;   // [module]
   double second_shift = 0.0;  // [module]  of a ring: positive inward, less that of PlanetarySet
   BasicRack rack;
-  double contact_ratio = 0.0;  // [-]
+  double contact_ratio = 0.0;  // [-]    transverse
   mechanics::Material material;
+  double helix_angle = 0.0;  // [rad]  of either hand
 };
 
 /// Stiffness per face width, of solid gears under more than 100 N per millimetre of face width.
@@ -23,10 +24,10 @@ struct Iso6336Stiffness {
   double theoretical_single = 0.0;  // [Pa]  c'_th, of one pair of teeth
   double single = 0.0;              // [Pa]  c'
   double mesh = 0.0;                // [Pa]  c_gamma_alpha, the mean over the mesh period
-  bool in_range = true;             // the pinion's shift >= the wheel's, and their sum from -0.5 to 2
+  bool in_range = true;  // the pinion's shift >= the wheel's, their sum from -0.5 to 2, helix up to 30 deg
 };
 
-/// Method B. Eqs. (9) and (10) of gearset/mesh/README.md [ISO6336].
+/// Method B. Eqs. (9), (10) and (17) of gearset/mesh/README.md [ISO6336].
 Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& of_pair);
 
 }  // namespace orbearing::gearset

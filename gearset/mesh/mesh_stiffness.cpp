@@ -47,6 +47,8 @@ MeshingGears meshing_gears(const MeshGear& first, const MeshGear& second, double
   gears.line_length = tangent_length(base, centre_distance);
   gears.base_pitch = 2.0 * pi * planet.base_radius / planet.teeth;
   gears.face_width = std::min(first.face_width, second.face_width);
+  gears.base_helix_angle = base_helix_angle(planet.normal_pressure_angle, planet.helix_angle);
+  gears.overlap_ratio = overlap_ratio(gears.face_width, planet.module, planet.helix_angle);
   gears.path = internal(gears)
                    ? internal_contact_path(std::get<RingTooth>(first.tooth), planet, centre_distance)
                    : external_contact_path(std::get<ExternalTooth>(first.tooth), planet, centre_distance);
@@ -60,7 +62,9 @@ double hertz_compliance(double face_width, const mechanics::Material& material) 
 }
 
 PairCompliance pair_compliance(const MeshingGears& gears, double place) {
-  return {.hertz = hertz_compliance(gears.face_width, gears.second.material),
+  // Eq. (16): a longer line, and a force in the transverse section that is less than the normal one.
+  const double hertz = hertz_compliance(gears.face_width, gears.second.material);
+  return {.hertz = hertz / std::cos(gears.base_helix_angle),
           .first = gear_compliance(gears.first, place_on_first(gears, place)),
           .second = gear_compliance(gears.second, place)};
 }
@@ -98,11 +102,39 @@ std::vector<double> contact_changes(const MeshingGears& gears) {
   return {0.0, leaves};
 }
 
+namespace {
+
+// Where the mean over a window begins or ceases to hold a jump of the curve, ascending.
+std::vector<double> ends_of_windows(const std::vector<double>& jumps, double window) {
+  constexpr double as_one = 1e-9;  // [period]
+  std::vector<double> ends;
+  for (const double jump : jumps)
+    for (const double end : {jump - 0.5 * window, jump + 0.5 * window}) ends.push_back(end - std::floor(end));
+  std::sort(ends.begin(), ends.end());
+  const auto near = [](double a, double b) { return b - a < as_one; };
+  ends.erase(std::unique(ends.begin(), ends.end(), near), ends.end());
+  if (ends.size() > 1 && near(ends.back() - 1.0, ends.front())) ends.pop_back();
+  return ends;
+}
+
+}  // namespace
+
+PeriodicCurve across_face(const PeriodicCurve& section, double overlap_ratio, int samples) {
+  constexpr double none = 1e-9;  // [period]  steeper ramps than that are jumps
+  if (overlap_ratio < none) return section;
+  if (std::abs(overlap_ratio - std::round(overlap_ratio)) < none) return PeriodicCurve::constant(section.mean());
+  const auto mean = [&](double fraction) {
+    return section.integral(fraction - 0.5 * overlap_ratio, fraction + 0.5 * overlap_ratio) / overlap_ratio;
+  };
+  return PeriodicCurve(mean, ends_of_windows(section.jumps(), overlap_ratio), samples);
+}
+
 MeshStiffness mesh_stiffness(const MeshingGears& gears, int samples) {
   const auto direct = [&gears](double fraction) { return mesh_stiffness_at(gears, fraction); };
   return {.contact_ratio = contact_ratio_of(gears),
-          .curve = PeriodicCurve(direct, contact_changes(gears), samples),
-          .at_pitch_point = pair_compliance(gears, pitch_point(gears))};
+          .curve = across_face(PeriodicCurve(direct, contact_changes(gears), samples), gears.overlap_ratio, samples),
+          .at_pitch_point = pair_compliance(gears, pitch_point(gears)),
+          .overlap_ratio = gears.overlap_ratio};
 }
 
 }  // namespace orbearing::gearset

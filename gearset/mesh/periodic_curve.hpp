@@ -49,6 +49,9 @@ class PeriodicCurve {
 
   /// Mean over a period.
   double mean() const { return mean_; }
+  /// Integral over the fraction [unit of the curve]: exact to round-off, over short ways too.
+  /// @param to not less than `from`
+  double integral(double from, double to) const;
   double least() const;
   double largest() const;
 

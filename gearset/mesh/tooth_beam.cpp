@@ -58,6 +58,15 @@ BeamSlice involute_slice(const Tooth& tooth, double tangent, double sense) {
   return polar_slice(radius, half_thickness_angle(tooth, radius), tangent / radius, sense * turn);
 }
 
+// Eq. (14): a force of 1 N in the transverse section is 1/cos(helix) N across a tooth that is thinner and longer
+// by cos(helix) where it is cut at right angles.
+BeamCompliance along_helix(const BeamCompliance& transverse, double helix_angle) {
+  const double square = std::pow(std::cos(helix_angle), 2);
+  return {.bending = transverse.bending / (square * square),
+          .shear = transverse.shear / square,
+          .axial = transverse.axial};
+}
+
 }  // namespace
 
 BeamCompliance beam_compliance(const std::vector<BeamPiece>& pieces, double force_angle, double axis_place,
@@ -80,8 +89,9 @@ BeamCompliance tooth_compliance(const ExternalTooth& tooth, const ToothLoad& loa
   const auto slice = [&tooth](double tangent) { return involute_slice(tooth, tangent, -1.0); };
   const BeamPiece flank{tangent_length(tooth.base_radius, tooth.form_radius),
                         tangent_length(tooth.base_radius, load.contact_radius), slice};
-  return beam_compliance({trochoid_piece(tooth), flank}, load.force_angle, load.axis_radius, face_width,
-                         material);
+  return along_helix(beam_compliance({trochoid_piece(tooth), flank}, load.force_angle, load.axis_radius,
+                                     face_width, material),
+                     tooth.helix_angle);
 }
 
 BeamCompliance tooth_compliance(const RingTooth& tooth, const ToothLoad& load, double face_width,
@@ -89,7 +99,8 @@ BeamCompliance tooth_compliance(const RingTooth& tooth, const ToothLoad& load, d
   const auto slice = [&tooth](double tangent) { return involute_slice(tooth, tangent, 1.0); };
   const BeamPiece flank{tangent_length(tooth.base_radius, load.contact_radius),
                         tangent_length(tooth.base_radius, tooth.root_radius), slice};
-  return beam_compliance({flank}, load.force_angle, load.axis_radius, face_width, material);
+  return along_helix(
+      beam_compliance({flank}, load.force_angle, load.axis_radius, face_width, material), tooth.helix_angle);
 }
 
 }  // namespace orbearing::gearset

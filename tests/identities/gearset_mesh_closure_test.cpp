@@ -16,8 +16,17 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double root_round_off = 1e-10;  // [rad] the centre distance comes from a root finder
 
+// Issue 16, Build 3: helical teeth too, in the transverse section.
+std::vector<PlanetarySet> straight_and_helical() {
+  std::vector<PlanetarySet> sets = all_sets();
+  sets.push_back(wind_stage());
+  for (const PlanetarySet& set : all_sets())
+    for (const double helix : {-0.2, 0.5}) sets.push_back(with_helix(set, helix));
+  return sets;
+}
+
 TEST(MeshClosure, SunAndPlanetTeethFillOnePitch) {
-  for (const PlanetarySet& set : all_sets()) {
+  for (const PlanetarySet& set : straight_and_helical()) {
     const WorkingGeometry g = working_geometry(set);
     const double cosine = std::cos(g.sun_mesh.working_pressure_angle);
     const double sun_radius = g.sun.base_radius / cosine;
@@ -30,7 +39,7 @@ TEST(MeshClosure, SunAndPlanetTeethFillOnePitch) {
 }
 
 TEST(MeshClosure, RingAndPlanetTeethFillOnePitch) {
-  for (const PlanetarySet& set : all_sets()) {
+  for (const PlanetarySet& set : straight_and_helical()) {
     const WorkingGeometry g = working_geometry(set);
     const double cosine = std::cos(g.ring_mesh.working_pressure_angle);
     const double ring_radius = g.ring.base_radius / cosine;
@@ -47,8 +56,10 @@ struct RackPoint {
   double height;  // [m] above the rolling line
 };
 
-// One side of the rack tooth: straight flank and fillet, from the basic rack's own dimensions.
-std::vector<RackPoint> rack_outline(double shift, double module, const BasicRack& rack) {
+// One side of the rack tooth: straight flank and fillet, from the basic rack's own dimensions. A rack whose teeth
+// are inclined by the helix angle to the gear's axis is cut by the transverse plane at that angle, which leaves
+// heights and stretches what lies across.
+std::vector<RackPoint> rack_outline(double shift, double module, const BasicRack& rack, double helix_angle) {
   const double tangent = std::tan(rack.pressure_angle);
   const double centre_depth = rack.addendum + rack.clearance - rack.root_fillet_radius;
   const double centre_across =
@@ -63,6 +74,7 @@ std::vector<RackPoint> rack_outline(double shift, double module, const BasicRack
     outline.push_back({module * (centre_across + rack.root_fillet_radius * std::sin(normal)),
                        module * (shift - centre_depth - rack.root_fillet_radius * std::cos(normal))});
   }
+  for (RackPoint& point : outline) point.across /= std::cos(helix_angle);
   return outline;
 }
 
@@ -70,10 +82,10 @@ std::vector<RackPoint> rack_outline(double shift, double module, const BasicRack
 // cut.
 std::vector<double> least_gaps(const ExternalTooth& tooth, const BasicRack& rack, std::size_t bands) {
   std::vector<double> gaps(bands, 1.0);
-  const auto outline = rack_outline(tooth.shift, tooth.module, rack);
+  const auto outline = rack_outline(tooth.shift, tooth.module, rack, tooth.helix_angle);
   constexpr int positions = 600;
   for (int i = -positions; i <= positions; ++i) {
-    const double roll = 4.0 * tooth.module * i / positions;
+    const double roll = 4.0 * tooth.module / std::cos(tooth.helix_angle) * i / positions;
     for (const RackPoint& point : outline) {
       const double x = roll + point.across;
       const double y = tooth.pitch_radius + point.height;
@@ -90,11 +102,13 @@ std::vector<double> least_gaps(const ExternalTooth& tooth, const BasicRack& rack
 TEST(RackCutting, TouchesTheToothEverywhereAndEntersItNowhere) {
   constexpr double round_off = 1e-10;  // [rad]
   constexpr double sampling = 2e-4;  // [rad] rack steps of module/150 leave gaps of their square over module
-  for (const double shift : {-0.4594, -0.1661, 0.3}) {
-    const ExternalTooth tooth = make_external_tooth(22, shift, 3e-3, {});
-    for (const double gap : least_gaps(tooth, {}, 20)) {
-      EXPECT_GT(gap, -round_off) << "shift " << shift;
-      EXPECT_LT(gap, sampling) << "shift " << shift;
+  for (const double helix : {0.0, 0.15, 0.5}) {
+    for (const double shift : {-0.4594, -0.1661, 0.3}) {
+      const ExternalTooth tooth = make_external_tooth(22, shift, 3e-3, {}, helix);
+      for (const double gap : least_gaps(tooth, {}, 20)) {
+        EXPECT_GT(gap, -round_off) << "shift " << shift << ", helix " << helix;
+        EXPECT_LT(gap, sampling) << "shift " << shift << ", helix " << helix;
+      }
     }
   }
 }

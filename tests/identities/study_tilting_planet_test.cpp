@@ -54,6 +54,42 @@ TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
   }
 }
 
+// Issue 16, Build 3. Forces of both bearings at their places, their moments and the meshes' springs hold what the
+// axial forces of helical teeth put on the planet: force of the sun times the distance of both pitch points.
+TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  for (const double helix : {-0.25, 0.25}) {
+    drivetrain.set.helix_angle = helix;
+    const DrivetrainGeometry geometry = derive(drivetrain);
+    const BearingDuty duty = bearing_duty(drivetrain, geometry);
+    const double axial = -duty.gears.sun_torque / drivetrain.set.planets / geometry.gears.sun.pitch_radius * std::tan(helix);
+    const double between = geometry.gears.planet.base_radius *
+                           (1.0 / std::cos(geometry.gears.sun_mesh.working_pressure_angle) +
+                            1.0 / std::cos(geometry.gears.ring_mesh.working_pressure_angle));
+    const bearing::laminae::PlanetOnPinResult found = tilting_planet(drivetrain, duty);
+    const std::vector<double> places = axial_places(drivetrain);
+    Eigen::Vector2d held = -mesh_tilt_stiffness(drivetrain) * found.tilt;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const auto& states = found.bearings[k].states;
+      const double part = 1.0 / static_cast<double>(states.size());
+      for (const bearing::laminae::LaminaState& state : states) {
+        held += part * state.moment;
+        for (Eigen::Index j = 0; j < state.angle.size(); ++j)
+          held += part * places[k] * state.rollers[static_cast<std::size_t>(j)].outer.load *
+                  Eigen::Vector2d(std::cos(state.angle[j]), std::sin(state.angle[j]));
+      }
+    }
+    const double moment = axial * between;
+    EXPECT_GT(std::abs(moment), 10.0);
+    EXPECT_NEAR(held.x() / moment, -1.0, 1e-6);
+    EXPECT_GT(found.tilt.x() * moment, 0.0);  // the planet leans the way it is pushed
+    const PointResult point = evaluate(drivetrain, geometry);
+    EXPECT_NEAR(point.overturning_moment / moment, 1.0, 1e-12);
+    EXPECT_NEAR(point.axial_mesh_force / axial, 1.0, 1e-12);
+    EXPECT_NEAR(point.sun_thrust / axial, -drivetrain.set.planets, 1e-12);
+  }
+}
+
 TEST(TiltingPlanet, WithoutMeshesIsRefused) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.gear_set = nullptr;

@@ -85,8 +85,9 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
     DrivetrainGeometry geometry_there = geometry;
     turn_at(at.speed, there, geometry_there);
     there.misalignment.planet_tilt = 0.0;  // it is what a study varies
+    const BearingDuty duty = bearing_duty(there, geometry_there);
     problem.duties.push_back(
-        {at.speed, at.share, bearing_duty(there, geometry_there).point, there.bearing.radial_clearance});
+        {at.speed, at.share, duty.point, there.bearing.radial_clearance, duty.gears.overturning_moment});
     problem.ratings.push_back(lamina_rating(problem.bearing, measure, drivetrain.lambda));
   }
   return problem;
@@ -114,8 +115,9 @@ DutyLoads planet_loads(const CrownProblem& problem, const Profile& profile, cons
                        std::size_t duty) {
   PlanetSeat seat = *problem.seat;
   seat.pin_inclination += lean;
-  bearing::laminae::PlanetOnPinResult found = tilting_planet(planet_on(seat, crowned(problem, profile, duty)),
-                                                             problem.duties[duty].point, problem.options);
+  const Duty& at = problem.duties[duty];
+  bearing::laminae::PlanetOnPinResult found = tilting_planet(
+      planet_on(seat, crowned(problem, profile, duty)), at.point, at.overturning_moment, problem.options);
   DutyLoads loads{.bearings = std::move(found.bearings)};
   double sum = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < loads.bearings.size(); ++k) {

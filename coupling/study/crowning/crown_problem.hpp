@@ -21,6 +21,7 @@ struct Duty {
   double share = 1.0;             // [-]      of the time
   bearing::OperatingPoint point;  // of one bearing; tilted by the wind-up alone: what a study states is added
   double radial_clearance = 0.0;  // [m]  of the bearing at this speed
+  double overturning_moment = 0.0;  // [N m]  on the whole planet, of helical teeth
 };
 
 /// What a study asks about; immutable, from any thread.
