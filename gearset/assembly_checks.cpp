@@ -73,6 +73,9 @@ Warnings single_value_problems(const PlanetarySet& set) {
   check_shift(set.sun_shift, "gearset.profile_shift.sun", problems);
   check_shift(set.ring_shift, "gearset.profile_shift.ring", problems);
   check_rack(set.rack, "gearset", problems);
+  if (!problems.empty()) return problems;
+  for (const OwnHeights* own : {&set.sun_heights, &set.planet_heights, &set.ring_heights})
+    if (own->addendum || own->clearance) check_rack(rack_of(set, *own), "gearset", problems);
   return problems;
 }
 

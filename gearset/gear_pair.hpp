@@ -19,6 +19,7 @@ struct GearPair {
   double bore = 0.0;                         // [m]  diameter, of both gears
   BasicRack rack;
   double helix_angle = 0.0;  // [rad]  at the reference circle; positive: the first gear is right-handed
+  Web web;                   // of the softer gear
 };
 
 template <class Visitor>
@@ -40,7 +41,8 @@ void describe(Visitor& visit, GearPair& m) {
           part(m.rack, [&] { describe_rack(visit, m.rack, "pair.", Felt::pair, gear_pair); }),
           field(m.shift, "pair.profile_shift", Felt::pair, "profile shifts of both gears, in modules",
                 {.models = gear_pair, .range = {-2.0, 2.0}, .reason = "standard gears"}),
-          helix_row(m.helix_angle, "pair.", Felt::pair, gear_pair, "first gear"));
+          helix_row(m.helix_angle, "pair.", Felt::pair, gear_pair, "first gear"),
+          part(m.web, [&] { describe_web(visit, m.web, "pair.", Felt::pair, gear_pair); }));
 }
 
 /// The pair as assembled without backlash.

@@ -49,10 +49,11 @@ Speeds member_speeds(const PlanetarySet& set, const Drive& drive) {
   require_sound(set, drive);
   const Weights weights = willis_weights(set);
   const Member output = delivering_member(set.fixed_member, drive.member);
-  const double output_speed = -drive.speed * weights.of(drive.member) / weights.of(output);
+  const double driven = drive.driven_speed();
+  const double output_speed = -driven * weights.of(drive.member) / weights.of(output);
   const auto speed = [&](Member member) {
     if (member == set.fixed_member) return 0.0;
-    return member == drive.member ? drive.speed : output_speed;
+    return member == drive.member ? driven : output_speed;
   };
   Speeds speeds{speed(Member::sun), speed(Member::ring), speed(Member::carrier), 0.0};
   speeds.planet_relative = -(speeds.sun - speeds.carrier) * set.sun_teeth / set.planet_teeth;
@@ -66,7 +67,7 @@ Torques member_torques(const PlanetarySet& set, const Drive& drive) {
   require_sound(set, drive);
   mechanics::require_positive(drive.power, "power that enters the set");
   const Weights weights = willis_weights(set);
-  const double scale = drive.power / (drive.speed * weights.of(drive.member));
+  const double scale = drive.power / (drive.driven_speed() * weights.of(drive.member));
   return {scale * weights.sun, scale * weights.ring, scale * weights.carrier};
 }
 

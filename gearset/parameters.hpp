@@ -1,6 +1,8 @@
 // What the user states about a planetary gear set, and how it is driven. SI units throughout.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "mechanics/described.hpp"
@@ -48,6 +50,47 @@ void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, descr
                 {.models = models, .range = {0.0, 0.6}, .reason = rack}));
 }
 
+/// What a gear has of its own in place of the rack's; none: as the rack.
+struct OwnHeights {
+  std::optional<double> addendum;   // [module]
+  std::optional<double> clearance;  // [module]  under its own tips, added to its addendum: the depth of its roots
+};
+
+/// Of the sun, a planet or the ring.
+template <class Visitor>
+void describe_heights(Visitor& visit, OwnHeights& m, const std::string& gear, described::Felt felt) {
+  using namespace described;
+  constexpr unsigned set = planetary_drivetrain;
+  members(visit, m,
+          field(m.addendum, "gearset.addendum_of." + gear, felt,
+                "addendum of the " + gear + ", in modules; gearset.addendum if absent",
+                {.models = set, .range = {0.5, 1.5}}),
+          field(m.clearance, "gearset.clearance_of." + gear, felt,
+                "how much deeper than its addendum the roots of the " + gear +
+                    " are, in modules; gearset.clearance if absent",
+                {.models = set, .range = {0.0, 0.6}}));
+}
+
+/// The disc that carries the rim of a gear, for the web factor of ISO 6336.
+struct Web {
+  std::optional<double> thickness;  // [-]       of the disc over the face width; none: a gear of one piece
+  double rim = 3.5;                 // [module]  thickness of the rim under the roots
+};
+
+template <class Visitor>
+void describe_web(Visitor& visit, Web& m, const std::string& block, described::Felt felt, unsigned models) {
+  using namespace described;
+  members(visit, m,
+          field(m.thickness, block + "web.thickness", felt,
+                "thickness of the disc that carries the rim, as a share of the face width; of one piece if absent",
+                {.models = models, .range = {0.2, 1.2}}),
+          field(m.rim, block + "web.rim", felt, "thickness of the rim under the roots, in modules",
+                {.models = models,
+                 .range = {1.0, 50.0},
+                 .reason = "goes with the web factor of 0.862 that [Reboucas2021] has for discs of a quarter of the face",
+                 .where = {block == "pair." ? "pair.web.thickness" : "gearset.web.thickness"}}));
+}
+
 /// Row of a helix angle, of the block of a case to which it belongs.
 inline described::Row<double> helix_row(double& member, const std::string& block, described::Felt felt,
                                         unsigned models, std::string_view first) {
@@ -78,6 +121,10 @@ struct PlanetarySet {
   double helix_angle = 0.0;  // [rad]  at the reference circle; positive: the sun is right-handed, the planets
                              //        and the ring left-handed
   SunThrust sun_thrust = SunThrust::housing;
+  OwnHeights sun_heights;
+  OwnHeights planet_heights;
+  OwnHeights ring_heights;
+  Web web;  // of the softer gear of each mesh
 };
 
 template <class Visitor>
@@ -112,14 +159,46 @@ void describe(Visitor& visit, PlanetarySet& m) {
           field(m.sun_thrust, "gearset.sun_thrust", Felt::thrust,
                 "what the axial bearing of the sun stands on: the housing, or the carrier, whose own bearing "
                 "passes the thrust on",
-                {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}));
+                {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
+          part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Felt::central_teeth); }),
+          part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Felt::planet); }),
+          part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Felt::central_teeth); }),
+          part(m.web, [&] { describe_web(visit, m.web, "gearset.", Felt::central_teeth, set); }));
+}
+
+/// Pairs of external gears on shafts of their own, without losses: teeth of the gear nearer to the motor, then
+/// those of its mate. Alike gears change nothing but the sense of rotation.
+struct ParallelStages {
+  std::array<int, 2> front = {1, 1};   // between motor and planetary sets
+  std::array<int, 2> behind = {1, 1};  // between planetary sets and load
+
+  bool has_front() const { return front[0] != front[1]; }
+  bool has_behind() const { return behind[0] != behind[1]; }
+};
+
+template <class Visitor>
+void describe(Visitor& visit, ParallelStages& m) {
+  using namespace described;
+  const auto pair = [](std::array<int, 2>& member, std::string path, Felt felt, std::string meaning) {
+    return field(member, std::move(path), felt, std::move(meaning),
+                 {.models = planetary_drivetrain, .range = {1, 2000}, .reason = "none"});
+  };
+  members(visit, m,
+          pair(m.front, "parallel_stage.front", Felt::planet,
+               "teeth of a parallel stage between motor and planetary sets: the motor's gear and its mate"),
+          pair(m.behind, "parallel_stage.behind", Felt::output,
+               "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate"));
 }
 
 /// The power that enters the set, and where. The member that is neither fixed nor driven delivers.
 struct Drive {
   Member member = Member::sun;
   double power = 0.0;  // [W]
-  double speed = 0.0;  // [rad/s]  of the driven member, relative to the housing
+  double speed = 0.0;  // [rad/s]  of the driven member, relative to the housing; of the motor before a stage in front
+  ParallelStages parallel{};
+
+  /// Of the driven member itself, behind a stage in front. Eq. (40) of gearset/README.md. [rad/s]
+  double driven_speed() const { return speed * parallel.front[0] / parallel.front[1]; }
 };
 
 template <class Visitor>
@@ -133,8 +212,19 @@ void describe(Visitor& visit, Drive& m) {
       field(m.power, "input.power", Felt::carrier, "power that enters",
             {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
       field(
-          m.speed, "input.speed", Felt::planet, "speed of the driven member relative to the housing",
-          {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}));
+          m.speed, "input.speed", Felt::planet,
+          "speed of the driven member relative to the housing; before a parallel stage in front of it that of the "
+          "motor",
+          {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
+      part(m.parallel));
+}
+
+/// The rack of one gear of a set.
+inline BasicRack rack_of(const PlanetarySet& set, const OwnHeights& own) {
+  BasicRack rack = set.rack;
+  rack.addendum = own.addendum.value_or(rack.addendum);
+  rack.clearance = own.clearance.value_or(rack.clearance);
+  return rack;
 }
 
 }  // namespace orbearing::gearset

@@ -90,10 +90,12 @@ WorkingGeometry working_geometry(const PlanetarySet& set) {
   geometry.centre_distance = common_centre_distance(set);
   geometry.planet_shift = sun_mesh_shift(set, geometry.centre_distance) - set.sun_shift;
   const double helix = set.helix_angle;
-  geometry.sun = make_external_tooth(set.sun_teeth, set.sun_shift, set.module, set.rack, helix);
-  geometry.planet =
-      make_external_tooth(set.planet_teeth, geometry.planet_shift, set.module, set.rack, helix);
-  geometry.ring = make_ring_tooth(set.ring_teeth, set.ring_shift, set.module, set.rack, helix);
+  geometry.sun = make_external_tooth(set.sun_teeth, set.sun_shift, set.module,
+                                     rack_of(set, set.sun_heights), helix);
+  geometry.planet = make_external_tooth(set.planet_teeth, geometry.planet_shift, set.module,
+                                        rack_of(set, set.planet_heights), helix);
+  geometry.ring =
+      make_ring_tooth(set.ring_teeth, set.ring_shift, set.module, rack_of(set, set.ring_heights), helix);
   geometry.sun_mesh = sun_mesh(set, geometry);
   geometry.ring_mesh = ring_mesh(set, geometry);
   geometry.base_helix_angle = base_helix_angle(set.rack.pressure_angle, helix);

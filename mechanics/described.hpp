@@ -109,6 +109,8 @@ enum class Felt {
   pair,           // a pair of gears
   gear_bodies,    // masses and springs of the gears
   thrust,         // axial forces of helical gears
+  central_teeth,  // teeth and bodies of sun and ring, which planets at rest do not feel
+  output,         // what lies behind the sets
   gear_motion,    // gears in motion
   balance,        // what rollers carry, under a static load too
   carrier,        // the same, but only of a bearing that a carrier takes round

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "app/case/described_case.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/printable.hpp"
 #include "gearset/drivetrain/arrangement_checks.hpp"
@@ -128,7 +129,8 @@ Mistake mistake_of(const ResolvedCase& resolved, const Arrangement& arrangement,
 }  // namespace
 
 Arrangement arrangement_of(const ResolvedCase& resolved) {
-  return resolved.shape().several ? several(resolved) : one(resolved);
+  return with_parallel_stages(resolved.shape().several ? several(resolved) : one(resolved),
+                              from_case<gearset::ParallelStages>(resolved));
 }
 
 void check_arrangement(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {

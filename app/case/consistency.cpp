@@ -103,8 +103,7 @@ void check_gears(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"gearset.teeth.sun", "gearset.teeth.planet", "gearset.teeth.ring", "gearset.planets",
                   "gearset.module", "gearset.pressure_angle", "gearset.addendum", "gearset.clearance",
                   "gearset.root_fillet_radius", "gearset.profile_shift.sun", "gearset.profile_shift.ring",
-                  "gearset.face_width", "gearset.helix_angle", "gearset.fixed", "gearset.sun_thrust",
-                  "material.density"}) ||
+                  "gearset.face_width", "gearset.helix_angle", "gearset.web.rim", "material.density"}) ||
       (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
   object_all(check, gearset::assembly_problems(set_of(resolved)),
@@ -119,10 +118,15 @@ bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) 
   return false;
 }
 
+void check_parallel_stages(Checker& check, const ResolvedCase& resolved) {
+  for (const char* path : {"parallel_stage.front", "parallel_stage.behind"})
+    if (check.has({path})) two_values(check, resolved, path);
+}
+
 void check_pair(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"pair.teeth", "pair.profile_shift", "pair.module", "pair.face_width", "pair.bore",
                   "pair.pressure_angle", "pair.addendum", "pair.clearance", "pair.root_fillet_radius",
-                  "pair.helix_angle"}))
+                  "pair.helix_angle", "pair.web.rim"}))
     return;
   const bool teeth = two_values(check, resolved, "pair.teeth");
   const bool shifts = two_values(check, resolved, "pair.profile_shift");
@@ -321,7 +325,8 @@ bool takes_part_in_consistency(std::string_view path) {
          path.starts_with("spindle.") || path.starts_with("housing.") || path.starts_with("measured.") ||
          path.starts_with("identification.") || path == "stiffness" || path == "arrangement" ||
          path.starts_with("defect.") || path.starts_with("signal.") || path == "operation.shaft_speed" ||
-         path.starts_with("life.") || path.starts_with("lubricant.kinematic") || path == "input.member";
+         path.starts_with("life.") || path.starts_with("lubricant.kinematic") || path == "input.member" ||
+         path.starts_with("parallel_stage.");
 }
 
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
@@ -329,6 +334,8 @@ void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mista
     check_several_sets(resolved, mistakes);
   else
     check_one_set(resolved, mistakes);
+  Checker check(resolved, mistakes);
+  check_parallel_stages(check, resolved);
   // The oil is that of all sets.
   check_grade(resolved, mistakes);
   check_cleanliness(resolved, mistakes);

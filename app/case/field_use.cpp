@@ -21,6 +21,10 @@ unsigned holding(described::Felt felt) {
       return use::mesh;
     case gear_bodies:
       return use::gears_in_motion | use::natural;
+    case central_teeth:
+      return use::gears_in_motion | use::natural | use::mesh;
+    case output:
+      return 0;
     case gear_motion:
       return use::gears_in_motion;
     case balance:
@@ -67,7 +71,7 @@ unsigned holding(described::Felt felt) {
 // forces, and crown varies a planet of the mean load.
 unsigned leaving_out(described::Felt felt) {
   using enum described::Felt;
-  if (felt == gear_bodies || felt == gear_motion) return use::dynamic_of_sets;
+  if (felt == gear_bodies || felt == gear_motion || felt == central_teeth) return use::dynamic_of_sets;
   // All that moves bearings knows none with scratches but what is run for them.
   if (felt == described::Felt::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
@@ -88,6 +92,7 @@ constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"input.power", 0, use::fmu_bearing},
     {"input.speed", 0, use::mesh},  // but for axial forces: with_axial_forces()
+    {"parallel_stage.front", 0, use::mesh},
     {"gearset.planets", 0, use::fmu_bearing},
     {"gearset.planet_rim", use::rollers_in_motion | use::gears | use::fmu_gearset},
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
@@ -129,6 +134,12 @@ constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "gearset.dynamics.carrier.torsional_stiffness",
                                            "gearset.dynamics.carrier.plate_ratio",
                                            "gearset.dynamics.planet.mass",
+                                           "gearset.addendum_of.sun",
+                                           "gearset.addendum_of.ring",
+                                           "gearset.clearance_of.sun",
+                                           "gearset.clearance_of.ring",
+                                           "gearset.web.thickness",
+                                           "gearset.web.rim",
                                            "gearset.dynamics.mesh_stiffness.sun",
                                            "gearset.dynamics.mesh_stiffness.ring",
                                            "gearset.dynamics.backlash",
@@ -167,7 +178,7 @@ Use also_used(Use use, unsigned analyses) {
 
 // The power makes the axial forces that stand beside the meshes of helical gears.
 Use with_axial_forces(const Use& use, std::string_view path) {
-  const bool makes_them = path == "input.power" || path == "input.speed";
+  const bool makes_them = path == "input.power" || path == "input.speed" || path == "parallel_stage.front";
   return makes_them ? use.felt_too(use::mesh, where_given({"gearset.helix_angle"})) : use;
 }
 

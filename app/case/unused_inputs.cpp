@@ -95,7 +95,9 @@ const std::initializer_list<Through> through_others = {
      "bearing.radial_clearance"},
     // Pin and meshes hold a planet that finds its own tilt.
     {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio", "gearset.sun_bore_ratio",
-      "gearset.ring_outside_ratio", "gearset.dynamics.mesh_stiffness.sun",
+      "gearset.ring_outside_ratio", "gearset.addendum_of.sun", "gearset.addendum_of.ring",
+      "gearset.clearance_of.sun", "gearset.clearance_of.ring", "gearset.web.thickness", "gearset.web.rim",
+      "gearset.dynamics.mesh_stiffness.sun",
       "gearset.dynamics.mesh_stiffness.ring"},
      "bearing.tilt_state",
      "computed",

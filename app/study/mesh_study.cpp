@@ -54,8 +54,10 @@ MeshStudy pair_study(const ResolvedCase& in) {
        .stiffness = gearset::mesh_stiffness(gears),
        .standard = gearset::iso6336_stiffness({pair.teeth[0], pair.teeth[1], pair.shift[0], pair.shift[1],
                                                pair.rack, geometry.contact_ratio, material,
-                                               pair.helix_angle}),
+                                               pair.helix_angle, pair.web}),
        .face_width = pair.face_width});
+  gearset::PeriodicCurve& curve = study.meshes.front().stiffness.curve;
+  if (pair.web.thickness) curve = curve.times(gearset::web_factor(pair.web));
   const double place = gearset::pitch_point(gears);
   add_texts(gearset::pair_warnings(geometry), study.warnings);
   add_texts(gearset::foundation_warnings(gears.first, gears.line_length - place, "first gear", "pair.bore"),
@@ -90,11 +92,14 @@ MeshStudy set_study(const ResolvedCase& in) {
   const double shift = geometry.planet_shift;
   NamedMesh sun{.first = "sun", .second = "planet", .stiffness = meshes.sun, .face_width = set.face_width};
   NamedMesh ring{.first = "ring", .second = "planet", .stiffness = meshes.ring, .face_width = set.face_width};
-  sun.standard = gearset::iso6336_stiffness({set.sun_teeth, set.planet_teeth, set.sun_shift, shift, set.rack,
-                                             sun.stiffness.contact_ratio, material, set.helix_angle});
+  const gearset::BasicRack planet_rack = rack_of(set, set.planet_heights);
+  sun.standard = gearset::iso6336_stiffness({set.sun_teeth, set.planet_teeth, set.sun_shift, shift,
+                                             rack_of(set, set.sun_heights), sun.stiffness.contact_ratio, material,
+                                             set.helix_angle, set.web, planet_rack});
   // The standard counts the shift of a ring as that of an external gear: positive inward.
-  ring.standard = gearset::iso6336_stiffness({set.planet_teeth, 0, shift, -set.ring_shift, set.rack,
-                                              ring.stiffness.contact_ratio, material, set.helix_angle});
+  ring.standard = gearset::iso6336_stiffness({set.planet_teeth, 0, shift, -set.ring_shift, planet_rack,
+                                              ring.stiffness.contact_ratio, material, set.helix_angle, set.web,
+                                              rack_of(set, set.ring_heights)});
   MeshStudy study;
   if (set.helix_angle != 0.0) {
     const gearset::MeanLoads loads = gearset::mean_loads(set, geometry, drivetrain.drive);

@@ -22,7 +22,7 @@ PowerTable power_table(const ResolvedCase& resolved) {
   PowerTable table;
   for (const gearset::MemberFlow& member : flow.members)
     table.rows.push_back({.set = arrangement.sets[member.member.set].name,
-                          .member = gearset::member_word(member.member.member),
+                          .member = gearset::member_word(arrangement.sets[member.member.set], member.member.member),
                           .shaft = arrangement.shafts[member.shaft].name,
                           .speed = speed * member.speed,
                           .torque = power / speed * member.torque,

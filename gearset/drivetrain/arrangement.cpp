@@ -1,5 +1,7 @@
 #include "gearset/drivetrain/arrangement.hpp"
 
+#include <algorithm>
+
 namespace orbearing::gearset {
 
 const char* member_word(Member member) {
@@ -14,8 +16,43 @@ const char* member_word(Member member) {
   return "carrier";
 }
 
+const char* member_word(const ArrangedSet& set, Member member) {
+  if (!set.is_parallel()) return member_word(member);
+  return member == Member::sun ? "first" : member == Member::ring ? "second" : "housing";
+}
+
 std::string name_of(const Arrangement& arrangement, const SetMember& member) {
-  return arrangement.sets[member.set].name + "." + member_word(member.member);
+  const ArrangedSet& set = arrangement.sets[member.set];
+  return set.name + "." + member_word(set, member.member);
+}
+
+namespace {
+
+// A pair whose gear `inner` sits on the shaft that had the motor or the load, and whose other has it now.
+void add_parallel_stage(const std::string& name, const std::array<int, 2>& teeth, Member inner,
+                        bool Shaft::*role, Arrangement& arrangement) {
+  const auto had = std::find_if(arrangement.shafts.begin(), arrangement.shafts.end(),
+                                [&](const Shaft& shaft) { return shaft.*role; });
+  if (had == arrangement.shafts.end()) return;  // told of by arrangement_problems
+  const std::size_t set = arrangement.sets.size();
+  arrangement.sets.push_back({name, teeth[0], 0, teeth[1]});
+  (*had).*role = false;
+  had->members.push_back({set, inner});
+  Shaft outer{.name = name, .members = {{set, inner == Member::sun ? Member::ring : Member::sun}}};
+  outer.*role = true;
+  arrangement.shafts.push_back(outer);
+  arrangement.shafts.push_back(
+      {.name = "housing of " + name, .members = {{set, Member::carrier}}, .ground = true});
+}
+
+}  // namespace
+
+Arrangement with_parallel_stages(Arrangement arrangement, const ParallelStages& stages) {
+  if (stages.has_front())
+    add_parallel_stage("front", stages.front, Member::ring, &Shaft::motor, arrangement);
+  if (stages.has_behind())
+    add_parallel_stage("behind", stages.behind, Member::sun, &Shaft::load, arrangement);
+  return arrangement;
 }
 
 }  // namespace orbearing::gearset

@@ -17,12 +17,15 @@
 
 namespace orbearing::gearset {
 
-/// What of a set decides speeds and torques.
+/// What of a set decides speeds and torques. A parallel stage is one whose carrier is the housing, its first gear
+/// the sun and its second the ring: z_1 w_1 + z_2 w_2 = 0.
 struct ArrangedSet {
   std::string name;  // for messages
   int sun_teeth = 0;
-  int planet_teeth = 0;
+  int planet_teeth = 0;  // of a parallel stage 0
   int ring_teeth = 0;
+
+  bool is_parallel() const { return planet_teeth == 0; }
 };
 
 /// A member of one of the sets.
@@ -48,8 +51,14 @@ struct Arrangement {
   std::vector<Shaft> shafts;
 };
 
+/// The arrangement with pairs of gears between its motor and the shaft that had it, and before its load. Sets and
+/// shafts that were there keep their numbers. Eq. (40) of gearset/README.md.
+Arrangement with_parallel_stages(Arrangement arrangement, const ParallelStages& stages);
+
 /// The word for a member: "sun", "ring" or "carrier".
 const char* member_word(Member member);
+/// Of a parallel stage "first", "second" or "housing".
+const char* member_word(const ArrangedSet& set, Member member);
 
 /// "reduction.sun".
 std::string name_of(const Arrangement& arrangement, const SetMember& member);

@@ -42,6 +42,7 @@ void add_planet_speeds(const Arrangement& arrangement, PowerFlow& flow) {
   for (std::size_t set = 0; set < arrangement.sets.size(); ++set) {
     Speeds& speed = flow.sets[set].speed;
     const ArrangedSet& teeth = arrangement.sets[set];
+    if (teeth.is_parallel()) continue;
     speed.planet_relative = -(speed.sun - speed.carrier) * teeth.sun_teeth / teeth.planet_teeth;
   }
 }

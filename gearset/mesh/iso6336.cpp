@@ -1,5 +1,6 @@
 #include "gearset/mesh/iso6336.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -49,13 +50,20 @@ double rack_factor(const BasicRack& rack) {
 
 }  // namespace
 
+double web_factor(const Web& web) {
+  if (!web.thickness) return 1.0;
+  const double rim = std::max(web.rim, 1.0);
+  return 1.0 + std::log(std::clamp(*web.thickness, 0.2, 1.2)) / (5.0 * std::exp(rim / 5.0));
+}
+
 Iso6336Stiffness iso6336_stiffness(const Iso6336Pair& of_pair) {
   const Iso6336Pair pair = pinion_first(of_pair);
   constexpr double measured = 0.8;  // C_M: measured gears are softer than the theory
   const double modulus = pair.material.youngs_modulus / steel;
   Iso6336Stiffness result;
   result.theoretical_single = newton_per_millimetre_micrometre / flexibility(pair);
-  result.single = result.theoretical_single * measured * rack_factor(pair.rack) * modulus *
+  const double racks = 0.5 * (rack_factor(pair.rack) + rack_factor(pair.second_rack.value_or(pair.rack)));
+  result.single = result.theoretical_single * measured * racks * web_factor(pair.web) * modulus *
                   std::cos(pair.helix_angle);
   result.mesh = result.single * (0.75 * pair.contact_ratio + 0.25);
   const double sum = pair.first_shift + pair.second_shift;

@@ -1,6 +1,8 @@
 // Mesh stiffness by the standard's regression: a second opinion beside the stiffness from tooth geometry.
 #pragma once
 
+#include <optional>
+
 #include "gearset/parameters.hpp"
 #include "mechanics/material.hpp"
 
@@ -17,7 +19,13 @@ struct Iso6336Pair {
   double contact_ratio = 0.0;  // [-]    transverse
   mechanics::Material material;
   double helix_angle = 0.0;  // [rad]  of either hand
+  Web web{};
+  std::optional<BasicRack> second_rack{};  // where it is not that of the first gear
 };
+
+/// C_R, by which the web of a gear that is not of one piece lowers the stiffness of its mesh; 1 without a web.
+/// Eq. (19) of gearset/mesh/README.md [ISO6336].
+double web_factor(const Web& web);
 
 /// Stiffness per face width, of solid gears under more than 100 N per millimetre of face width.
 struct Iso6336Stiffness {

@@ -101,6 +101,13 @@ void PeriodicCurve::add_piece(double begin, double end, const std::vector<double
   }
 }
 
+PeriodicCurve PeriodicCurve::times(double factor) const {
+  PeriodicCurve scaled = *this;
+  scaled.mean_ *= factor;
+  for (Cubic& c : scaled.cubics_) c = {factor * c.value, factor * c.slope, factor * c.square, factor * c.cube, c.per_fraction};
+  return scaled;
+}
+
 double PeriodicCurve::integral(double from, double to) const {
   const double way = to - from, periods = std::floor(way);
   double sum = periods * mean_, rest = way - periods;

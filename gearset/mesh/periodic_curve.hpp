@@ -47,6 +47,9 @@ class PeriodicCurve {
   double value(double fraction) const { return at(fraction).value; }
   double slope(double fraction) const { return at(fraction).slope; }
 
+  /// The curve times a factor.
+  PeriodicCurve times(double factor) const;
+
   /// Mean over a period.
   double mean() const { return mean_; }
   /// Integral over the fraction [unit of the curve]: exact to round-off, over short ways too.

@@ -62,23 +62,16 @@ TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
     drivetrain.set.helix_angle = helix;
     const DrivetrainGeometry geometry = derive(drivetrain);
     const BearingDuty duty = bearing_duty(drivetrain, geometry);
-    const double axial = -duty.gears.sun_torque / drivetrain.set.planets / geometry.gears.sun.pitch_radius * std::tan(helix);
+    const double axial = -duty.gears.sun_torque / drivetrain.set.planets /
+                         geometry.gears.sun.pitch_radius * std::tan(helix);
     const double between = geometry.gears.planet.base_radius *
                            (1.0 / std::cos(geometry.gears.sun_mesh.working_pressure_angle) +
                             1.0 / std::cos(geometry.gears.ring_mesh.working_pressure_angle));
     const bearing::laminae::PlanetOnPinResult found = tilting_planet(drivetrain, duty);
     const std::vector<double> places = axial_places(drivetrain);
     Eigen::Vector2d held = -mesh_tilt_stiffness(drivetrain) * found.tilt;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const auto& states = found.bearings[k].states;
-      const double part = 1.0 / static_cast<double>(states.size());
-      for (const bearing::laminae::LaminaState& state : states) {
-        held += part * state.moment;
-        for (Eigen::Index j = 0; j < state.angle.size(); ++j)
-          held += part * places[k] * state.rollers[static_cast<std::size_t>(j)].outer.load *
-                  Eigen::Vector2d(std::cos(state.angle[j]), std::sin(state.angle[j]));
-      }
-    }
+    for (std::size_t k = 0; k < places.size(); ++k)
+      held += found.bearings[k].moment - places[k] * found.bearings[k].total_bore_load;
     const double moment = axial * between;
     EXPECT_GT(std::abs(moment), 10.0);
     EXPECT_NEAR(held.x() / moment, -1.0, 1e-6);

@@ -1,4 +1,4 @@
-"""Issue 16, Build 3: helical teeth in every command."""
+"""Issue 16, Build 3: helical teeth in every command; parallel stages."""
 
 import json
 import math
@@ -133,6 +133,30 @@ class Helical(unittest.TestCase):
         result = run("check", REDUCER, *settings((HELIX, "gearset.planet_rim=elastic")))
         self.assertEqual(result.returncode, 2)
         self.assertIn("elastic beside gearset.helix_angle", result.stderr)
+
+    def test_parallel_stage(self):
+        alone = answer("run", REDUCER, "inertia.carrier_centrifugal=false", "inertia.own_orbit=false")["points"][0]
+        behind = "parallel_stage.behind=[50, 17]"
+        found = answer("run", REDUCER, "parallel_stage.front=[63, 20]", behind, "input.speed=1904.7619047619047 rpm",
+                       "inertia.carrier_centrifugal=false", "inertia.own_orbit=false")["points"][0]
+        for name in ("carrier_speed_rpm", "tangential_load_N", "life_h"):
+            self.assertAlmostEqual(found[name] / alone[name], 1.0, delta=1e-9, msg=name)
+        self.assertAlmostEqual(found["input_speed_rpm"], 6000.0 * 20.0 / 63.0, delta=1e-9)
+        flow = answer("check", REDUCER, "parallel_stage.front=[20, 63]", behind)["power_flow"]
+        rows = {(row["set"], row["member"]): row for row in flow}
+        self.assertAlmostEqual(rows["front", "second"]["speed_rpm"], -6000.0 * 20.0 / 63.0, delta=1e-6)
+        self.assertAlmostEqual(rows["gearset", "sun"]["torque_N_m"] / rows["front", "first"]["torque_N_m"], -63.0 / 20.0,
+                               delta=1e-9)
+        carrier, load = rows["gearset", "carrier"], rows["behind", "second"]
+        self.assertAlmostEqual(load["speed_rpm"] / carrier["speed_rpm"], -50.0 / 17.0, delta=1e-9)
+        self.assertAlmostEqual(load["power_W"], -150e3, delta=1e-6)
+        sets = answer("check", SETS, "parallel_stage.front=[20, 63]")["power_flow"]
+        self.assertEqual(sets[-3]["set"], "front")
+        fewer = answer("sweep", SETS, "parallel_stage.front=[63, 20]", "sweep.input.speed=[1904.7619047619047 rpm]")
+        as_before = answer("sweep", SETS, "sweep.input.speed=[6000 rpm]")
+        self.assertAlmostEqual(fewer["points"][0]["life_h"] / as_before["points"][0]["life_h"], 1.0, delta=1e-8)
+        for wrong in ("[20]", "[0, 5]", "[2.5, 5]"):
+            self.assertEqual(run("check", REDUCER, *settings((f"parallel_stage.front={wrong}",))).returncode, 2, wrong)
 
     def test_thrust_of_spur_gears_is_told_of(self):
         found = answer("mesh", REDUCER, "gearset.sun_thrust=carrier")

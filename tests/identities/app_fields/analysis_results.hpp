@@ -140,7 +140,8 @@ inline std::string result_of(const ResolvedCase& in, use::Analysis analysis) {
     case use::modes_at_speed:
       return modes_result(in, analysis == use::modes_at_speed);
     case use::mesh:
-      return meshes_json(mesh_study(in)).dump() + planet_rim_json(mesh_study(in)).dump();
+      return meshes_json(mesh_study(in)).dump() + axial_json(mesh_study(in)).dump() +
+             planet_rim_json(mesh_study(in)).dump();
     case use::fmu_bearing:
       return machine_result(bearing_numbers(in), true);
     case use::fmu_gearset:
