@@ -33,6 +33,24 @@ TEST(HelicalGears, HaveTheTransverseSectionOfTheStandard) {
   EXPECT_NEAR(overlap_ratio(40e-3, 2e-3, -helix), 40e-3 * std::sin(helix) / (pi * 2e-3), round_off);
 }
 
+// Trochoid and involute meet with one tangent where the fillet of the rack meets its flank.
+TEST(HelicalGears, HaveRootsThatMeetTheirFlanks) {
+  for (const double helix : {0.15, 0.5}) {
+    const ExternalTooth tooth = make_external_tooth(40, 0.2, 2e-3, {}, helix);
+    ASSERT_FALSE(tooth.undercut);
+    const TrochoidPoint end = trochoid_point(tooth, tooth.fillet.end_angle);
+    EXPECT_NEAR(end.radius / tooth.form_radius, 1.0, round_off);
+    EXPECT_NEAR(end.half_angle, half_thickness_angle(tooth, tooth.form_radius), round_off);
+    constexpr double step = 1e-6;
+    for (const double normal : {0.3, 0.8, 1.1}) {
+      const TrochoidPoint point = trochoid_point(tooth, normal);
+      const TrochoidPoint after = trochoid_point(tooth, normal + step), before = trochoid_point(tooth, normal - step);
+      EXPECT_NEAR(point.radius_slope, (after.radius - before.radius) / (2.0 * step), 1e-9);
+      EXPECT_NEAR(point.half_angle_slope, (after.half_angle - before.half_angle) / (2.0 * step), 1e-8);
+    }
+  }
+}
+
 TEST(HelicalGears, MeshAtTheReferenceDistanceWithoutShifts) {
   PlanetarySet set = with_helix(standard_set(), 15.0 * degree);
   const WorkingGeometry g = working_geometry(set);

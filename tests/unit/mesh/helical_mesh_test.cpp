@@ -99,6 +99,22 @@ TEST(HelicalMesh, OfARackIsThatOfItsNormalSection) {
   EXPECT_NEAR(helical.axial / spur.axial, expected, curved);
 }
 
+// By hand, term by term: a root that is thinner and longer by cos(helix), under a force across of 1/cos(helix).
+TEST(HelicalMesh, HasTheFoundationOfItsNormalSection) {
+  const double helix = 25.0 * degree, c = std::cos(helix);
+  FoundationBody body{.root_radius = 30e-3, .half_angle = 0.05, .body_radius = 15e-3};
+  const ToothLoad load{.contact_radius = 33e-3, .force_angle = 0.4, .axis_radius = 32e-3};
+  const auto both = [&](const FoundationCoefficients& one) {
+    body.helix_angle = 0.0;
+    const double spur = foundation_compliance(one, body, load, 20e-3, {});
+    body.helix_angle = helix;
+    return foundation_compliance(one, body, load, 20e-3, {}) / spur;
+  };
+  EXPECT_NEAR(both({.moment = 1.0}), 1.0 / (c * c * c), 1e-12);
+  EXPECT_NEAR(both({.cross = 1.0}), 1.0 / (c * c), 1e-12);
+  EXPECT_NEAR(both({.shear = 1.0}), 1.0 / c, 1e-12);
+}
+
 TEST(HelicalMesh, HasTheHertzianLineOfItsNormalSection) {
   const double helix = 25.0 * degree, base = base_helix_angle(20.0 * degree, helix);
   const MeshingGears gears = meshing(helical_pair(30, 40, helix));
