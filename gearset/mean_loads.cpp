@@ -33,9 +33,8 @@ MeanLoads loads_of(const PlanetarySet& set, const WorkingGeometry& geometry, con
   // The right-handed flank of a sun that pushes on counterclockwise faces down the axis.
   const double thrust = signed_normal_force * std::tan(geometry.base_helix_angle);
   loads.axial_force = 0.0 - thrust;  // spur gears: 0, not -0
-  loads.overturning_moment =
-      loads.axial_force * (planet_working_radius(geometry, geometry.sun_mesh) +
-                           planet_working_radius(geometry, geometry.ring_mesh));
+  loads.overturning_moment = loads.axial_force * (planet_working_radius(geometry, geometry.sun_mesh) +
+                                                  planet_working_radius(geometry, geometry.ring_mesh));
   loads.sun_thrust = 0.0 + set.planets * thrust;
   return loads;
 }
@@ -62,9 +61,7 @@ MeanLoads mean_loads(const PlanetarySet& set, const WorkingGeometry& geometry, c
 AxialReactions axial_reactions(const PlanetarySet& set, const MeanLoads& loads) {
   const bool by_carrier = set.sun_thrust == SunThrust::carrier;
   const double held = 0.0 - loads.sun_thrust;
-  return {.sun = by_carrier ? 0.0 : held,
-          .carrier = by_carrier ? held : 0.0,
-          .ring = loads.sun_thrust};
+  return {.sun = by_carrier ? 0.0 : held, .carrier = by_carrier ? held : 0.0, .ring = loads.sun_thrust};
 }
 
 double planet_tangential_load(double carrier_torque, int planets, double centre_distance) {

@@ -18,8 +18,9 @@ struct MeanLoads {
   double sun_torque = 0.0;      // [N m]    external, on the member
   double ring_torque = 0.0;     // [N m]
   double carrier_torque = 0.0;  // [N m]
-  double normal_force = 0.0;    // [N]      of one mesh of one planet in the transverse section, along the line of
-                                //          action; equal at sun and ring, not negative
+  double normal_force =
+      0.0;  // [N]      of one mesh of one planet in the transverse section, along the line of
+            //          action; equal at sun and ring, not negative
   double tangential_force =
       0.0;  // [N]      y, on one planet, both meshes; positive when the planet pulls the carrier on
   double radial_force = 0.0;  // [N]      x, on one planet, both meshes; positive outward
@@ -30,8 +31,8 @@ struct MeanLoads {
   double sun_thrust = 0.0;          // [N]    z, of all planets on the sun; that on the ring is opposite
 };
 
-/// Axial forces from the housing's axial bearings on members, which balance the thrust of sun and ring; z as in
-/// MeanLoads.
+/// Axial forces from the housing's axial bearings on members, which balance the thrust of sun and ring; z as
+/// in MeanLoads.
 struct AxialReactions {
   double sun = 0.0;      // [N]  from the housing on the sun
   double carrier = 0.0;  // [N]  on the carrier

@@ -52,8 +52,9 @@ void describe_rack(Visitor& visit, BasicRack& m, const std::string& block, descr
 
 /// What a gear has of its own in place of the rack's; none: as the rack.
 struct OwnHeights {
-  std::optional<double> addendum;   // [module]
-  std::optional<double> clearance;  // [module]  under its own tips, added to its addendum: the depth of its roots
+  std::optional<double> addendum;  // [module]
+  std::optional<double>
+      clearance;  // [module]  under its own tips, added to its addendum: the depth of its roots
 };
 
 /// Of the sun, a planet or the ring.
@@ -80,15 +81,19 @@ struct Web {
 template <class Visitor>
 void describe_web(Visitor& visit, Web& m, const std::string& block, described::Felt felt, unsigned models) {
   using namespace described;
-  members(visit, m,
-          field(m.thickness, block + "web.thickness", felt,
-                "thickness of the disc that carries the rim, as a share of the face width; of one piece if absent",
-                {.models = models, .range = {0.2, 1.2}}),
-          field(m.rim, block + "web.rim", felt, "thickness of the rim under the roots, in modules",
-                {.models = models,
-                 .range = {1.0, 50.0},
-                 .reason = "goes with the web factor of 0.862 that [Reboucas2021] has for discs of a quarter of the face",
-                 .where = {block == "pair." ? "pair.web.thickness" : "gearset.web.thickness"}}));
+  members(
+      visit, m,
+      field(
+          m.thickness, block + "web.thickness", felt,
+          "thickness of the disc that carries the rim, as a share of the face width; of one piece if absent",
+          {.models = models, .range = {0.2, 1.2}}),
+      field(
+          m.rim, block + "web.rim", felt, "thickness of the rim under the roots, in modules",
+          {.models = models,
+           .range = {1.0, 50.0},
+           .reason =
+               "goes with the web factor of 0.862 that [Reboucas2021] has for discs of a quarter of the face",
+           .where = {block == "pair." ? "pair.web.thickness" : "gearset.web.thickness"}}));
 }
 
 /// Row of a helix angle, of the block of a case to which it belongs.
@@ -141,33 +146,35 @@ void describe(Visitor& visit, PlanetarySet& m) {
         {.models = set, .required_by = set, .dimension = dimension::length, .range = positive(most)});
   };
   const Details shift{.models = set, .required_by = set, .range = {-2.0, 2.0}};
-  members(visit, m,
-          field(m.fixed_member, "gearset.fixed", Felt::planet, "member held by the housing",
-                {.models = set, .reason = "the usual reduction gear"}),
-          count(m.planets, "gearset.planets", "number of equally spaced planets", {1, 24}),
-          count(m.sun_teeth, "gearset.teeth.sun", "teeth of the sun", {5, 2000}),
-          count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
-          count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),
-          length(m.module, "gearset.module", "normal module", 100.0),
-          part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", Felt::planet, set); }),
-          field(m.sun_shift, "gearset.profile_shift.sun", Felt::planet,
-                "profile shift of the sun, in modules", shift),
-          field(m.ring_shift, "gearset.profile_shift.ring", Felt::planet,
-                "profile shift of the ring, in modules, positive outward", shift),
-          length(m.face_width, "gearset.face_width", "width of the teeth", 1e4), apart(m.planet_bore),
-          apart(m.density), helix_row(m.helix_angle, "gearset.", Felt::planet, set, "sun"),
-          field(m.sun_thrust, "gearset.sun_thrust", Felt::thrust,
-                "what the axial bearing of the sun stands on: the housing, or the carrier, whose own bearing "
-                "passes the thrust on",
-                {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
-          part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Felt::central_teeth); }),
-          part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Felt::planet); }),
-          part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Felt::central_teeth); }),
-          part(m.web, [&] { describe_web(visit, m.web, "gearset.", Felt::central_teeth, set); }));
+  members(
+      visit, m,
+      field(m.fixed_member, "gearset.fixed", Felt::planet, "member held by the housing",
+            {.models = set, .reason = "the usual reduction gear"}),
+      count(m.planets, "gearset.planets", "number of equally spaced planets", {1, 24}),
+      count(m.sun_teeth, "gearset.teeth.sun", "teeth of the sun", {5, 2000}),
+      count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
+      count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),
+      length(m.module, "gearset.module", "normal module", 100.0),
+      part(m.rack, [&] { describe_rack(visit, m.rack, "gearset.", Felt::planet, set); }),
+      field(m.sun_shift, "gearset.profile_shift.sun", Felt::planet, "profile shift of the sun, in modules",
+            shift),
+      field(m.ring_shift, "gearset.profile_shift.ring", Felt::planet,
+            "profile shift of the ring, in modules, positive outward", shift),
+      length(m.face_width, "gearset.face_width", "width of the teeth", 1e4), apart(m.planet_bore),
+      apart(m.density), helix_row(m.helix_angle, "gearset.", Felt::planet, set, "sun"),
+      field(
+          m.sun_thrust, "gearset.sun_thrust", Felt::thrust,
+          "what the axial bearing of the sun stands on: the housing, or the carrier, whose own bearing "
+          "passes the thrust on",
+          {.models = set, .reason = "the sun's shaft has its own bearing", .where = {"gearset.helix_angle"}}),
+      part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Felt::central_teeth); }),
+      part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Felt::planet); }),
+      part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Felt::central_teeth); }),
+      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Felt::central_teeth, set); }));
 }
 
-/// Pairs of external gears on shafts of their own, without losses: teeth of the gear nearer to the motor, then
-/// those of its mate. Alike gears change nothing but the sense of rotation.
+/// Pairs of external gears on shafts of their own, without losses: teeth of the gear nearer to the motor,
+/// then those of its mate. Alike gears change nothing but the sense of rotation.
 struct ParallelStages {
   std::array<int, 2> front = {1, 1};   // between motor and planetary sets
   std::array<int, 2> behind = {1, 1};  // between planetary sets and load
@@ -183,18 +190,21 @@ void describe(Visitor& visit, ParallelStages& m) {
     return field(member, std::move(path), felt, std::move(meaning),
                  {.models = planetary_drivetrain, .range = {1, 2000}, .reason = "none"});
   };
-  members(visit, m,
-          pair(m.front, "parallel_stage.front", Felt::planet,
-               "teeth of a parallel stage between motor and planetary sets: the motor's gear and its mate"),
-          pair(m.behind, "parallel_stage.behind", Felt::output,
-               "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate"));
+  members(
+      visit, m,
+      pair(m.front, "parallel_stage.front", Felt::planet,
+           "teeth of a parallel stage between motor and planetary sets: the motor's gear and its mate"),
+      pair(
+          m.behind, "parallel_stage.behind", Felt::output,
+          "teeth of a parallel stage between planetary sets and load: the gear on their shaft and its mate"));
 }
 
 /// The power that enters the set, and where. The member that is neither fixed nor driven delivers.
 struct Drive {
   Member member = Member::sun;
   double power = 0.0;  // [W]
-  double speed = 0.0;  // [rad/s]  of the driven member, relative to the housing; of the motor before a stage in front
+  double speed =
+      0.0;  // [rad/s]  of the driven member, relative to the housing; of the motor before a stage in front
   ParallelStages parallel{};
 
   /// Of the driven member itself, behind a stage in front. Eq. (40) of gearset/README.md. [rad/s]
@@ -211,11 +221,11 @@ void describe(Visitor& visit, Drive& m) {
             {.models = set, .reason = "the usual reduction gear"}),
       field(m.power, "input.power", Felt::carrier, "power that enters",
             {.models = set, .required_by = set, .dimension = dimension::power, .range = {1e-6, 1e7}}),
-      field(
-          m.speed, "input.speed", Felt::planet,
-          "speed of the driven member relative to the housing; before a parallel stage in front of it that of the "
-          "motor",
-          {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
+      field(m.speed, "input.speed", Felt::planet,
+            "speed of the driven member relative to the housing; before a parallel stage in front of it that "
+            "of the "
+            "motor",
+            {.models = set, .required_by = set, .dimension = dimension::angular_speed, .range = {1e-3, 1e6}}),
       part(m.parallel));
 }
 

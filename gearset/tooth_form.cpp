@@ -128,8 +128,7 @@ ExternalTooth make_external_tooth(int teeth, double shift, double module, const 
   return tooth;
 }
 
-RingTooth make_ring_tooth(int teeth, double shift, double module, const BasicRack& rack,
-                          double helix_angle) {
+RingTooth make_ring_tooth(int teeth, double shift, double module, const BasicRack& rack, double helix_angle) {
   auto tooth = reference_tooth<RingTooth>(teeth, shift, module, rack, helix_angle);
   tooth.tip_radius = tooth.pitch_radius - module * (rack.addendum - shift);
   tooth.root_radius = tooth.pitch_radius + module * (rack.addendum + rack.clearance + shift);
@@ -170,7 +169,8 @@ TrochoidPoint trochoid_point(const ExternalTooth& tooth, double normal_angle) {
   const double roll = flat * (fillet.centre_depth * sine / cosine);  // [m]
   const double x = roll + flat * (fillet.radius * sine);
   const double y = tooth.pitch_radius - fillet.centre_depth - fillet.radius * cosine;
-  const double middle = roll - fillet.centre_offset - stretch * fillet.radius * sine;  // [m] of the rack's tooth
+  const double middle =
+      roll - fillet.centre_offset - stretch * fillet.radius * sine;  // [m] of the rack's tooth
   const double from_space = std::atan2(x, y) - middle / tooth.pitch_radius;
   TrochoidPoint point;
   point.radius = std::hypot(x, y);

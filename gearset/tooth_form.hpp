@@ -8,9 +8,9 @@
 
 namespace orbearing::gearset {
 
-/// The fillet at the tip of the generating rack, which cuts the tooth root, in the transverse section: an arc of
-/// a circle in the section normal to the teeth, stretched along the rolling line by 1/cos(helix angle). See the
-/// sketch in gearset/README.md.
+/// The fillet at the tip of the generating rack, which cuts the tooth root, in the transverse section: an arc
+/// of a circle in the section normal to the teeth, stretched along the rolling line by 1/cos(helix angle).
+/// See the sketch in gearset/README.md.
 struct RackFillet {
   double radius = 0.0;         // [m]    of the fillet, in the normal section
   double centre_depth = 0.0;   // [m]    of its centre below the rolling line, towards the gear's axis
@@ -60,8 +60,8 @@ double transverse_pressure_angle(double normal_pressure_angle, double helix_angl
 /// Helix angle at the base cylinder. Eq. (32) of gearset/README.md. [rad]
 double base_helix_angle(double normal_pressure_angle, double helix_angle);
 
-/// Face width in axial pitches [-]: how many mesh periods one end of a tooth is ahead of the other. Eq. (34) of
-/// gearset/README.md.
+/// Face width in axial pitches [-]: how many mesh periods one end of a tooth is ahead of the other. Eq. (34)
+/// of gearset/README.md.
 double overlap_ratio(double face_width, double module, double helix_angle);
 
 /// Generates the tooth of an external gear, tip circle not shortened. Eqs. (6) to (12) of gearset/README.md.

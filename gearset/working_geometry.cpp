@@ -90,8 +90,8 @@ WorkingGeometry working_geometry(const PlanetarySet& set) {
   geometry.centre_distance = common_centre_distance(set);
   geometry.planet_shift = sun_mesh_shift(set, geometry.centre_distance) - set.sun_shift;
   const double helix = set.helix_angle;
-  geometry.sun = make_external_tooth(set.sun_teeth, set.sun_shift, set.module,
-                                     rack_of(set, set.sun_heights), helix);
+  geometry.sun =
+      make_external_tooth(set.sun_teeth, set.sun_shift, set.module, rack_of(set, set.sun_heights), helix);
   geometry.planet = make_external_tooth(set.planet_teeth, geometry.planet_shift, set.module,
                                         rack_of(set, set.planet_heights), helix);
   geometry.ring =

@@ -106,8 +106,7 @@ void check_gears(Checker& check, const ResolvedCase& resolved) {
                   "gearset.face_width", "gearset.helix_angle", "gearset.web.rim", "material.density"}) ||
       (has_bearing(resolved) && !check.has({"bearing.outside_diameter"})))
     return;
-  object_all(check, gearset::assembly_problems(set_of(resolved)),
-             "a set that can be assembled is required");
+  object_all(check, gearset::assembly_problems(set_of(resolved)), "a set that can be assembled is required");
 }
 
 bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) {

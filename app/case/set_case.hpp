@@ -6,8 +6,8 @@
 
 namespace orbearing::app {
 
-/// The set with the bore that its bearings fill; where it has none, with the bore that the case states as a share
-/// of the root diameter of standard teeth.
+/// The set with the bore that its bearings fill; where it has none, with the bore that the case states as a
+/// share of the root diameter of standard teeth.
 gearset::PlanetarySet set_of(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

@@ -97,8 +97,7 @@ const std::initializer_list<Through> through_others = {
     {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio", "gearset.sun_bore_ratio",
       "gearset.ring_outside_ratio", "gearset.addendum_of.sun", "gearset.addendum_of.ring",
       "gearset.clearance_of.sun", "gearset.clearance_of.ring", "gearset.web.thickness", "gearset.web.rim",
-      "gearset.dynamics.mesh_stiffness.sun",
-      "gearset.dynamics.mesh_stiffness.ring"},
+      "gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"},
      "bearing.tilt_state",
      "computed",
      "bearing.tilt_state"}};

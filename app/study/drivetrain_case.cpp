@@ -91,8 +91,9 @@ bool is_helical(const ResolvedCase& resolved) {
 
 std::vector<std::string> planar_warnings(const ResolvedCase& resolved) {
   if (!is_helical(resolved)) return {};
-  return {"gearset.helix_angle: motion is that in the plane of the set; members are taken as held along their axes "
-          "and level, so that axial and tilting vibration is left out"};
+  return {
+      "gearset.helix_angle: motion is that in the plane of the set; members are taken as held along their "
+      "axes and level, so that axial and tilting vibration is left out"};
 }
 
 }  // namespace orbearing::app

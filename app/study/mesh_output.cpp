@@ -99,8 +99,9 @@ Json form_json(const gearset::rim::RaceForm& form) {
 
 std::string axial_text(const AxialForces& axial) {
   return fmt::format(
-      "\nhelical teeth: on each planet {:.4g} N from the sun along the axis and as much against it from the ring, "
-      "which overturn it by {:.4g} N m\nthrust of the sun {:.4g} N, held by the {}; of the ring {:.4g} N\n",
+      "\nhelical teeth: on each planet {:.4g} N from the sun along the axis and as much against it from the "
+      "ring, which overturn it by {:.4g} N m\nthrust of the sun {:.4g} N, held by the {}; of the ring {:.4g} "
+      "N\n",
       axial.loads.axial_force, axial.loads.overturning_moment, axial.loads.sun_thrust,
       described::text_of(axial.held_by), 0.0 - axial.loads.sun_thrust);
 }
@@ -138,8 +139,7 @@ Json axial_json(const MeshStudy& study) {
           {"thrust_on_sun_N", loads.sun_thrust},
           {"thrust_on_ring_N", 0.0 - loads.sun_thrust},
           {"sun_thrust_held_by", described::text_of(study.axial->held_by)},
-          {"held_by_housing",
-           {{"sun_N", held.sun}, {"carrier_N", held.carrier}, {"ring_N", held.ring}}}};
+          {"held_by_housing", {{"sun_N", held.sun}, {"carrier_N", held.carrier}, {"ring_N", held.ring}}}};
 }
 
 Json meshes_json(const MeshStudy& study) {

@@ -17,8 +17,8 @@ nlohmann::ordered_json meshes_json(const MeshStudy& study);
 /// null where the rim is rigid.
 nlohmann::ordered_json planet_rim_json(const MeshStudy& study);
 
-/// `axial` of `orbearing mesh --json`: axial forces of helical teeth, positive along the axis on which the carrier
-/// turns counterclockwise; null where teeth are straight.
+/// `axial` of `orbearing mesh --json`: axial forces of helical teeth, positive along the axis on which the
+/// carrier turns counterclockwise; null where teeth are straight.
 nlohmann::ordered_json axial_json(const MeshStudy& study);
 
 /// Table of the meshes, parts at the pitch point, and a chart of each kind of mesh.

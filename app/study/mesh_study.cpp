@@ -31,10 +31,9 @@ mechanics::Material elasticity_of(const ResolvedCase& in) {
 
 void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
   if (mesh.standard.in_range) return;
-  texts.push_back(
-      mesh.first + " and " + mesh.second +
-      ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not below the wheel's, "
-      "sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
+  texts.push_back(mesh.first + " and " + mesh.second +
+                  ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not "
+                  "below the wheel's, sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
 }
 
 MeshStudy pair_study(const ResolvedCase& in) {
@@ -47,15 +46,14 @@ MeshStudy pair_study(const ResolvedCase& in) {
   const gearset::MeshingGears gears =
       gearset::meshing_gears(gear(0), gear(1), geometry.centre_distance, true);
   MeshStudy study;
-  study.meshes.push_back(
-      {.name = "pair",
-       .first = "first gear",
-       .second = "second gear",
-       .stiffness = gearset::mesh_stiffness(gears),
-       .standard = gearset::iso6336_stiffness({pair.teeth[0], pair.teeth[1], pair.shift[0], pair.shift[1],
-                                               pair.rack, geometry.contact_ratio, material,
-                                               pair.helix_angle, pair.web}),
-       .face_width = pair.face_width});
+  study.meshes.push_back({.name = "pair",
+                          .first = "first gear",
+                          .second = "second gear",
+                          .stiffness = gearset::mesh_stiffness(gears),
+                          .standard = gearset::iso6336_stiffness(
+                              {pair.teeth[0], pair.teeth[1], pair.shift[0], pair.shift[1], pair.rack,
+                               geometry.contact_ratio, material, pair.helix_angle, pair.web}),
+                          .face_width = pair.face_width});
   gearset::PeriodicCurve& curve = study.meshes.front().stiffness.curve;
   if (pair.web.thickness) curve = curve.times(gearset::web_factor(pair.web));
   const double place = gearset::pitch_point(gears);
@@ -94,12 +92,12 @@ MeshStudy set_study(const ResolvedCase& in) {
   NamedMesh ring{.first = "ring", .second = "planet", .stiffness = meshes.ring, .face_width = set.face_width};
   const gearset::BasicRack planet_rack = rack_of(set, set.planet_heights);
   sun.standard = gearset::iso6336_stiffness({set.sun_teeth, set.planet_teeth, set.sun_shift, shift,
-                                             rack_of(set, set.sun_heights), sun.stiffness.contact_ratio, material,
-                                             set.helix_angle, set.web, planet_rack});
+                                             rack_of(set, set.sun_heights), sun.stiffness.contact_ratio,
+                                             material, set.helix_angle, set.web, planet_rack});
   // The standard counts the shift of a ring as that of an external gear: positive inward.
   ring.standard = gearset::iso6336_stiffness({set.planet_teeth, 0, shift, -set.ring_shift, planet_rack,
-                                              ring.stiffness.contact_ratio, material, set.helix_angle, set.web,
-                                              rack_of(set, set.ring_heights)});
+                                              ring.stiffness.contact_ratio, material, set.helix_angle,
+                                              set.web, rack_of(set, set.ring_heights)});
   MeshStudy study;
   if (set.helix_angle != 0.0) {
     const gearset::MeanLoads loads = gearset::mean_loads(set, geometry, drivetrain.drive);
@@ -122,8 +120,8 @@ MeshStudy set_study(const ResolvedCase& in) {
   return study;
 }
 
-// Least or largest stiffness while `pairs` pairs touch; NaN where that many never do, or helical teeth come into
-// contact one end first.
+// Least or largest stiffness while `pairs` pairs touch; NaN where that many never do, or helical teeth come
+// into contact one end first.
 double extreme(const gearset::MeshStiffness& mesh, int pairs, bool largest) {
   constexpr int samples = 2000;
   double found = std::numeric_limits<double>::quiet_NaN();
@@ -164,7 +162,8 @@ std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStu
   const double density = resolved.quantity("material.density");
   return {{"pair.centre_distance", 1e3 * geometry.centre_distance, "mm", "working, without backlash"},
           {"pair.working_pressure_angle", kDegree * geometry.working_pressure_angle, "deg", "working"},
-          {"pair.contact_ratio", geometry.contact_ratio, "1", "where the involutes end; of helical teeth transverse"},
+          {"pair.contact_ratio", geometry.contact_ratio, "1",
+           "where the involutes end; of helical teeth transverse"},
           {"pair.overlap_ratio", geometry.overlap_ratio, "1", "face width in axial pitches"},
           {"pair.mass.first", mass(geometry.gears[0], pair, density), "kg", "the driving gear"},
           {"pair.mass.second", mass(geometry.gears[1], pair, density), "kg", "the driven gear"},

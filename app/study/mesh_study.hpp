@@ -37,7 +37,7 @@ struct AxialForces {
 
 struct MeshStudy {
   std::vector<NamedMesh> meshes;
-  std::optional<AxialForces> axial;  // of helical teeth
+  std::optional<AxialForces> axial;                              // of helical teeth
   std::shared_ptr<const gearset::rim::RimInfluence> planet_rim;  // where the case has it elastic
   std::vector<std::string> warnings;
 };

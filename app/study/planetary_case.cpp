@@ -182,14 +182,13 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
                             "{:.4g} and {:.4g} mm",
                             moment * places.back() / squares, 1e3 * places.front(), 1e3 * places.back())
                       : std::string("a moment on the one bearing");
-    warnings.push_back(
-        fmt::format("{}gearset.helix_angle: the axial forces overturn a planet by {:.4g} N m at the case's "
-                    "input, which what "
-                    "holds its tilt is taken to hold; on bearings on a stiff pin that would be {}, beside "
-                    "{:.4g} N of both "
-                    "meshes on each; bearing.tilt_state: computed has it in the balance",
-                    set.name.empty() ? "" : set_prefix(set.name), moment, as_loads,
-                    std::hypot(gears.tangential_force, gears.radial_force) / drivetrain.bearings_per_planet));
+    warnings.push_back(fmt::format(
+        "{}gearset.helix_angle: the axial forces overturn a planet by {:.4g} N m at the case's "
+        "input, which what holds its tilt is taken to hold; on bearings on a stiff pin that would be "
+        "{}, beside {:.4g} N of both meshes on each; bearing.tilt_state: computed has it in the "
+        "balance",
+        set.name.empty() ? "" : set_prefix(set.name), moment, as_loads,
+        std::hypot(gears.tangential_force, gears.radial_force) / drivetrain.bearings_per_planet));
   }
   return warnings;
 }

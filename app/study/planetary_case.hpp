@@ -25,8 +25,8 @@ std::vector<std::string> bearing_set_names(const ResolvedCase& resolved);
 /// What a clearance from the shelf takes for granted: fits or temperatures of which nothing is said.
 std::vector<std::string> clearance_warnings(const ResolvedCase& resolved);
 
-/// The moment by which helical teeth overturn the planets of sets whose tilt is not computed, and what it would be
-/// on their bearings.
+/// The moment by which helical teeth overturn the planets of sets whose tilt is not computed, and what it
+/// would be on their bearings.
 std::vector<std::string> overturning_warnings(const ResolvedCase& resolved);
 
 /// What follows from the inputs, for `orbearing check`.

@@ -21,13 +21,14 @@ PowerTable power_table(const ResolvedCase& resolved) {
   const double power = resolved.quantity("input.power");
   PowerTable table;
   for (const gearset::MemberFlow& member : flow.members)
-    table.rows.push_back({.set = arrangement.sets[member.member.set].name,
-                          .member = gearset::member_word(arrangement.sets[member.member.set], member.member.member),
-                          .shaft = arrangement.shafts[member.shaft].name,
-                          .speed = speed * member.speed,
-                          .torque = power / speed * member.torque,
-                          .power = power * member.power,
-                          .share = member.power});
+    table.rows.push_back(
+        {.set = arrangement.sets[member.member.set].name,
+         .member = gearset::member_word(arrangement.sets[member.member.set], member.member.member),
+         .shaft = arrangement.shafts[member.shaft].name,
+         .speed = speed * member.speed,
+         .torque = power / speed * member.torque,
+         .power = power * member.power,
+         .share = member.power});
   const gearset::PowerCirculation circulation = gearset::power_circulation(flow);
   table.largest_share = circulation.largest_share;
   for (const gearset::SetMember& member : circulation.members)

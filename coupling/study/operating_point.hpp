@@ -106,7 +106,7 @@ struct PointResult {
   double tangential_load = 0.0;   // [N]  y: from both meshes
   double radial_mesh_load = 0.0;  // [N]  x: from both meshes, positive outward
   double centrifugal_load = 0.0;  // [N]  x: planet, cage and the tangential halves of the rollers
-  double axial_mesh_force = 0.0;    // [N]    z: of the sun on one planet; the ring's is opposite
+  double axial_mesh_force = 0.0;  // [N]    z: of the sun on one planet; the ring's is opposite
   double overturning_moment = 0.0;  // [N m]  about y: of both axial forces on one planet
   double sun_thrust = 0.0;          // [N]    z: of all planets on the sun; the ring's is opposite
   RaceResult inner;

@@ -48,8 +48,7 @@ void add_parallel_stage(const std::string& name, const std::array<int, 2>& teeth
 }  // namespace
 
 Arrangement with_parallel_stages(Arrangement arrangement, const ParallelStages& stages) {
-  if (stages.has_front())
-    add_parallel_stage("front", stages.front, Member::ring, &Shaft::motor, arrangement);
+  if (stages.has_front()) add_parallel_stage("front", stages.front, Member::ring, &Shaft::motor, arrangement);
   if (stages.has_behind())
     add_parallel_stage("behind", stages.behind, Member::sun, &Shaft::load, arrangement);
   return arrangement;

@@ -17,8 +17,8 @@
 
 namespace orbearing::gearset {
 
-/// What of a set decides speeds and torques. A parallel stage is one whose carrier is the housing, its first gear
-/// the sun and its second the ring: z_1 w_1 + z_2 w_2 = 0.
+/// What of a set decides speeds and torques. A parallel stage is one whose carrier is the housing, its first
+/// gear the sun and its second the ring: z_1 w_1 + z_2 w_2 = 0.
 struct ArrangedSet {
   std::string name;  // for messages
   int sun_teeth = 0;
@@ -51,8 +51,8 @@ struct Arrangement {
   std::vector<Shaft> shafts;
 };
 
-/// The arrangement with pairs of gears between its motor and the shaft that had it, and before its load. Sets and
-/// shafts that were there keep their numbers. Eq. (40) of gearset/README.md.
+/// The arrangement with pairs of gears between its motor and the shaft that had it, and before its load. Sets
+/// and shafts that were there keep their numbers. Eq. (40) of gearset/README.md.
 Arrangement with_parallel_stages(Arrangement arrangement, const ParallelStages& stages);
 
 /// The word for a member: "sun", "ring" or "carrier".

@@ -49,7 +49,8 @@ bool sainsot_is_usable(const FoundationBody& body) {
 double foundation_compliance(const FoundationCoefficients& coefficients, const FoundationBody& body,
                              const ToothLoad& load, double face_width, const mechanics::Material& material) {
   const double cos_helix = std::cos(body.helix_angle);
-  const double thickness = 2.0 * body.root_radius * body.half_angle * cos_helix;  // [m] S_f, normal to the tooth
+  const double thickness =
+      2.0 * body.root_radius * body.half_angle * cos_helix;                  // [m] S_f, normal to the tooth
   const double upwards = body.body_radius <= body.root_radius ? 1.0 : -1.0;  // the ring's tooth points inward
   const double lever = upwards * (load.axis_radius - body.root_radius);      // [m] u_f
   const double slenderness = lever / thickness;

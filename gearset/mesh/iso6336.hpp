@@ -23,8 +23,8 @@ struct Iso6336Pair {
   std::optional<BasicRack> second_rack{};  // where it is not that of the first gear
 };
 
-/// C_R, by which the web of a gear that is not of one piece lowers the stiffness of its mesh; 1 without a web.
-/// Eq. (19) of gearset/mesh/README.md [ISO6336].
+/// C_R, by which the web of a gear that is not of one piece lowers the stiffness of its mesh; 1 without a
+/// web. Eq. (19) of gearset/mesh/README.md [ISO6336].
 double web_factor(const Web& web);
 
 /// Stiffness per face width, of solid gears under more than 100 N per millimetre of face width.

@@ -122,7 +122,8 @@ std::vector<double> ends_of_windows(const std::vector<double>& jumps, double win
 PeriodicCurve across_face(const PeriodicCurve& section, double overlap_ratio, int samples) {
   constexpr double none = 1e-9;  // [period]  steeper ramps than that are jumps
   if (overlap_ratio < none) return section;
-  if (std::abs(overlap_ratio - std::round(overlap_ratio)) < none) return PeriodicCurve::constant(section.mean());
+  if (std::abs(overlap_ratio - std::round(overlap_ratio)) < none)
+    return PeriodicCurve::constant(section.mean());
   const auto mean = [&](double fraction) {
     return section.integral(fraction - 0.5 * overlap_ratio, fraction + 0.5 * overlap_ratio) / overlap_ratio;
   };
@@ -132,7 +133,8 @@ PeriodicCurve across_face(const PeriodicCurve& section, double overlap_ratio, in
 MeshStiffness mesh_stiffness(const MeshingGears& gears, int samples) {
   const auto direct = [&gears](double fraction) { return mesh_stiffness_at(gears, fraction); };
   return {.contact_ratio = contact_ratio_of(gears),
-          .curve = across_face(PeriodicCurve(direct, contact_changes(gears), samples), gears.overlap_ratio, samples),
+          .curve = across_face(PeriodicCurve(direct, contact_changes(gears), samples), gears.overlap_ratio,
+                               samples),
           .at_pitch_point = pair_compliance(gears, pitch_point(gears)),
           .overlap_ratio = gears.overlap_ratio};
 }

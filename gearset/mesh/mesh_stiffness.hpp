@@ -51,29 +51,30 @@ double contact_direction(const MeshingGears& gears);
 /// shifted teeth do not reach it. [m]
 double pitch_point(const MeshingGears& gears);
 
-/// Sum over the pairs of teeth in contact, of a face that is all as its middle. Eq. (8) of gearset/mesh/README.md.
+/// Sum over the pairs of teeth in contact, of a face that is all as its middle. Eq. (8) of
+/// gearset/mesh/README.md.
 /// @param fraction of the mesh period since a pair came into contact, in [0, 1)
 /// @return [N/m]
 double mesh_stiffness_at(const MeshingGears& gears, double fraction);
 
-/// Fractions of the period at which a pair comes into contact (0) and one leaves it in the middle of the face:
-/// the stiffness there jumps.
+/// Fractions of the period at which a pair comes into contact (0) and one leaves it in the middle of the
+/// face: the stiffness there jumps.
 std::vector<double> contact_changes(const MeshingGears& gears);
 
 /// Stiffness of a mesh, tabulated.
 struct MeshStiffness {
-  double contact_ratio = 0.0;     // [-]    transverse
-  PeriodicCurve curve;            // [N/m]  along the line of action in the transverse section, over the fraction
-                                  //        of the period since a pair came into contact in the middle of the face
+  double contact_ratio = 0.0;  // [-]    transverse
+  PeriodicCurve curve;         // [N/m]  along the line of action in the transverse section, over the fraction
+                        //        of the period since a pair came into contact in the middle of the face
   PairCompliance at_pitch_point;  // of the one pair of teeth that touches there
   double overlap_ratio = 0.0;     // [-]
 };
 
 inline constexpr int mesh_samples = 96;  // a period; the error of the table is below 1e-7 of the stiffness
 
-/// The stiffness of a mesh from that of one transverse section: slices across the face are ahead of each other by
-/// up to the overlap ratio, and their sum is an integral over that part of the period, taken exactly. Eq. (13) of
-/// gearset/mesh/README.md.
+/// The stiffness of a mesh from that of one transverse section: slices across the face are ahead of each
+/// other by up to the overlap ratio, and their sum is an integral over that part of the period, taken
+/// exactly. Eq. (13) of gearset/mesh/README.md.
 /// @param section [N/m] of a face that is all as its middle
 PeriodicCurve across_face(const PeriodicCurve& section, double overlap_ratio, int samples = mesh_samples);
 

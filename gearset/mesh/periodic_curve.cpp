@@ -104,7 +104,8 @@ void PeriodicCurve::add_piece(double begin, double end, const std::vector<double
 PeriodicCurve PeriodicCurve::times(double factor) const {
   PeriodicCurve scaled = *this;
   scaled.mean_ *= factor;
-  for (Cubic& c : scaled.cubics_) c = {factor * c.value, factor * c.slope, factor * c.square, factor * c.cube, c.per_fraction};
+  for (Cubic& c : scaled.cubics_)
+    c = {factor * c.value, factor * c.slope, factor * c.square, factor * c.cube, c.per_fraction};
   return scaled;
 }
 
@@ -118,7 +119,9 @@ double PeriodicCurve::integral(double from, double to) const {
     const double step = std::min(rest, (1.0 - s) / c->per_fraction);  // [period]
     const double half = 0.5 * step * c->per_fraction, middle = s + half;
     const double gauss = half / std::sqrt(3.0);  // two places, exact for cubics and without differences
-    const auto value = [&](double at) { return c->value + at * (c->slope + at * (c->square + at * c->cube)); };
+    const auto value = [&](double at) {
+      return c->value + at * (c->slope + at * (c->square + at * c->cube));
+    };
     sum += 0.5 * step * (value(middle - gauss) + value(middle + gauss));
     rest -= step;
     s = 0.0;

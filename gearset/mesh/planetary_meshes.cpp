@@ -33,7 +33,8 @@ PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry&
   meshes.sun = mesh_stiffness(meshes.sun_gears);
   meshes.ring = mesh_stiffness(meshes.ring_gears);
   if (set.web.thickness)
-    for (MeshStiffness* mesh : {&meshes.sun, &meshes.ring}) mesh->curve = mesh->curve.times(web_factor(set.web));
+    for (MeshStiffness* mesh : {&meshes.sun, &meshes.ring})
+      mesh->curve = mesh->curve.times(web_factor(set.web));
   const double to_ring =
       ring_to_sun_lag(meshes.sun_gears, meshes.ring_gears, geometry.sun_mesh.working_pressure_angle,
                       geometry.ring_mesh.working_pressure_angle);

@@ -58,8 +58,8 @@ BeamSlice involute_slice(const Tooth& tooth, double tangent, double sense) {
   return polar_slice(radius, half_thickness_angle(tooth, radius), tangent / radius, sense * turn);
 }
 
-// Eq. (14): a force of 1 N in the transverse section is 1/cos(helix) N across a tooth that is thinner and longer
-// by cos(helix) where it is cut at right angles.
+// Eq. (14): a force of 1 N in the transverse section is 1/cos(helix) N across a tooth that is thinner and
+// longer by cos(helix) where it is cut at right angles.
 BeamCompliance along_helix(const BeamCompliance& transverse, double helix_angle) {
   const double square = std::pow(std::cos(helix_angle), 2);
   return {.bending = transverse.bending / (square * square),
@@ -99,8 +99,8 @@ BeamCompliance tooth_compliance(const RingTooth& tooth, const ToothLoad& load, d
   const auto slice = [&tooth](double tangent) { return involute_slice(tooth, tangent, 1.0); };
   const BeamPiece flank{tangent_length(tooth.base_radius, load.contact_radius),
                         tangent_length(tooth.base_radius, tooth.root_radius), slice};
-  return along_helix(
-      beam_compliance({flank}, load.force_angle, load.axis_radius, face_width, material), tooth.helix_angle);
+  return along_helix(beam_compliance({flank}, load.force_angle, load.axis_radius, face_width, material),
+                     tooth.helix_angle);
 }
 
 }  // namespace orbearing::gearset

@@ -9,8 +9,9 @@ namespace orbearing::gearset {
 struct ToothLoad {
   double contact_radius = 0.0;  // [m]    of the point of contact
   double force_angle = 0.0;     // [rad]  of the force to the line across the tooth; grows towards the tip
-  double axis_radius = 0.0;     // [m]    where the force's line cuts the tooth's axis of symmetry; of helical teeth
-                                //        in the section normal to them
+  double axis_radius =
+      0.0;  // [m]    where the force's line cuts the tooth's axis of symmetry; of helical teeth
+            //        in the section normal to them
 };
 
 /// Load at a point of contact. Eqs. (1), (2) and (18) of gearset/mesh/README.md.

@@ -56,9 +56,9 @@ struct RackPoint {
   double height;  // [m] above the rolling line
 };
 
-// One side of the rack tooth: straight flank and fillet, from the basic rack's own dimensions. A rack whose teeth
-// are inclined by the helix angle to the gear's axis is cut by the transverse plane at that angle, which leaves
-// heights and stretches what lies across.
+// One side of the rack tooth: straight flank and fillet, from the basic rack's own dimensions. A rack whose
+// teeth are inclined by the helix angle to the gear's axis is cut by the transverse plane at that angle,
+// which leaves heights and stretches what lies across.
 std::vector<RackPoint> rack_outline(double shift, double module, const BasicRack& rack, double helix_angle) {
   const double tangent = std::tan(rack.pressure_angle);
   const double centre_depth = rack.addendum + rack.clearance - rack.root_fillet_radius;

@@ -54,19 +54,20 @@ TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
   }
 }
 
-// Issue 16, Build 3. Forces of both bearings at their places, their moments and the meshes' springs hold what the
-// axial forces of helical teeth put on the planet: force of the sun times the distance of both pitch points.
+// Issue 16, Build 3. Forces of both bearings at their places, their moments and the meshes' springs hold what
+// the axial forces of helical teeth put on the planet: force of the sun times the distance of both pitch
+// points.
 TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   for (const double helix : {-0.25, 0.25}) {
     drivetrain.set.helix_angle = helix;
     const DrivetrainGeometry geometry = derive(drivetrain);
     const BearingDuty duty = bearing_duty(drivetrain, geometry);
-    const double axial = -duty.gears.sun_torque / drivetrain.set.planets /
-                         geometry.gears.sun.pitch_radius * std::tan(helix);
-    const double between = geometry.gears.planet.base_radius *
-                           (1.0 / std::cos(geometry.gears.sun_mesh.working_pressure_angle) +
-                            1.0 / std::cos(geometry.gears.ring_mesh.working_pressure_angle));
+    const double axial =
+        -duty.gears.sun_torque / drivetrain.set.planets / geometry.gears.sun.pitch_radius * std::tan(helix);
+    const double between =
+        geometry.gears.planet.base_radius * (1.0 / std::cos(geometry.gears.sun_mesh.working_pressure_angle) +
+                                             1.0 / std::cos(geometry.gears.ring_mesh.working_pressure_angle));
     const bearing::laminae::PlanetOnPinResult found = tilting_planet(drivetrain, duty);
     const std::vector<double> places = axial_places(drivetrain);
     Eigen::Vector2d held = -mesh_tilt_stiffness(drivetrain) * found.tilt;

@@ -155,9 +155,9 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
   const std::vector<double> expected = {
-      0,  1,    2,  3,  4,  6,  7,     10, 11, 8,   12, 14, 15, 16, 9,  13, -1, 5,   72, 73, 74, 20, 67, 3.5, 60,
-      61, 62,   63, 64, 65, 66, 40000, 18, 19, 255, 1,  2,  4,  8,  16, 32, 64, 128, 1,  21, 2,   1.5,
-      5,  1.25, 23, 24, 40, 1,  41,    42, 43, 44,  45, 46, 47, 48, 49, 50, 51, 52,  53, -1, 17};
+      0,   1,  2,    3,  4,  6,  7,  10, 11,    8,  12, 14,  15, 16, 9,  13, -1, 5,  72, 73,  74, 20, 67,
+      3.5, 60, 61,   62, 63, 64, 65, 66, 40000, 18, 19, 255, 1,  2,  4,  8,  16, 32, 64, 128, 1,  21, 2,
+      1.5, 5,  1.25, 23, 24, 40, 1,  41, 42,    43, 44, 45,  46, 47, 48, 49, 50, 51, 52, 53,  -1, 17};
   ASSERT_EQ(expected.size(), head.names.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
     if (i != head.status_place && i != head.refined_place) {

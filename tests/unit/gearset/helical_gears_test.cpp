@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180.0;
-constexpr double round_off = 1e-12;        // relative
-constexpr double root_round_off = 1e-9;    // relative; the centre distance comes from a root finder
+constexpr double round_off = 1e-12;      // relative
+constexpr double root_round_off = 1e-9;  // relative; the centre distance comes from a root finder
 
 TEST(HelicalGears, HaveTheTransverseSectionOfTheStandard) {
   const double helix = 25.0 * degree, normal = 20.0 * degree;
@@ -44,7 +44,8 @@ TEST(HelicalGears, HaveRootsThatMeetTheirFlanks) {
     constexpr double step = 1e-6;
     for (const double normal : {0.3, 0.8, 1.1}) {
       const TrochoidPoint point = trochoid_point(tooth, normal);
-      const TrochoidPoint after = trochoid_point(tooth, normal + step), before = trochoid_point(tooth, normal - step);
+      const TrochoidPoint after = trochoid_point(tooth, normal + step),
+                          before = trochoid_point(tooth, normal - step);
       EXPECT_NEAR(point.radius_slope, (after.radius - before.radius) / (2.0 * step), 1e-9);
       EXPECT_NEAR(point.half_angle_slope, (after.half_angle - before.half_angle) / (2.0 * step), 1e-8);
     }
@@ -57,8 +58,9 @@ TEST(HelicalGears, MeshAtTheReferenceDistanceWithoutShifts) {
   EXPECT_NEAR(g.centre_distance, 60e-3 / std::cos(set.helix_angle), root_round_off);
   EXPECT_NEAR(g.sun_mesh.working_pressure_angle, g.sun.pressure_angle, 1e-6);
   // Tips of equal gears: g_alpha = 2 (sqrt(r_a^2 - r_b^2) - r sin alpha_t), over the transverse base pitch.
-  const double reach = std::sqrt(g.sun.tip_radius * g.sun.tip_radius - g.sun.base_radius * g.sun.base_radius) -
-                       g.sun.pitch_radius * std::sin(g.sun.pressure_angle);
+  const double reach =
+      std::sqrt(g.sun.tip_radius * g.sun.tip_radius - g.sun.base_radius * g.sun.base_radius) -
+      g.sun.pitch_radius * std::sin(g.sun.pressure_angle);
   const double pitch = pi * 2e-3 / std::cos(set.helix_angle) * std::cos(g.sun.pressure_angle);
   EXPECT_NEAR(g.sun_mesh.contact_ratio, 2.0 * reach / pitch, 1e-6);
 }
@@ -79,7 +81,8 @@ TEST(HelicalGears, GoToSpurGears) {
     EXPECT_NEAR(slight.ring_mesh.contact_ratio / straight.ring_mesh.contact_ratio, 1.0, 1e-9);
   }
   const Drive drive{Member::sun, 150e3, 600.0};
-  const MeanLoads slight = mean_loads(with_helix(spur, 1e-6), working_geometry(with_helix(spur, 1e-6)), drive);
+  const MeanLoads slight =
+      mean_loads(with_helix(spur, 1e-6), working_geometry(with_helix(spur, 1e-6)), drive);
   const MeanLoads loads = mean_loads(spur, straight, drive);
   EXPECT_NEAR(slight.radial_force / loads.radial_force, 1.0, 1e-9);
   EXPECT_EQ(loads.axial_force, 0.0);
@@ -87,14 +90,17 @@ TEST(HelicalGears, GoToSpurGears) {
   EXPECT_EQ(loads.tooth_force, loads.normal_force);
 }
 
-// Force of the sun on the planet at (a, 0): normal of the sun's right-handed flank at the pitch point, which is the
-// cross product of its tangents along the helix and along the involute, scaled to the torque.
+// Force of the sun on the planet at (a, 0): normal of the sun's right-handed flank at the pitch point, which
+// is the cross product of its tangents along the helix and along the involute, scaled to the torque.
 Vector3d by_the_flank(const PlanetarySet& set, const WorkingGeometry& g, double torque) {
   const double alpha = g.sun_mesh.working_pressure_angle, radius = g.sun.base_radius / std::cos(alpha);
   const double lead = g.sun.pitch_radius / std::tan(set.helix_angle);  // [m/rad]
-  const double side = torque > 0.0 ? 1.0 : -1.0;  // the flank that faces the way the sun is turned, or the other
-  const Vector3d along_helix(0.0, radius, lead);  // a point of the flank that goes round climbs, if right-handed
-  const Vector3d along_flank(std::cos(alpha), -side * std::sin(alpha), 0.0);  // outward, the tooth grows thinner
+  const double side =
+      torque > 0.0 ? 1.0 : -1.0;  // the flank that faces the way the sun is turned, or the other
+  const Vector3d along_helix(0.0, radius,
+                             lead);  // a point of the flank that goes round climbs, if right-handed
+  const Vector3d along_flank(std::cos(alpha), -side * std::sin(alpha),
+                             0.0);  // outward, the tooth grows thinner
   Vector3d normal = along_helix.cross(along_flank).normalized();
   if (side * normal.y() < 0.0) normal = -normal;
   return normal * std::abs(torque) / (set.planets * radius * std::abs(normal.y()));
@@ -122,13 +128,15 @@ TEST(HelicalGears, OverturnThePlanetByBothAxialForces) {
   for (const PlanetarySet& set : {wind_stage(), with_helix(reducer(), -0.3)}) {
     const WorkingGeometry g = working_geometry(set);
     const MeanLoads loads = mean_loads(set, g, {Member::sun, 150e3, 600.0});
-    const double at_sun = -planet_working_radius(g, g.sun_mesh), at_ring = planet_working_radius(g, g.ring_mesh);
+    const double at_sun = -planet_working_radius(g, g.sun_mesh),
+                 at_ring = planet_working_radius(g, g.ring_mesh);
     EXPECT_NEAR(-at_sun + g.sun.base_radius / std::cos(g.sun_mesh.working_pressure_angle), g.centre_distance,
                 root_round_off);
     const Vector3d sun(loads.normal_force * std::sin(g.sun_mesh.working_pressure_angle),
                        loads.normal_force * std::cos(g.sun_mesh.working_pressure_angle), loads.axial_force);
     const Vector3d ring(-loads.normal_force * std::sin(g.ring_mesh.working_pressure_angle),
-                        loads.normal_force * std::cos(g.ring_mesh.working_pressure_angle), -loads.axial_force);
+                        loads.normal_force * std::cos(g.ring_mesh.working_pressure_angle),
+                        -loads.axial_force);
     const Vector3d force = sun + ring;
     const Vector3d moment = Vector3d(at_sun, 0, 0).cross(sun) + Vector3d(at_ring, 0, 0).cross(ring);
     EXPECT_NEAR(force.x(), loads.radial_force, round_off * loads.tooth_force);

@@ -43,7 +43,10 @@ TEST(OwnHeights, CountHalfEachInTheStandard) {
   BasicRack deep;
   deep.clearance = 0.45;
   const auto stiffness = [](const BasicRack& first, const BasicRack& second) {
-    return iso6336_stiffness({.first_teeth = 30, .second_teeth = 45, .rack = first, .contact_ratio = 1.6,
+    return iso6336_stiffness({.first_teeth = 30,
+                              .second_teeth = 45,
+                              .rack = first,
+                              .contact_ratio = 1.6,
                               .second_rack = second})
         .mesh;
   };
@@ -52,10 +55,12 @@ TEST(OwnHeights, CountHalfEachInTheStandard) {
   EXPECT_NEAR(both / none, (1.0 + 0.5 * (1.2 - 1.45)) / (1.0 + 0.5 * (1.2 - 1.25)), round_off);
 }
 
-// By hand; beside the factor that a commercial program prints for webs of a quarter of the face [Reboucas2021].
+// By hand; beside the factor that a commercial program prints for webs of a quarter of the face
+// [Reboucas2021].
 TEST(WebFactor, IsThatOfTheStandard) {
   EXPECT_EQ(web_factor({}), 1.0);
-  EXPECT_NEAR(web_factor({.thickness = 0.25, .rim = 5.0}), 1.0 + std::log(0.25) / (5.0 * std::exp(1.0)), round_off);
+  EXPECT_NEAR(web_factor({.thickness = 0.25, .rim = 5.0}), 1.0 + std::log(0.25) / (5.0 * std::exp(1.0)),
+              round_off);
   EXPECT_NEAR(web_factor({.thickness = 0.25, .rim = 3.5}), 0.862, 0.5e-3);
   EXPECT_EQ(web_factor({.thickness = 0.1, .rim = 0.5}), web_factor({.thickness = 0.2, .rim = 1.0}));
   EXPECT_GT(web_factor({.thickness = 1.2, .rim = 3.5}), 1.0);
@@ -67,8 +72,10 @@ TEST(WebFactor, SoftensTheMeshesOfASet) {
   set.web = {.thickness = 0.3, .rim = 3.0};
   const PlanetaryMeshes webbed = meshes_of(set);
   for (const double fraction : {0.1, 0.9}) {
-    EXPECT_NEAR(webbed.sun.curve.value(fraction) / whole.sun.curve.value(fraction), web_factor(set.web), round_off);
-    EXPECT_NEAR(webbed.ring.curve.value(fraction) / whole.ring.curve.value(fraction), web_factor(set.web), round_off);
+    EXPECT_NEAR(webbed.sun.curve.value(fraction) / whole.sun.curve.value(fraction), web_factor(set.web),
+                round_off);
+    EXPECT_NEAR(webbed.ring.curve.value(fraction) / whole.ring.curve.value(fraction), web_factor(set.web),
+                round_off);
   }
   EXPECT_NEAR(webbed.sun.curve.mean() / whole.sun.curve.mean(), web_factor(set.web), round_off);
 }

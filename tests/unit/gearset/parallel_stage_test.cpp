@@ -10,8 +10,8 @@ namespace {
 
 constexpr double round_off = 1e-12;  // relative
 
-// "a parallel stage in front changes planet loads by Willis' and torque balance exactly": z_1 w_1 = z_2 w_2 in size,
-// and the power stays.
+// "a parallel stage in front changes planet loads by Willis' and torque balance exactly": z_1 w_1 = z_2 w_2
+// in size, and the power stays.
 TEST(ParallelStage, InFrontChangesLoadsByItsRatio) {
   const PlanetarySet set = reducer();
   const WorkingGeometry geometry = working_geometry(set);
@@ -45,7 +45,8 @@ TEST(ParallelStage, IsASetWhoseCarrierIsTheHousing) {
   EXPECT_NEAR(flow.sets[2].speed.ring / carrier, -50.0 / 17.0, round_off);
   EXPECT_EQ(flow.sets[2].speed.carrier, 0.0);
   // Torques of both gears and the housing are in balance.
-  EXPECT_NEAR(flow.sets[1].torque.sun + flow.sets[1].torque.ring + flow.sets[1].torque.carrier, 0.0, 10.0 * round_off);
+  EXPECT_NEAR(flow.sets[1].torque.sun + flow.sets[1].torque.ring + flow.sets[1].torque.carrier, 0.0,
+              10.0 * round_off);
   EXPECT_NEAR(flow.sets[1].torque.carrier, -(1.0 + 63.0 / 20.0), 10.0 * round_off);
   for (const MemberFlow& member : flow.members) {
     const bool housing = all.sets[member.member.set].is_parallel() && member.member.member == Member::carrier;

@@ -32,8 +32,8 @@ inline PlanetarySet with_helix(PlanetarySet set, double helix_angle) {
   return set;
 }
 
-/// Low-speed stage of a wind turbine of 750 kW, 7.5 deg: numbers of [Oyague2011] but for the shifts, which are such
-/// that the centre distance is the printed 308 mm.
+/// Low-speed stage of a wind turbine of 750 kW, 7.5 deg: numbers of [Oyague2011] but for the shifts, which
+/// are such that the centre distance is the printed 308 mm.
 inline PlanetarySet wind_stage() {
   PlanetarySet set{21, 39, 99, 3, 10e-3, {}, 0.40, 0.75, 227.5e-3, 290e-3};
   set.helix_angle = 7.5 * 0.017453292519943295;

@@ -30,11 +30,12 @@ double swing(const MeshStiffness& mesh) {
   return (mesh.curve.largest() - mesh.curve.least()) / mesh.curve.mean();
 }
 
-// Slices of equal width, each with the stiffness of its middle: their sum goes to the integral, with 1/n since the
-// stiffness of a slice jumps.
+// Slices of equal width, each with the stiffness of its middle: their sum goes to the integral, with 1/n
+// since the stiffness of a slice jumps.
 TEST(HelicalMesh, IsTheLimitOfItsSlices) {
   const MeshingGears gears = meshing(helical_pair(62, 62, 15.0 * degree));
-  const PeriodicCurve section([&](double f) { return mesh_stiffness_at(gears, f); }, contact_changes(gears), 96);
+  const PeriodicCurve section([&](double f) { return mesh_stiffness_at(gears, f); }, contact_changes(gears),
+                              96);
   const MeshStiffness mesh = mesh_stiffness(gears);
   ASSERT_GT(mesh.overlap_ratio, 0.5);
   const auto by_slices = [&](double fraction, int slices) {
@@ -79,9 +80,10 @@ TEST(HelicalMesh, GoesToTheSpurMesh) {
   }
 }
 
-// Of a gear with ever more teeth the tooth becomes that of a rack, which is a prism: under a load along its whole
-// length it gives way as its normal section does, c_n per length. Its length is b/cos(helix), the force F/cos(base
-// helix), and the displacement in the transverse section that along the normal over cos(base helix).
+// Of a gear with ever more teeth the tooth becomes that of a rack, which is a prism: under a load along its
+// whole length it gives way as its normal section does, c_n per length. Its length is b/cos(helix), the force
+// F/cos(base helix), and the displacement in the transverse section that along the normal over cos(base
+// helix).
 TEST(HelicalMesh, OfARackIsThatOfItsNormalSection) {
   const double helix = 25.0 * degree, width = 20e-3;
   const int teeth = 200000;
@@ -99,7 +101,8 @@ TEST(HelicalMesh, OfARackIsThatOfItsNormalSection) {
   EXPECT_NEAR(helical.axial / spur.axial, expected, curved);
 }
 
-// By hand, term by term: a root that is thinner and longer by cos(helix), under a force across of 1/cos(helix).
+// By hand, term by term: a root that is thinner and longer by cos(helix), under a force across of
+// 1/cos(helix).
 TEST(HelicalMesh, HasTheFoundationOfItsNormalSection) {
   const double helix = 25.0 * degree, c = std::cos(helix);
   FoundationBody body{.root_radius = 30e-3, .half_angle = 0.05, .body_radius = 15e-3};
@@ -123,8 +126,8 @@ TEST(HelicalMesh, HasTheHertzianLineOfItsNormalSection) {
               hertz_compliance(line, {}) / std::pow(std::cos(base), 2), 1e-18);
 }
 
-// The standard knows no bore and means gears of one piece; a bore changes the stiffness of both in the same way at
-// any helix. Half the root circle is the default of a sun.
+// The standard knows no bore and means gears of one piece; a bore changes the stiffness of both in the same
+// way at any helix. Half the root circle is the default of a sun.
 constexpr double kBore = 0.5;
 
 // "Done when": the mean against ISO 6336 with helix within 10 %.
@@ -134,8 +137,8 @@ TEST(HelicalMesh, AgreesWithTheStandardOnItsMean) {
       GearPair pair = helical_pair(first, second, angle * degree);
       pair.bore = kBore * 2.0 * pair_geometry(pair).gears[0].root_radius;
       const PairGeometry geometry = pair_geometry(pair);
-      const Iso6336Stiffness standard =
-          iso6336_stiffness({first, second, 0.0, 0.0, pair.rack, geometry.contact_ratio, {}, pair.helix_angle});
+      const Iso6336Stiffness standard = iso6336_stiffness(
+          {first, second, 0.0, 0.0, pair.rack, geometry.contact_ratio, {}, pair.helix_angle});
       EXPECT_TRUE(standard.in_range);
       const double ours = mesh_stiffness(meshing(pair)).curve.mean() / pair.face_width;
       RecordProperty("ratio", std::to_string(ours / standard.mesh));
