@@ -28,12 +28,14 @@ void remark_reaches(const WorkingGeometry& g, Remarks& remarks) {
   }
 }
 
-// Shifted external gears come closer than the sum of their shifts asks; ring and planet never lose clearance
-// so.
+// Shifted external gears come closer than the sum of their shifts asks; ring and planet lose clearance where
+// their addenda are their own.
 void remark_clearances(const WorkingGeometry& g, Remarks& remarks) {
   const double a = g.centre_distance;
   remarks.clearance(a - g.sun.tip_radius - g.planet.root_radius, g.sun.module, "sun", "planet");
   remarks.clearance(a - g.planet.tip_radius - g.sun.root_radius, g.sun.module, "planet", "sun");
+  remarks.clearance(g.ring.root_radius - a - g.planet.tip_radius, g.ring.module, "planet", "ring");
+  remarks.clearance(g.ring.tip_radius - a - g.planet.root_radius, g.ring.module, "ring", "planet");
 }
 
 void remark_fouling(const WorkingGeometry& geometry, Remarks& remarks) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -83,9 +84,34 @@ FieldReading read_flag(const Field& field, const Entry& entry) {
   return good({entry.text, entry.text == "true" ? 1.0 : 0.0, {}});
 }
 
+// Letters and digits alone, all large.
+std::string bare(const std::string& text) {
+  std::string letters;
+  for (const unsigned char c : text)
+    if (std::isalnum(c) != 0) letters += static_cast<char>(std::toupper(c));
+  return letters;
+}
+
+// The choice that `text` is but for spaces, hyphens and size of letters, or else the longest one that it
+// begins with; empty where there is none.
+std::string likely_choice(const Field& field, const std::string& text) {
+  const std::string given = bare(text);
+  std::string likely;
+  for (const std::string& choice : field.choices) {
+    const std::string known = bare(choice);
+    if (known == given) return choice;
+    if (given.starts_with(known) && known.size() > bare(likely).size()) likely = choice;
+  }
+  return likely;
+}
+
 FieldReading read_choice(const Field& field, const Entry& entry) {
-  if (std::find(field.choices.begin(), field.choices.end(), entry.text) == field.choices.end())
-    return bad(describe(entry) + " is none of the choices", field);
+  if (std::find(field.choices.begin(), field.choices.end(), entry.text) == field.choices.end()) {
+    const std::string likely = likely_choice(field, entry.text);
+    return bad(describe(entry) + " is none of the choices" +
+                   (likely.empty() ? "" : fmt::format(" (did you mean '{}'?)", likely)),
+               field);
+  }
   return good({entry.text, 0.0, {}});
 }
 

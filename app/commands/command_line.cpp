@@ -81,30 +81,49 @@ void add_sweep(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"up", "down"}));
 }
 
+// An empty text, as a shell makes it of a variable that is not set, is no choice.
+const CLI::Validator not_empty(
+    [](const std::string& text) {
+      return text.empty() ? std::string("an empty text; a value is required") : "";
+    },
+    "");
+
 void add_crown_choices(CLI::App& command, CrownOptions& crown) {
-  command.add_option("--profile", crown.profiles,
-                     "kinds of profile, comma between them: chamfer, circular, straight-circular, lundberg, "
-                     "johns-gohar, iso16281, fujiwara-kawase; default: the case's, else iso16281");
-  command.add_option(
-      "--tilts", crown.tilts,
-      "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: none, tilts are "
-      "computed from planet, pin and bearings (where that cannot be: \"0 mrad, 1 mrad, 2 mrad\")");
-  command.add_option(
-      "--drops", crown.drops,
-      "relief of one roller at the outermost of 40 laminae: the same with lengths; default: 17 from 0 to "
-      "about three times that of ISO/TS 16281");
+  command
+      .add_option("--profile", crown.profiles,
+                  "kinds of profile, comma between them: chamfer, circular, straight-circular, lundberg, "
+                  "johns-gohar, iso16281, fujiwara-kawase; default: the case's, else iso16281")
+      ->check(not_empty);
+  command
+      .add_option("--tilts", crown.tilts,
+                  "stated tilts of the planet's bore on its pin: a list or FROM : TO : STEP; default: none, "
+                  "tilts are "
+                  "computed from planet, pin and bearings (where that cannot be: \"0 mrad, 1 mrad, 2 mrad\")")
+      ->check(not_empty);
+  command
+      .add_option(
+          "--drops", crown.drops,
+          "relief of one roller at the outermost of 40 laminae: the same with lengths; default: 17 from 0 to "
+          "about three times that of ISO/TS 16281")
+      ->check(not_empty);
   command.add_flag("--spectrum", crown.spectrum,
                    "all speeds that the case sweeps, for equal times, in place of its one speed");
-  command.add_option("--shares", crown.shares,
-                     "with --spectrum: shares of the time, one for each speed, comma between them");
+  command
+      .add_option("--shares", crown.shares,
+                  "with --spectrum: shares of the time, one for each speed, comma between them")
+      ->check(not_empty);
 }
 
 void add_crown_aims(CLI::App& command, CrownOptions& crown) {
-  command.add_option("--tolerance", crown.tolerance,
-                     "the recommended drop is for drops that miss by this, plus and minus, e.g. \"1 um\"");
-  command.add_option("--tilt-tolerance", crown.tilt_tolerance,
-                     "the same for each stated tilt, or for the inclination of the pin in either direction "
-                     "where tilts are computed, e.g. \"0.5 mrad\"");
+  command
+      .add_option("--tolerance", crown.tolerance,
+                  "the recommended drop is for drops that miss by this, plus and minus, e.g. \"1 um\"")
+      ->check(not_empty);
+  command
+      .add_option("--tilt-tolerance", crown.tilt_tolerance,
+                  "the same for each stated tilt, or for the inclination of the pin in either direction "
+                  "where tilts are computed, e.g. \"0.5 mrad\"")
+      ->check(not_empty);
   command
       .add_option("--distribution", crown.distribution,
                   "how likely misses within the tolerances are: normal (three standard deviations, cut off; "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/case/resolved_writer.hpp"
@@ -43,7 +44,8 @@ int run_film_case(const ResolvedCase& resolved, const Options& options) {
   }
   present_lone_result(lone_result_json(resolved, film_json(study), study.warnings), film_text(study),
                       options);
-  return 0;
+  const auto lost = [](const FilmPoint& point) { return point.lost(); };
+  return std::any_of(study.points.begin(), study.points.end(), lost) ? 1 : 0;
 }
 
 }  // namespace orbearing::app

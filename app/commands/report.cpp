@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "app/case/case_file.hpp"
+#include "app/commands/bearing_run.hpp"
 #include "app/commands/command_line.hpp"
 #include "app/commands/defect_run.hpp"
-#include "app/commands/bearing_run.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/result_folder.hpp"
@@ -126,10 +126,15 @@ int report_command(const Options& options) {
         folder.string() + ": found results of the model " + resolved.choice("model") +
         "; required: a sweep, a crowning study, a ball bearing in time or a bearing with scratches, of which "
         "pages are drawn");
-  if (is_defect(resolved) && !fs::exists(folder / defect_file_name))
+  if (manifest.header && manifest.header->fidelity == "gears")
     throw BadInput(folder.string() +
-                   ": found a set of signals; required: the folder of one run, of which a page is drawn; labels.csv "
-                   "lists the set");
+                   ": found the motion of gears alone (run --gears); required: a sweep or a run of "
+                   "bearings, of which pages are drawn");
+  if (is_defect(resolved) && !fs::exists(folder / defect_file_name))
+    throw BadInput(
+        folder.string() +
+        ": found a set of signals; required: the folder of one run, of which a page is drawn; labels.csv "
+        "lists the set");
   const fs::path page = folder / page_name;
   const nlohmann::ordered_json data = is_defect(resolved) ? printed_data(folder / defect_file_name, "defect")
                                       : is_ball_run(resolved) ? printed_data(folder / ball_file_name, "balls")

@@ -148,9 +148,20 @@ Json film_json(const FilmPoint& point) {
   return object;
 }
 
+namespace {
+
+std::string status_of(const FilmPoint& point) {
+  return point.lost() ? "failed" : "ok";
+}
+
+}  // namespace
+
 Json film_json(const FilmStudy& study) {
   Json rows = Json::array();
-  for (const FilmPoint& point : study.points) rows.push_back(film_json(point));
+  for (const FilmPoint& point : study.points) {
+    rows.push_back(film_json(point));
+    rows.back()["status"] = status_of(point);
+  }
   return {{"film", rows}};
 }
 
@@ -187,11 +198,11 @@ std::string film_csv(const FilmStudy& study) {
   for (const MotionQuantity& one : motion_quantities) text += std::string(one.name) + ",";
   const std::span<const FilmQuantity> quantities = quantities_of(study.points.front());
   for (const FilmQuantity& one : quantities) text += name_of(one) + ",";
-  text.back() = '\n';
+  text += "status\n";
   for (const FilmPoint& point : study.points) {
     for (const MotionQuantity& one : motion_quantities) text += fmt::format("{},", point.motion.*one.value);
     for (const FilmQuantity& one : quantities) text += fmt::format("{:.9g},", one.scale * one.value(point));
-    text.back() = '\n';
+    text += status_of(point) + "\n";
   }
   return text;
 }

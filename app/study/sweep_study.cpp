@@ -229,8 +229,11 @@ std::size_t points_of(const SweepOutcome& outcome) {
   return outcome.rows.size() + outcome.header.spectrum.points();
 }
 
-// Of one planet bearing at the operating point; of several sets, by set.
+// Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt,
+// at which no stiffness is computed (`orbearing stiffness` refuses such a case).
 nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
+  if (resolved.has("bearing.tilt_state") && resolved.choice("bearing.tilt_state") == "computed")
+    return nullptr;
   const StiffnessStudy study = stiffness_study(resolved);
   const auto matrix = [](const StiffnessPoint& point) {
     return point.stiffness ? stiffness_json(*point.stiffness) : nlohmann::ordered_json(nullptr);

@@ -39,6 +39,28 @@ std::string rows_where(const SweepOutcome& outcome, const std::function<bool(con
   return count == 0 ? "" : fmt::format("{} of {} points, first at {}", count, rows.size(), first);
 }
 
+// Where a profile or a tilt is to be felt by so few that they hardly see it.
+std::vector<std::string> lamina_warnings(const ResolvedCase& resolved) {
+  constexpr int enough = 10;  // within 2 % of the life of many, the wind turbine's planets
+  std::vector<std::string> warnings;
+  const auto look = [&](const std::string& prefix) {
+    const auto has = [&](const char* path) { return resolved.has(prefix + path); };
+    if (!has("bearing.laminae") || resolved.integer(prefix + "bearing.laminae") >= enough) return;
+    const bool computed =
+        has("bearing.tilt_state") && resolved.choice(prefix + "bearing.tilt_state") == "computed";
+    if (!computed && !has("bearing.profile.kind") && !has("bearing.misalignment.planet_tilt") &&
+        !has("bearing.misalignment.carrier_wind_up"))
+      return;
+    warnings.push_back(
+        fmt::format("{}bearing.laminae: {} feel a profile or a tilt coarsely (one not at all), which "
+                    "shows in loads and lives; {} or more are advised",
+                    prefix, resolved.integer(prefix + "bearing.laminae"), enough));
+  };
+  look("");
+  for (const std::string& set : resolved.shape().sets) look(set_prefix(set));
+  return warnings;
+}
+
 }  // namespace
 
 std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const SweepOutcome& outcome,
@@ -54,6 +76,7 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
   add(overturning_warnings(resolved.without_sweep()));
   if (in_time(fidelity_of(outcome.header.fidelity))) add(planar_warnings(resolved));
   add(clearance_warnings(resolved));
+  add(lamina_warnings(resolved));
   add(oil_warnings(resolved));
   const auto column = [&](const ResultRow& row, const char* name) {
     return value_of(outcome.head, row, name);

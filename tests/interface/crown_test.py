@@ -102,6 +102,18 @@ class ComputedTilt(unittest.TestCase):
         self.assertIn("--tilts: found beside", refusal("--tilts", "1 mrad", "--set", "bearing.tilt_state=computed", "--set", "bearing.laminae=20"))
         self.assertIn("stated tilts", refusal(*STATED, "--tolerance", "1 um", "--distribution", "uniform"))
         self.assertIn("without a tolerance", refusal("--distribution", "uniform"))
+        for option in ("--tilts", "--drops", "--profile", "--tolerance", "--shares"):
+            self.assertIn("an empty text", refusal(option, ""))
+
+    def test_a_stated_tilt_of_the_case_does_not_decide(self):
+        found = crown("--starts", "1", "--set", "bearing.laminae=40", "--set", "bearing.misalignment.planet_tilt=1 mrad")
+        self.assertEqual(found["tilt"], "computed")
+        self.assertTrue(any("planet_tilt" in text and "no effect" in text for text in found["warnings"]))
+        self.assertAlmostEqual(found["recommended"]["drop_um"], self.study["recommended"]["drop_um"], delta=1e-6)
+
+    def test_rollers_that_yield_are_told_of(self):
+        found = crown("--starts", "1", "--set", "input.speed=100 rpm")
+        self.assertTrue(any("yield" in text for text in found["warnings"]))
 
     def test_what_cannot_be_computed_is_stated_and_said(self):
         with tempfile.TemporaryDirectory() as folder:

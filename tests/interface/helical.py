@@ -158,6 +158,19 @@ class Helical(unittest.TestCase):
         for wrong in ("[20]", "[0, 5]", "[2.5, 5]"):
             self.assertEqual(run("check", REDUCER, *settings((f"parallel_stage.front={wrong}",))).returncode, 2, wrong)
 
+    def test_tips_in_the_roots_of_the_ring_are_told_of(self):
+        heights = ["gearset.addendum_of.planet=1.4", "gearset.root_fillet_radius=0.1", "gearset.clearance_of.sun=0.6"]
+        self.assertTrue(warned(answer("run", WIND, *heights), "tips of the planet dig into the roots of the ring by 1.1"))
+        self.assertFalse(warned(answer("run", WIND), "dig into"))
+
+    def test_no_stiffness_where_planets_find_their_tilt(self):
+        self.assertIsNone(answer("run", WIND)["stiffness"])
+        self.assertIsNotNone(answer("run", WIND, "bearing.tilt_state=stated")["stiffness"])
+
+    def test_few_laminae_are_told_of(self):
+        self.assertTrue(warned(answer("run", WIND, "bearing.laminae=1"), "bearing.laminae: 1 feel"))
+        self.assertFalse(warned(answer("run", WIND), "bearing.laminae"))
+
     def test_thrust_of_spur_gears_is_told_of(self):
         found = answer("mesh", REDUCER, "gearset.sun_thrust=carrier")
         self.assertTrue(warned(found, "gearset.sun_thrust"))

@@ -82,6 +82,14 @@ class ReportCommand(unittest.TestCase):
             self.assertIn("manifest.jsonl", result.stderr)
         self.assertEqual(run([PROGRAM, "report", str(CASE)]).returncode, 2)
 
+    def test_the_motion_of_gears_alone_has_no_page(self):
+        folder = self.root / "gears"
+        done = run([PROGRAM, "run", str(CASE), "--gears", "-o", str(folder), "--quiet"])
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result = report(folder)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("the motion of gears alone", result.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

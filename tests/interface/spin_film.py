@@ -77,7 +77,7 @@ class Contact(unittest.TestCase):
             line = pathlib.Path(place) / "line"
             done = call("run", CASES / "reynolds_line" / "case.yaml", "-o", line, "--json")
             row = json.loads(done.stdout)["film"][0]
-            self.assertEqual(list(row)[3:], ["h_c_um", "h_min_um", "h_flow_um", "h_min_DowsonHigginson_um", "rolling_resistance_N"])
+            self.assertEqual(list(row)[3:], ["h_c_um", "h_min_um", "h_flow_um", "h_min_DowsonHigginson_um", "rolling_resistance_N", "status"])
             self.assertTrue((line / "film_line_1.csv").read_text().startswith("x_mm,pressure_GPa,film_um,oil_fraction\n"))
 
     def test_folder(self):
@@ -93,6 +93,12 @@ class Contact(unittest.TestCase):
             self.assertEqual(again["film"], run(FILM)["film"])
             self.assertEqual(call("run", FILM, "-o", folder).returncode, 2)
             self.assertEqual(call("run", FILM, "-o", folder, "--resume").returncode, 0)
+
+    def test_a_film_that_is_not_solved_fails(self):
+        thin = ["film.solver=reynolds", "contact.ellipticity=1", "points=[[2000 N, 0.001 m/s, 0 rad/s]]"]
+        done = call("run", FILM, "--json", *(part for setting in thin for part in ("--set", setting)))
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual([row["status"] for row in json.loads(done.stdout)["film"]], ["failed"])
 
     def test_bad_input(self):
         for setting, words in (("points=[[1500 N, 5 m/s]]", "rows [load, rolling speed, spin]"), ("points=[1500 N]", "as a row"),

@@ -59,8 +59,8 @@ std::string reason_to_state(const ResolvedCase& resolved) {
     return "gearset.planet_rim: elastic";
   for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"})
     if (resolved.has(pins)) return pins;
-  for (const char* tilt : {"bearing.misalignment.planet_tilt", "bearing.misalignment.carrier_wind_up"})
-    if (resolved.has(tilt) && resolved.quantity(tilt) != 0.0) return tilt;
+  const char* wind_up = "bearing.misalignment.carrier_wind_up";
+  if (resolved.has(wind_up) && resolved.quantity(wind_up) != 0.0) return wind_up;
   return "";
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/errors.hpp"
+#include "bearing/life/basic_life.hpp"
 #include "coupling/study/crowning/pressure_life.hpp"
 
 namespace orbearing::app {
@@ -129,6 +130,19 @@ void add_warnings(CrownStudy& study) {
   }
 }
 
+// Beyond it a roller contact yields.
+constexpr double kYield = static_pressure(bearing::rating::RollingElement::roller);
+
+void add_pressure_warning(CrownStudy& study) {
+  double peak = 0.0;
+  for (const DutyRecord& duty : study.recommended.duties) peak = std::max(peak, duty.pressure.peak);
+  if (peak > kYield)
+    study.warnings.push_back(fmt::format(
+        "recommended: rollers press up to {:.4g} MPa; above {:g} MPa they yield, and elastic contact, "
+        "life and this advice have no meaning",
+        1e-6 * peak, 1e-6 * kYield));
+}
+
 void add_advice_warnings(CrownStudy& study) {
   constexpr double noted = 0.01;  // of a life
   const HalfSpaceAdvice& advice = study.recommended.advice;
@@ -236,6 +250,7 @@ CrownStudy crown_study(const CrownRequest& request, int jobs, const Progressed& 
   }
   add_warnings(study);
   add_advice_warnings(study);
+  add_pressure_warning(study);
   return study;
 }
 

@@ -120,6 +120,9 @@ TEST(BoughtBearing, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}),
               Contains(HasSubstr("none of the choices")));
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=NU 9999"}), Not(Contains(HasSubstr("missing"))));
+  for (const char* written : {"NU204", "nu-204", "NU 204 ECP"})
+    EXPECT_THAT(mistakes(kByDesignation, {std::string("bearing.designation=") + written}),
+                Contains(HasSubstr("did you mean 'NU 204'?")));
   EXPECT_THAT(mistakes(kByDesignation, {"bearing.designation=6205"}),
               Contains(HasSubstr("'6205', a bearing of balls; one of rollers, such as NU 205, is required")));
   EXPECT_THAT(mistakes(kBallsByDesignation, {"bearing.designation=7205 A"}),

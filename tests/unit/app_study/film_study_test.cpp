@@ -86,6 +86,7 @@ TEST(FilmStudy, APointThatReynoldsEquationDoesNotSolveIsNullAndWarned) {
   EXPECT_TRUE(row.at("h_c_um").is_null());
   EXPECT_TRUE(row.at("h_min_um").is_null());
   EXPECT_TRUE(row.at("h_0_um").is_null());
+  EXPECT_EQ(row.at("status"), "failed");
   EXPECT_TRUE(row.at("h_c_HamrockDowson_um").is_number());
 }
 
