@@ -107,7 +107,7 @@ TEST(FilmStudy, ALineContactIsSolved) {
   EXPECT_GT(film_property(study, "h_flow_um"), film_property(study, "h_c_um"));
   EXPECT_GT(film_property(study, "rolling_resistance_N"), 0.0);
   EXPECT_FALSE(row.contains("h_c_HamrockDowson_um"));
-  EXPECT_THAT(film_csv(study), HasSubstr("h_flow_um,h_min_DowsonHigginson_um,rolling_resistance_N\n"));
+  EXPECT_THAT(film_csv(study), HasSubstr("h_flow_um,h_min_DowsonHigginson_um,rolling_resistance_N,status\n"));
   EXPECT_THAT(film_text(study), HasSubstr("rolling_resistance [N]"));
   EXPECT_THAT(film_line_csv(*study.points[0].line), HasSubstr("x_mm,pressure_GPa,film_um,oil_fraction\n"));
 }
