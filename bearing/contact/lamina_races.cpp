@@ -12,8 +12,8 @@ constexpr double kBalance = 1e-14;  // of both tip loads, where round-off begins
 constexpr int kMostTiltSteps = 100;
 
 // Within which a roller under some load comes to stand where both contacts balance [s]. A rigid film of a
-// quarter of a micrometre between roller and race resists tilting so that it takes 4 us. Half and twice it
-// change lives by less than their scatter (bearing/motion/README.md).
+// quarter of a micrometre between roller and race resists tilting so that it takes 4 us. A quarter of it and
+// four times as much change lives by at most 0.5 % (bearing/motion/README.md).
 constexpr double kRelaxation = 2e-6;
 constexpr double kTypicalLoad = 10.0;  // [N]
 
