@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "app/case/mesh_fields.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -117,8 +119,8 @@ constexpr Exception exceptions[] = {
     {"signal.length_error", 0, use::moving_defect},
     {"simulation.integrator", other_rungs | use::fmu_bearing}};
 
-// What gives way under the planets, with its ends: felt at rest too where pins stand off their places, since
-// then it decides who carries how much.
+// What gives way under the planets besides, with its ends: felt at rest too where pins stand off their
+// places, since then it decides who carries how much.
 constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "support.stiffness",
                                            "gearset.dynamics.sun.mass",
@@ -132,33 +134,14 @@ constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "gearset.dynamics.carrier.torsional_stiffness",
                                            "gearset.dynamics.carrier.plate_ratio",
                                            "gearset.dynamics.planet.mass",
-                                           "gearset.addendum_of.sun",
-                                           "gearset.addendum_of.ring",
-                                           "gearset.clearance_of.sun",
-                                           "gearset.clearance_of.ring",
-                                           "gearset.web.thickness",
-                                           "gearset.web.rim",
-                                           "gearset.tooth_contact",
-                                           "gearset.tip_relief.sun",
-                                           "gearset.tip_relief.planet",
-                                           "gearset.tip_relief.ring",
-                                           "gearset.tip_relief.length",
-                                           "gearset.tip_relief.form",
-                                           "gearset.lead_crown.sun",
-                                           "gearset.lead_crown.planet",
-                                           "gearset.lead_crown.ring",
-                                           "gearset.lead_slope.sun",
-                                           "gearset.lead_slope.ring",
-                                           "gearset.dynamics.mesh_stiffness.sun",
-                                           "gearset.dynamics.mesh_stiffness.ring",
                                            "gearset.dynamics.backlash",
                                            "gearset.dynamics.separation",
                                            "gearset.dynamics.transmission_error.sun",
                                            "gearset.dynamics.transmission_error.ring"};
 
 Use with_load_sharing(const Use& use, std::string_view path) {
-  const bool gives_way =
-      std::find(std::begin(giving_way), std::end(giving_way), path) != std::end(giving_way);
+  const bool gives_way = makes_meshes(path) || std::find(std::begin(giving_way), std::end(giving_way),
+                                                         path) != std::end(giving_way);
   return gives_way ? use.felt_too(use::quasi_static, where_pins_are_displaced()) : use;
 }
 

@@ -111,22 +111,24 @@ double sound_deflection(const MeshingGears& gears, const MeshModifications& by, 
   return least;
 }
 
+// Of a planet and its mate.
+MeshModifications with_planet(const FlankModifications& set, double module, double relief, double crown,
+                              double slope) {
+  const double length = set.relief_length * module;
+  return {{relief, length, set.relief_form},
+          {set.planet_relief, length, set.relief_form},
+          crown + set.planet_crown,
+          slope};
+}
+
 }  // namespace
 
 MeshModifications sun_mesh_modifications(const FlankModifications& set, double module) {
-  const double length = set.relief_length * module;
-  return {{set.sun_relief, length, set.relief_form},
-          {set.planet_relief, length, set.relief_form},
-          set.sun_crown + set.planet_crown,
-          set.sun_slope};
+  return with_planet(set, module, set.sun_relief, set.sun_crown, set.sun_slope);
 }
 
 MeshModifications ring_mesh_modifications(const FlankModifications& set, double module) {
-  const double length = set.relief_length * module;
-  return {{set.ring_relief, length, set.relief_form},
-          {set.planet_relief, length, set.relief_form},
-          set.ring_crown + set.planet_crown,
-          set.ring_slope};
+  return with_planet(set, module, set.ring_relief, set.ring_crown, set.ring_slope);
 }
 
 double body_torsion(const MeshGear& gear) {
