@@ -56,7 +56,7 @@ class TeethUnderLoad(unittest.TestCase):
             return max(abs(b - a) for a, b in zip(curve, curve[1:])) / mesh["transmission_error"]["peak_to_peak_um"]
 
         self.assertGreater(steepest(sun_mesh(SLOW)), 0.5)
-        self.assertLess(steepest(sun_mesh(SLOW, LOADED)), 0.1)
+        self.assertLess(steepest(sun_mesh(SLOW, LOADED)), 0.25)  # within 1/180 of a period
         # Of the slope of the force, not of the force.
         self.assertEqual(len(sun_mesh(SLOW, LOADED)["jumps"]), 2)
 

@@ -107,7 +107,7 @@ GapOnMate gap_of_foot(const MeshingGears& gears, const EdgeAtEnd& foot, double p
   return {turned, now.radius};
 }
 
-double radius_at(const MeshGear& gear, double tangent) {
+double radius_of_point(const MeshGear& gear, double tangent) {
   return std::hypot(base_radius(gear), tangent);
 }
 
@@ -125,7 +125,7 @@ FlankGap touching(const MeshingGears& gears, const EdgeAtEnd& edge, const GapOnM
   const bool external = std::holds_alternative<ExternalTooth>(mate.tooth);
   return {std::max(0.0, found.gap), edge.of_first ? edge.tangent : on_mate,
           edge.of_first ? on_mate : edge.tangent,
-          !external || found.radius >= radius_at(mate, range_of(mate).foot)};
+          !external || found.radius >= radius_of_point(mate, range_of(mate).foot)};
 }
 
 // Tips reach the beginning of an external mesh with the first gear's, its end with the second's; in an
@@ -163,7 +163,7 @@ double tip_takes_over(const MeshingGears& gears, PathEnd end) {
   // By how much the flank of the gear with the tip goes on beyond the foot of the other.
   const auto beyond = [&](double distance) {
     const double at = gap_of_foot(gears, foot, from + sense * distance).radius;
-    return outward * (radius_at(mate, tip.tangent) - at);
+    return outward * (radius_of_point(mate, tip.tangent) - at);
   };
   const double most = gears.base_pitch;
   return from + sense * (beyond(most) < 0.0 ? bracketed_root(beyond, 0.0, most) : most);
