@@ -153,9 +153,16 @@ ToothPairs tooth_pairs(const MeshingGears& gears, const MeshModifications& by, i
   const std::vector<double> jumps = corners(gears, by, window);
   const double width = window.end - window.begin;
   const int samples = static_cast<int>(std::ceil(kSamplesPerPeriod * width));
+  // Both curves are continuous at their corners, beside which the table takes its samples.
+  const auto at_corner = [&](double share) {
+    constexpr double beside = 2e-9;  // [window]
+    for (const double corner : jumps)
+      if (std::abs(share - corner) < beside) return corner;
+    return share > 1.0 - beside ? 1.0 : share;
+  };
   const auto over_window = [&](const auto& function) {
-    return PeriodicCurve([&](double share) { return function(window.begin + width * share); }, jumps,
-                         samples);
+    return PeriodicCurve([&](double share) { return function(window.begin + width * at_corner(share)); },
+                         jumps, samples);
   };
   return {LoadedTeeth(over_window([&](double progress) { return pair_stiffness(gears, progress, shared); }),
                       over_window([&](double progress) { return gap_with_relief(gears, by, progress); }),
