@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "gearset/flank_modifications.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::gearset {
@@ -130,6 +131,7 @@ struct PlanetarySet {
   OwnHeights planet_heights;
   OwnHeights ring_heights;
   Web web;  // of the softer gear of each mesh
+  FlankModifications flanks;
 };
 
 template <class Visitor>
@@ -170,7 +172,7 @@ void describe(Visitor& visit, PlanetarySet& m) {
       part(m.sun_heights, [&] { describe_heights(visit, m.sun_heights, "sun", Felt::central_teeth); }),
       part(m.planet_heights, [&] { describe_heights(visit, m.planet_heights, "planet", Felt::planet); }),
       part(m.ring_heights, [&] { describe_heights(visit, m.ring_heights, "ring", Felt::central_teeth); }),
-      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Felt::central_teeth, set); }));
+      part(m.web, [&] { describe_web(visit, m.web, "gearset.", Felt::central_teeth, set); }), part(m.flanks));
 }
 
 /// Pairs of external gears on shafts of their own, without losses: teeth of the gear nearer to the motor,

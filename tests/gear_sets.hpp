@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <random>
 
 #include "gearset/dynamics/bodies.hpp"
 #include "gearset/dynamics/model.hpp"
+#include "gearset/mesh/loaded/tooth_pairs.hpp"
+#include "gearset/mesh/planetary_meshes.hpp"
 #include "tests/unit/gearset/reference_sets.hpp"
 
 namespace orbearing::gearset::dynamics::test {
@@ -81,6 +84,19 @@ inline SetParameters reducer_dynamics() {
     out.ring_phase.push_back(0.3 - share(set.ring_teeth));
   }
   return out;
+}
+
+/// Teeth of the reducer that touch under load, with relief and crown.
+inline void load_teeth(SetParameters& parameters) {
+  PlanetarySet set = reducer();
+  set.flanks = {.sun_relief = 5e-6, .planet_relief = 8e-6, .ring_crown = 6e-6, .sun_slope = 4e-6};
+  const PlanetaryMeshes meshes =
+      planetary_meshes(set, working_geometry(set), equal_planet_angles(set.planets), {}, {}, {});
+  constexpr int slices = 4;
+  parameters.sun_mesh.loaded = std::make_shared<const LoadedTeeth>(
+      tooth_pairs(meshes.sun_gears, sun_mesh_modifications(set.flanks, set.module), slices).teeth);
+  parameters.ring_mesh.loaded = std::make_shared<const LoadedTeeth>(
+      tooth_pairs(meshes.ring_gears, ring_mesh_modifications(set.flanks, set.module), slices).teeth);
 }
 
 inline Operation reducer_operation(double sun_speed) {

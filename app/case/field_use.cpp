@@ -4,6 +4,8 @@
 #include <initializer_list>
 #include <iterator>
 
+#include "app/case/mesh_fields.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -91,8 +93,6 @@ constexpr unsigned no_tilt = use::rollers_in_motion | use::planet_stiffness;
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"input.power", 0, use::fmu_bearing},
-    {"input.speed", 0, use::mesh},  // but for axial forces: with_axial_forces()
-    {"parallel_stage.front", 0, use::mesh},
     {"gearset.planets", 0, use::fmu_bearing},
     {"gearset.planet_rim", use::rollers_in_motion | use::gears | use::fmu_gearset},
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
@@ -119,8 +119,8 @@ constexpr Exception exceptions[] = {
     {"signal.length_error", 0, use::moving_defect},
     {"simulation.integrator", other_rungs | use::fmu_bearing}};
 
-// What gives way under the planets, with its ends: felt at rest too where pins stand off their places, since
-// then it decides who carries how much.
+// What gives way under the planets besides, with its ends: felt at rest too where pins stand off their
+// places, since then it decides who carries how much.
 constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "support.stiffness",
                                            "gearset.dynamics.sun.mass",
@@ -134,22 +134,14 @@ constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "gearset.dynamics.carrier.torsional_stiffness",
                                            "gearset.dynamics.carrier.plate_ratio",
                                            "gearset.dynamics.planet.mass",
-                                           "gearset.addendum_of.sun",
-                                           "gearset.addendum_of.ring",
-                                           "gearset.clearance_of.sun",
-                                           "gearset.clearance_of.ring",
-                                           "gearset.web.thickness",
-                                           "gearset.web.rim",
-                                           "gearset.dynamics.mesh_stiffness.sun",
-                                           "gearset.dynamics.mesh_stiffness.ring",
                                            "gearset.dynamics.backlash",
                                            "gearset.dynamics.separation",
                                            "gearset.dynamics.transmission_error.sun",
                                            "gearset.dynamics.transmission_error.ring"};
 
 Use with_load_sharing(const Use& use, std::string_view path) {
-  const bool gives_way =
-      std::find(std::begin(giving_way), std::end(giving_way), path) != std::end(giving_way);
+  const bool gives_way = makes_meshes(path) || std::find(std::begin(giving_way), std::end(giving_way),
+                                                         path) != std::end(giving_way);
   return gives_way ? use.felt_too(use::quasi_static, where_pins_are_displaced()) : use;
 }
 
@@ -176,10 +168,18 @@ Use also_used(Use use, unsigned analyses) {
   return use;
 }
 
-// The power makes the axial forces that stand beside the meshes of helical gears.
-Use with_axial_forces(const Use& use, std::string_view path) {
+// Power and speed make the load of the meshes, under which teeth give way and helical ones push along the
+// axis.
+Use with_mesh_loads(const Use& use, std::string_view path) {
   const bool makes_them = path == "input.power" || path == "input.speed" || path == "parallel_stage.front";
-  return makes_them ? use.felt_too(use::mesh, where_given({"gearset.helix_angle"})) : use;
+  return makes_them ? also_used(use, use::mesh) : use;
+}
+
+// Length and form of a relief count where there is one.
+Use with_relief(const Use& use, std::string_view path) {
+  if (path != "gearset.tip_relief.length" && path != "gearset.tip_relief.form") return use;
+  return use.when(
+      where_given({"gearset.tip_relief.sun", "gearset.tip_relief.planet", "gearset.tip_relief.ring"}));
 }
 
 // Laminae and what tilts the bore belong to lives, and are felt by the stiffness too; the law of line
@@ -222,8 +222,8 @@ Use use_of(const described::Facts& facts) {
   const unsigned by = holding(facts.felt) & ~(but.refused_by | but.unfelt_by | but.unused_by);
   const unsigned unfelt = (use::all & ~(by | but.refused_by | without)) | but.unfelt_by;
   const Use at_rest =
-      with_axial_forces(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
-  const Use use = with_turning_rings(with_stiffness(at_rest, facts.path), facts);
+      with_mesh_loads(with_load_sharing(Use(by, unfelt, but.refused_by), facts.path), facts.path);
+  const Use use = with_relief(with_turning_rings(with_stiffness(at_rest, facts.path), facts), facts.path);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
   const std::string path(only.path);

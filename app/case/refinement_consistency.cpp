@@ -56,6 +56,19 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   }
 }
 
+// Teeth under load push only, and follow from their form.
+void check_tooth_contact(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  const std::string contact = "gearset.tooth_contact", separation = "gearset.dynamics.separation";
+  if (!resolved.has(contact) || resolved.choice(contact) != "loaded") return;
+  if (resolved.has(separation) && !resolved.flag(separation))
+    object(resolved, contact, fmt::format("loaded beside {}: false", separation),
+           "teeth that push only are required", mistakes);
+  for (const char* stated : {"gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"})
+    if (resolved.has(stated))
+      object(resolved, contact, fmt::format("loaded beside {}", stated),
+             "no stated mesh stiffness is required, which follows from the teeth", mistakes);
+}
+
 // A planet that finds its tilt: laminae feel it, one rigid rim and planets that carry alike are what it is
 // computed for.
 void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
@@ -114,6 +127,7 @@ void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mista
     for (const char* form : {"standing_form", "turning_form"})
       check_form(resolved, fmt::format("bearing.{}.{}", race, form), mistakes);
   check_rim(resolved, mistakes);
+  check_tooth_contact(resolved, mistakes);
   check_tilt(resolved, mistakes);
   check_places(resolved, mistakes);
   const std::string deviations = "bearing.roller_diameter_deviation";

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/case/field_table.hpp"
+#include "app/case/mesh_fields.hpp"
 #include "app/case/settings.hpp"
 
 namespace orbearing::app {
@@ -85,6 +86,11 @@ struct Through {
   std::string_view choice;
   std::string_view value;
   std::string_view by;
+  bool meshes = false;  // and what makes them
+
+  bool holds(std::string_view path) const {
+    return std::find(paths.begin(), paths.end(), path) != paths.end() || (meshes && makes_meshes(path));
+  }
 };
 
 const std::initializer_list<Through> through_others = {
@@ -95,12 +101,11 @@ const std::initializer_list<Through> through_others = {
      "bearing.radial_clearance"},
     // Pin and meshes hold a planet that finds its own tilt.
     {{"bearing.bore", "material.youngs_modulus", "material.poisson_ratio", "gearset.sun_bore_ratio",
-      "gearset.ring_outside_ratio", "gearset.addendum_of.sun", "gearset.addendum_of.ring",
-      "gearset.clearance_of.sun", "gearset.clearance_of.ring", "gearset.web.thickness", "gearset.web.rim",
-      "gearset.dynamics.mesh_stiffness.sun", "gearset.dynamics.mesh_stiffness.ring"},
+      "gearset.ring_outside_ratio"},
      "bearing.tilt_state",
      "computed",
-     "bearing.tilt_state"}};
+     "bearing.tilt_state",
+     true}};
 
 bool is_chosen(const ResolvedCase& in, const Input& input, const Through& through) {
   const std::vector<Input> inputs = in.inputs();
@@ -114,7 +119,7 @@ bool is_chosen(const ResolvedCase& in, const Input& input, const Through& throug
 
 bool is_felt_through_another(const ResolvedCase& in, const Input& input, use::Analysis analysis) {
   return std::any_of(through_others.begin(), through_others.end(), [&](const Through& through) {
-    return std::find(through.paths.begin(), through.paths.end(), input.field->path) != through.paths.end() &&
+    return through.holds(input.field->path) &&
            (find_field(std::string(through.by))->use.by & analysis) != 0 && is_chosen(in, input, through);
   });
 }

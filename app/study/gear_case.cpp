@@ -6,6 +6,7 @@
 #include "app/study/mesh_study.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/planet_stiffness.hpp"
+#include "gearset/mesh/loaded/set_teeth.hpp"
 
 namespace orbearing::app {
 
@@ -54,6 +55,7 @@ gearset::dynamics::SetModel geometric_model(const ResolvedCase& in) {
   gearset::dynamics::SetParameters set =
       study::geometric_set(choice, drivetrain.set, gearset::working_geometry(drivetrain.set),
                            planetary_meshes_of(in), rings, stiffness);
+  linearise_meshes(set, operation);
   if (geometry.rim)
     set.planet.linked = {study::planet_stiffness(drivetrain, geometry, set.sun_mesh.stiffness.mean(),
                                                  set.ring_mesh.stiffness.mean())};
@@ -130,8 +132,18 @@ std::vector<std::string> gear_dynamics_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> texts = gear_warnings(resolved);
   for (std::string& text : planar_warnings(resolved)) texts.push_back(std::move(text));
   if (!resolved.shape().teeth) return texts;
-  for (const gearset::Warning& warning : gearset::foundation_warnings(planetary_meshes_of(resolved)))
-    texts.push_back(warning.place + ": " + warning.text);
+  const gearset::PlanetaryMeshes meshes = planetary_meshes_of(resolved);
+  gearset::Warnings warnings = gearset::foundation_warnings(meshes);
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
+  if (drivetrain.set.flanks.contact == gearset::ToothContact::loaded) {
+    const double force =
+        gearset::mean_loads(drivetrain.set, gearset::working_geometry(drivetrain.set), drivetrain.drive)
+            .normal_force;
+    for (gearset::Warning& warning :
+         gearset::edge_warnings(gearset::set_teeth(drivetrain.set, meshes), force))
+      warnings.push_back(std::move(warning));
+  }
+  for (const gearset::Warning& warning : warnings) texts.push_back(warning.place + ": " + warning.text);
   return texts;
 }
 

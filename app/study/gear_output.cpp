@@ -32,6 +32,15 @@ Json of_all_planets(const GearRunResult& result, Signal signal) {
   return {{"rms", std::sqrt(square)}, {"max", largest}};
 }
 
+// rms over all planets, along any one direction of the housing.
+double housing_acceleration(const GearRunResult& result) {
+  double square = 0.0;
+  for (const PlanetStatistics& planet : result.planets)
+    square += planet.housing_acceleration * planet.housing_acceleration /
+              static_cast<double>(result.planets.size());
+  return std::sqrt(square);
+}
+
 Json of_each_planet(const GearRunResult& result, Signal signal, bool harmonics) {
   Json list = Json::array();
   for (const PlanetStatistics& planet : result.planets) {
@@ -127,6 +136,7 @@ Json gear_run_json(const GearRunResult& result) {
           {"planet_acceleration_m_per_s2",
            {{"x", of_all_planets(result, &PlanetStatistics::radial_acceleration)},
             {"y", of_all_planets(result, &PlanetStatistics::tangential_acceleration)},
+            {"housing_rms", housing_acceleration(result)},
             {"x_of_planets", of_each_planet(result, &PlanetStatistics::radial_acceleration, true)},
             {"y_of_planets", of_each_planet(result, &PlanetStatistics::tangential_acceleration, true)}}},
           {"mesh_force_N",

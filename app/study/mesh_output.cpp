@@ -14,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kCurveSamples = 200;  // of the curve, a period
+constexpr int kCurveSamples = 200;     // of the curve, a period
+constexpr std::size_t kErrorStep = 4;  // of the samples of a transmission error, one is told
 
 Json parts_json(const gearset::GearCompliance& gear) {
   return {{"bending_N_per_m", 1.0 / gear.tooth.bending},
@@ -52,20 +53,45 @@ Json curve_json(const gearset::PeriodicCurve& curve) {
   return points;
 }
 
+Json error_json(const gearset::TransmissionError& error) {
+  Json harmonics = Json::array(), curve = Json::array();
+  for (const double amplitude : error.harmonics) harmonics.push_back(1e6 * amplitude);
+  const double samples = static_cast<double>(error.curve.size());
+  for (std::size_t i = 0; i < error.curve.size(); i += kErrorStep)
+    curve.push_back({(static_cast<double>(i) + 0.5) / samples, 1e6 * error.curve[i]});
+  return {{"force_N", error.force},
+          {"mean_um", 1e6 * error.mean},
+          {"peak_to_peak_um", 1e6 * error.peak_to_peak},
+          {"harmonics_um", harmonics},
+          {"curve_um", curve}};
+}
+
 Json mesh_json(const NamedMesh& mesh) {
   const gearset::PeriodicCurve& curve = mesh.stiffness.curve;
-  return {{"name", mesh.name},
-          {"contact_ratio", mesh.stiffness.contact_ratio},
-          {"overlap_ratio", mesh.stiffness.overlap_ratio},
-          {"total_contact_ratio", mesh.stiffness.contact_ratio + mesh.stiffness.overlap_ratio},
-          {"mean_N_per_m", curve.mean()},
-          {"min_N_per_m", curve.least()},
-          {"max_N_per_m", curve.largest()},
-          {"phase", mesh.phase},
-          {"at_pitch_point", pitch_point_json(mesh)},
-          {"iso6336", standard_json(mesh)},
-          {"jumps", curve.jumps()},
-          {"curve", curve_json(curve)}};
+  Json json{{"name", mesh.name},
+            {"contact_ratio", mesh.stiffness.contact_ratio},
+            {"overlap_ratio", mesh.stiffness.overlap_ratio},
+            {"total_contact_ratio", mesh.stiffness.contact_ratio + mesh.stiffness.overlap_ratio},
+            {"mean_N_per_m", curve.mean()},
+            {"min_N_per_m", curve.least()},
+            {"max_N_per_m", curve.largest()},
+            {"phase", mesh.phase},
+            {"at_pitch_point", pitch_point_json(mesh)},
+            {"iso6336", standard_json(mesh)},
+            {"jumps", curve.jumps()},
+            {"curve", curve_json(curve)}};
+  if (mesh.error) json["transmission_error"] = error_json(*mesh.error);
+  return json;
+}
+
+std::string error_text(const NamedMesh& mesh) {
+  if (!mesh.error) return "";
+  const gearset::TransmissionError& error = *mesh.error;
+  return fmt::format(
+      "transmission error under {:.5g} N: mean {:.4g} um, peak to peak {:.4g} um, harmonics {:.3g}, {:.3g}, "
+      "{:.3g} um\n",
+      error.force, 1e6 * error.mean, 1e6 * error.peak_to_peak, 1e6 * error.harmonics[0],
+      1e6 * error.harmonics[1], 1e6 * error.harmonics[2]);
 }
 
 std::string row(const NamedMesh& mesh) {
@@ -158,7 +184,8 @@ std::string mesh_text(const MeshStudy& study, Glyphs glyphs) {
   for (const NamedMesh& mesh : study.meshes) {  // meshes of a kind differ in their phase only
     if (mesh.first == last) continue;
     last = mesh.first;
-    text += parts_text(mesh) + mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
+    text += parts_text(mesh) + error_text(mesh) +
+            mesh_chart(mesh.stiffness, mesh.first + " and " + mesh.second, glyphs);
   }
   if (study.axial) text += axial_text(*study.axial);
   if (study.planet_rim) text += rim_text(*study.planet_rim);

@@ -12,6 +12,7 @@
 #include "app/study/drivetrain_case.hpp"
 #include "app/units.hpp"
 #include "gearset/checks.hpp"
+#include "gearset/mesh/loaded/set_teeth.hpp"
 #include "gearset/planet_body.hpp"
 
 namespace orbearing::app {
@@ -31,9 +32,10 @@ mechanics::Material elasticity_of(const ResolvedCase& in) {
 
 void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
   if (mesh.standard.in_range) return;
-  texts.push_back(mesh.first + " and " + mesh.second +
-                  ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not "
-                  "below the wheel's, sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
+  texts.push_back(
+      mesh.first + " and " + mesh.second +
+      ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not "
+      "below the wheel's, sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
 }
 
 MeshStudy pair_study(const ResolvedCase& in) {
@@ -81,6 +83,11 @@ gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::Planetar
       held_race_of(drivetrain));
 }
 
+void load_teeth(const gearset::LoadedTeeth& teeth, double force, NamedMesh& mesh) {
+  mesh.stiffness.curve = gearset::tangent_spring(teeth, force).stiffness;
+  mesh.error = gearset::transmission_error(teeth, force);
+}
+
 MeshStudy set_study(const ResolvedCase& in) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
   const gearset::PlanetarySet& set = drivetrain.set;
@@ -99,8 +106,16 @@ MeshStudy set_study(const ResolvedCase& in) {
                                               ring.stiffness.contact_ratio, material, set.helix_angle,
                                               set.web, rack_of(set, set.ring_heights)});
   MeshStudy study;
+  const gearset::MeanLoads loads = gearset::mean_loads(set, geometry, drivetrain.drive);
+  sun.error = gearset::transmission_error(sun.stiffness.curve, loads.normal_force);
+  ring.error = gearset::transmission_error(ring.stiffness.curve, loads.normal_force);
+  if (set.flanks.contact == gearset::ToothContact::loaded) {
+    const gearset::SetTeeth teeth = gearset::set_teeth(set, meshes);
+    load_teeth(teeth.sun.teeth, loads.normal_force, sun);
+    load_teeth(teeth.ring.teeth, loads.normal_force, ring);
+    add_texts(gearset::edge_warnings(teeth, loads.normal_force), study.warnings);
+  }
   if (set.helix_angle != 0.0) {
-    const gearset::MeanLoads loads = gearset::mean_loads(set, geometry, drivetrain.drive);
     study.axial = {geometry.base_helix_angle, loads, set.sun_thrust, gearset::axial_reactions(set, loads)};
   }
   const auto add = [&study](NamedMesh mesh, const std::vector<double>& lags) {

@@ -10,6 +10,7 @@
 #include "app/case/resolved_case.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/mesh/iso6336.hpp"
+#include "gearset/mesh/loaded/transmission_error.hpp"
 #include "gearset/mesh/mesh_stiffness.hpp"
 #include "gearset/mesh/planetary_meshes.hpp"
 #include "gearset/rim/rim_influence.hpp"
@@ -18,13 +19,14 @@ namespace orbearing::app {
 
 /// One mesh of a case.
 struct NamedMesh {
-  std::string name;    // "sun-planet 1"
-  std::string first;   // "sun"
-  std::string second;  // "planet"
-  double phase = 0.0;  // [mesh period]  by which it lags behind the first mesh of the case
-  gearset::MeshStiffness stiffness;
+  std::string name;                  // "sun-planet 1"
+  std::string first;                 // "sun"
+  std::string second;                // "planet"
+  double phase = 0.0;                // [mesh period]  by which it lags behind the first mesh of the case
+  gearset::MeshStiffness stiffness;  // of loaded teeth about the mean load
   gearset::Iso6336Stiffness standard;
-  double face_width = 0.0;  // [m]
+  double face_width = 0.0;                            // [m]
+  std::optional<gearset::TransmissionError> error{};  // of a set, under the mean load of its meshes
 };
 
 /// Axial forces of a set with helical teeth at the case's input.

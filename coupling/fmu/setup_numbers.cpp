@@ -100,6 +100,42 @@ void from_numbers(const std::vector<double>& numbers, gearset::PeriodicCurve& cu
   curve = gearset::PeriodicCurve::from_numbers(numbers);
 }
 
+// Window and shared compliance, number of slices, slices, length of the first curve, both curves.
+std::vector<double> to_numbers(const std::shared_ptr<const gearset::LoadedTeeth>& teeth) {
+  if (!teeth) return {};
+  std::vector<double> numbers{teeth->begin(), teeth->end(), teeth->shared(),
+                              static_cast<double>(teeth->slices().size())};
+  for (const gearset::FaceSlice& slice : teeth->slices())
+    numbers.insert(numbers.end(), {slice.ahead, slice.gap});
+  const std::vector<double> stiffness = teeth->stiffness().numbers(), gap = teeth->gap().numbers();
+  numbers.push_back(static_cast<double>(stiffness.size()));
+  numbers.insert(numbers.end(), stiffness.begin(), stiffness.end());
+  numbers.insert(numbers.end(), gap.begin(), gap.end());
+  return numbers;
+}
+void from_numbers(const std::vector<double>& numbers, std::shared_ptr<const gearset::LoadedTeeth>& teeth) {
+  teeth = nullptr;
+  if (numbers.empty()) return;
+  constexpr std::size_t head = 4;
+  const auto count = [&](std::size_t at) {
+    const double value = at < numbers.size() ? numbers[at] : -1.0;
+    if (!(value >= 0.0 && value <= static_cast<double>(numbers.size())))
+      throw std::invalid_argument("numbers of loaded teeth: found " + std::to_string(numbers.size()) +
+                                  "; required: those of slices and of two curves");
+    return static_cast<std::size_t>(value);
+  };
+  const std::size_t slices = count(head - 1), length_at = head + 2 * slices, stiffness = count(length_at);
+  if (length_at + 1 + stiffness > numbers.size()) count(numbers.size());  // complains
+  std::vector<gearset::FaceSlice> face;
+  for (std::size_t i = head; i < length_at; i += 2) face.push_back({numbers[i], numbers[i + 1]});
+  const auto from = numbers.begin() + static_cast<std::ptrdiff_t>(length_at + 1);
+  const auto middle = from + static_cast<std::ptrdiff_t>(stiffness);
+  teeth = std::make_shared<const gearset::LoadedTeeth>(
+      gearset::PeriodicCurve::from_numbers({from, middle}),
+      gearset::PeriodicCurve::from_numbers({middle, numbers.end()}), numbers[0], numbers[1], numbers[2],
+      std::move(face));
+}
+
 std::vector<double> to_numbers(const Eigen::Matrix2Xd& matrix) {
   return {matrix.data(), matrix.data() + matrix.size()};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -10,6 +11,7 @@
 #include "bearing/parameters.hpp"
 #include "coupling/fmu/number_table.hpp"
 #include "coupling/fmu/profile_numbers.hpp"
+#include "gearset/mesh/loaded/loaded_teeth.hpp"
 #include "gearset/mesh/periodic_curve.hpp"
 #include "mechanics/described.hpp"
 
@@ -33,11 +35,13 @@ std::vector<double> to_numbers(const std::vector<double>& list);
 std::vector<double> to_numbers(const std::vector<bearing::RaceHarmonic>& form);
 std::vector<double> to_numbers(const bearing::profile::Profile& profile);
 std::vector<double> to_numbers(const gearset::PeriodicCurve& curve);
+std::vector<double> to_numbers(const std::shared_ptr<const gearset::LoadedTeeth>& teeth);  // none: no numbers
 std::vector<double> to_numbers(const Eigen::Matrix2Xd& matrix);
 void from_numbers(const std::vector<double>& numbers, std::vector<double>& list);
 void from_numbers(const std::vector<double>& numbers, std::vector<bearing::RaceHarmonic>& form);
 void from_numbers(const std::vector<double>& numbers, bearing::profile::Profile& profile);
 void from_numbers(const std::vector<double>& numbers, gearset::PeriodicCurve& curve);
+void from_numbers(const std::vector<double>& numbers, std::shared_ptr<const gearset::LoadedTeeth>& teeth);
 void from_numbers(const std::vector<double>& numbers, Eigen::Matrix2Xd& matrix);
 
 /// Numbers, counts, flags and choices.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "gearset/dynamics/bodies.hpp"
+#include "gearset/mesh/loaded/set_teeth.hpp"
 
 namespace orbearing::study {
 
@@ -126,6 +127,14 @@ SetParameters geometric_set(const GearDynamicsChoice& choice, const gearset::Pla
                                 .sun_stiffness = meshes.sun.curve,
                                 .ring_stiffness = meshes.ring.curve,
                                 .bearing_stiffness = bearing_stiffness});
+  if (set.flanks.contact == gearset::ToothContact::loaded) {
+    gearset::SetTeeth teeth = gearset::set_teeth(set, meshes);
+    const auto share = [](gearset::ToothPairs& pairs) {
+      return std::make_shared<const gearset::LoadedTeeth>(std::move(pairs.teeth));
+    };
+    if (!choice.sun_mesh_stiffness) out.sun_mesh.loaded = share(teeth.sun);
+    if (!choice.ring_mesh_stiffness) out.ring_mesh.loaded = share(teeth.ring);
+  }
   // A mesh that lags behind is earlier in its period.
   for (const double lag : meshes.sun_lag) out.sun_phase.push_back(-lag);
   for (const double lag : meshes.ring_lag) out.ring_phase.push_back(-lag);

@@ -44,10 +44,11 @@ SignalStatistics SignalSums::statistics() const {
 
 GearSignals::GearSignals(Eigen::Index planets, int harmonics) : waves_(harmonics) {
   const SignalSums empty(harmonics);
-  planets_.assign(static_cast<std::size_t>(planets), Planet{empty, empty, empty, empty, empty, empty});
+  planets_.assign(static_cast<std::size_t>(planets), Planet{empty, empty, empty, empty, empty, empty, 0.0});
 }
 
 void GearSignals::add(double periods, const gearset::dynamics::SetSnapshot& now) {
+  ++samples_;
   const double angle = two_pi * (periods - std::floor(periods));
   for (Eigen::Index i = 0; i < waves_.size(); ++i)
     waves_[i] = std::polar(1.0, -angle * static_cast<double>(i + 1));
@@ -59,6 +60,7 @@ void GearSignals::add(double periods, const gearset::dynamics::SetSnapshot& now)
     planets_[i].tangential.add(now.bearing_force(1, n), waves_);
     planets_[i].radial_acceleration.add(now.acceleration(0, n), waves_);
     planets_[i].tangential_acceleration.add(now.acceleration(1, n), waves_);
+    planets_[i].housing_squares += now.in_housing.col(n).square().sum();
   }
 }
 
@@ -71,7 +73,9 @@ std::vector<PlanetStatistics> GearSignals::statistics() const {
                    .radial_force = planet.radial.statistics(),
                    .tangential_force = planet.tangential.statistics(),
                    .radial_acceleration = planet.radial_acceleration.statistics(),
-                   .tangential_acceleration = planet.tangential_acceleration.statistics()});
+                   .tangential_acceleration = planet.tangential_acceleration.statistics(),
+                   .housing_acceleration = std::sqrt(0.5 * planet.housing_squares /
+                                                     static_cast<double>(std::max(1L, samples_)))});
     tangential += all.back().tangential_force.mean / static_cast<double>(planets_.size());
   }
   for (PlanetStatistics& planet : all) {

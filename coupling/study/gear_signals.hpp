@@ -29,6 +29,9 @@ struct PlanetStatistics {
   SignalStatistics tangential_force;         // [N]
   SignalStatistics radial_acceleration;      // [m/s^2]
   SignalStatistics tangential_acceleration;  // [m/s^2]
+  // [m/s^2]  rms along any one direction fixed in the housing, over whole orbits: 1/sqrt(2) of the
+  // resultant's
+  double housing_acceleration = 0.0;
   double load_share = 0.0;  // [-]  mean tangential bearing force over the planets' average: 1 where all share
   double most_load_share = 0.0;  // [-]  largest tangential force at an instant over the planets' mean one
 };
@@ -69,8 +72,10 @@ class GearSignals {
  private:
   struct Planet {
     SignalSums sun_mesh, ring_mesh, radial, tangential, radial_acceleration, tangential_acceleration;
+    double housing_squares = 0.0;  // [m^2/s^4]  of both components
   };
   std::vector<Planet> planets_;
+  long samples_ = 0;
   Eigen::ArrayXcd waves_;  // (orders)  at the present sample
 };
 

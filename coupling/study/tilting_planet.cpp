@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gearset/dynamics/model.hpp"
+
 namespace orbearing::study {
 
 std::vector<double> axial_places(const PlanetaryDrivetrain& drivetrain) {
@@ -32,7 +34,8 @@ bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
 Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain) {
   if (!drivetrain.gear_set)
     throw std::invalid_argument("tilt of a planet: found gears without meshes; required: one set with teeth");
-  const gearset::dynamics::SetParameters set = drivetrain.gear_set();
+  gearset::dynamics::SetParameters set = drivetrain.gear_set();
+  linearise_meshes(set, gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
   const double lever = drivetrain.set.face_width * drivetrain.set.face_width / 12.0;  // [m^2]
   const auto of_mesh = [&](const gearset::dynamics::Mesh& mesh, double side) -> Eigen::Matrix2d {
     const Eigen::Vector2d along(side * std::sin(mesh.pressure_angle), std::cos(mesh.pressure_angle));

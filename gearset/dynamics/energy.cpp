@@ -56,7 +56,7 @@ void add_mesh_powers(const SetModel& model, double time, const State& q, const S
     const MeshExcitation now = excitation(model.mesh(mesh.kind), mesh.phase, clock);
     const MeshForce both = mesh_force(model, mesh, now, q, v);
     for (const FlankForce& flank : {both.loaded, both.back}) {
-      if (flank.elastic != 0.0) flow.stiffness += 0.5 * now.stiffness_rate * square(flank.approach);
+      flow.stiffness += flank.energy_rate;
       flow.mesh_loss += flank.damping * flank.approach_rate;
     }
     flow.error -= both.loaded.total() * now.error_rate;
@@ -110,8 +110,7 @@ Energy energy(const SetModel& model, double time, const State& x) {
   for (const PlanetMesh& mesh : model.meshes) {
     const MeshExcitation now = excitation(model.mesh(mesh.kind), mesh.phase, clock);
     const MeshForce both = mesh_force(model, mesh, now, q, v);
-    for (const FlankForce& flank : {both.loaded, both.back})
-      result.meshes += 0.5 * flank.elastic * flank.approach;
+    for (const FlankForce& flank : {both.loaded, both.back}) result.meshes += flank.energy;
   }
   result.bearings = bearing_energy(model, q);
   for_each_support(model, [&](Eigen::Index place, const Support& support) {

@@ -24,7 +24,7 @@ Energy energy(const SetModel& model, double time, const Eigen::Ref<const Eigen::
 /// stored energy itself jumps by 1/2 [k] approach^2.
 struct PowerFlow {
   double drive = 0.0;      // [W]  driving and load torques, beyond those of the nominal rotation
-  double stiffness = 0.0;  // [W]  of whoever changes the stiffness: 1/2 k' approach^2
+  double stiffness = 0.0;  // [W]  of whoever changes the stiffness, 1/2 k' approach^2, or turns loaded teeth
   double error = 0.0;      // [W]  of whoever moves the flanks: - force x error rate
   double frame = 0.0;  // [W]  of whoever turns the frame: Euler terms, rates of the centrifugal potential,
                        //      dampers of the housing

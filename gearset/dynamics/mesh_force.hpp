@@ -1,4 +1,5 @@
-// Force of one mesh: springs of both flanks that push only, a damper in parallel, prescribed stiffness.
+// Force of one mesh: springs of both flanks that push only, a damper in parallel; their stiffness prescribed,
+// or teeth that touch as the load closes their gaps.
 #pragma once
 
 #include <algorithm>
@@ -6,14 +7,6 @@
 #include "gearset/dynamics/model.hpp"
 
 namespace orbearing::gearset::dynamics {
-
-/// Stiffness and error of a mesh at one instant, with their rates.
-struct MeshExcitation {
-  double stiffness = 0.0;       // [N/m]
-  double stiffness_rate = 0.0;  // [N/m/s]
-  double error = 0.0;           // [m]
-  double error_rate = 0.0;      // [m/s]
-};
 
 /// Common place in the mesh period at one instant.
 struct MeshClock {
@@ -25,10 +18,23 @@ inline MeshClock mesh_clock(const Operation& operation, double time) {
   return {mesh_periods(operation, time), operation.mesh_frequency * speed_at(operation, time).factor};
 }
 
+/// What time alone decides of a mesh at one instant.
+struct MeshExcitation {
+  double place = 0.0;           // [mesh period]
+  double frequency = 0.0;       // [Hz]
+  double stiffness = 0.0;       // [N/m]    not of loaded teeth
+  double stiffness_rate = 0.0;  // [N/m/s]  not of loaded teeth
+  double error = 0.0;           // [m]
+  double error_rate = 0.0;      // [m/s]
+};
+
 inline MeshExcitation excitation(const Mesh& mesh, double phase, const MeshClock& clock) {
-  const CurvePoint stiffness = mesh.stiffness.at(clock.periods + phase);
-  const CurvePoint error = mesh.error.at(clock.periods + phase);
-  return {stiffness.value, stiffness.slope * clock.frequency, error.value, error.slope * clock.frequency};
+  const double place = clock.periods + phase;
+  const CurvePoint stiffness = mesh.loaded ? CurvePoint{} : mesh.stiffness.at(place);
+  const CurvePoint error = mesh.error.at(place);
+  return {place,           clock.frequency,
+          stiffness.value, stiffness.slope * clock.frequency,
+          error.value,     error.slope * clock.frequency};
 }
 
 /// One flank of a mesh.
@@ -37,17 +43,47 @@ struct FlankForce {
   double approach_rate = 0.0;  // [m/s]
   double elastic = 0.0;        // [N]    positive: teeth push
   double damping = 0.0;        // [N]    added to it; their sum never pulls where teeth can separate
+  double stiffness = 0.0;      // [N/m]  slope of `elastic` by the approach
+  double energy = 0.0;         // [J]    of which `elastic` is the slope
+  double energy_rate = 0.0;    // [W]    of the energy at a fixed approach
 
   double total() const { return elastic + damping; }
 };
 
-/// Eq. (5) of gearset/dynamics/README.md.
-inline FlankForce flank_force(const Mesh& mesh, bool separation, double stiffness, double approach,
+/// The elastic part of a flank: a spring of the instant's stiffness, or loaded teeth. Eq. (5) of
+/// gearset/dynamics/README.md.
+inline FlankForce elastic_flank(const Mesh& mesh, const MeshExcitation& now, double approach,
+                                double approach_rate) {
+  if (mesh.loaded) {
+    const ToothForce teeth = mesh.loaded->at(now.place, approach);
+    return {approach,
+            approach_rate,
+            teeth.force,
+            0.0,
+            teeth.stiffness,
+            teeth.energy,
+            teeth.energy_by_place * now.frequency};
+  }
+  const double half_square = 0.5 * approach * approach;
+  return {approach,
+          approach_rate,
+          now.stiffness * approach,
+          0.0,
+          now.stiffness,
+          now.stiffness * half_square,
+          now.stiffness_rate * half_square};
+}
+
+/// The same with the damper; nothing where the teeth are apart.
+inline FlankForce flank_force(const Mesh& mesh, bool separation, const MeshExcitation& now, double approach,
                               double approach_rate) {
-  if (!separation) return {approach, approach_rate, stiffness * approach, mesh.damping * approach_rate};
-  if (approach <= 0.0) return {approach, approach_rate, 0.0, 0.0};
-  const double elastic = stiffness * approach;
-  return {approach, approach_rate, elastic, std::max(-elastic, mesh.damping * approach_rate)};
+  if (separation && approach <= 0.0) return {.approach = approach, .approach_rate = approach_rate};
+  FlankForce force = elastic_flank(mesh, now, approach, approach_rate);
+  if (!separation)
+    force.damping = mesh.damping * approach_rate;
+  else if (force.elastic > 0.0)
+    force.damping = std::max(-force.elastic, mesh.damping * approach_rate);
+  return force;
 }
 
 /// Both flanks of one mesh.
@@ -64,11 +100,11 @@ inline MeshForce mesh_force(const SetModel& model, const PlanetMesh& mesh, const
   const bool separation = model.parameters.separation;
   const double gap = separation ? 0.5 * law.backlash : 0.0;
   MeshForce force;
-  force.loaded = flank_force(law, separation, now.stiffness,
-                             mesh.loaded.of(q, mesh.central, mesh.place) - now.error - gap,
-                             mesh.loaded.of(v, mesh.central, mesh.place) - now.error_rate);
+  force.loaded =
+      flank_force(law, separation, now, mesh.loaded.of(q, mesh.central, mesh.place) - now.error - gap,
+                  mesh.loaded.of(v, mesh.central, mesh.place) - now.error_rate);
   if (separation)
-    force.back = flank_force(law, separation, now.stiffness, mesh.back.of(q, mesh.central, mesh.place) - gap,
+    force.back = flank_force(law, separation, now, mesh.back.of(q, mesh.central, mesh.place) - gap,
                              mesh.back.of(v, mesh.central, mesh.place));
   return force;
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "gearset/mesh/loaded/transmission_error.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::gearset::dynamics {
@@ -48,6 +49,8 @@ void require_sound(const SetParameters& set) {
     require(law->force.allFinite() && law->stiffness.allFinite() && law->damping.allFinite(),
             "largest stiffness of a planet's bearing", law->stiffness.maxCoeff(),
             "finite numbers throughout");
+  if (set.sun_mesh.loaded || set.ring_mesh.loaded)
+    require(set.separation, "separation of loaded teeth", set.separation, "true: they push only");
   require_sound(set.sun_mesh);
   require_sound(set.ring_mesh);
   const auto planets = static_cast<std::size_t>(set.planets);
@@ -132,9 +135,21 @@ void set_load(SetModel& model) {
 
 }  // namespace
 
+void linearise_meshes(SetParameters& set, const Operation& operation) {
+  const double force = std::abs(operation.torques.sun) / (set.planets * set.sun.radius);
+  if (force == 0.0) return;
+  for (Mesh* mesh : {&set.sun_mesh, &set.ring_mesh}) {
+    if (!mesh->loaded) continue;
+    TangentSpring spring = tangent_spring(*mesh->loaded, force);
+    mesh->stiffness = std::move(spring.stiffness);
+    mesh->free_approach = spring.free;
+  }
+}
+
 SetModel set_model(SetParameters parameters, const Operation& operation) {
   require_sound(parameters);
   require_sound(operation);
+  linearise_meshes(parameters, operation);
   SetModel model{.layout = {parameters.planets}, .parameters = std::move(parameters), .operation = operation};
   set_masses(model);
   for (const MeshKind kind : {MeshKind::sun, MeshKind::ring})
@@ -179,13 +194,18 @@ double time_of_periods(const Operation& operation, double periods) {
 
 std::vector<double> jump_places(const SetModel& model) {
   std::vector<double> places;
-  for (const PlanetMesh& mesh : model.meshes)
-    for (const PeriodicCurve* curve : {&model.mesh(mesh.kind).stiffness, &model.mesh(mesh.kind).error})
-      for (const double jump : curve->jumps()) {
-        const double place = jump - mesh.phase;
-        const double wrapped = place - std::floor(place);
-        places.push_back(wrapped > 1.0 - same_place ? 0.0 : wrapped);
-      }
+  const auto add = [&](const PeriodicCurve& curve, double phase) {
+    for (const double jump : curve.jumps()) {
+      const double place = jump - phase;
+      const double wrapped = place - std::floor(place);
+      places.push_back(wrapped > 1.0 - same_place ? 0.0 : wrapped);
+    }
+  };
+  for (const PlanetMesh& mesh : model.meshes) {
+    const Mesh& law = model.mesh(mesh.kind);
+    if (!law.loaded) add(law.stiffness, mesh.phase);  // the force of loaded teeth is continuous
+    add(law.error, mesh.phase);
+  }
   std::sort(places.begin(), places.end());
   const auto same = [](double a, double b) { return b - a < same_place; };
   places.erase(std::unique(places.begin(), places.end(), same), places.end());
@@ -196,7 +216,9 @@ SetModel averaged(const SetModel& model) {
   SetModel mean = model;
   for (Mesh* mesh : {&mean.parameters.sun_mesh, &mean.parameters.ring_mesh}) {
     mesh->stiffness = PeriodicCurve::constant(mesh->stiffness.mean());
-    mesh->error = PeriodicCurve::constant(mesh->error.mean());
+    mesh->error = PeriodicCurve::constant(mesh->error.mean() + mesh->free_approach);
+    mesh->loaded = nullptr;
+    mesh->free_approach = 0.0;
   }
   return mean;
 }

@@ -54,6 +54,10 @@ struct SpeedState {
   double rate = 0.0;    // [1/s]
 };
 
+/// Gives meshes of loaded teeth the stiffness that they have about their mean load; without one they keep
+/// what they have. Done by set_model().
+void linearise_meshes(SetParameters& set, const Operation& operation);
+
 /// Throws std::invalid_argument, with what was found and what is required, where a mass, a stiffness or a
 /// number of phases leaves the equations without meaning.
 SetModel set_model(SetParameters parameters, const Operation& operation);
@@ -71,7 +75,8 @@ double time_of_periods(const Operation& operation, double periods);
 /// jumps.
 std::vector<double> jump_places(const SetModel& model);
 
-/// The same set with each mesh at its mean stiffness and mean error.
+/// The same set with each mesh at its mean stiffness and mean error; loaded teeth as the spring that they are
+/// about the mean load.
 SetModel averaged(const SetModel& model);
 
 }  // namespace orbearing::gearset::dynamics

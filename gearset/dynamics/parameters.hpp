@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gearset/kinematics.hpp"
+#include "gearset/mesh/loaded/loaded_teeth.hpp"
 #include "gearset/mesh/periodic_curve.hpp"
 #include "gearset/parameters.hpp"
 #include "mechanics/described.hpp"
@@ -168,10 +170,15 @@ void describe(Visitor& visit, PlanetMember& m) {
 /// Sun or ring mesh, alike for all planets but for its phase.
 struct Mesh {
   double pressure_angle = 0.0;  // [rad]    working
-  PeriodicCurve stiffness;      // [N/m]    along the line of action, over a mesh period
+  PeriodicCurve stiffness;      // [N/m]    along the line of action, over a mesh period; where the teeth are
+                                //          loaded ones, about the mean load
   PeriodicCurve error;    // [m]      transmission error of unloaded teeth: positive where material lacks
   double damping = 0.0;   // [N s/m]  while in contact
   double backlash = 0.0;  // [m]      between both flanks, along the line of action
+  std::shared_ptr<const LoadedTeeth> loaded{};  // none: the force is stiffness times approach
+  double free_approach =
+      0.0;  // [m]  of loaded teeth at which a spring of the mean stiffness, which has their
+            //      mean force at the mean load, would be free
 };
 
 template <class Visitor>
@@ -185,7 +192,8 @@ void describe(Visitor& visit, Mesh& m, const std::string& name) {
                {.dimension = dimension::damping, .range = not_negative, .fmu = InFmu::parameter}),
       internal(m.backlash, path + "backlash", "backlash of the " + name + " mesh along the line of action",
                {.dimension = dimension::length, .range = not_negative, .fmu = InFmu::parameter}),
-      internal(m.stiffness, path + "stiffness"), internal(m.error, path + "error"));
+      internal(m.stiffness, path + "stiffness"), internal(m.error, path + "error"),
+      internal(m.loaded, path + "loaded_teeth"), internal(m.free_approach, path + "free_approach"));
 }
 
 /// Terms of the carrier's rotation that act on the bodies.

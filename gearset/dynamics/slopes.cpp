@@ -28,9 +28,9 @@ struct FlankSlopes {
   double damping = 0.0;    // [N s/m]
 };
 
-FlankSlopes flank_slopes(const Mesh& mesh, bool separation, double stiffness, const FlankForce& force) {
-  const bool parted = separation && (force.approach <= 0.0 || force.total() <= 0.0);
-  return parted ? FlankSlopes{} : FlankSlopes{stiffness, mesh.damping};
+FlankSlopes flank_slopes(const Mesh& mesh, bool separation, const FlankForce& force) {
+  const bool parted = separation && force.total() <= 0.0;
+  return parted ? FlankSlopes{} : FlankSlopes{force.stiffness, mesh.damping};
 }
 
 void add_flank(const PlanetMesh& mesh, const DeflectionVector& along, const FlankSlopes& flank,
@@ -48,9 +48,8 @@ void add_meshes(const SetModel& model, double time, const Eigen::Ref<const Eigen
     const Mesh& law = model.mesh(mesh.kind);
     const MeshExcitation now = excitation(law, mesh.phase, clock);
     const MeshForce both = mesh_force(model, mesh, now, q, v);
-    add_flank(mesh, mesh.loaded, flank_slopes(law, separation, now.stiffness, both.loaded), slopes);
-    if (separation)
-      add_flank(mesh, mesh.back, flank_slopes(law, separation, now.stiffness, both.back), slopes);
+    add_flank(mesh, mesh.loaded, flank_slopes(law, separation, both.loaded), slopes);
+    if (separation) add_flank(mesh, mesh.back, flank_slopes(law, separation, both.back), slopes);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "gearset/dynamics/snapshot.hpp"
 
 #include "gearset/dynamics/bearing_force.hpp"
+#include "gearset/dynamics/frame_force.hpp"
 #include "gearset/dynamics/mesh_force.hpp"
 
 namespace orbearing::gearset::dynamics {
@@ -17,7 +18,7 @@ void put_mesh_forces(const SetModel& model, double time, const Eigen::Ref<const 
     const MeshForce both = mesh_force(model, mesh, now, x.head(n), x.tail(n));
     (mesh.kind == MeshKind::sun ? out.sun_mesh_force : out.ring_mesh_force)[mesh.planet] =
         both.loaded.total() - both.back.total();
-    out.separated = out.separated || both.loaded.approach <= 0.0;
+    out.separated = out.separated || both.loaded.elastic <= 0.0;
   }
 }
 
@@ -40,12 +41,20 @@ void take_snapshot(const PlanetarySetEquations& equations, double time,
   out.ring_mesh_force.resize(planets);
   out.bearing_force.resize(2, planets);
   out.acceleration.resize(2, planets);
+  out.in_housing.resize(2, planets);
   dx.resize(x.size());
   equations.derivative(time, x, dx);
   put_mesh_forces(model, time, x, out);
   put_bearing_forces(model, x, out);
-  for (Eigen::Index i = 0; i < planets; ++i)
-    out.acceleration.col(i) = dx.segment<2>(model.layout.freedoms() + SetLayout::planet(i)).array();
+  const Eigen::Index n = model.layout.freedoms();
+  const CarrierTurn turn = carrier_turn(model, speed_at(model.operation, time));
+  for (Eigen::Index i = 0; i < planets; ++i) {
+    const Eigen::Index place = SetLayout::planet(i);
+    out.acceleration.col(i) = dx.segment<2>(n + place).array();
+    const Eigen::Vector2d frame =
+        planet_frame_acceleration(turn, model.parameters.carrier.radius, x[place], x.segment<2>(n + place));
+    out.in_housing.col(i) = out.acceleration.col(i) - frame.array();
+  }
 }
 
 }  // namespace orbearing::gearset::dynamics

@@ -11,6 +11,7 @@ struct SetSnapshot {
   Eigen::ArrayXd ring_mesh_force;  // [N]
   Eigen::Array2Xd bearing_force;   // [N]      of its bearing on the planet, outward and tangential
   Eigen::Array2Xd acceleration;    // [m/s^2]  of the planet in the carrier's frame
+  Eigen::Array2Xd in_housing;      // [m/s^2]  of the planet in the housing, along the same axes
   bool separated = false;          // some loaded flank has parted
 };
 

@@ -17,14 +17,15 @@ struct FlankPlace {
   const PlanetMesh& mesh;
   const DeflectionVector& along;
   double stiffness;  // [N/m]
-  double offset;     // [m]  half the backlash and the mean error: what the deflection needs before it carries
+  double offset;     // [m]  half the backlash, the mean error and gaps of loaded teeth: what the deflection
+                     // needs before it carries
 };
 
 FlankPlace flank_place(const SetModel& model, const PlanetMesh& mesh, bool loaded) {
   const Mesh& law = model.mesh(mesh.kind);
   const double gap = model.parameters.separation ? 0.5 * law.backlash : 0.0;
   return {mesh, loaded ? mesh.loaded : mesh.back, law.stiffness.mean(),
-          gap + (loaded ? law.error.mean() : 0.0)};
+          gap + law.free_approach + (loaded ? law.error.mean() : 0.0)};
 }
 
 ContactState contact_at(const SetModel& model, const VectorXd& q) {

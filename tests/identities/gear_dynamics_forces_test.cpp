@@ -28,6 +28,7 @@ struct Variant {
   bool run_up;
   bool back_flank;
   bool affine = false;  // bearings that are stiffer one way than the other, with an offset
+  bool loaded = false;  // teeth that touch as deflection closes their gaps
 };
 
 class GearDynamicsIdentity : public testing::TestWithParam<Variant> {
@@ -36,6 +37,7 @@ class GearDynamicsIdentity : public testing::TestWithParam<Variant> {
     parameters.separation = GetParam().separation;
     operation.driven = GetParam().back_flank ? Member::carrier : Member::sun;
     operation = operation_of(reducer(), {operation.driven, 150e3, GetParam().back_flank ? 200.0 : 628.0});
+    if (GetParam().loaded) test::load_teeth(parameters);
     if (GetParam().affine) parameters.planet.affine_bearing = affine_bearing();
     if (GetParam().run_up) operation.run_up = {.from = 0.5, .duration = 0.01};
   }
@@ -177,7 +179,10 @@ INSTANTIATE_TEST_SUITE_P(Variants, GearDynamicsIdentity,
                                          Variant{"teeth", true, false, false},
                                          Variant{"run_up", true, true, false},
                                          Variant{"back_flank", true, false, true},
-                                         Variant{"affine_bearing", true, false, false, true}),
+                                         Variant{"affine_bearing", true, false, false, true},
+                                         // Issue 16, Build 4
+                                         Variant{"loaded_teeth", true, false, false, false, true},
+                                         Variant{"loaded_run_up", true, true, true, false, true}),
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 // The matrices are those of the equations: stiffness, gyroscopic terms, damping, all at once.

@@ -267,6 +267,9 @@ inline const std::map<std::string, Change>& stated_changes() {
   const std::vector<std::string> turning_balls{"operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> filmed{"film.enabled=true", "operation.shaft_speed=9000 rpm"};
   const std::vector<std::string> heated{"heat.enabled=true"};
+  const std::vector<std::string> loaded{"gearset.tooth_contact=loaded"};
+  const std::vector<std::string> relieved{"gearset.tooth_contact=loaded", "gearset.tip_relief.sun=20 um",
+                                          "gearset.tip_relief.planet=20 um", "gearset.tip_relief.ring=20 um"};
   const std::vector<std::string> hardly_damped{"gearset.dynamics.damping_ratio.mesh=0.001",
                                                "gearset.dynamics.damping_ratio.bearing=0.001",
                                                "gearset.dynamics.damping_ratio.support=0.001"};
@@ -299,6 +302,17 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"gearset.clearance_of.ring", {"0.3"}},
       {"gearset.web.thickness", {"0.3"}},
       {"gearset.web.rim", {"2", {"gearset.web.thickness=0.3"}}},
+      {"gearset.tooth_contact", {"loaded"}},
+      {"gearset.tip_relief.sun", {"20 um", loaded}},
+      {"gearset.tip_relief.planet", {"20 um", loaded}},
+      {"gearset.tip_relief.ring", {"20 um", loaded}},
+      {"gearset.tip_relief.length", {"2", relieved}},
+      {"gearset.tip_relief.form", {"parabolic", relieved}},
+      {"gearset.lead_crown.sun", {"15 um", loaded}},
+      {"gearset.lead_crown.planet", {"15 um", loaded}},
+      {"gearset.lead_crown.ring", {"15 um", loaded}},
+      {"gearset.lead_slope.sun", {"15 um", loaded}},
+      {"gearset.lead_slope.ring", {"15 um", loaded}},
       {"pair.web.thickness", {"0.3"}},
       {"pair.web.rim", {"2", {"pair.web.thickness=0.3"}}},
       {"parallel_stage.front", {"[30, 31]"}},

@@ -82,6 +82,27 @@ TEST(FmuFields, MeshCurvesAreTheSameCurves) {
   }
 }
 
+// Issue 16, Build 4: teeth under load travel with the model.
+TEST(FmuFields, LoadedTeethAreTheSameTeeth) {
+  system::DrivenGearsSetup model = test::gear_model();
+  const gearset::PeriodicCurve gap([](double f) { return 1e-6 * f * f; }, {0.0, 0.4}, 30);
+  model.set.sun_mesh.loaded = std::make_shared<const gearset::LoadedTeeth>(
+      model.set.sun_mesh.stiffness, gap, -0.4, 2.1, 1e-10,
+      std::vector<gearset::FaceSlice>{{-0.1, 1e-6}, {0.1, 2e-6}});
+  const system::DrivenGearsSetup again =
+      setup_from<system::DrivenGearsSetup>(table_from(text_of(numbers_of(model))));
+  ASSERT_NE(again.set.sun_mesh.loaded, nullptr);
+  EXPECT_EQ(again.set.ring_mesh.loaded, nullptr);
+  for (double place = -1.0; place < 2.0; place += 0.0731)
+    EXPECT_EQ(again.set.sun_mesh.loaded->at(place, 2e-5).force,
+              model.set.sun_mesh.loaded->at(place, 2e-5).force);
+  const std::vector<double> numbers = to_numbers(model.set.sun_mesh.loaded);
+  for (std::size_t length = 1; length < 30; ++length)
+    EXPECT_THROW(from_numbers({numbers.begin(), numbers.begin() + static_cast<long>(length)},
+                              model.set.sun_mesh.loaded),
+                 std::invalid_argument);
+}
+
 TEST(FmuFields, BrokenCurvesAreRefused) {
   const std::vector<double> numbers = test::gear_model().set.sun_mesh.stiffness.numbers();
   for (std::size_t length = 0; length < std::min<std::size_t>(numbers.size(), 40); ++length)

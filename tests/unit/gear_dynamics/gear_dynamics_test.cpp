@@ -57,10 +57,10 @@ TEST(Deflection, BackFlankIsTheMirrorImage) {
 
 TEST(FlankForce, PushesBeyondTheGapAndNeverPulls) {
   const Mesh mesh{.damping = 100.0};
-  EXPECT_EQ(flank_force(mesh, true, 1e8, -1e-6, 5.0).total(), 0.0);
-  EXPECT_NEAR(flank_force(mesh, true, 1e8, 2e-6, 0.5).total(), 200.0 + 50.0, 1e-9);
-  EXPECT_EQ(flank_force(mesh, true, 1e8, 2e-6, -5.0).total(), 0.0);
-  EXPECT_NEAR(flank_force(mesh, false, 1e8, -2e-6, 0.0).total(), -200.0, 1e-9);
+  EXPECT_EQ(flank_force(mesh, true, {.stiffness = 1e8}, -1e-6, 5.0).total(), 0.0);
+  EXPECT_NEAR(flank_force(mesh, true, {.stiffness = 1e8}, 2e-6, 0.5).total(), 200.0 + 50.0, 1e-9);
+  EXPECT_EQ(flank_force(mesh, true, {.stiffness = 1e8}, 2e-6, -5.0).total(), 0.0);
+  EXPECT_NEAR(flank_force(mesh, false, {.stiffness = 1e8}, -2e-6, 0.0).total(), -200.0, 1e-9);
 }
 
 TEST(Operation, CountsMeshPeriodsAndBack) {

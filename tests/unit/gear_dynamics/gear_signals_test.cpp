@@ -46,6 +46,7 @@ TEST(GearSignals, CountTheAngleFromTheBeginningOfTheMeshPeriod) {
   gearset::dynamics::SetSnapshot now;
   now.sun_mesh_force = now.ring_mesh_force = Eigen::ArrayXd::Zero(1);
   now.bearing_force = now.acceleration = Eigen::Array2Xd::Zero(2, 1);
+  now.in_housing = Eigen::Array2Xd::Constant(2, 1, 5.0);
   for (int i = 0; i < kSamples; ++i) {
     const double periods = 7.0 + static_cast<double>(i) / kSamples;
     now.sun_mesh_force[0] = planted(2.0 * std::numbers::pi * periods);
@@ -53,6 +54,7 @@ TEST(GearSignals, CountTheAngleFromTheBeginningOfTheMeshPeriod) {
     signals.add(periods, now);
   }
   const PlanetStatistics planet = signals.statistics().front();
+  EXPECT_NEAR(planet.housing_acceleration, 5.0, 10.0 * kRoundOff);  // sqrt((5^2 + 5^2)/2)
   EXPECT_NEAR(planet.sun_mesh_force.cosines[0], 3.0, 10.0 * kRoundOff);
   EXPECT_NEAR(planet.sun_mesh_force.sines[0], -0.7, 10.0 * kRoundOff);
   EXPECT_NEAR(planet.ring_mesh_force.sines[2], -4.0, 10.0 * kRoundOff);
