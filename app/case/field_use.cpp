@@ -94,7 +94,7 @@ constexpr Exception exceptions[] = {
     {"input.speed", 0, use::mesh},  // but for axial forces: with_axial_forces()
     {"parallel_stage.front", 0, use::mesh},
     {"gearset.planets", 0, use::fmu_bearing},
-    {"gearset.planet_rim", use::rollers_in_motion | use::gears | use::fmu_gearset},
+    {"gearset.planet_rim", use::gears | use::fmu_gearset | use::fmu_bearing},
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
     {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},
     {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
