@@ -180,7 +180,8 @@ double changing_film_power(const BearingModel& model, double time, const Eigen::
     const double speed = entrainment(race, now, surface, rings[1].*ring);
     const double change = entrainment(race, roller_body(model, views[2], j).motion, surface, rings[2].*ring) -
                           entrainment(race, roller_body(model, views[0], j).motion, surface, rings[0].*ring);
-    const double approach = race_motion(race, now, surface, rings[1].*ring).contact.approach;
+    const RaceWaves waves = &race == &model.outer ? rings[1].waves : RaceWaves{};
+    const double approach = race_motion(race, now, surface, rings[1].*ring, waves).contact.approach;
     power += race.load.energy_slope(approach, speed) * change / (2.0 * kDifferenceTime);
   };
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
