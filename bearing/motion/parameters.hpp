@@ -341,7 +341,7 @@ void describe(Visitor& visit, SupportParameters& m) {
 
 /// Waves of an elastic outer race in motion.
 struct RimParameters {
-  int most_order = 8;  // [-]  of the waves that move: shorter ones are worth less than 0.1 % of life (README)
+  int most_order = 8;  // [-]  of the waves that move; what more of them are worth is in README
   double damping_ratio = 0.02;  // [-]  of each wave by itself. Assumption: rings pressed into a steel gear;
                                 //      what a tenth or five times as much is worth is in README
 };
