@@ -34,8 +34,12 @@ Eigen::Index wave_count(const ElasticRace& race) {
   return race.is_rigid() ? 0 : 1 + 2 * std::max<Eigen::Index>(race.compliance.size() - 2, 0);
 }
 
+Eigen::VectorXd waves_of_orders(const ElasticRace& race, const Eigen::ArrayXd& stated) {
+  return of_each_wave(race, [&](Eigen::Index order, bool) { return stated[order]; });
+}
+
 Eigen::VectorXd wave_stiffness(const ElasticRace& race) {
-  return of_each_wave(race, [&](Eigen::Index order, bool) { return 1.0 / race.compliance[order]; });
+  return waves_of_orders(race, race.compliance.inverse());
 }
 
 Eigen::VectorXd waves_at_rest(const ElasticRace& race) {

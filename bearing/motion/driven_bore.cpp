@@ -12,7 +12,8 @@ RingBodies driven_rings(const ConstStateViews& state, const BoreMotion& motion) 
   return {.cage = {state.cage_position, state.cage_velocity, state.cage_speed},
           .bore = {motion.position, motion.velocity, motion.speed, motion.angle},
           .pin = {state.pin_position, state.pin_velocity, 0.0, 0.0},
-          .cage_direction = direction(state.cage_angle)};
+          .cage_direction = direction(state.cage_angle),
+          .waves = waves_of(state)};
 }
 
 }  // namespace
@@ -38,6 +39,7 @@ BoreReaction driven_derivative(const BearingModel& model, const BoreMotion& moti
   else
     rates::set_rollers<roller_forces>(model, frame, state, rings, on_rings, rate);
   on_rings.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
+  rates::set_waves(model, state, 1.0, rate);
   rates::set_cage(model, frame, rings.cage, on_rings.cage, rate);
   rates::set_pin(model, frame, rings.pin, on_rings.pin.force, rate);
   rate.bore_position = motion.velocity;

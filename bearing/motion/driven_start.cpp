@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/roller_balance.hpp"
 #include "bearing/motion/driven_bore.hpp"
 
@@ -13,28 +14,51 @@ namespace {
 
 constexpr double kLeastForce = 1e-12;  // [N]  a bearing that nothing loads is in balance
 
+// Coordinates: the place of the pin ring, and the waves of an elastic outer race. N = 2 where it is rigid, else
+// Eigen::Dynamic.
 struct PinProblem {
   RaceEquilibrium races;
   Vector2 bore;
-  Vector2 own_load;          // [N]  inertial, on the pin ring
-  double stiffness_support;  // [N/m]
+  Vector2 own_load;                // [N]  inertial, on the pin ring
+  double stiffness_support;        // [N/m]
+  Eigen::VectorXd wave_stiffness;  // [N/m]  (waves)
+  Eigen::VectorXd wave_at_rest;    // [m]
 
-  RollerBalance roller(Eigen::Index j, const Vector2& pin) const {
-    return balance_roller(races.contacts.inner, races.contacts.outer, races.inertial_load[j],
-                          races.approach(j, bore - pin));
+  Eigen::Index waves() const { return wave_stiffness.size(); }
+
+  template <class Place>
+  RollerBalance roller(Eigen::Index j, const Place& place) const {
+    double approach = races.approach(j, bore - place.template head<2>());
+    if constexpr (Place::SizeAtCompileTime == Eigen::Dynamic)
+      approach -= place.tail(waves()).dot(wave_shapes(races.outer_race, races.angle[j]));
+    return balance_roller(races.contacts.inner, races.contacts.outer, races.inertial_load[j], approach);
   }
 
-  // Forces on the pin ring.
-  mechanics::Imbalance<2> at(const Vector2& pin) const {
-    mechanics::Imbalance<2> sum;
-    sum.force = own_load - stiffness_support * pin;
-    sum.stiffness = stiffness_support * Eigen::Matrix2d::Identity();
+  // Forces on the pin ring, and on the waves.
+  template <int N>
+  mechanics::Imbalance<N> at(const Eigen::Vector<double, N>& place) const {
+    const Vector2 pin = place.template head<2>();
+    const Eigen::Index size = place.size();
+    mechanics::Imbalance<N> sum;
+    sum.force.setZero(size);
+    sum.stiffness.setZero(size, size);
+    sum.force.template head<2>() = own_load - stiffness_support * pin;
+    sum.stiffness.diagonal().template head<2>().setConstant(stiffness_support);
+    if constexpr (N == Eigen::Dynamic) {
+      sum.force.tail(waves()) -= wave_stiffness.cwiseProduct(place.tail(waves()) - wave_at_rest);
+      sum.stiffness.diagonal().tail(waves()) += wave_stiffness;
+    }
     sum.scale = own_load.norm() + stiffness_support * pin.norm() + kLeastForce;
+    Eigen::Vector<double, N> closes(size);  // the approach by each coordinate
     for (Eigen::Index j = 0; j < races.angle.size(); ++j) {
-      const Vector2 outward = direction(races.angle[j]);
-      const RollerBalance one = roller(j, pin);
-      sum.force -= one.inner_load * outward;
-      sum.stiffness += one.stiffness * outward * outward.transpose();
+      closes.template head<2>() = direction(races.angle[j]);
+      const RollerBalance one = roller(j, place);
+      sum.force.template head<2>() -= one.inner_load * closes.template head<2>();
+      if constexpr (N == Eigen::Dynamic) {
+        closes.tail(waves()) = -wave_shapes(races.outer_race, races.angle[j]);
+        sum.force.tail(waves()) -= one.outer_load * closes.tail(waves());
+      }
+      sum.stiffness += one.stiffness * closes * closes.transpose();
       sum.scale += one.inner_load;
     }
     return sum;
@@ -54,20 +78,33 @@ PinProblem pin_problem(const Bearing& bearing, const BearingModel& model,
   OperatingPoint point;
   point.carrier = {motion.carrier_speed, motion.carrier_acceleration, model.frame.orbit_radius};
   point.outer_speed = motion.speed;
+  point.outer_race = model.point.outer_race;
   const Vector2 none = Vector2::Zero();
-  return {quasi_static_problem(bearing, model.geometry, point, start_options(parameters), first_roller),
-          motion.position, model.pin_mass * inertial_acceleration(frame_of(model, motion), none, none),
-          model.support.stiffness};
+  return {
+      quasi_static_problem(bearing, model.geometry, point, start_options(parameters), first_roller),
+      motion.position,
+      model.pin_mass * inertial_acceleration(frame_of(model, motion), none, none),
+      model.support.stiffness,
+      model.rim.stiffness,
+      model.rim.at_rest};
 }
 
-void fill_loads(const PinProblem& problem, PinBalance& balance) {
+template <int N>
+void solve_in(const PinProblem& problem, PinBalance& balance) {
+  Eigen::Vector<double, N> place = Eigen::Vector<double, N>::Zero(2 + problem.waves());
+  if constexpr (N == Eigen::Dynamic) place.tail(problem.waves()) = problem.wave_at_rest;
+  mechanics::Imbalance<N> now;
+  balance.rollers.report = {mechanics::find_balance<N>(
+      [&](const Eigen::Vector<double, N>& at) { return problem.at<N>(at); }, problem.limits(), place, now)};
   const Eigen::Index rollers = problem.races.angle.size();
+  balance.pin = place.template head<2>();
+  if constexpr (N == Eigen::Dynamic) balance.rollers.waves = place.tail(problem.waves());
   balance.rollers.angle = problem.races.angle;
   balance.rollers.displacement = problem.bore - balance.pin;
   balance.rollers.inner_load.resize(rollers);
   balance.rollers.outer_load.resize(rollers);
   for (Eigen::Index j = 0; j < rollers; ++j) {
-    const RollerBalance one = problem.roller(j, balance.pin);
+    const RollerBalance one = problem.roller(j, place);
     balance.rollers.inner_load[j] = one.inner_load;
     balance.rollers.outer_load[j] = one.outer_load;
   }
@@ -79,10 +116,10 @@ PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller) {
   const PinProblem problem = pin_problem(bearing, model, parameters, motion, first_roller);
   PinBalance balance;
-  mechanics::Imbalance<2> now;
-  balance.rollers.report = {mechanics::find_balance<2>([&](const Vector2& pin) { return problem.at(pin); },
-                                                       problem.limits(), balance.pin, now)};
-  fill_loads(problem, balance);
+  if (problem.waves() == 0)
+    solve_in<2>(problem, balance);
+  else
+    solve_in<Eigen::Dynamic>(problem, balance);
   return balance;
 }
 

@@ -14,6 +14,11 @@ inline double speed_ratio(const Driving& driving, double time) {
   return 1.0 + driving.ramp * time;
 }
 
+/// Forces of the meshes at `time` [s] over those at t = 0: they pass constant power.
+inline double mesh_ratio(const Driving& driving, double time) {
+  return 1.0 / speed_ratio(driving, time);
+}
+
 /// Time [s] in which the speeds of t = 0 would give the angles turned by `time` [s].
 inline double equivalent_time(const Driving& driving, double time) {
   return time + 0.5 * driving.ramp * time * time;

@@ -36,6 +36,7 @@ void PlanetBearingEquations::derivative(double time, const Eigen::Ref<const Eige
   else
     set_rollers<roller_forces>(model_, frame, state, rings, on_rings, rate);
   on_rings.add(guidance_forces(model_.guidance, rings.cage, land_body(model_, rings)), model_.guiding_race);
+  set_waves(model_, state, mesh_ratio(model_.driving, time), rate);
   set_cage(model_, frame, rings.cage, on_rings.cage, rate);
   set_bore(model_, frame, rings.bore, on_rings.bore.force + bore_load(model_, time), rate);
   set_pin(model_, frame, rings.pin, on_rings.pin.force, rate);

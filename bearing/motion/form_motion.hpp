@@ -8,6 +8,8 @@
 // as well, but turns with the roller, which then takes the moment.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "bearing/contact/race_form.hpp"
 #include "bearing/contact/surface_scratch.hpp"
 #include "bearing/motion/contact_motion.hpp"
@@ -20,6 +22,22 @@ struct FormSlope {
   double turning = 0.0;  // the share that turns with the race
   double rolling = 0.0;  // the share that turns with the roller
 };
+
+/// The waves of an elastic race at one instant: places [m] and speeds [m/s], in the order of
+/// equilibrium/elastic_waves.hpp.
+struct RaceWaves {
+  const double* place = nullptr;  // (count)
+  const double* speed = nullptr;  // (count)
+  Eigen::Index count = 0;         // [-]
+};
+
+/// Puts them into approach and approach speed of `motion`, as a form that stands in the carrier and changes:
+///   approach speed = s (v_n - w' line_speed - dw/dt).
+void add_waves(const RaceWaves& waves, double side, ContactMotion& motion, FormSlope& slope);
+
+/// Adds to `force` [N] (waves) what a load [N] on the outer race along `normal` does to each wave: the slope of
+/// the stored energy.
+void add_wave_forces(double load, const Vector2& normal, Eigen::Ref<Eigen::VectorXd> force);
 
 /// Puts the form of a race, which turns at `race.speed` and has turned by `race.angle`, into approach and
 /// approach speed of `motion`, whose line of centres turns at line_speed:

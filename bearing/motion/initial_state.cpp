@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/motion/instant.hpp"
 
@@ -30,10 +31,12 @@ Vector2 roller_centre(const BearingModel& model, const bearing::RollerContacts& 
   const double roller = model.geometry.element_radius + model.radius_deviation[static_cast<std::size_t>(j)];
   const double angle = balance.angle[j];
   const Vector2 outward = direction(angle);
+  const double bent =
+      model.layout.waves > 0 ? balance.waves.dot(wave_shapes(model.point.outer_race, angle)) : 0.0;
   if (balance.inner_load[j] > 0.0)
     return pin + (race_radius(model.inner, angle) + roller - contacts.inner.approach(balance.inner_load[j])) *
                      outward;
-  return bore + (race_radius(model.outer, angle) - roller + contacts.outer.approach(balance.outer_load[j])) *
+  return bore + (race_radius(model.outer, angle) + bent - roller + contacts.outer.approach(balance.outer_load[j])) *
                     outward;
 }
 
@@ -82,6 +85,7 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
   state.cage_position = model.guiding_race == Race::outer ? start.bore : start.pin;
   state.cage_angle = first_roller;
   state.cage_speed = start.cage_speed;
+  if (model.layout.waves > 0) state.wave = balance.waves;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
     set_roller(roller_centre(model, contacts, balance, j, start.pin, start.bore), balance.angle[j],
                start.cage_speed, start.spin, j, state);

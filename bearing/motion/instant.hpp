@@ -15,7 +15,13 @@ struct RingBodies {
   BodyMotion bore;
   BodyMotion pin;
   Vector2 cage_direction;  // [-]  of the cage angle
+  RaceWaves waves;         // of an elastic bore
 };
+
+/// Valid as long as what `state` views.
+inline RaceWaves waves_of(const ConstStateViews& state) {
+  return {state.wave.data(), state.wave_speed.data(), state.wave.size()};
+}
 
 /// Bodies at `time` [s], which matters in a run-up and where waves turn with a race.
 inline RingBodies ring_bodies(const BearingModel& model, const ConstStateViews& state, double time = 0.0) {
@@ -26,7 +32,8 @@ inline RingBodies ring_bodies(const BearingModel& model, const ConstStateViews& 
                    model.point.outer_speed * turned},
           .pin = {state.pin_position, state.pin_velocity, model.point.inner_speed * ratio,
                   model.point.inner_speed * turned},
-          .cage_direction = direction(state.cage_angle)};
+          .cage_direction = direction(state.cage_angle),
+          .waves = waves_of(state)};
 }
 
 /// One roller at one instant.
@@ -65,6 +72,7 @@ struct RollerForces {
   double orbit_drag = 0.0;  // [N]    along e_theta
   double spin_drag = 0.0;   // [N m]
   LaminaStand stand;        // of contacts cut into laminae
+  Vector2 outer_normal;     // [-]    where elastic races are loaded
   double tip_rate = 0.0;    // [m/s]
   double tilt_power = 0.0;  // [W]  lost to the resistance against tilting
   double held_tilt = 0.0;   // [W]  of what holds the bore's tilt while the roller passes through it
@@ -96,7 +104,7 @@ inline RollerContacts roller_contacts(const BearingModel& model, const RingBodie
                                       const RollerBody& roller, Eigen::Index j) {
   const RollerSurface surface = surface_of(model, j);
   RollerContacts contacts{race_motion(model.inner, roller.motion, surface, rings.pin),
-                          race_motion(model.outer, roller.motion, surface, rings.bore)};
+                          race_motion(model.outer, roller.motion, surface, rings.bore, rings.waves)};
   if (model.laminae) {
     LaminaStand& stand = contacts.stand;
     stand.inner_approach = elastic_approach(model.inner, contacts.inner.contact);
@@ -129,6 +137,7 @@ inline RollerForces roller_forces(const BearingModel& model, const RingBodies& r
           .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
           .spin_drag = model.spin_drag.force(roller.motion.speed),
           .stand = contacts.stand,
+          .outer_normal = contacts.outer.contact.normal,
           .tip_rate = tip_rate,
           .tilt_power = tilting.excess * tip_rate,
           .held_tilt = -tilting.outer_tip_load * passing};
@@ -141,7 +150,8 @@ inline RollerForces plain_roller_forces(const BearingModel& model, const RingBod
           .outer = plain_race_forces(model.outer, roller.motion, rings.bore),
           .pocket = touch_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j)),
           .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
-          .spin_drag = model.spin_drag.force(roller.motion.speed)};
+          .spin_drag = model.spin_drag.force(roller.motion.speed),
+          .outer_normal = {}};
 }
 
 /// The ring whose land guides the cage.

@@ -28,6 +28,11 @@ constexpr Variable kOfRings[] = {{"cage_x [m]", VariableKind::length},
                                  {"pin_x_speed [m/s]", VariableKind::velocity},
                                  {"pin_y_speed [m/s]", VariableKind::velocity}};
 
+// As equilibrium/elastic_waves.hpp orders them.
+std::string wave_name(Eigen::Index i) {
+  return "rim_wave_" + std::to_string(i == 0 ? 0 : (i + 3) / 2) + (i == 0 || i % 2 == 1 ? "_cosine" : "_sine");
+}
+
 }  // namespace
 
 std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
@@ -35,6 +40,8 @@ std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
   for (Eigen::Index group = 0; group < layout.groups(); ++group)
     kinds.insert(kinds.end(), static_cast<std::size_t>(layout.rollers), kOfRollers[group].kind);
   for (const Variable& variable : kOfRings) kinds.push_back(variable.kind);
+  kinds.insert(kinds.end(), static_cast<std::size_t>(layout.waves), VariableKind::length);
+  kinds.insert(kinds.end(), static_cast<std::size_t>(layout.waves), VariableKind::velocity);
   kinds.insert(kinds.end(), static_cast<std::size_t>(layout.followed), VariableKind::angle);
   return kinds;
 }
@@ -45,6 +52,8 @@ std::vector<std::string> variable_names(const StateLayout& layout) {
     for (Eigen::Index roller = 1; roller <= layout.rollers; ++roller)
       names.push_back("roller_" + std::to_string(roller) + "_" + kOfRollers[group].name);
   for (const Variable& variable : kOfRings) names.emplace_back(variable.name);
+  for (Eigen::Index i = 0; i < layout.waves; ++i) names.push_back(wave_name(i) + " [m]");
+  for (Eigen::Index i = 0; i < layout.waves; ++i) names.push_back(wave_name(i) + "_speed [m/s]");
   for (Eigen::Index i = 1; i <= layout.followed; ++i)
     names.push_back("followed_roller_" + std::to_string(i) + "_turned [rad]");
   return names;

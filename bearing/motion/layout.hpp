@@ -1,7 +1,7 @@
 // Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
 //
 //   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | tip (Z), where rollers tilt | cage x y psi x' y'
-//   psi' | bore x y x' y' | pin x y x' y' | turned (followed) ]
+//   psi' | bore x y x' y' | pin x y x' y' | waves | rates of the waves | turned (followed) ]
 //
 #pragma once
 
@@ -20,14 +20,17 @@ struct StateLayout {
   Eigen::Index rollers = 0;
   Eigen::Index followed = 0;  // rollers whose turning is followed, since it carries scratches round
   bool tilting = false;       // rollers tilt: contacts cut into laminae that are not level
+  Eigen::Index waves = 0;     // of an elastic outer race, in the order of equilibrium/elastic_waves.hpp
 
   /// Variables of each roller.
   Eigen::Index groups() const { return tilting ? 6 : 5; }
-  Eigen::Index size() const { return cage() + 14 + followed; }
+  Eigen::Index size() const { return turned() + followed; }
   Eigen::Index cage() const { return groups() * rollers; }
   Eigen::Index bore() const { return cage() + 6; }
   Eigen::Index pin() const { return bore() + 4; }
-  Eigen::Index turned() const { return pin() + 4; }
+  Eigen::Index wave() const { return pin() + 4; }
+  Eigen::Index wave_speed() const { return wave() + waves; }
+  Eigen::Index turned() const { return wave_speed() + waves; }
 };
 
 /// Named views on a flat state, or on its derivative: the views then hold the rate of what they are named
@@ -52,6 +55,8 @@ struct StateViews {
   View<Eigen::Vector2d> pin_velocity;   // [m/s]
   View<Eigen::ArrayXd> turned;  // [rad]    (followed)  by the rollers that are followed, since the start
   View<Eigen::ArrayXd> tip;     // [m]      (rollers) or none; LaminaStand::tip
+  View<Eigen::VectorXd> wave;        // [m]      (waves)
+  View<Eigen::VectorXd> wave_speed;  // [m/s]    (waves)
 };
 
 namespace detail {
@@ -76,7 +81,9 @@ StateViews<Scalar> views(const StateLayout& layout, Scalar* x) {
           Pair(pin),
           Pair(pin + 2),
           {x + layout.turned(), layout.followed},
-          {x + 5 * z, layout.tilting ? z : 0}};
+          {x + 5 * z, layout.tilting ? z : 0},
+          {x + layout.wave(), layout.waves},
+          {x + layout.wave_speed(), layout.waves}};
 }
 }  // namespace detail
 

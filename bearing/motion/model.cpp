@@ -3,6 +3,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/motion/race_model.hpp"
 #include "mechanics/checks.hpp"
 
@@ -146,7 +147,8 @@ std::vector<double> larger_rollers(const Bearing& bearing) {
 
 bool is_plain(const Bearing& bearing, const BearingModel& model) {
   return bearing.inner.form.empty() && bearing.outer.form.empty() && !model.inner.friction.mixed &&
-         bearing.rollers().diameter_deviation.empty() && !model.pocket.with_film && !model.laminae;
+         bearing.rollers().diameter_deviation.empty() && !model.pocket.with_film && !model.laminae &&
+         model.layout.waves == 0;
 }
 
 laminae::LaminaContact lamina_contact(const CylindricalRollers& rollers, const RaceModel& race,
@@ -226,11 +228,13 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
   const CylindricalRollers& rollers = bearing.rollers();
   const BearingGeometry geometry = geometry_of(bearing);
   check(bearing, geometry, parameters);
+  OperatingPoint moving = point;
+  moving.outer_race = moving_waves(point.outer_race, parameters.rim);
   const double bore_mass = parameters.bore_mass > 0.0 ? parameters.bore_mass : geometry.outer_ring_mass;
   BearingModel model{
-      .layout = {rollers.count},
+      .layout = {.rollers = rollers.count, .waves = wave_count(moving.outer_race)},
       .geometry = geometry,
-      .point = point,
+      .point = moving,
       .frame = carrier_frame(point.carrier, parameters.inertia),
       .inertia = parameters.inertia,
       .roller = {geometry.element_mass, geometry.element_inertia},
@@ -239,6 +243,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .pin_mass = geometry.inner_ring_mass,
       .inner = race_model(bearing, geometry, point, Race::inner, parameters),
       .outer = race_model(bearing, geometry, point, Race::outer, parameters),
+      .rim = rim_model(moving.outer_race, parameters.rim),
       .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
       .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
       .pocket = pocket_model(geometry, rollers.length, parameters),

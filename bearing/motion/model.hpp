@@ -22,6 +22,7 @@
 #include "bearing/motion/parameters.hpp"
 #include "bearing/motion/pin_support.hpp"
 #include "bearing/motion/race_forces.hpp"
+#include "bearing/motion/rim.hpp"
 
 namespace orbearing::bearing::motion {
 
@@ -52,6 +53,7 @@ struct BearingModel {
   RaceModel inner;
   RaceModel outer;
   std::optional<LaminaRaces> laminae;  // none: line contacts of straight rollers
+  RimModel rim;                        // no waves: rigid
   FilmContact inner_film;
   FilmContact outer_film;
   PocketModel pocket;

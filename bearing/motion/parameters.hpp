@@ -339,6 +339,19 @@ void describe(Visitor& visit, SupportParameters& m) {
                  .fmu = InFmu::parameter}));
 }
 
+/// Waves of an elastic outer race in motion.
+struct RimParameters {
+  int most_order = 8;  // [-]  of the waves that move; what more of them are worth is in README
+  double damping_ratio = 0.02;  // [-]  of each wave by itself. Assumption: rings pressed into a steel gear;
+                                //      what a tenth or five times as much is worth is in README
+};
+
+template <class Visitor>
+void describe(Visitor& visit, RimParameters& m) {
+  using namespace described;
+  members(visit, m, internal(m.most_order, "rim.most_order"), internal(m.damping_ratio, "rim.damping_ratio"));
+}
+
 /// One harmonic of a load: cosine cos(order angle) + sine sin(order angle).
 struct LoadHarmonic {
   int order = 1;
@@ -364,6 +377,7 @@ struct DynamicsParameters {
   CageParameters cage;
   OilDragParameters drag;
   SupportParameters support;
+  RimParameters rim;
   MeshExcitation excitation;
   Driving driving;
   InertiaSwitches inertia;
@@ -374,7 +388,7 @@ struct DynamicsParameters {
 template <class Visitor>
 void describe(Visitor& visit, DynamicsParameters& m) {
   using namespace described;
-  members(visit, m, part(m.lubricant), part(m.race), part(m.drag), part(m.support),
+  members(visit, m, part(m.lubricant), part(m.race), part(m.drag), part(m.support), part(m.rim),
           internal(
               m.bore_mass, "planet.mass_per_bearing",
               "planet mass per bearing, by which support.damping_ratio counts; its inertia is not in the FMU",

@@ -41,7 +41,7 @@ inline double entrainment_speed(double rolling, double scale) {
 }
 
 /// Motion in the contact of a roller with the race of `model`,
-/// its form and its scratches included.
+/// its form, its scratches and the waves of an elastic race included.
 struct FormedContact {
   ContactMotion contact;
   FormSlope form;
@@ -55,7 +55,7 @@ struct RollerSurface {
 };
 
 FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, const RollerSurface& surface,
-                          const BodyMotion& race);
+                          const BodyMotion& race, const RaceWaves& waves = {});
 
 /// Elastic load of a straight contact in the given motion [N].
 inline double straight_load(const RaceModel& model, const ContactMotion& motion) {
@@ -113,6 +113,6 @@ RaceForces race_forces(const RaceModel& model, const FormedContact& motion, cons
 
 /// Energy stored in the contact [J].
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
-                   const RollerSurface& surface = {});
+                   const RollerSurface& surface = {}, const RaceWaves& waves = {});
 
 }  // namespace orbearing::bearing::motion

@@ -13,6 +13,8 @@ inline void set_kinematics(const ConstStateViews& state, MutableStateViews& rate
   rate.cage_angle = state.cage_speed;
   rate.bore_position = state.bore_velocity;
   rate.pin_position = state.pin_velocity;
+  rate.wave = state.wave_speed;
+  rate.wave_speed.setZero();
 }
 
 inline void set_turning(const BearingModel& model, const ConstStateViews& state, MutableStateViews& rate) {
@@ -52,7 +54,19 @@ void set_rollers(const BearingModel& model, const CarrierFrame& frame, const Con
     const RollerForces forces = forces_on(model, rings, roller, j);
     set_roller(model, frame, roller, forces, j, rate);
     on_rings.add(forces);
+    if (model.layout.waves > 0) add_wave_forces(forces.outer.load, forces.outer_normal, rate.wave_speed);
   }
+}
+
+// The waves of an elastic race under the loads of the rollers, which set_rollers() has put into their rates, and
+// under forces of the teeth that are `meshes` [-] times their means.
+inline void set_waves(const BearingModel& model, const ConstStateViews& state, double meshes,
+                      MutableStateViews& rate) {
+  const RimModel& rim = model.rim;
+  for (Eigen::Index i = 0; i < model.layout.waves; ++i)
+    rate.wave_speed[i] = (rate.wave_speed[i] - rim.damping[i] * state.wave_speed[i] -
+                          rim.stiffness[i] * (state.wave[i] - meshes * rim.at_rest[i])) /
+                         rim.mass[i];
 }
 
 inline void set_cage(const BearingModel& model, const CarrierFrame& frame, const BodyMotion& cage,

@@ -78,7 +78,7 @@ double contact_energy(const BearingModel& model, const RingBodies& rings, const 
                       Eigen::Index j) {
   const RollerSurface surface = surface_of(model, j);
   const double straight = race_energy(model.inner, roller.motion, rings.pin, surface) +
-                          race_energy(model.outer, roller.motion, rings.bore, surface);
+                          race_energy(model.outer, roller.motion, rings.bore, surface, rings.waves);
   if (!model.laminae) return straight;
   const RollerContacts contacts = roller_contacts(model, rings, roller, j);
   const double inner = elastic_approach(model.inner, contacts.inner.contact);
@@ -96,6 +96,33 @@ void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, con
   energy.races += contact_energy(model, rings, roller, j);
   energy.pockets += pocket_energy(model.pocket, motion.position, rings.cage.position,
                                   pocket_direction(model, rings, j), larger);
+}
+
+double rim_damping(const BearingModel& model, const ConstStateViews& state) {
+  double power = 0.0;
+  for (Eigen::Index i = 0; i < model.layout.waves; ++i)
+    power += model.rim.damping[i] * state.wave_speed[i] * state.wave_speed[i];
+  return power;
+}
+
+void add_rim_energy(const BearingModel& model, const ConstStateViews& state, double time,
+                    StoredEnergy& energy) {
+  const double meshes = mesh_ratio(model.driving, time);
+  for (Eigen::Index i = 0; i < model.layout.waves; ++i) {
+    const double beyond = state.wave[i] - meshes * model.rim.at_rest[i];
+    energy.rim += 0.5 * model.rim.stiffness[i] * beyond * beyond;
+    energy.kinetic += 0.5 * model.rim.mass[i] * state.wave_speed[i] * state.wave_speed[i];
+  }
+}
+
+// Of teeth whose forces on the waves fall in a run-up.
+double teeth_power(const BearingModel& model, const ConstStateViews& state, double time) {
+  const double meshes = mesh_ratio(model.driving, time), slope = -model.driving.ramp * meshes * meshes;
+  double power = 0.0;
+  for (Eigen::Index i = 0; i < model.layout.waves; ++i)
+    power -= model.rim.stiffness[i] * (state.wave[i] - meshes * model.rim.at_rest[i]) * slope *
+             model.rim.at_rest[i];
+  return power;
 }
 
 // Wrenches on the rings alone, without what is reported per roller, and the power that standing forms give.
@@ -153,7 +180,8 @@ double changing_film_power(const BearingModel& model, double time, const Eigen::
     const double speed = entrainment(race, now, surface, rings[1].*ring);
     const double change = entrainment(race, roller_body(model, views[2], j).motion, surface, rings[2].*ring) -
                           entrainment(race, roller_body(model, views[0], j).motion, surface, rings[0].*ring);
-    const double approach = race_motion(race, now, surface, rings[1].*ring).contact.approach;
+    const RaceWaves waves = &race == &model.outer ? rings[1].waves : RaceWaves{};
+    const double approach = race_motion(race, now, surface, rings[1].*ring, waves).contact.approach;
     power += race.load.energy_slope(approach, speed) * change / (2.0 * kDifferenceTime);
   };
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
@@ -202,6 +230,8 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
   into.loss.guidance = guidance.film_power + guidance.touch_down_power;
   into.loss.drag += model.cage_drag.power(rings.cage.speed);
   into.loss.support = model.support.power(rings.pin.velocity);
+  into.loss.race_damping += rim_damping(model, state);
+  into.waves = state.wave;
   into.race_speeds = race_speeds(model.geometry, rings.pin.speed, rings.bore.speed);
   into.cage_angle = state.cage_angle;
   into.cage_speed = rings.cage.speed;
@@ -226,6 +256,7 @@ StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eig
                         centrifugal(frame, model.bore_mass, 0.0, rings.bore.position);
   energy.guidance = guidance_energy(model.guidance, rings.cage.position, land_body(model, rings).position);
   energy.support = model.support.energy(rings.pin.position);
+  add_rim_energy(model, state, time, energy);
   return energy;
 }
 
@@ -241,7 +272,8 @@ PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<
           .euler = euler_power(model, state, rings),
           .changing_film = changing_film_power(model, time, x, dx),
           .standing_form = standing_form,
-          .changing_frame = 2.0 * growth * stored_energy(model, x, time).centrifugal};
+          .changing_frame = 2.0 * growth * stored_energy(model, x, time).centrifugal,
+          .teeth = teeth_power(model, state, time)};
 }
 
 }  // namespace orbearing::bearing::motion

@@ -18,19 +18,20 @@ struct RaceSnapshot {
 
 /// Energy by where it is stored [J]. The centrifugal potential of the turning frame counts as stored.
 struct StoredEnergy {
-  double kinetic = 0.0;      // in the carrier frame, prescribed rotations excluded
+  double kinetic = 0.0;      // in the carrier frame, prescribed rotations excluded; waves of an elastic rim
   double centrifugal = 0.0;  // negative outward
   double races = 0.0;        // elastic contacts and films
   double pockets = 0.0;
   double guidance = 0.0;
   double support = 0.0;
+  double rim = 0.0;  // waves of an elastic race, beyond what the teeth hold
 
-  double total() const { return kinetic + centrifugal + races + pockets + guidance + support; }
+  double total() const { return kinetic + centrifugal + races + pockets + guidance + support + rim; }
 };
 
 /// Power lost by cause [W], each >= 0.
 struct PowerLoss {
-  double race_damping = 0.0;
+  double race_damping = 0.0;  // of contacts, tilting rollers and an elastic rim
   double inner_traction = 0.0;
   double outer_traction = 0.0;
   double rolling = 0.0;
@@ -52,9 +53,10 @@ struct PowerInput {
   double changing_film = 0.0;   // work of the films as their speed changes
   double standing_form = 0.0;   // of what holds a form or a tilt while race or rollers turn through it
   double changing_frame = 0.0;  // of the centrifugal field as the carrier's speed changes
+  double teeth = 0.0;           // of their forces on an elastic rim, as they change
 
   double total() const {
-    return bore_load + rotations + euler + changing_film + standing_form + changing_frame;
+    return bore_load + rotations + euler + changing_film + standing_form + changing_frame + teeth;
   }
 };
 
@@ -75,6 +77,7 @@ struct Snapshot {
   /// Where the contacts stand [m] (rollers), and the laminae; empty and none where contacts are not cut.
   Eigen::ArrayXd inner_approach, outer_approach, tip;
   const LaminaRaces* laminae = nullptr;
+  Eigen::VectorXd waves;  // [m]  of an elastic race; none: rigid
   PowerLoss loss;
 };
 

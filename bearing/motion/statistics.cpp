@@ -76,6 +76,10 @@ void StatisticsCollector::add_state(double time, const Snapshot& sample) {
   sums_.mean_cage_position += sample.cage_position;
   sums_.bore_friction_moment += sample.bore_friction_moment;
   sums_.loss += sample.loss;
+  if (sums_.mean_waves.size() == 0)
+    sums_.mean_waves = sample.waves;
+  else
+    sums_.mean_waves += sample.waves;
 }
 
 void StatisticsCollector::add(double time, const Snapshot& sample) {
@@ -109,6 +113,7 @@ WindowStatistics StatisticsCollector::means() const {
   result.mean_cage_position /= samples;
   result.bore_friction_moment /= samples;
   result.loss = sums_.loss / samples;
+  result.mean_waves /= samples;
   return result;
 }
 

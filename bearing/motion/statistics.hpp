@@ -38,6 +38,7 @@ struct WindowStatistics {
   double largest_cage_eccentricity = 0.0;        // [-]
   Vector2 mean_cage_position = Vector2::Zero();  // [m]
   double bore_friction_moment = 0.0;             // [N m]
+  Eigen::VectorXd mean_waves;                    // [m]  of an elastic race; none: rigid
   PowerLoss loss;                                // [W]
 };
 

@@ -9,12 +9,14 @@ namespace orbearing::study {
 
 system::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drivetrain,
                                                 const DrivetrainGeometry& geometry) {
+  const bearing::OperatingPoint point = bearing_duty(drivetrain, geometry).point;
   return {.bearing = drivetrain.bearing,
           .dynamics = bearing_dynamics(drivetrain, geometry),
           .orbit_radius = geometry.gears.centre_distance,
           .first_roller = drivetrain.steady_state.first_roller,
           .lambda = drivetrain.lambda,
-          .bore_tilt = bearing_duty(drivetrain, geometry).point.bore_tilt,
+          .bore_tilt = point.bore_tilt,
+          .outer_race = point.outer_race,
           .allowed_length_error = drivetrain.steady_state.allowed_length_error,
           .places = drivetrain.steady_state.places};
 }

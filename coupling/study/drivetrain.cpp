@@ -92,15 +92,26 @@ Eigen::Vector2d bore_tilt(const Misalignment& misalignment, const Eigen::Vector2
          misalignment.carrier_wind_up * Eigen::Vector2d::UnitY();
 }
 
+// Of a ring that bends without stretching, whose tangential displacement is 1/n of the radial one; with wave 0 the
+// whole ring moves outward. Eq. (17) of bearing/motion/README.md.
+Eigen::ArrayXd wave_masses(double ring_mass, Eigen::Index orders) {
+  Eigen::ArrayXd mass = Eigen::ArrayXd::Constant(orders, ring_mass);
+  for (Eigen::Index n = 1; n < orders; ++n)
+    mass[n] *= 0.5 * (1.0 + 1.0 / static_cast<double>(n * n));
+  return mass;
+}
+
 // A planet that holds the carrier back is the mirror image of one that pulls it on.
 bearing::ElasticRace outer_race(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                 const gearset::MeanLoads& gears) {
   if (!geometry.rim) return {};
   const gearset::rim::RimInfluence& rim = *geometry.rim;
   const double sense = gears.tangential_force < 0.0 ? -1.0 : 1.0;
-  return {.compliance = drivetrain.bearings_per_planet * rim.race,
-          .cosine = gears.normal_force * (rim.by_sun.cosine + rim.by_ring.cosine),
-          .sine = sense * gears.normal_force * (rim.by_sun.sine + rim.by_ring.sine)};
+  return {
+      .compliance = drivetrain.bearings_per_planet * rim.race,
+      .cosine = gears.normal_force * (rim.by_sun.cosine + rim.by_ring.cosine),
+      .sine = sense * gears.normal_force * (rim.by_sun.sine + rim.by_ring.sine),
+      .mass = wave_masses(geometry.planet_mass / drivetrain.bearings_per_planet, rim.race.size())};
 }
 
 BearingDuty bearing_duty(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {

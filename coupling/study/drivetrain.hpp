@@ -207,7 +207,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
       visit, m, apart(m.set), apart(m.drive), apart(m.in_arrangement), part(m.bearing), part(m.mounting),
       field(m.bearings_per_planet, "bearing.per_planet", Felt::carrier, "bearings side by side in a planet",
             {.models = planetary_drivetrain, .required_by = planetary_drivetrain, .range = {1, 8}}),
-      field(m.rim, "gearset.planet_rim", Felt::at_rest,
+      field(m.rim, "gearset.planet_rim", Felt::carrier,
             "rim of the planet with the outer rings of its bearings: rigid, or elastic between rollers and "
             "teeth",
             {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),

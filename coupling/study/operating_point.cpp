@@ -7,11 +7,12 @@
 #include <stdexcept>
 
 #include "bearing/contact/line_contact.hpp"
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/life/modified_life.hpp"
-#include "bearing/motion/layout.hpp"
+#include "bearing/motion/model.hpp"
 #include "coupling/cosim/planetary_coupling.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/driven_setups.hpp"
@@ -305,10 +306,11 @@ Eigen::ArrayXd place_angles(Eigen::Index places) {
 }
 
 LoadDistribution distribution_of(const WindowStatistics& means) {
-  return {as_vector(place_angles(means.inner.mean_load.size())),
-          as_vector(means.inner.mean_load),
-          as_vector(means.outer.mean_load),
-          {}};
+  const Eigen::ArrayXd angles = place_angles(means.inner.mean_load.size());
+  Eigen::ArrayXd form = Eigen::ArrayXd::Zero(means.mean_waves.size() > 0 ? angles.size() : 0);
+  if (form.size() > 0) bearing::add_form(means.mean_waves, 1.0, angles, form);
+  return {as_vector(angles), as_vector(means.inner.mean_load), as_vector(means.outer.mean_load),
+          as_vector(form)};
 }
 
 // A run-up has no speed at which the bearing could be fitted: its gears stay on the tangent.
@@ -323,7 +325,8 @@ OneWayRun motion_of(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeome
 
 OneWayRun motion_from(const Eigen::VectorXd& start, const PlanetaryDrivetrain& drivetrain,
                       const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const Eigen::Index required = bearing::motion::StateLayout{drivetrain.bearing.rollers().count}.size();
+  const Eigen::Index required =
+      bearing_model(drivetrain.bearing, duty.point, bearing_dynamics(drivetrain, geometry)).layout.size();
   if (start.size() != required)
     throw std::invalid_argument("state to start from: found " + std::to_string(start.size()) +
                                 " variables; required: " + std::to_string(required) + ", those of " +

@@ -95,6 +95,7 @@ void WithinStep::bend(const bearing::vectorised::PaddedLayout& layout, std::ptrd
   bend(first + layout.cage(), first + layout.cage() + 3, 3);
   bend(first + layout.bore(), first + layout.bore() + 2, 2);
   bend(first + layout.pin(), first + layout.pin() + 2, 2);
+  bend(first + layout.wave(), first + layout.wave_speed(), layout.waves);
 }
 
 }  // namespace orbearing::system

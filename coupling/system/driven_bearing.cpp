@@ -161,7 +161,7 @@ std::vector<Output> bearing_outputs(int rollers) {
   return outputs;
 }
 
-constexpr double kVersion = 2.0;
+constexpr double kVersion = 3.0;
 
 }  // namespace
 
@@ -179,6 +179,7 @@ BearingModel driven_model(const DrivenBearingSetup& setup) {
   bearing::OperatingPoint point;
   point.carrier.orbit_radius = setup.orbit_radius;
   point.bore_tilt = setup.bore_tilt;
+  point.outer_race = setup.outer_race;
   return bearing_model(setup.bearing, point, setup.dynamics);
 }
 
@@ -243,7 +244,7 @@ struct DrivenBearing::Inside {
   // What a saved state must agree in: version, rollers, places, which equations.
   std::vector<double> head() const {
     return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.places),
-            fast ? 1.0 : 0.0};
+            fast ? 1.0 : 0.0, static_cast<double>(model.layout.waves)};
   }
 
   BoreMotion here(BoreMotion motion) const {

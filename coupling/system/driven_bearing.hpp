@@ -26,6 +26,7 @@ struct DrivenBearingSetup {
   /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Felt by
   /// laminae only, and refused without them.
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
+  bearing::ElasticRace outer_race = {};  // how the outer race bends, under mean forces of the teeth
   double allowed_length_error = 2e-10;  // [m]    of one step; all other variables follow from it
   long places = 72;                     // [-]    bins on the races, for the life
   long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
@@ -61,7 +62,7 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
                    angle),
           internal(m.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
                    angle)),
-      lambda_row(m.lambda), system::length_error_row(m.allowed_length_error),
+      apart(m.outer_race), lambda_row(m.lambda), system::length_error_row(m.allowed_length_error),
       internal(m.places, "simulation.places"), internal(m.most_steps, "simulation.most_steps"),
       internal(m.planet_speed, "operation.planet_speed"),
       internal(m.carrier_speed, "operation.carrier_speed"));

@@ -201,7 +201,8 @@ WindowStatistics pooled(const std::vector<WindowStatistics>& bearings) {
   WindowStatistics all{.samples = bearings.front().samples,
                        .duration = bearings.front().duration,
                        .inner = zero(bearings.front().inner),
-                       .outer = zero(bearings.front().outer)};
+                       .outer = zero(bearings.front().outer),
+                       .mean_waves = Eigen::VectorXd::Zero(bearings.front().mean_waves.size())};
   const double number = static_cast<double>(bearings.size());
   for (const WindowStatistics& one : bearings) {
     add(one.inner, all.inner);
@@ -212,6 +213,7 @@ WindowStatistics pooled(const std::vector<WindowStatistics>& bearings) {
     all.largest_cage_eccentricity = std::max(all.largest_cage_eccentricity, one.largest_cage_eccentricity);
     all.mean_cage_position += one.mean_cage_position / number;
     all.bore_friction_moment += one.bore_friction_moment / number;
+    all.mean_waves += one.mean_waves / number;
     all.loss += one.loss / number;
   }
   divide(number, all.inner);

@@ -214,10 +214,15 @@ Eigen::VectorXd exact_end(const BearingModel& model, Eigen::VectorXd x) {
   return x;
 }
 
-TEST(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
+class FastPath : public testing::TestWithParam<bool> {};
+
+// Issue 16, Build 1: with the waves of an elastic rim as well, whose slopes by the rollers the matrix lacks.
+TEST_P(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
   constexpr double kMargin = 0.1;  // the term of next order, at steps of a fiftieth of the fastest period
   const SmoothCase smooth;
-  const BearingModel model = bearing_model(smooth.bearing, test::reducer_point(6000.0), smooth.parameters);
+  OperatingPoint point = test::reducer_point(6000.0);
+  if (GetParam()) point.outer_race = test::bending_race();
+  const BearingModel model = bearing_model(smooth.bearing, point, smooth.parameters);
   test::Random random;
   const Eigen::VectorXd start =
       test::shaken_state(model, smooth.bearing, smooth.parameters, 3e-7, 5e-3, random);
@@ -229,6 +234,33 @@ TEST(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
   EXPECT_NEAR(std::log2(error(2400) / error(4800)), 2.0, kMargin);
   EXPECT_NEAR(std::log2(error(4800) / error(9600)), 2.0, kMargin);
 }
+
+// Issue 16, Build 1: a rim a million times as stiff is a rigid one: the same path of all bodies, within what is left
+// of its waves.
+TEST(FastPathOfRims, TendsToTheRigidOneWithTheModulus) {
+  constexpr int kSteps = 2400;
+  constexpr double kLeft = 1e-10;  // [m]  a millionth of some micrometres, grown over 0.3 ms
+  const SmoothCase smooth;
+  OperatingPoint point = test::reducer_point(6000.0);
+  const auto end = [&] {
+    const BearingModel model = bearing_model(smooth.bearing, point, smooth.parameters);
+    const Eigen::VectorXd start = initial_state(smooth.bearing, model, smooth.parameters, 0.3).x;
+    const Eigen::VectorXd x = end_of_equal_steps(model, start, kSteps);
+    const Eigen::VectorXd weight = system::allowed_errors(model.layout, 1.0, 17.8e-3, 6e5).cwiseInverse();
+    return Eigen::VectorXd(x.cwiseProduct(weight).head(model.layout.wave()));
+  };
+  const Eigen::VectorXd rigid = end();
+  point.outer_race = test::bending_race();
+  const Eigen::VectorXd soft = end();
+  for (Eigen::ArrayXd* stiffer : {&point.outer_race.compliance, &point.outer_race.cosine, &point.outer_race.sine})
+    *stiffer *= 1e-6;
+  EXPECT_LT((end() - rigid).cwiseAbs().maxCoeff(), kLeft);
+  EXPECT_GT((soft - rigid).cwiseAbs().maxCoeff(), 1e3 * kLeft);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rims, FastPath, testing::Bool(), [](const testing::TestParamInfo<bool>& rim) {
+  return rim.param ? "elastic" : "rigid";
+});
 
 }  // namespace
 }  // namespace orbearing::bearing::motion::dynamics_fast_path_test

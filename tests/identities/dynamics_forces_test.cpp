@@ -14,7 +14,7 @@ namespace {
 constexpr int kStates = 40;
 constexpr double kSpeed = 0.05;  // share of the kinematic speeds by which a state is shaken
 
-enum class Refinement { none, forms, scratches, unequal_rollers, mixed_lubrication, pocket_film, run_up, printed };
+enum class Refinement { none, forms, scratches, unequal_rollers, mixed_lubrication, pocket_film, run_up, printed, rim };
 
 struct Variant {
   const char* name;
@@ -63,6 +63,10 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         parameters.driving.ramp = 150.0;
         bearing.outer.form = {{5, 1e-6, 0.4, true}};
         break;
+      case Refinement::rim:
+        point.outer_race = test::bending_race();
+        parameters.driving.ramp = 150.0;
+        break;
       case Refinement::printed:
         parameters.race.film_approach = FilmApproach::as_printed;
         parameters.race.damping_law = DampingLaw::as_printed;
@@ -97,6 +101,7 @@ TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
     if (i < z) return model.roller.mass;
     if (i < 2 * z) return model.roller.mass * x[i - z] * x[i - z];
     if (i < layout.bore()) return i == layout.cage() + 2 ? model.cage.inertia : model.cage.mass;
+    if (i >= layout.wave()) return model.rim.mass[i - layout.wave()];
     return i < layout.pin() ? model.bore_mass : model.pin_mass;
   };
   const auto check = [&](const Eigen::VectorXd& x, Eigen::Index position, Eigen::Index velocity,
@@ -127,12 +132,13 @@ TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
       check(x, layout.bore() + i, layout.bore() + 2 + i, bore_load(model, 0.0)[i]);
       check(x, layout.pin() + i, layout.pin() + 2 + i, 0.0);
     }
+    for (Eigen::Index i = 0; i < layout.waves; ++i) check(x, layout.wave() + i, layout.wave_speed() + i, 0.0);
   }
 }
 
 // Along the motion, all that is stored changes by what enters less what is lost, in any state whatever.
 TEST_P(DynamicsIdentity, PowerBalancesInEveryState) {
-  if (GetParam().refinement != Refinement::run_up) point.carrier.acceleration = 300.0;
+  if (parameters.driving.ramp == 0.0) point.carrier.acceleration = 300.0;
   const BearingModel model = model_now();
   const PlanetBearingEquations equations(model);
   for (int k = 0; k < kStates; ++k) {
@@ -234,6 +240,9 @@ INSTANTIATE_TEST_SUITE_P(
                             Refinement::mixed_lubrication},
                     Variant{"pocket_film", false, false, TractionLaw::regularised_coulomb,
                             Refinement::pocket_film},
+                    // Issue 16, Build 1: waves of an elastic rim are slopes of its energy, and teeth whose forces
+                    // fall in a run-up do work on it.
+                    Variant{"rim", true, false, TractionLaw::regularised_coulomb, Refinement::rim},
                     Variant{"run_up", false, false, TractionLaw::regularised_coulomb, Refinement::run_up},
                     Variant{"printed", true, false, TractionLaw::regularised_coulomb, Refinement::printed}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });

@@ -21,6 +21,7 @@ struct Seen {
   bool film;
   double carrier_acceleration;  // [rad/s^2]
   double shaken;                // [-]  share of speeds
+  bool rim = false;             // bends
 };
 
 void PrintTo(const Seen& seen, std::ostream* out) {
@@ -100,6 +101,25 @@ class Outside {
   Plane axes_;
 };
 
+// Waves of the state in pairs, as amplitudes; that of order 0 is alone.
+std::vector<Plane> amplitudes(const Eigen::Ref<const Eigen::VectorXd>& waves) {
+  std::vector<Plane> all;
+  for (Eigen::Index i = 0; i < waves.size(); i += i == 0 ? 1 : 2)
+    all.push_back(i == 0 ? Plane(waves[0]) : Plane(waves[i], waves[i + 1]));
+  return all;
+}
+
+std::vector<reference::RimWave> rim_of(const ElasticRace& race, double damping_ratio) {
+  std::vector<reference::RimWave> rim;
+  for (int n = 0; n < race.compliance.size(); ++n) {
+    if (n == 1) continue;
+    const double stiffness = 1.0 / race.compliance[n];
+    rim.push_back({n, stiffness, race.mass[n], 2.0 * damping_ratio * std::sqrt(stiffness * race.mass[n]),
+                   Plane(race.cosine[n], race.sine[n])});
+  }
+  return rim;
+}
+
 // Rates of all speeds by the reference, in the layout of the program's state.
 struct ReferenceRates {
   Eigen::VectorXd of_state;
@@ -124,6 +144,8 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
                              state.cage_speed);
   bodies.bore = outside.body(plane(state.bore_position), plane(state.bore_velocity), 0.0, point.outer_speed);
   bodies.pin = outside.body(plane(state.pin_position), plane(state.pin_velocity), 0.0, point.inner_speed);
+  bodies.bent = amplitudes(state.wave);
+  bodies.bending = amplitudes(state.wave_speed);
   // The load that is stated holds the planet's inertial load at the pin's axis, which no frame at rest has.
   const double orbit = point.carrier.orbit_radius;
   const Plane inertial =
@@ -150,6 +172,11 @@ ReferenceRates reference_rates(const reference::BearingNumbers& numbers, const O
   put(found.bore, state.bore_position, state.bore_velocity, rate.bore_velocity);
   put(found.pin, state.pin_position, state.pin_velocity, rate.pin_velocity);
   rate.cage_speed = found.cage.angular - carrier.acceleration;
+  for (std::size_t i = 0; i < found.rim.size(); ++i) {
+    const auto first = static_cast<Eigen::Index>(i == 0 ? 0 : 2 * i - 1);
+    rate.wave_speed[first] = found.rim[i].real();
+    if (i > 0) rate.wave_speed[first + 1] = found.rim[i].imag();
+  }
   return {rates, -found.bore_moment * point.outer_speed - found.pin_moment * point.inner_speed};
 }
 
@@ -165,6 +192,7 @@ class InertialFrame : public testing::TestWithParam<Seen> {
     bearing.radial_clearance = GetParam().clearance;
     parameters.race.film_in_approach = GetParam().film;
     point.carrier.acceleration = GetParam().carrier_acceleration;
+    if (GetParam().rim) point.outer_race = test::bending_race();
   }
   Bearing bearing = test::reducer_bearing();
   DynamicsParameters parameters = test::reducer_parameters();
@@ -178,7 +206,8 @@ TEST_P(InertialFrame, SeesTheSameMotion) {
   constexpr double kAllowed = 1e-8;  // [-]  of the largest rate of the same kind
   const BearingModel model = bearing_model(bearing, point, parameters);
   const PlanetBearingEquations equations(model);
-  const reference::BearingNumbers numbers = numbers_of(bearing, parameters, model.geometry);
+  reference::BearingNumbers numbers = numbers_of(bearing, parameters, model.geometry);
+  numbers.rim = rim_of(point.outer_race, parameters.rim.damping_ratio);
   const StateLayout& layout = model.layout;
   double open = 0.0, closed = 0.0;
   for (int k = 0; k < kStates; ++k) {
@@ -203,6 +232,7 @@ TEST_P(InertialFrame, SeesTheSameMotion) {
     compare(layout.cage() + 5, 1, "speed of the cage");
     compare(layout.bore() + 2, 2, "bore");
     compare(layout.pin() + 2, 2, "pin");
+    if (GetParam().rim) compare(layout.wave_speed(), layout.waves, "waves of the rim");
     const double holding_power = power_input(model, 0.0, x, dx).rotations;
     EXPECT_NEAR(holding_power, reference.holding_power, kAllowed * std::abs(holding_power)) << "state " << k;
     const Snapshot now = snapshot(model, x, 0.0);
@@ -218,6 +248,9 @@ INSTANTIATE_TEST_SUITE_P(Variants, InertialFrame,
                                          Seen{"film", 6000.0, 0.0, true, 0.0, 0.02},
                                          Seen{"clearance", 6000.0, 37e-6, false, 0.0, 0.02},
                                          Seen{"film_clearance", 12000.0, 37e-6, true, 0.0, 0.02},
+                                         // Issue 16, Build 1: a bore that bends.
+                                         Seen{"rim", 6000.0, 0.0, false, 0.0, 0.02, true},
+                                         Seen{"rim_film", 12000.0, 37e-6, true, 300.0, 0.02, true},
                                          Seen{"run_up", 6000.0, 0.0, false, 300.0, 0.02}),
                          [](const testing::TestParamInfo<Seen>& seen) { return seen.param.name; });
 

@@ -91,20 +91,46 @@ double inlet_drag(const BearingNumbers& b, double radius, double speed, double l
          std::sqrt(load / (load + 1.0));
 }
 
+// The bore where it bends, seen from outside: its radius at `angle` less that of the circle.
+struct Rim {
+  const BearingNumbers& b;
+  const Carrier& carrier;
+  const Bodies& bodies;
+
+  double further(double angle, const std::vector<Plane>& amplitudes) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < b.rim.size(); ++i)
+      sum += (std::conj(amplitudes[i]) * std::polar(1.0, b.rim[i].order * (angle - carrier.angle))).real();
+    return sum;
+  }
+  double slope(double angle) const {
+    constexpr double kStep = 1e-3;  // [rad]  central differences of higher order: error 1e-9 of a wave of order 6
+    const auto difference = [&](double step) {
+      return (further(angle + step, bodies.bent) - further(angle - step, bodies.bent)) / (2.0 * step);
+    };
+    return (difference(2.0 * kStep) - 20.0 * difference(kStep) + 64.0 * difference(0.5 * kStep)) / 45.0;
+  }
+};
+
 // `outside`: the race is the bore, which lies around the roller.
-void press(const BearingNumbers& b, bool outside, const Body& roller, const Body& race, Load& on_roller,
-           Load& on_race) {
+// The bore may bend: the load on each of its waves goes into `on_rim`.
+void press(const BearingNumbers& b, bool outside, const Body& roller, const Body& race, const Rim& rim,
+           Load& on_roller, Load& on_race, std::vector<Plane>& on_rim) {
   const double a = b.roller_radius, race_radius = outside ? b.bore_radius : b.pin_radius;
   const Plane line = roller.position - race.position;
   const double distance = std::abs(line);
   const Plane outward = line / distance, tangent = kTurn * outward;
   const Plane towards_race = outside ? outward : -outward;
-  const double gap = outside ? race_radius - distance - a : distance - race_radius - a;
+  const double place = std::arg(line);
+  const double further = outside ? rim.further(place, rim.bodies.bent) : 0.0;
+  const double steep = outside ? rim.slope(place) : 0.0;
+  const double gap = outside ? race_radius + further - distance - a : distance - race_radius - a;
   const Plane touch = roller.position + a * towards_race;
-  const double closing = along(roller.velocity - race.velocity, towards_race);
-
-  // The point of contact stays on the line of centres.
+  // The point of contact stays on the line of centres, which passes along a bore whose form stands in the carrier.
   const double line_speed = along(roller.velocity - race.velocity, tangent) / distance;
+  double closing = along(roller.velocity - race.velocity, towards_race);
+  if (outside)
+    closing -= steep * (line_speed - rim.carrier.speed) + rim.further(place, rim.bodies.bending);
   const Plane touch_velocity = roller.velocity + kTurn * line_speed * (touch - roller.position);
   const double race_surface = along(velocity_at(race, touch) - touch_velocity, tangent);
   const double roller_surface = along(velocity_at(roller, touch) - touch_velocity, tangent);
@@ -119,6 +145,12 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   const Plane friction = coulomb(b.friction, load, sliding, b.sliding_scale) * tangent;
   on_roller.add(roller, touch, -load * towards_race + friction);
   on_race.add(race, touch, load * towards_race - friction);
+
+  // A slope pushes the roller through its centre, as work on it says: load times the change of the gap.
+  on_roller.force += load * steep / distance * tangent;
+  on_race.add(race, roller.position, -load * steep / distance * tangent);
+  for (std::size_t i = 0; outside && i < b.rim.size(); ++i)
+    on_rim[i] += load * std::polar(1.0, b.rim[i].order * (place - rim.carrier.angle));
 
   // Oil at the inlet drags both surfaces back, each about its own centre; the force that keeps forces and
   // moments of both in balance goes through the centres.
@@ -210,12 +242,14 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
 
   Accelerations result;
   Load on_cage, on_bore, on_pin;
+  const Rim rim{b, carrier, bodies};
+  std::vector<Plane> on_rim(b.rim.size());
   const double pitch = 2.0 * kPi / static_cast<double>(bodies.rollers.size());
   for (std::size_t j = 0; j < bodies.rollers.size(); ++j) {
     const Body& roller = bodies.rollers[j];
     Load load;
-    press(b, false, roller, bodies.pin, load, on_pin);
-    press(b, true, roller, bodies.bore, load, on_bore);
+    press(b, false, roller, bodies.pin, rim, load, on_pin, on_rim);
+    press(b, true, roller, bodies.bore, rim, load, on_bore, on_rim);
     push(b, bodies.cage.angle + static_cast<double>(j) * pitch, roller, bodies.cage, load, on_cage);
 
     // The mixture rests in the carrier; it resists the way around the pin.
@@ -233,6 +267,12 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
   result.cage = {on_cage.force / b.cage_mass, on_cage.moment / b.cage_inertia};
   result.bore = {(on_bore.force + bore_force) / b.bore_mass, 0.0};
   result.pin = {on_pin.force / b.pin_mass, 0.0};
+  for (std::size_t i = 0; i < b.rim.size(); ++i) {
+    const RimWave& wave = b.rim[i];
+    Plane force = on_rim[i] - wave.damping * bodies.bending[i] - wave.stiffness * (bodies.bent[i] - wave.at_rest);
+    if (wave.order == 0) force = force.real();
+    result.rim.push_back(force / wave.mass);
+  }
   result.bore_moment = on_bore.moment;
   result.pin_moment = on_pin.moment;
   return result;

@@ -17,6 +17,14 @@ struct Oil {
   double pressure_viscosity;  // [1/Pa]
 };
 
+/// One way in which the bore bends: it stands further out by Re(conj(a) e^(i order phi)), phi the angle from the
+/// carrier's arm.
+struct RimWave {
+  int order;
+  double stiffness, mass, damping;  // [N/m], [kg], [N s/m]
+  Plane at_rest;                    // [m]
+};
+
 struct BearingNumbers {
   double roller_radius, roller_length;                                               // [m]
   double pin_radius, bore_radius;                                                    // [m]   of the races
@@ -35,6 +43,7 @@ struct BearingNumbers {
   double mixture_density;                     // [kg/m^3]
   double cylinder_drag, churning;             // [-]
   double cage_mean_radius, cage_width;        // [m]
+  std::vector<RimWave> rim = {};
 };
 
 /// The carrier turns about the origin; the undeformed axis of the pin is at orbit_radius on its arm.
@@ -53,6 +62,7 @@ struct Body {
 struct Bodies {
   std::vector<Body> rollers;
   Body cage, bore, pin;  // the speeds of bore and pin are given
+  std::vector<Plane> bent, bending;  // [m], [m/s]  amplitudes of the rim's waves and their rates
 };
 
 struct BodyAcceleration {
@@ -64,6 +74,7 @@ struct Accelerations {
   std::vector<BodyAcceleration> rollers;
   BodyAcceleration cage, bore, pin;
   double bore_moment = 0.0, pin_moment = 0.0;  // [N m]  of the rollers, and of the cage on the bore's land
+  std::vector<Plane> rim;                      // [m/s^2]  of the amplitudes
 };
 
 /// What Newton and Euler say under the contacts' forces and `bore_force` [N], which acts on the bore from

@@ -11,7 +11,8 @@ using namespace mechanics::ORBEARING_PACKS;
 struct BothRaces : RaceNumbers<NumberPair> {
   bool film = false;  // adds to the elastic approach
   FrictionLaws<NumberPair> friction;
-  bool round = true;  // neither race has waves or scratches, no roller a scratch
+  bool round = true;  // neither race has waves or scratches, no roller a scratch, and the outer one is rigid
+  int rim_waves = 0;  // of the outer race
   const RaceConstants* inner = nullptr;
   const RaceConstants* outer = nullptr;
   LaminaConstants laminae;
@@ -43,7 +44,8 @@ inline BothRaces both_races(const Constants& constants) {
   static_cast<FrictionChoice&>(both.friction) = inner.friction;
   both.film = inner.film;
   both.round = inner.waves == 0 && outer.waves == 0 && inner.scratches == 0 && outer.scratches == 0 &&
-               constants.roller_scratches == 0;
+               constants.roller_scratches == 0 && constants.rim.waves == 0;
+  both.rim_waves = constants.rim.waves;
   both.inner = &inner;
   both.outer = &outer;
   both.laminae = constants.laminae;

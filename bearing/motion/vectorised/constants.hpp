@@ -70,6 +70,15 @@ struct LaminaConstants {
   bool upright = true;                 // symmetric, and no roller ever tilts
 };
 
+/// The waves of an elastic outer race; see motion/rim.hpp.
+struct RimConstants {
+  int waves = 0;                      // 0: rigid
+  const double* stiffness = nullptr;  // (waves)  [N/m]
+  const double* mass = nullptr;       // (waves)  [kg]
+  const double* damping = nullptr;    // (waves)  [N s/m]
+  const double* at_rest = nullptr;    // (waves)  [m]  without rollers
+};
+
 /// The land that guides the cage.
 struct LandConstants {
   bool present = false;
@@ -97,6 +106,7 @@ struct Constants {
   RaceConstants inner;
   RaceConstants outer;
   LaminaConstants laminae;
+  RimConstants rim;
 
   PocketLaw pocket;
 

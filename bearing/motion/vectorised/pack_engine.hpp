@@ -54,7 +54,7 @@ class PackEngine final : public Engine {
         races_(both_races(c_)),
         given_(rollers),
         layout_{constants.rollers, constants.followed,
-                constants.laminae.count > 0 && !constants.laminae.upright},
+                constants.laminae.count > 0 && !constants.laminae.upright, constants.rim.waves},
         packs_(layout_.lanes() / kLanes),
         linear_(packs_),
         block_(packs_),
@@ -62,7 +62,8 @@ class PackEngine final : public Engine {
         outer_load_(packs_),
         inner_approach_(packs_),
         outer_approach_(packs_),
-        tip_(packs_) {}
+        tip_(packs_),
+        wave_force_(constants.rim.waves) {}
 
   [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
     evaluate<false>(x, load_x, load_y, dx);
@@ -101,6 +102,8 @@ class PackEngine final : public Engine {
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
   template <bool WithSlopes>
   void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
+  void evaluate_waves(const double* x, double* dx) const;
+  void complete_waves(const double* rhs, double* k) const;
   void build_block(int p, double g);
   template <bool OpenBore>
   void assemble(double g);
@@ -128,6 +131,7 @@ class PackEngine final : public Engine {
   AlignedArray<Pack> inner_load_;
   AlignedArray<Pack> outer_load_;
   AlignedArray<Pack> inner_approach_, outer_approach_, tip_;  // [m]  of contacts cut into laminae
+  AlignedArray<Pack> wave_force_;                             // [N]  (waves)
   RingBlock rings_;
   double g_ = 0.0;
   GuidanceDual land_x_, land_y_, land_moment_;
@@ -201,7 +205,8 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   LaminaStand stand;
   if (layout_.tilting) stand.tip = load(entry(x, kTip, p));
   const ContactForce<PackPair> races = race_contact<WithSlopes>(
-      races_, radius, here, cosine, sine, {p * kLanes, x + layout_.turned()},
+      races_, radius, here, cosine, sine,
+      {p * kLanes, x + layout_.turned(), x + layout_.wave(), x + layout_.wave_speed(), &wave_force_[0]},
       joined(motion_to({pin[0], pin[1], pin[2], pin[3]}), motion_to({bore[0], bore[1], bore[2], bore[3]})),
       slopes, stand);
   if (c_.laminae.count > 0) {
@@ -270,13 +275,25 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
   const double cage_angle = x[layout_.cage() + 2];
   cage_cosine_ = __builtin_cos(cage_angle);
   cage_sine_ = __builtin_sin(cage_angle);
+  for (int i = 0; i < layout_.waves; ++i) wave_force_[i] = Pack{};
   for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes>(p, x, dx, sums);
-  for (int i = layout_.turned(); i < layout_.size(); ++i) dx[i] = 0.0;
+  for (int i = layout_.wave(); i < layout_.size(); ++i) dx[i] = 0.0;
   for (int i = 0; i < c_.roller_scratches; ++i) {
     const RollerScratch& scratch = c_.roller_scratch[i];
     dx[layout_.turned() + scratch.followed] = x[4 * layout_.lanes() + scratch.roller];
   }
+  evaluate_waves(x, dx);
   evaluate_rings<WithSlopes>(x, load_x, load_y, sums, dx);
+}
+
+inline void PackEngine::evaluate_waves(const double* x, double* dx) const {
+  const double *place = x + layout_.wave(), *speed = x + layout_.wave_speed();
+  for (int i = 0; i < layout_.waves; ++i) {
+    dx[layout_.wave() + i] = speed[i];
+    dx[layout_.wave_speed() + i] = (sum(wave_force_[i]) - c_.rim.damping[i] * speed[i] -
+                                    c_.rim.stiffness[i] * (place[i] - c_.rim.at_rest[i])) /
+                                   c_.rim.mass[i];
+  }
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -121,6 +121,18 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
         entry(k, kTip, p));
 }
 
+/// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left out
+/// of J, since the rim gives way far less than the contacts; the order does not ask for it.
+inline void PackEngine::complete_waves(const double* rhs, double* k) const {
+  const double *place = rhs + layout_.wave(), *speed = rhs + layout_.wave_speed();
+  for (int i = 0; i < layout_.waves; ++i) {
+    const double per_mass = g_ / c_.rim.mass[i], stiffness = per_mass * c_.rim.stiffness[i];
+    const double rate = (speed[i] - stiffness * place[i]) / (1.0 + per_mass * c_.rim.damping[i] + g_ * stiffness);
+    k[layout_.wave_speed() + i] = rate;
+    k[layout_.wave() + i] = place[i] + g_ * rate;
+  }
+}
+
 /// All rates, once those of the rings are known: `b`.
 inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns],
                                          double* k) const {
@@ -146,6 +158,7 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
   }
   // What rollers have turned is no part of J: the order does not ask for it.
   for (int i = layout_.turned(); i < layout_.end(); ++i) k[i] = rhs[i];
+  complete_waves(rhs, k);
   for (int i = layout_.end(); i < layout_.size(); ++i) k[i] = 0.0;
   for (int i = 0; i < 2; ++i) {
     k_pin[i] = pin[i] + g * b[kPin + i];

@@ -72,7 +72,7 @@ struct RaceMotion {
 };
 
 inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const Mask& present,
-                              const Pack& cosine, const Pack& sine, const RollerTurns& turns,
+                              const Pack& cosine, const Pack& sine, const FormState& state,
                               const RelativeMotion<PackPair>& relative) {
   RaceMotion m;
   const PackPair square = relative.d_r * relative.d_r + relative.d_t * relative.d_t;
@@ -89,11 +89,15 @@ inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const M
   if (!race.round) {
     const PackPair c = m.n_r * cosine - m.n_t * sine, s = m.n_r * sine + m.n_t * cosine;
     m.form = form_slopes(race, c, s);
+    if (race.rim_waves > 0) {
+      add_rim(race.rim_waves, state, c.high, s.high, m.form);
+      opening -= m.form.rate;
+    }
     gap -= m.form.height;
     opening -= m.form.slope * m.line - m.form.turning_slope * race.speed;
     if (race.roller_scratches > 0) {
       FormSlopes<PackPair> own{};
-      add_roller_scratches(race, turns, c, s, own);
+      add_roller_scratches(race, state, c, s, own);
       gap -= own.height;
       opening -= own.slope * m.line - own.rolling_slope * relative.spin;
       m.form.slope += own.slope;
@@ -275,7 +279,9 @@ inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, co
     n.distance.tangential -= per_distance * x.load * m.form.slope * m.inverse;
     const PackPair climb = -1.0 * m.form.slope * per_distance;
     const PackPair gain =
-        (m.form.turning_bend * race.speed + m.form.rolling_bend * m.spin - m.form.bend * m.line) * per_distance;
+        (m.form.turning_bend * race.speed + m.form.rolling_bend * m.spin - m.form.bend * m.line -
+         m.form.rate_slope) *
+        per_distance;
     const ForceRate by_form = force_rate(race, m, x, climb * laws.approach + gain * laws.closing);
     n.across.normal += by_form.normal;
     n.across.tangential += by_form.tangential + per_distance * x.load * m.form.bend * m.inverse;
@@ -313,10 +319,10 @@ inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLo
 /// set where the contacts are cut into laminae.
 template <bool WithSlopes>
 ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, const Mask& present,
-                                    const Pack& cosine, const Pack& sine, const RollerTurns& turns,
+                                    const Pack& cosine, const Pack& sine, const FormState& state,
                                     const RelativeMotion<PackPair>& relative, ContactSlopes<PackPair>& slopes,
                                     LaminaStand& stand) {
-  const RaceMotion m = race_motion(race, radius, present, cosine, sine, turns, relative);
+  const RaceMotion m = race_motion(race, radius, present, cosine, sine, state, relative);
   const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
   ContactForce<PackPair> result;
   if (!any(x.elastic > 0.0)) {
@@ -330,6 +336,9 @@ ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, c
     f_t += race.side * x.load * m.form.slope * m.inverse;
     moment -= race.side * x.load * m.form.rolling_slope;
   }
+  if (race.rim_waves > 0)
+    add_wave_forces(race.rim_waves, x.load.high, m.n_r.high * cosine - m.n_t.high * sine,
+                    m.n_r.high * sine + m.n_t.high * cosine, state.wave_force);
   result.f_r = f_n * m.n_r - f_t * m.n_t;
   result.f_t = f_n * m.n_t + f_t * m.n_r;
   result.moment = moment;

@@ -19,6 +19,8 @@ struct FormSlopes {
   Number turning_bend;
   Number rolling_slope;  // the share of what turns with the roller
   Number rolling_bend;
+  Number rate;        // [m/s]  of a race that bends
+  Number rate_slope;  // [m/s/rad]
 };
 
 /// Adds the scratches of a race: its floor lies lower there, outside on the outer race (side 1) and inside on the
@@ -36,11 +38,60 @@ inline void add_scratches(const RaceConstants& race, const Pack& cosine, const P
   }
 }
 
-/// What of the state the scratches of rollers ask for.
-struct RollerTurns {
-  int first = 0;                   // number of the pack's first roller
-  const double* turned = nullptr;  // [rad]  (followed)
+/// What of the state the scratches of rollers and the waves of an elastic rim ask for, and what the rollers do to
+/// the latter.
+struct FormState {
+  int first = 0;                       // number of the pack's first roller
+  const double* turned = nullptr;      // [rad]  (followed)
+  const double* wave = nullptr;        // [m]    (waves)
+  const double* wave_speed = nullptr;  // [m/s]  (waves)
+  Pack* wave_force = nullptr;          // [N]    (waves)  sums over packs
 };
+
+/// Cosine and sine of rising multiples of an angle, from 1 on.
+struct PackMultiples {
+  Pack first_cosine, first_sine, cosine, sine;
+
+  PackMultiples(const Pack& c, const Pack& s) : first_cosine(c), first_sine(s), cosine(c), sine(s) {}
+  void next() {
+    const Pack c = cosine * first_cosine - sine * first_sine;
+    sine = sine * first_cosine + cosine * first_sine;
+    cosine = c;
+  }
+};
+
+/// Adds the waves of the elastic outer race: motion/form_motion.hpp.
+inline void add_rim(int waves, const FormState& state, const Pack& cosine, const Pack& sine,
+                    FormSlopes<PackPair>& form) {
+  Pack height = spread(state.wave[0]), rate = spread(state.wave_speed[0]), slope{}, bend{}, rate_slope{};
+  PackMultiples turned(cosine, sine);
+  for (int i = 1; i + 1 < waves; i += 2) {
+    turned.next();
+    const double n = (i + 3) / 2, *place = state.wave + i, *speed = state.wave_speed + i;
+    const Pack outward = place[0] * turned.cosine + place[1] * turned.sine;
+    height += outward;
+    slope += (n * place[1]) * turned.cosine - (n * place[0]) * turned.sine;
+    bend -= (n * n) * outward;
+    rate += speed[0] * turned.cosine + speed[1] * turned.sine;
+    rate_slope += (n * speed[1]) * turned.cosine - (n * speed[0]) * turned.sine;
+  }
+  form.height.high += height;
+  form.slope.high += slope;
+  form.bend.high += bend;
+  form.rate.high += rate;
+  form.rate_slope.high += rate_slope;
+}
+
+/// Adds what `load` [N] on the outer race does to its waves.
+inline void add_wave_forces(int waves, const Pack& load, const Pack& cosine, const Pack& sine, Pack* force) {
+  force[0] += load;
+  PackMultiples turned(cosine, sine);
+  for (int i = 1; i + 1 < waves; i += 2) {
+    turned.next();
+    force[i] += load * turned.cosine;
+    force[i + 1] += load * turned.sine;
+  }
+}
 
 /// `cosine`, `sine` of the normal's angle in the carrier frame.
 inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosine, const Pack& sine) {
@@ -85,7 +136,9 @@ inline FormSlopes<PackPair> form_slopes(const BothRaces& race, const PackPair& c
           {inner.turning_slope, outer.turning_slope},
           {inner.turning_bend, outer.turning_bend},
           {inner.rolling_slope, outer.rolling_slope},
-          {inner.rolling_bend, outer.rolling_bend}};
+          {inner.rolling_bend, outer.rolling_bend},
+          {inner.rate, outer.rate},
+          {inner.rate_slope, outer.rate_slope}};
 }
 
 /// Adds what the scratches of the rollers do to one contact: `side` -1 on the inner race, 1 on the outer one.
@@ -99,7 +152,7 @@ inline void add_roller_scratch(const RollerScratch& scratch, double side, double
   bend += only(own, side * sunk.bend);
 }
 
-inline void add_roller_scratches(const BothRaces& race, const RollerTurns& rollers, const PackPair& cosine,
+inline void add_roller_scratches(const BothRaces& race, const FormState& rollers, const PackPair& cosine,
                                  const PackPair& sine, FormSlopes<PackPair>& form) {
   for (int i = 0; i < race.roller_scratches; ++i) {
     const RollerScratch& scratch = race.roller_scratch[i];

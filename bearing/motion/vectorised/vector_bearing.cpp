@@ -72,7 +72,7 @@ bool supports(const motion::BearingModel& model) {
 VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::InstructionSet set)
     : model_(model),
       layout_{static_cast<int>(model.layout.rollers), static_cast<int>(model.layout.followed),
-              model.layout.tilting},
+              model.layout.tilting, static_cast<int>(model.layout.waves)},
       set_(set),
       inner_scratches_(model.inner.scratches),
       outer_scratches_(model.outer.scratches) {
@@ -100,6 +100,11 @@ VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::Instr
   constants.roller_scratches = static_cast<int>(model_.roller_scratches.size());
   constants.roller_scratch = model_.roller_scratches.data();
   if (model_.laminae) put_laminae(*model_.laminae, constants.laminae);
+  constants.rim = {.waves = layout_.waves,
+                   .stiffness = model_.rim.stiffness.data(),
+                   .mass = model_.rim.mass.data(),
+                   .damping = model_.rim.damping.data(),
+                   .at_rest = model_.rim.at_rest.data()};
   engine_ = make_engine(set, constants, {pocket_cosine_.data(), pocket_sine_.data(), roller_radius_.data()});
 }
 

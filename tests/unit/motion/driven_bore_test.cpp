@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/motion/driven_start.hpp"
 #include "bearing/motion/equations.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
@@ -17,6 +18,7 @@ struct Variant {
   bool film;
   bool inner_guidance;
   bool rough;
+  bool rim = false;  // bends
 };
 
 class DrivenBore : public testing::TestWithParam<Variant> {
@@ -28,6 +30,7 @@ class DrivenBore : public testing::TestWithParam<Variant> {
       bearing.cage.guidance = Race::inner;
       parameters.cage.guide_diameter = 33.1e-3;
     }
+    if (GetParam().rim) point.outer_race = test::bending_race();
     if (!GetParam().rough) return;
     parameters.race.lubrication = Lubrication::mixed;
     parameters.cage.pocket_film = PocketFilm::hydrodynamic;
@@ -134,6 +137,10 @@ TEST_P(DrivenBore, StartsWithThePinInBalance) {
       force -= balance.rollers.inner_load[j] *
                Vector2(std::cos(balance.rollers.angle[j]), std::sin(balance.rollers.angle[j]));
     EXPECT_LT(force.norm(), 1e-8 * (1.0 + balance.rollers.inner_load.sum()));
+    Eigen::VectorXd on_waves = -model.rim.stiffness.cwiseProduct(balance.rollers.waves - model.rim.at_rest);
+    for (Eigen::Index j = 0; j < model.layout.rollers && GetParam().rim; ++j)
+      on_waves += balance.rollers.outer_load[j] * wave_shapes(model.point.outer_race, balance.rollers.angle[j]);
+    EXPECT_LT(on_waves.norm(), 1e-8 * (1.0 + balance.rollers.inner_load.sum()));
     const Eigen::VectorXd x = driven_start(bearing, model, parameters, motion, 0.3);
     const BoreReaction on_bore = reaction(model, motion, x);
     // The rollers' own places are those of straight rays and round races: some per cent.
@@ -158,7 +165,9 @@ INSTANTIATE_TEST_SUITE_P(Variants, DrivenBore,
                          testing::Values(Variant{"dry", false, false, false},
                                          Variant{"film", true, false, false},
                                          Variant{"inner_guidance", true, true, false},
-                                         Variant{"rough", true, false, true}),
+                                         Variant{"rough", true, false, true},
+                                         // Issue 16, Build 1: an elastic rim.
+                                         Variant{"rim", true, false, false, true}),
                          [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace

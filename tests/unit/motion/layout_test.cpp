@@ -9,7 +9,7 @@ namespace {
 
 TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
   for (const StateLayout& layout :
-       {StateLayout{4}, StateLayout{.rollers = 4, .followed = 1, .tilting = true}}) {
+       {StateLayout{4}, StateLayout{.rollers = 4, .followed = 1, .tilting = true, .waves = 5}}) {
     Eigen::VectorXd x =
         Eigen::VectorXd::LinSpaced(layout.size(), 0.0, static_cast<double>(layout.size() - 1));
     const ConstStateViews state = state_views(layout, x.data());
@@ -17,6 +17,7 @@ TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
     for (const auto& rollers : {state.radius, state.angle, state.radial_speed, state.orbital_speed,
                                 state.spin, state.tip, state.turned})
       seen.insert(rollers.begin(), rollers.end());
+    for (const auto& waves : {state.wave, state.wave_speed}) seen.insert(waves.begin(), waves.end());
     for (const auto& pair : {state.cage_position, state.cage_velocity, state.bore_position,
                              state.bore_velocity, state.pin_position, state.pin_velocity})
       seen.insert(pair.begin(), pair.end());
@@ -26,7 +27,7 @@ TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
 }
 
 TEST(StateLayout, NamesAndKindsDescribeEachVariable) {
-  const StateLayout layout{.rollers = 3, .tilting = true};
+  const StateLayout layout{.rollers = 3, .tilting = true, .waves = 5};
   const auto names = variable_names(layout);
   const auto kinds = variable_kinds(layout);
   ASSERT_EQ(names.size(), static_cast<std::size_t>(layout.size()));
@@ -46,6 +47,7 @@ TEST(StateLayout, NamesAndKindsDescribeEachVariable) {
   };
   for (std::size_t i = 0; i < names.size(); ++i)
     EXPECT_TRUE(names[i].ends_with(unit_of(kinds[i]))) << names[i];
+  EXPECT_EQ(names[static_cast<std::size_t>(layout.wave() + 4)], "rim_wave_3_sine [m]");
   EXPECT_EQ(names[static_cast<std::size_t>(4 * layout.rollers + 2)], "roller_3_spin [rad/s]");
 }
 

@@ -42,6 +42,23 @@ inline bearing::OperatingPoint reducer_point(double sun_rpm) {
   return point;
 }
 
+/// The outer race of one of two bearings of its planet, which bends: compliances as `orbearing mesh` prints them,
+/// forms by a mean force of 1200 N of each mesh, masses of a thin ring.
+inline bearing::ElasticRace bending_race() {
+  bearing::ElasticRace race;
+  const Eigen::ArrayXd orders = Eigen::ArrayXd::LinSpaced(7, 0.0, 6.0);
+  race.compliance.resize(7);
+  race.compliance << 1.96e-10, 0.0, 4.51e-9, 6.45e-10, 1.82e-10, 6.8e-11, 2.9e-11;
+  race.cosine.resize(7);
+  race.sine.resize(7);
+  race.cosine << -5.1e-11, 0.0, -1.44e-9, -3.5e-11, -2.8e-11, -5.9e-12, 6.8e-12;
+  race.sine << 0.0, 0.0, -1.5e-10, -3.6e-10, -1.2e-11, -1.08e-10, -5.0e-12;
+  race.cosine *= 1200.0;
+  race.sine *= 1200.0;
+  race.mass = 0.186 * 0.5 * (1.0 + orders.max(1.0).square().inverse());
+  return race;
+}
+
 inline bearing::motion::DynamicsParameters reducer_parameters() {
   bearing::motion::DynamicsParameters parameters;
   parameters.cage.guide_diameter = 38.88e-3;
