@@ -79,9 +79,11 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
   MutableStateViews state = mutable_state_views(model.layout, x.data());
   state.pin_position = start.pin;
   state.bore_position = start.bore;
-  state.cage_position = model.guiding_race == Race::outer ? start.bore : start.pin;
-  state.cage_angle = first_roller;
-  state.cage_speed = start.cage_speed;
+  if (model.layout.caged) {
+    state.cage_position = model.guiding_race == Race::outer ? start.bore : start.pin;
+    state.cage_angle = first_roller;
+    state.cage_speed = start.cage_speed;
+  }
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
     set_roller(roller_centre(model, contacts, balance, j, start.pin, start.bore), balance.angle[j],
                start.cage_speed, start.spin, j, state);

@@ -1,5 +1,7 @@
 #include "bearing/motion/layout.hpp"
 
+#include <span>
+
 namespace orbearing::bearing::motion {
 
 namespace {
@@ -28,13 +30,17 @@ constexpr Variable kOfRings[] = {{"cage_x [m]", VariableKind::length},
                                  {"pin_x_speed [m/s]", VariableKind::velocity},
                                  {"pin_y_speed [m/s]", VariableKind::velocity}};
 
+std::span<const Variable> rings_of(const StateLayout& layout) {
+  return std::span(kOfRings).subspan(layout.caged ? 0 : 6);
+}
+
 }  // namespace
 
 std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
   std::vector<VariableKind> kinds;
   for (Eigen::Index group = 0; group < layout.groups(); ++group)
     kinds.insert(kinds.end(), static_cast<std::size_t>(layout.rollers), kOfRollers[group].kind);
-  for (const Variable& variable : kOfRings) kinds.push_back(variable.kind);
+  for (const Variable& variable : rings_of(layout)) kinds.push_back(variable.kind);
   kinds.insert(kinds.end(), static_cast<std::size_t>(layout.followed), VariableKind::angle);
   return kinds;
 }
@@ -44,7 +50,7 @@ std::vector<std::string> variable_names(const StateLayout& layout) {
   for (Eigen::Index group = 0; group < layout.groups(); ++group)
     for (Eigen::Index roller = 1; roller <= layout.rollers; ++roller)
       names.push_back("roller_" + std::to_string(roller) + "_" + kOfRollers[group].name);
-  for (const Variable& variable : kOfRings) names.emplace_back(variable.name);
+  for (const Variable& variable : rings_of(layout)) names.emplace_back(variable.name);
   for (Eigen::Index i = 1; i <= layout.followed; ++i)
     names.push_back("followed_roller_" + std::to_string(i) + "_turned [rad]");
   return names;

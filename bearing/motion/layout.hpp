@@ -1,7 +1,7 @@
 // Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
 //
 //   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | tip (Z), where rollers tilt | cage x y psi x' y'
-//   psi' | bore x y x' y' | pin x y x' y' | turned (followed) ]
+//   psi', where there is one | bore x y x' y' | pin x y x' y' | turned (followed) ]
 //
 #pragma once
 
@@ -20,18 +20,19 @@ struct StateLayout {
   Eigen::Index rollers = 0;
   Eigen::Index followed = 0;  // rollers whose turning is followed, since it carries scratches round
   bool tilting = false;       // rollers tilt: contacts cut into laminae that are not level
+  bool caged = true;          // else a full complement: rollers touch one another
 
   /// Variables of each roller.
   Eigen::Index groups() const { return tilting ? 6 : 5; }
-  Eigen::Index size() const { return cage() + 14 + followed; }
+  Eigen::Index size() const { return turned() + followed; }
   Eigen::Index cage() const { return groups() * rollers; }
-  Eigen::Index bore() const { return cage() + 6; }
+  Eigen::Index bore() const { return cage() + (caged ? 6 : 0); }
   Eigen::Index pin() const { return bore() + 4; }
   Eigen::Index turned() const { return pin() + 4; }
 };
 
 /// Named views on a flat state, or on its derivative: the views then hold the rate of what they are named
-/// for.
+/// for. Those of the cage must not be used without one.
 template <typename Scalar>
 struct StateViews {
   template <typename Plain>

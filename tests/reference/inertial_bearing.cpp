@@ -151,6 +151,21 @@ void push(const BearingNumbers& b, double angle, const Body& roller, const Body&
   on_cage.add(cage, touch, -force);
 }
 
+// Two rollers that meet without a cage, in the middle of their overlap.
+void meet(const BearingNumbers& b, const Body& one, const Body& other, Load& on_one, Load& on_other) {
+  const Plane line = other.position - one.position, towards_other = line / std::abs(line);
+  const double overlap = 2.0 * b.roller_radius - std::abs(line);
+  const double closing = along(one.velocity - other.velocity, towards_other);
+  const double load = palmgren_load(b.roller_length, overlap) * std::max(0.0, 1.0 + b.damping * closing);
+  if (load <= 0.0) return;
+  const Plane touch = 0.5 * (one.position + other.position), tangent = kTurn * towards_other;
+  const double sliding = along(velocity_at(other, touch) - velocity_at(one, touch), tangent);
+  const Plane force =
+      -load * towards_other + coulomb(b.neighbour_friction, load, sliding, b.sliding_scale) * tangent;
+  on_one.add(one, touch, force);
+  on_other.add(other, touch, -force);
+}
+
 // Resultant on the cage of the short bearing's film that is squeezed, pressure nowhere below that around it.
 Plane squeezed(const BearingNumbers& b, double eccentricity, Plane towards, Plane squeeze) {
   constexpr int kPoints = 4000;  // midpoint rule; the integrand ends with zero slope nowhere, error 1e-8
@@ -211,12 +226,18 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
   Accelerations result;
   Load on_cage, on_bore, on_pin;
   const double pitch = 2.0 * kPi / static_cast<double>(bodies.rollers.size());
+  const std::size_t count = bodies.rollers.size();
+  std::vector<Load> from_neighbours(count);
+  for (std::size_t j = 0; !b.caged && j < count; ++j)
+    meet(b, bodies.rollers[j], bodies.rollers[(j + 1) % count], from_neighbours[j],
+         from_neighbours[(j + 1) % count]);
   for (std::size_t j = 0; j < bodies.rollers.size(); ++j) {
     const Body& roller = bodies.rollers[j];
-    Load load;
+    Load load = from_neighbours[j];
     press(b, false, roller, bodies.pin, load, on_pin);
     press(b, true, roller, bodies.bore, load, on_bore);
-    push(b, bodies.cage.angle + static_cast<double>(j) * pitch, roller, bodies.cage, load, on_cage);
+    if (b.caged)
+      push(b, bodies.cage.angle + static_cast<double>(j) * pitch, roller, bodies.cage, load, on_cage);
 
     // The mixture rests in the carrier; it resists the way around the pin.
     const Plane way = kTurn * (roller.position - pin_axis) / std::abs(roller.position - pin_axis);
@@ -226,11 +247,11 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
     load.moment += churned(a, length, roller.speed);
     result.rollers.push_back({load.force / b.roller_mass, load.moment / b.roller_inertia});
   }
-  guide(b, bodies.cage, bodies.bore, on_cage, on_bore);
+  if (b.caged) guide(b, bodies.cage, bodies.bore, on_cage, on_bore);
   on_cage.moment += churned(b.cage_mean_radius, b.cage_width, bodies.cage.speed);
   on_pin.force -= b.support_stiffness * (bodies.pin.position - pin_axis) +
                   b.support_damping * (bodies.pin.velocity - carrier_velocity(bodies.pin.position));
-  result.cage = {on_cage.force / b.cage_mass, on_cage.moment / b.cage_inertia};
+  if (b.caged) result.cage = {on_cage.force / b.cage_mass, on_cage.moment / b.cage_inertia};
   result.bore = {(on_bore.force + bore_force) / b.bore_mass, 0.0};
   result.pin = {on_pin.force / b.pin_mass, 0.0};
   result.bore_moment = on_bore.moment;

@@ -35,6 +35,8 @@ struct BearingNumbers {
   double mixture_density;                     // [kg/m^3]
   double cylinder_drag, churning;             // [-]
   double cage_mean_radius, cage_width;        // [m]
+  bool caged = true;                          // else rollers meet their neighbours, the last the first
+  double neighbour_friction = 0.0;            // [-]
 };
 
 /// The carrier turns about the origin; the undeformed axis of the pin is at orbit_radius on its arm.

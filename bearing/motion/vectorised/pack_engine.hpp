@@ -3,7 +3,9 @@
 
 #include "bearing/motion/vectorised/block_arrow.hpp"
 #include "bearing/motion/vectorised/engine.hpp"
+#include "bearing/motion/vectorised/neighbour_contact.hpp"
 #include "bearing/motion/vectorised/pocket_contact.hpp"
+#include "bearing/motion/vectorised/roller_chain.hpp"
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/dual.hpp"
 
@@ -40,6 +42,47 @@ struct RollerPack {
   bool caged = false;
 };
 
+/// The same of rollers that may touch their neighbours.
+struct NeighbourPack {
+  NeighbourSlopes ahead, behind;
+};
+
+/// Numbers of the neighbours of each roller, moved into its lane.
+class Neighbours {
+ public:
+  static constexpr int kGroups = 6;  // of the state, the tips with it
+
+  explicit Neighbours(int packs)
+      : lanes_(packs * kLanes), ahead_(kGroups * packs), behind_(kGroups * packs) {}
+
+  /// From the first `groups` groups of lanes of `x`.
+  void take(const double* x, int groups, int rollers) {
+    for (int group = 0; group < groups; ++group) {
+      const double* from = x + group * lanes_;
+      double *ahead = entry(ahead_, group), *behind = entry(behind_, group);
+      for (int j = 0; j + 1 < rollers; ++j) {
+        ahead[j] = from[j + 1];
+        behind[j + 1] = from[j];
+      }
+      ahead[rollers - 1] = from[0];
+      behind[0] = from[rollers - 1];
+      for (int j = rollers; j < lanes_; ++j) ahead[j] = behind[j] = from[j] + 1.0;  // lanes without a roller
+    }
+  }
+  Pack ahead(int group, int pack) const { return load(entry(ahead_, group) + pack * kLanes); }
+  Pack behind(int group, int pack) const { return load(entry(behind_, group) + pack * kLanes); }
+
+ private:
+  double* entry(AlignedArray<Pack>& of, int group) const {
+    return reinterpret_cast<double*>(&of[0]) + group * lanes_;
+  }
+  const double* entry(const AlignedArray<Pack>& of, int group) const {
+    return reinterpret_cast<const double*>(&of[0]) + group * lanes_;
+  }
+  int lanes_;
+  AlignedArray<Pack> ahead_, behind_;
+};
+
 /// What the rollers do to the rings, summed pack by pack.
 struct RingLoads {
   Pair pin, bore, cage;
@@ -54,7 +97,7 @@ class PackEngine final : public Engine {
         races_(both_races(c_)),
         given_(rollers),
         layout_{constants.rollers, constants.followed,
-                constants.laminae.count > 0 && !constants.laminae.upright},
+                constants.laminae.count > 0 && !constants.laminae.upright, constants.caged},
         packs_(layout_.lanes() / kLanes),
         linear_(packs_),
         block_(packs_),
@@ -62,7 +105,13 @@ class PackEngine final : public Engine {
         outer_load_(packs_),
         inner_approach_(packs_),
         outer_approach_(packs_),
-        tip_(packs_) {}
+        tip_(packs_),
+        neighbour_(c_.caged ? 0 : packs_),
+        neighbours_(c_.caged ? 0 : packs_),
+        radii_(c_.caged ? 0 : packs_),
+        chain_(c_.caged ? 0 : c_.rollers, c_.caged ? 0 : packs_) {
+    if (!c_.caged) radii_.take(given_.radius, 1, c_.rollers);
+  }
 
   [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
     evaluate<false>(x, load_x, load_y, dx);
@@ -99,9 +148,16 @@ class PackEngine final : public Engine {
   void evaluate(const double* x, double load_x, double load_y, double* dx);
   template <bool WithSlopes>
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
+  // Apart, so that bearings with a cage do not carry its code through theirs.
+  template <bool WithSlopes>
+  [[gnu::noinline]] bool push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed);
   template <bool WithSlopes>
   void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
   void build_block(int p, double g);
+  [[gnu::noinline]] void add_neighbours(int p, double g, const Pack (&roller_scale)[3]);
+  [[gnu::noinline]] void chain_rollers();
+  [[gnu::noinline]] void push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t,
+                                      Pack& moment) const;
   template <bool OpenBore>
   void assemble(double g);
   template <bool OpenBore>
@@ -128,6 +184,11 @@ class PackEngine final : public Engine {
   AlignedArray<Pack> inner_load_;
   AlignedArray<Pack> outer_load_;
   AlignedArray<Pack> inner_approach_, outer_approach_, tip_;  // [m]  of contacts cut into laminae
+  AlignedArray<NeighbourPack> neighbour_;  // slopes at the last linearisation, without a cage
+  mutable Neighbours neighbours_;          // of the state, then of a right-hand side
+  Neighbours radii_;
+  RollerChain chain_;
+  bool touching_ = false;  // rollers touched one another at the last linearisation
   RingBlock rings_;
   double g_ = 0.0;
   GuidanceDual land_x_, land_y_, land_moment_;
@@ -181,6 +242,23 @@ inline void react(const Pack& f_r, const Pack& f_t, const Pack& cosine, const Pa
   sum.y -= f_r * sine + f_t * cosine;
 }
 
+/// Force of both neighbours on each roller; whether any touches.
+template <bool WithSlopes>
+bool PackEngine::push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed) {
+  const Mask here = present(p);
+  const Neighbours& all = neighbours_;
+  const RollerMotion ahead{all.ahead(0, p), all.ahead(1, p), all.ahead(2, p),
+                           all.ahead(3, p), all.ahead(4, p), radii_.ahead(0, p)};
+  const RollerMotion behind{all.behind(0, p), all.behind(1, p), all.behind(2, p),
+                            all.behind(3, p), all.behind(4, p), radii_.behind(0, p)};
+  ContactForce<Pack> one, other;
+  NeighbourPack& slopes = neighbour_[p];
+  const bool before = neighbour_contact<WithSlopes>(c_.neighbours, here, own, ahead, one, slopes.ahead);
+  const bool after = neighbour_contact<WithSlopes>(c_.neighbours, here, own, behind, other, slopes.behind);
+  pushed = {one.f_r + other.f_r, one.f_t + other.f_t, one.moment + other.moment, one.load};
+  return before || after;
+}
+
 template <bool WithSlopes>
 void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums) {
   const Pack r = load(entry(x, 0, p)), theta = load(entry(x, 1, p)), radial = load(entry(x, 2, p)),
@@ -218,13 +296,21 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     }
   }
   if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
-  const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
-             own_sine = load(given_.pocket_sine + p * kLanes);
-  const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
-  const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
-  const PocketForce pocket = pocket_contact<WithSlopes>(
-      c_.pocket, c_.roller_radius, radius, here, e_x * cosine + e_y * sine, e_y * cosine - e_x * sine,
-      cage[5], motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
+  PocketForce pocket;
+  if (c_.caged) {
+    const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
+               own_sine = load(given_.pocket_sine + p * kLanes);
+    const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
+    const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
+    pocket = pocket_contact<WithSlopes>(c_.pocket, c_.roller_radius, radius, here, e_x * cosine + e_y * sine,
+                                        e_y * cosine - e_x * sine, cage[5],
+                                        motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
+  } else {
+    ContactForce<Pack> pushed;
+    const bool touched = push_neighbours<WithSlopes>(p, {r, theta, radial, orbital, spin, radius}, pushed);
+    if constexpr (WithSlopes) touching_ = touching_ || touched;
+    pocket.on_roller = pushed;
+  }
   inner_load_[p] = races.load.low;
   outer_load_[p] = races.load.high;
   react(races.f_r.low, races.f_t.low, cosine, sine, sums.pin);
@@ -267,9 +353,14 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
 template <bool WithSlopes>
 void PackEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
   RingLoads sums;
-  const double cage_angle = x[layout_.cage() + 2];
-  cage_cosine_ = __builtin_cos(cage_angle);
-  cage_sine_ = __builtin_sin(cage_angle);
+  if (c_.caged) {
+    const double cage_angle = x[layout_.cage() + 2];
+    cage_cosine_ = __builtin_cos(cage_angle);
+    cage_sine_ = __builtin_sin(cage_angle);
+  } else {
+    neighbours_.take(x, 5, c_.rollers);
+    if constexpr (WithSlopes) touching_ = false;
+  }
   for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes>(p, x, dx, sums);
   for (int i = layout_.turned(); i < layout_.size(); ++i) dx[i] = 0.0;
   for (int i = 0; i < c_.roller_scratches; ++i) {
