@@ -114,10 +114,16 @@ class PackEngine final : public Engine {
   }
 
   [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
-    evaluate<false>(x, load_x, load_y, dx);
+    if (c_.caged)
+      evaluate<false, true>(x, load_x, load_y, dx);
+    else
+      evaluate_without_cage<false>(x, load_x, load_y, dx);
   }
   [[gnu::flatten]] void linearise(const double* x, double load_x, double load_y, double* dx) override {
-    evaluate<true>(x, load_x, load_y, dx);
+    if (c_.caged)
+      evaluate<true, true>(x, load_x, load_y, dx);
+    else
+      evaluate_without_cage<true>(x, load_x, load_y, dx);
   }
   bool factor(double g) override;
   void solve(const double* rhs, double* k) const override;
@@ -144,26 +150,45 @@ class PackEngine final : public Engine {
   static constexpr int kTip = 5;  // group of the tips in the state
   using GuidanceDual = Dual<5>;   // by offset x y, velocity x y, cage speed
 
-  template <bool WithSlopes>
+  // What a full complement takes is compiled apart, so that bearings with a cage do not carry it: their
+  // right-hand side would take a tenth longer.
+  template <bool WithSlopes, bool Caged>
   void evaluate(const double* x, double load_x, double load_y, double* dx);
   template <bool WithSlopes>
+  [[gnu::noinline, gnu::flatten]] void evaluate_without_cage(const double* x, double load_x, double load_y,
+                                                             double* dx) {
+    evaluate<WithSlopes, false>(x, load_x, load_y, dx);
+  }
+  template <bool WithSlopes, bool Caged>
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
-  // Apart, so that bearings with a cage do not carry its code through theirs.
   template <bool WithSlopes>
-  [[gnu::noinline]] bool push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed);
-  template <bool WithSlopes>
+  bool push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed);
+  template <bool WithSlopes, bool Caged>
   void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
   void build_block(int p, double g);
-  [[gnu::noinline]] void add_neighbours(int p, double g, const Pack (&roller_scale)[3]);
-  [[gnu::noinline]] void chain_rollers();
-  [[gnu::noinline]] void push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t,
-                                      Pack& moment) const;
-  template <bool OpenBore>
+  void add_neighbours(int p, double g);
+  void chain_rollers();
+  void push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t, Pack& moment) const;
+  template <bool OpenBore, bool Caged>
   void assemble(double g);
   template <bool OpenBore>
+  [[gnu::noinline, gnu::flatten]] void assemble_without_cage(double g) {
+    assemble<OpenBore, false>(g);
+  }
+  template <bool OpenBore, bool Caged>
   void add_rings(double g, RingBlock& rings) const;
-  template <bool OpenBore>
+  template <bool OpenBore, bool Caged>
   void reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const;
+  template <bool OpenBore>
+  [[gnu::noinline, gnu::flatten]] void reduce_without_cage(const double* rhs, double* k,
+                                                           double (&b)[kRingUnknowns]) const {
+    reduce_rollers<OpenBore, false>(rhs, k, b);
+  }
+  template <bool Caged>
+  void reduce_open(const double* rhs, double* k, double (&force)[2]);
+  template <bool Caged>
+  void complete_open(const double* rhs, const double (&rate)[2], double* k) const;
+  template <bool Caged>
   void complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const;
   void tilt_rollers(int p, const double* rhs, const Pack& shift, const double (&b)[kRingUnknowns],
                     double* k) const;
@@ -259,7 +284,7 @@ bool PackEngine::push_neighbours(int p, const RollerMotion& own, ContactForce<Pa
   return before || after;
 }
 
-template <bool WithSlopes>
+template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums) {
   const Pack r = load(entry(x, 0, p)), theta = load(entry(x, 1, p)), radial = load(entry(x, 2, p)),
              orbital = load(entry(x, 3, p)), spin = load(entry(x, 4, p));
@@ -296,21 +321,23 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     }
   }
   if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
-  PocketForce pocket;
-  if (c_.caged) {
-    const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
-               own_sine = load(given_.pocket_sine + p * kLanes);
-    const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
-    const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
-    pocket = pocket_contact<WithSlopes>(c_.pocket, c_.roller_radius, radius, here, e_x * cosine + e_y * sine,
+  const PocketForce pocket = [&] {
+    if constexpr (Caged) {
+      const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
+                 own_sine = load(given_.pocket_sine + p * kLanes);
+      const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
+      const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
+      return pocket_contact<WithSlopes>(c_.pocket, c_.roller_radius, radius, here, e_x * cosine + e_y * sine,
                                         e_y * cosine - e_x * sine, cage[5],
                                         motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
-  } else {
-    ContactForce<Pack> pushed;
-    const bool touched = push_neighbours<WithSlopes>(p, {r, theta, radial, orbital, spin, radius}, pushed);
-    if constexpr (WithSlopes) touching_ = touching_ || touched;
-    pocket.on_roller = pushed;
-  }
+    } else {
+      PocketForce pushed;  // by the neighbours, in place of a pocket
+      const bool touched =
+          push_neighbours<WithSlopes>(p, {r, theta, radial, orbital, spin, radius}, pushed.on_roller);
+      if constexpr (WithSlopes) touching_ = touching_ || touched;
+      return pushed;
+    }
+  }();
   inner_load_[p] = races.load.low;
   outer_load_[p] = races.load.high;
   react(races.f_r.low, races.f_t.low, cosine, sine, sums.pin);
@@ -350,10 +377,10 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   }
 }
 
-template <bool WithSlopes>
+template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
   RingLoads sums;
-  if (c_.caged) {
+  if constexpr (Caged) {
     const double cage_angle = x[layout_.cage() + 2];
     cage_cosine_ = __builtin_cos(cage_angle);
     cage_sine_ = __builtin_sin(cage_angle);
@@ -361,13 +388,13 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
     neighbours_.take(x, 5, c_.rollers);
     if constexpr (WithSlopes) touching_ = false;
   }
-  for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes>(p, x, dx, sums);
+  for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes, Caged>(p, x, dx, sums);
   for (int i = layout_.turned(); i < layout_.size(); ++i) dx[i] = 0.0;
   for (int i = 0; i < c_.roller_scratches; ++i) {
     const RollerScratch& scratch = c_.roller_scratch[i];
     dx[layout_.turned() + scratch.followed] = x[4 * layout_.lanes() + scratch.roller];
   }
-  evaluate_rings<WithSlopes>(x, load_x, load_y, sums, dx);
+  evaluate_rings<WithSlopes, Caged>(x, load_x, load_y, sums, dx);
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -24,7 +24,7 @@ LandForce<T> land_force(const LandConstants& land, const LandMotion<T>& motion) 
           now.shear - couple + (land.law.side * land.law.cage_radius) * now.touch_friction};
 }
 
-template <bool WithSlopes>
+template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums,
                                 double* dx) {
   const double* cage = x + layout_.cage();
@@ -62,7 +62,7 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
   const auto frame_y = [&](double px, double py, double vx, double orbit_radius) {
     return -2.0 * c_.coriolis_speed * vx + c_.centrifugal * py - c_.euler * (px + orbit_radius);
   };
-  if (c_.caged) {
+  if constexpr (Caged) {
     cage_rate[0] = cage[3];
     cage_rate[1] = cage[4];
     cage_rate[2] = cage[5];

@@ -27,7 +27,7 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
 }
 
 /// What the neighbours' shifts and the rollers' own change in the forces between them, added.
-void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t,
+inline void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t,
                                      Pack& moment) const {
   const RollerPack& at = linear_[p];
   const auto add = [&](const NeighbourSlopes& slopes, const Pack& other_dr, const Pack& other_dtheta) {
@@ -49,7 +49,7 @@ void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f
 
 /// Rollers: their share of `k`, and what they leave on the right-hand sides `b` of the rings. The rows of an
 /// open bore hold the force on it alone.
-template <bool OpenBore>
+template <bool OpenBore, bool Caged>
 void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
@@ -57,7 +57,9 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   const double g = g_, per_mass = 1.0 / c_.roller_mass;
   RingLoads loads;             // changes of force through the shifts of positions
   Pack sums[kRingUnknowns]{};  // of_shared own^-1 b
-  if (touching_) neighbours_.take(rhs, 2, c_.rollers);
+  const bool chained = !Caged && touching_;
+  if constexpr (!Caged)
+    if (chained) neighbours_.take(rhs, 2, c_.rollers);
   for (int p = 0; p < packs_; ++p) {
     const RollerPack& at = linear_[p];
     const RollerBlock& block = block_[p];
@@ -82,16 +84,19 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
       f_t += pocket.f_t;
       moment += pocket.moment;
     }
-    if (touching_) push_shifted(p, dr, dtheta, f_r, f_t, moment);
+    if constexpr (!Caged)
+      if (chained) push_shifted(p, dr, dtheta, f_r, f_t, moment);
     const FreeSlopes& free = at.free;
     const Pack own[3] = {
         load(entry(rhs, 2, p)) + g * (f_r * per_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
         load(entry(rhs, 3, p)) +
             g * (f_t * at.per_r * per_mass + free.orbital_by_r * dr + free.orbital_by_theta * dtheta),
         load(entry(rhs, 4, p)) + (g / c_.roller_inertia) * moment};
-    if (touching_) {  // all together, beneath
-      for (int i = 0; i < 3; ++i) store(own[i], entry(k, 2 + i, p));
-      continue;
+    if constexpr (!Caged) {
+      if (chained) {  // all together, beneath
+        for (int i = 0; i < 3; ++i) store(own[i], entry(k, 2 + i, p));
+        continue;
+      }
     }
     Pack y[3];
     for (int i = 0; i < 3; ++i) {
@@ -102,11 +107,13 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
       sums[i] += block.of_shared[i][0] * y[0] + block.of_shared[i][1] * y[1] + block.of_shared[i][2] * y[2];
   }
 
-  if (touching_) {
-    chain_.solve<1>([&](int j, int i, int) -> double& { return entry(k, 2 + i, 0)[j]; });
-    for (int p = 0; p < packs_; ++p)
-      for (int i = 0; i < kCage; ++i)
-        for (int m = 0; m < 3; ++m) sums[i] += block_[p].of_shared[i][m] * load(entry(k, 2 + m, p));
+  if constexpr (!Caged) {
+    if (chained) {
+      chain_.solve<1>([&](int j, int i, int) -> double& { return entry(k, 2 + i, 0)[j]; });
+      for (int p = 0; p < packs_; ++p)
+        for (int i = 0; i < kCage; ++i)
+          for (int m = 0; m < 3; ++m) sums[i] += block_[p].of_shared[i][m] * load(entry(k, 2 + m, p));
+    }
   }
 
   const auto ring_rhs = [&](int i) { return -sum(sums[i]); };
@@ -132,7 +139,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
     b[3] = ring_rhs(3) + bore[3] +
            g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]);
   }
-  if (!c_.caged) {
+  if constexpr (!Caged) {
     b[4] = b[5] = b[6] = 0.0;
     return;
   }
@@ -160,8 +167,8 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
 }
 
 /// All rates, once those of the rings are known: `b`.
-inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns],
-                                         double* k) const {
+template <bool Caged>
+void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();
@@ -191,7 +198,7 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
     k_bore[i] = bore[i] + g * b[kBore + i];
     k_bore[2 + i] = b[kBore + i];
   }
-  for (int i = 0; c_.caged && i < 3; ++i) {
+  for (int i = 0; Caged && i < 3; ++i) {
     k_cage[i] = cage[i] + g * b[kCage + i];
     k_cage[3 + i] = b[kCage + i];
   }
@@ -199,9 +206,15 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
 
 [[gnu::flatten]] inline void PackEngine::solve(const double* rhs, double* k) const {
   double b[kRingUnknowns];
-  reduce_rollers<false>(rhs, k, b);
-  rings_.solve(b);
-  complete_rollers(rhs, b, k);
+  if (c_.caged) {
+    reduce_rollers<false, true>(rhs, k, b);
+    rings_.solve(b);
+    complete_rollers<true>(rhs, b, k);
+  } else {
+    reduce_without_cage<false>(rhs, k, b);
+    rings_.solve(b);
+    complete_rollers<false>(rhs, b, k);
+  }
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

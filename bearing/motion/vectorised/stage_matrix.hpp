@@ -94,8 +94,10 @@ inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Con
 }
 
 /// Both neighbours of each roller, in its own block and in those that couple it with them.
-void PackEngine::add_neighbours(int p, double g, const Pack (&roller_scale)[3]) {
+inline void PackEngine::add_neighbours(int p, double g) {
   const RollerPack& at = linear_[p];
+  const Pack roller_scale[3] = {spread(-g / c_.roller_mass), (-g / c_.roller_mass) * at.per_r,
+                                spread(-g / c_.roller_inertia)};
   RollerBlock& block = block_[p];
   const auto add = [&](const NeighbourSlopes& slopes, RollerChain::Blocks& coupled) {
     const StageSlopes stage = stage_slopes(g, at, slopes.on_roller);
@@ -115,7 +117,7 @@ void PackEngine::add_neighbours(int p, double g, const Pack (&roller_scale)[3]) 
 }
 
 /// The rollers of all blocks eliminated together, since they touch one another.
-void PackEngine::chain_rollers() {
+inline void PackEngine::chain_rollers() {
   for (int p = 0; p < packs_; ++p)
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) chain_.own(p)[i][k] = block_[p].own[i][k];
@@ -146,12 +148,11 @@ inline void PackEngine::build_block(int p, double g) {
     add_contact(g, roller_scale, c_.cage_mass, kCage, at, stage_slopes(g, at, at.pocket.on_roller), block);
     add_cage_rotation(g, roller_scale, c_, at, block);
   }
-  if (touching_) add_neighbours(p, g, roller_scale);
 }
 
 /// What the rings feel apart from rollers: frame, support, land, drag of the cage. The rows of an open bore
 /// hold the forces on it alone.
-template <bool OpenBore>
+template <bool OpenBore, bool Caged>
 void PackEngine::add_rings(double g, RingBlock& rings) const {
   const auto frame = [&](int first) {
     rings.a[first][first] += 1.0 - g * g * c_.centrifugal;
@@ -161,7 +162,7 @@ void PackEngine::add_rings(double g, RingBlock& rings) const {
   };
   frame(kPin);
   if constexpr (!OpenBore) frame(kBore);
-  if (c_.caged) {
+  if constexpr (Caged) {
     frame(kCage);
     rings.a[kCage + 2][kCage + 2] +=
         1.0 + 2.0 * g * c_.cage_drag / c_.cage_inertia * __builtin_fabs(cage_speed_);
@@ -193,16 +194,21 @@ void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingR
   add_rollers<kEnd>(block, rings);
 }
 
-template <bool OpenBore>
+template <bool OpenBore, bool Caged>
 void PackEngine::assemble(double g) {
   g_ = g;
   rings_ = RingBlock{};
-  if (touching_) {
-    for (int p = 0; p < packs_; ++p) build_block(p, g);
-    chain_rollers();
-    for (int p = 0; p < packs_; ++p) add_rollers<kCage>(block_[p], rings_.a);
-    add_rings<OpenBore>(g, rings_);
-    return;
+  if constexpr (!Caged) {
+    if (touching_) {
+      for (int p = 0; p < packs_; ++p) {
+        build_block(p, g);
+        add_neighbours(p, g);
+      }
+      chain_rollers();
+      for (int p = 0; p < packs_; ++p) add_rollers<kCage>(block_[p], rings_.a);
+      add_rings<OpenBore, Caged>(g, rings_);
+      return;
+    }
   }
   for (int p = 0; p < packs_; ++p) {
     build_block(p, g);
@@ -211,11 +217,14 @@ void PackEngine::assemble(double g) {
     else
       eliminate_and_add<kCage>(block_[p], rings_.a);
   }
-  add_rings<OpenBore>(g, rings_);
+  add_rings<OpenBore, Caged>(g, rings_);
 }
 
 [[gnu::flatten]] inline bool PackEngine::factor(double g) {
-  assemble<false>(g);
+  if (c_.caged)
+    assemble<false, true>(g);
+  else
+    assemble_without_cage<false>(g);
   return rings_.factor();
 }
 
