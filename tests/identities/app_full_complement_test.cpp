@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/case/case_file.hpp"
 #include "app/study/planetary_case.hpp"
 #include "coupling/study/driven_setups.hpp"
@@ -15,7 +17,8 @@ namespace {
 using study::Fidelity;
 using study::PointResult;
 
-// On the pin and in the bore of two planets; few windows and coarse steps, since it is asked whether they run.
+// On the pin and in the bore of two planets; few windows and coarse steps, since it is asked whether they
+// run.
 std::string planet(const std::string& bearing) {
   return R"(name: planet
 source: a catalogue
@@ -50,11 +53,11 @@ class EveryRung : public testing::TestWithParam<Rung> {
     const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
     return study::evaluate(set.drivetrain, set.geometry, GetParam().fidelity);
   }
-  // Rollers in motion carry what they carry at rest but for traction, and what the gears' vibration adds.
-  void expect_loads_at_rest(const std::string& bearing, const PointResult& moving) const {
+  // Rollers in motion carry what they carry at rest but for traction and what `shaken` allows for vibration.
+  void expect_loads_at_rest(const std::string& bearing, const PointResult& moving, double shaken) const {
     const study::NamedSet set = bearing_sets(parse_case(planet(bearing), "case.yaml", {})).front();
     const PointResult still = study::evaluate(set.drivetrain, set.geometry);
-    EXPECT_NEAR(moving.outer.load_rms / still.outer.load_rms, 1.0, 0.1);
+    EXPECT_NEAR(moving.outer.load_rms / still.outer.load_rms, 1.0, shaken);
     EXPECT_GT(moving.life_hours, 0.0);
     EXPECT_LT(moving.life_hours, 2.0 * still.life_hours);
   }
@@ -64,10 +67,14 @@ TEST_P(EveryRung, RunsRollersWithoutCageAndRings) {
   const PointResult result = at_rung(kFull);
   EXPECT_EQ(result.status, "ok");
   EXPECT_FALSE(result.caged);
-  expect_loads_at_rest(kFull, result);
+  expect_loads_at_rest(kFull, result, 0.3);  // by the gears, and by neighbours that strike
   if (GetParam().fidelity == Fidelity::quasi_static) return;
   ASSERT_TRUE(result.dynamic.has_value());
-  EXPECT_NEAR(result.dynamic->orbit_slip.value(), 0.0, 0.02);
+  // Free rollers run ahead with the bore and queue before the load zone, through which they then roll without
+  // gaps: 18 rollers that touch take 36 asin(6/36) of the circle, so that all go round faster than pure
+  // rolling by what is left of it. Some slide, some gaps stay: within a third.
+  const double play = 2.0 * M_PI / (36.0 * std::asin(6.0 / 36.0)) - 1.0;
+  EXPECT_NEAR(result.dynamic->orbit_slip.value(), -play, play / 3.0);
   EXPECT_GT(result.dynamic->loss.neighbours, 0.0) << "rollers pushed one another";
   EXPECT_EQ(result.dynamic->loss.pockets, 0.0);
   EXPECT_EQ(result.dynamic->loss.guidance, 0.0);
@@ -77,7 +84,7 @@ TEST_P(EveryRung, RunsARinglessPlanetWithACage) {
   const PointResult result = at_rung(kCaged);
   EXPECT_EQ(result.status, "ok");
   EXPECT_TRUE(result.caged);
-  expect_loads_at_rest(kCaged, result);
+  expect_loads_at_rest(kCaged, result, 0.1);  // by the gears
   if (GetParam().fidelity == Fidelity::quasi_static) return;
   ASSERT_TRUE(result.dynamic.has_value());
   EXPECT_FALSE(result.dynamic->orbit_slip.has_value());
@@ -117,7 +124,8 @@ TEST(FullComplementParticipant, NamesTheRollersAndGoesOnFromASavedState) {
   EXPECT_EQ(first.size(), names.size());
   const double kinematic = bearing::kinematic_cage_speed(set.geometry.bearing, 0.0, -700.0);
   const auto speed = std::find(names.begin(), names.end(), "rollers.speed") - names.begin();
-  EXPECT_NEAR(first[static_cast<std::size_t>(speed)] / kinematic, 1.0, 0.05);
+  EXPECT_NEAR(first[static_cast<std::size_t>(speed)] / kinematic, 1.0, 0.3)
+      << "a third of a turn after the start";
 }
 
 }  // namespace
