@@ -165,8 +165,10 @@ TEST(DynamicPath, ConvergesAtTheOrderOfTheMethodWhereContactsStayClosed) {
 
 // The load of a pocket begins with a kink, that of a race as the power 10/9: touch within a step leaves an
 // error in speed of the order of step^2, whatever the method, which scatters with where in the step it falls.
-TEST(DynamicPath, ConvergesThroughImpacts) {
-  const Bearing bearing = test::reducer_bearing();
+class ImpactPath : public testing::TestWithParam<Bearing (*)()> {};
+
+TEST_P(ImpactPath, ConvergesThroughImpacts) {
+  const Bearing bearing = GetParam()();
   const DynamicsParameters parameters = test::reducer_parameters();
   constexpr double kLeastOrder = 1.5;  // 2 less the scatter of four starts over a factor of four in the step
   for (Method method : {Method::rk4, Method::fixed_dopri5}) {
@@ -181,6 +183,13 @@ TEST(DynamicPath, ConvergesThroughImpacts) {
     EXPECT_GT(std::log2(coarse / fine) / 2.0, kLeastOrder) << "errors " << coarse << " and " << fine;
   }
 }
+
+// Issue 16, Build 8: on pockets, and on neighbours.
+INSTANTIATE_TEST_SUITE_P(Variants, ImpactPath,
+                         testing::Values(&test::reducer_bearing, &test::full_complement_bearing),
+                         [](const testing::TestParamInfo<Bearing (*)()>& bearing) {
+                           return bearing.index == 0 ? "cage" : "full_complement";
+                         });
 
 // Share of the time that unloaded rollers on the sun side (cos theta < -0.3, out of the load zone) spend on
 // the pin, of the time they spend on either race.
