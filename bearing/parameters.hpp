@@ -185,6 +185,8 @@ struct Bearing {
 
   const Ring& ring(Race race) const { return race == Race::inner ? inner : outer; }
   RaceMotion motion(Race race) const { return race == Race::inner ? motions.inner : motions.outer; }
+  /// Else a full complement, whose rollers touch one another.
+  bool has_cage() const { return cage.width > 0.0; }
   bool has_rollers() const { return std::holds_alternative<CylindricalRollers>(elements); }
 
   /// For what knows one kind of elements alone. Throws std::invalid_argument where they are of the other.

@@ -57,10 +57,9 @@ Field choice(std::string path, std::string meaning, const Use& use, unsigned mod
           .choices = std::move(choices)};
 }
 
-// Motion in time holds each roller in a pocket; without cage rollers push one another, which it does not
-// know.
+// Frequencies of a scratched bearing are told by its cage.
 Use use_of_complement(const std::vector<Field>& fields) {
-  constexpr unsigned moving = use::rollers_in_motion | use::planet_defect;
+  constexpr unsigned moving = use::planet_defect;
   const Use& cage = use_of_row(fields, bought::kDensity);
   return {cage.by & ~moving, cage.unfelt_by & ~moving, cage.refused_by | moving};
 }

@@ -44,6 +44,16 @@ Column loss_column(const std::string& cause, const std::string& meaning, double 
           [part](const PointResult& r) { return r.dynamic ? part(r.dynamic->loss) : not_given; }};
 }
 
+// What is lost to a part that is there in bearings with a cage alone, or without one alone.
+Column loss_column(bool caged, const std::string& cause, const std::string& meaning,
+                   double (*part)(const PowerLoss&)) {
+  Column column = loss_column(cause, meaning, part);
+  column.value = [caged, value = column.value](const PointResult& r) {
+    return r.caged == caged ? value(r) : not_given;
+  };
+  return column;
+}
+
 std::vector<study::PlanetResult>::const_iterator shortest_lived(const PointResult& result) {
   return std::min_element(result.planets.begin(), result.planets.end(),
                           [](const auto& a, const auto& b) { return a.life_hours < b.life_hours; });
@@ -128,7 +138,7 @@ const std::vector<Column>& leading_columns() {
       {"system_life_h", "system_life", "h", "fatigue life of all planet bearings of the set together", 1.0,
        [](const PointResult& r) { return r.system_life_hours; }},
       {"cage_slip", "cage_slip", "1", "one less the cage's speed over its kinematic speed", 1.0,
-       [](const PointResult& r) { return r.cage_slip; }},
+       [](const PointResult& r) { return r.caged ? r.cage_slip : not_given; }},
       {"film_inner_um", "film_inner", "m", "least film on the inner race", micrometres,
        [](const PointResult& r) { return r.inner.least_film; }},
       {"film_outer_um", "film_outer", "m", "least film on the outer race", micrometres,
@@ -187,6 +197,11 @@ const std::vector<Column>& trailing_columns() {
        }},
       {"roller_slip", "roller_slip", "1", "one less the mean roller spin over that at pure rolling", 1.0,
        [](const PointResult& r) { return r.dynamic ? r.dynamic->roller_slip : not_given; }},
+      {"orbit_slip", "orbit_slip", "1",
+       "one less the mean orbital speed of the rollers over that at pure rolling, without a cage", 1.0,
+       [](const PointResult& r) {
+         return r.dynamic ? r.dynamic->orbit_slip.value_or(not_given) : not_given;
+       }},
       {"friction_moment_N_m", "friction_moment", "N m", "friction moment of the bearing on the bore", 1.0,
        [](const PointResult& r) { return r.dynamic ? r.dynamic->friction_moment : not_given; }},
       loss_column("", "in all", [](const PowerLoss& loss) { return loss.total(); }),
@@ -198,8 +213,10 @@ const std::vector<Column>& trailing_columns() {
                   [](const PowerLoss& l) { return l.outer_traction; }),
       loss_column("_rolling", "to rolling resistance", [](const PowerLoss& l) { return l.rolling; }),
       loss_column("_drag", "to the oil-air mixture", [](const PowerLoss& l) { return l.drag; }),
-      loss_column("_pockets", "in the cage pockets", [](const PowerLoss& l) { return l.pockets; }),
-      loss_column("_guidance", "in the cage guidance", [](const PowerLoss& l) { return l.guidance; }),
+      loss_column(true, "_pockets", "in the cage pockets", [](const PowerLoss& l) { return l.pockets; }),
+      loss_column(true, "_guidance", "in the cage guidance", [](const PowerLoss& l) { return l.guidance; }),
+      loss_column(false, "_neighbours", "between rollers that touch one another, without a cage",
+                  [](const PowerLoss& l) { return l.neighbours; }),
       loss_column("_support", "in the support of the pin", [](const PowerLoss& l) { return l.support; }),
       {"steady", "steady", "1", "1: the means stood still; 0: they drifted to the end", 1.0,
        [](const PointResult& r) { return r.dynamic ? (r.dynamic->steady ? 1.0 : 0.0) : not_given; }},

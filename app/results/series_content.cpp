@@ -34,8 +34,11 @@ void add_rollers(const system::BearingSeries& series, PointContent& content) {
        series.outer_sliding},
       {"roller_inner_film", "m", "least film on the inner race", series.inner_film},
       {"roller_outer_film", "m", "least film on the outer race", series.outer_film},
-      {"roller_pocket_load", "N", "load on the cage bar, positive where the roller drives the cage",
-       series.pocket_load},
+      series.caged
+          ? RollerSeries{"roller_pocket_load", "N",
+                         "load on the cage bar, positive where the roller drives the cage",
+                         series.pocket_load}
+          : RollerSeries{"roller_neighbour_load", "N", "load on the roller ahead", series.neighbour_load},
       {"roller_spin", "rad s-1", "spin relative to the carrier", series.spin}};
   for (const RollerSeries& one : all)
     content.arrays.push_back({one.name, {"roller", "time"}, one.units, one.meaning, row_by_row(one.values)});
@@ -54,24 +57,28 @@ void add_series(const system::BearingSeries& series, PointContent& content) {
   };
   along_time("time", "s", "time since the start of the run", series.time);
   add_rollers(series, content);
-  content.arrays.push_back({"cage_position",
-                            {"direction", "time"},
-                            "m",
-                            "cage centre, x outward and y in the sense of rotation",
-                            row_by_row(series.cage_position)});
-  along_time("cage_angle", "rad", "rotation of the cage in the carrier frame, grows without bound",
-             series.cage_angle);
-  along_time("cage_speed", "rad s-1", "speed of the cage relative to the carrier", series.cage_speed);
+  if (series.caged) {
+    content.arrays.push_back({"cage_position",
+                              {"direction", "time"},
+                              "m",
+                              "cage centre, x outward and y in the sense of rotation",
+                              row_by_row(series.cage_position)});
+    along_time("cage_angle", "rad", "rotation of the cage in the carrier frame, grows without bound",
+               series.orbit_angle);
+    along_time("cage_speed", "rad s-1", "speed of the cage relative to the carrier", series.orbit_speed);
+  } else {
+    along_time("orbit_speed", "rad s-1", "mean orbital speed of the rollers relative to the carrier",
+               series.orbit_speed);
+  }
   along_time("power_loss_over_time", "W", "power lost in all", series.power_loss);
 }
 
-void add_final_state(const Eigen::VectorXd& state, PointContent& content) {
+void add_final_state(const Eigen::VectorXd& state, const system::BearingSeries& of, PointContent& content) {
   if (state.size() == 0) return;
-  constexpr Eigen::Index of_roller = 5;
-  constexpr Eigen::Index of_rings = 14;
+  bearing::motion::StateLayout layout{.rollers = of.inner_load.rows(), .caged = of.caged};
+  layout.tilting = layout.size() < state.size();
   std::string names;
-  for (const std::string& name :
-       bearing::motion::variable_names({.rollers = (state.size() - of_rings) / of_roller}))
+  for (const std::string& name : bearing::motion::variable_names(layout))
     names += (names.empty() ? "" : ", ") + name;
   content.dimensions.push_back({"state", static_cast<std::size_t>(state.size())});
   content.arrays.push_back(

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "app/case/bought_case.hpp"
 #include "app/case/field_table.hpp"
 
 namespace orbearing::app {
@@ -86,12 +87,17 @@ constexpr Effect kAsPrinted[] = {
     {"as printed", "bearing.cage.reference_speed", "as-printed", "cage speed as printed", "rolling", ""},
 };
 
+bool is_of_missing_cage(const ResolvedCase& in, std::string_view setting) {
+  return setting.starts_with("bearing.cage.") && is_full_complement(in);
+}
+
 bool has_value(const ResolvedCase& in, const char* path, const std::string& value) {
   return find_field(path)->kind == Kind::flag ? in.flag(path) == (value == "true") : in.choice(path) == value;
 }
 
 void add_effects(const ResolvedCase& in, std::span<const Effect> effects, std::vector<NamedChange>& list) {
   for (const Effect& effect : effects) {
+    if (is_of_missing_cage(in, effect.path)) continue;
     const std::string needs = effect.needs;
     const bool has = has_value(in, effect.path, effect.on) && (needs.empty() || in.flag(needs));
     const std::string name = has ? effect.left_out : effect.added;
@@ -104,6 +110,10 @@ void add_effects(const ResolvedCase& in, std::span<const Effect> effects, std::v
 // The cage on the land of the other ring, with the clearance it has.
 void add_guidance(const ResolvedCase& in, std::vector<NamedChange>& list) {
   const std::string land = "bearing.cage.guide_land_diameter", guidance = "bearing.cage.guidance=";
+  if (is_full_complement(in)) {
+    list.push_back({"no friction between rollers", "cage", {"bearing.neighbour_friction=0"}});
+    return;
+  }
   if (!in.has(land)) return;
   const double inner = in.quantity("bearing.cage.inner_diameter");
   const double outer = in.quantity("bearing.cage.outer_diameter");
@@ -163,7 +173,12 @@ std::vector<NamedChange> placed(const ResolvedCase& resolved, const std::string&
 }  // namespace
 
 std::vector<NamedChange> effects_at_rest(const ResolvedCase& resolved, const std::string& set) {
-  return placed(resolved, set, changes_at_rest());
+  std::vector<NamedChange> list = changes_at_rest();
+  const ResolvedCase in = set.empty() ? resolved : resolved.of_set(set);
+  std::erase_if(list, [&](const NamedChange& change) {
+    return !change.settings.empty() && is_of_missing_cage(in, change.settings.front());
+  });
+  return placed(resolved, set, list);
 }
 
 std::vector<NamedChange> effects_in_motion(const ResolvedCase& resolved, bool every, const std::string& set) {

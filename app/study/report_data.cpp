@@ -92,17 +92,18 @@ Json drawing(const study::PlanetaryDrivetrain& drivetrain, const study::Drivetra
              double rpm) {
   const bearing::Bearing& b = drivetrain.bearing;
   const study::PointResult point = point_at(drivetrain, geometry, rpm / kRpm);
+  const auto of_cage = [&](double length) { return b.has_cage() ? Json(length) : Json(); };
   Json drawn{{"speed_rpm", rpm},
              {"inner_raceway_diameter_mm", 2e3 * geometry.bearing.inner_radius},
              {"outer_raceway_diameter_mm", 2e3 * geometry.bearing.outer_radius},
              {"roller_diameter_mm", 1e3 * b.rollers().diameter},
              {"pitch_diameter_mm", 1e3 * b.pitch_diameter},
              {"rollers", b.rollers().count},
-             {"cage_inner_mm", 1e3 * b.cage.inner_diameter},
-             {"cage_outer_mm", 1e3 * b.cage.outer_diameter},
+             {"cage_inner_mm", of_cage(1e3 * b.cage.inner_diameter)},
+             {"cage_outer_mm", of_cage(1e3 * b.cage.outer_diameter)},
              {"bore_mm", 1e3 * b.inner.seat_diameter},
              {"outside_mm", 1e3 * b.outer.seat_diameter},
-             {"guide_land_mm", 1e3 * drivetrain.dynamics.cage.guide_diameter},
+             {"guide_land_mm", of_cage(1e3 * drivetrain.dynamics.cage.guide_diameter)},
              {"clearance_um", 1e6 * b.radial_clearance}};
   const std::size_t stride = static_cast<std::size_t>(drivetrain.cage_positions);
   for (std::size_t place = 0; place < point.distribution.angle.size(); place += stride) {
@@ -191,13 +192,15 @@ Json effects_in_time(const ResolvedCase& resolved, const study::NamedSet& shown,
       const study::PointResult& point = result.points[i];
       row.push_back({{"speed_rpm", speeds_rpm[i]}, {"status", point.status}});
       if (!point.dynamic) continue;
-      row.back().update({{"life_h", point.life_hours},
-                         {"cage_slip", point.cage_slip},
-                         {"roller_slip", point.dynamic->roller_slip},
-                         {"power_loss_W", point.dynamic->loss.total()},
-                         {"inner_load_rms_N", point.inner.load_rms},
-                         {"outer_load_rms_N", point.outer.load_rms},
-                         {"steady", point.dynamic->steady}});
+      row.back().update(
+          {{"life_h", point.life_hours},
+           {"cage_slip", point.caged ? Json(point.cage_slip) : Json()},
+           {"orbit_slip", point.dynamic->orbit_slip ? Json(*point.dynamic->orbit_slip) : Json()},
+           {"roller_slip", point.dynamic->roller_slip},
+           {"power_loss_W", point.dynamic->loss.total()},
+           {"inner_load_rms_N", point.inner.load_rms},
+           {"outer_load_rms_N", point.outer.load_rms},
+           {"steady", point.dynamic->steady}});
     }
   }
   return list;

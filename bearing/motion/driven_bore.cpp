@@ -8,11 +8,11 @@ namespace orbearing::bearing::motion {
 
 namespace {
 
-RingBodies driven_rings(const ConstStateViews& state, const BoreMotion& motion) {
-  return {.cage = {state.cage_position, state.cage_velocity, state.cage_speed},
+RingBodies driven_rings(const BearingModel& model, const ConstStateViews& state, const BoreMotion& motion) {
+  return {.cage = cage_body(model, state),
           .bore = {motion.position, motion.velocity, motion.speed, motion.angle},
           .pin = {state.pin_position, state.pin_velocity, 0.0, 0.0},
-          .cage_direction = direction(state.cage_angle),
+          .cage_direction = cage_direction(model, state),
           .waves = waves_of(state)};
 }
 
@@ -29,10 +29,10 @@ BoreReaction driven_derivative(const BearingModel& model, const BoreMotion& moti
   const ConstStateViews state = state_views(model.layout, x.data());
   MutableStateViews rate = mutable_state_views(model.layout, dx.data());
   const CarrierFrame frame = frame_of(model, motion);
-  const RingBodies rings = driven_rings(state, motion);
+  const RingBodies rings = driven_rings(model, state, motion);
   RingWrenches on_rings;
 
-  rates::set_kinematics(state, rate);
+  rates::set_kinematics(model, state, rate);
   rates::set_turning(model, state, rate);
   if (model.plain)
     rates::set_rollers<plain_roller_forces>(model, frame, state, rings, on_rings, rate);
@@ -49,8 +49,8 @@ BoreReaction driven_derivative(const BearingModel& model, const BoreMotion& moti
 
 BoreReaction reaction(const BearingModel& model, const BoreMotion& motion,
                       const Eigen::Ref<const Eigen::VectorXd>& x) {
-  const RingBodies rings = driven_rings(state_views(model.layout, x.data()), motion);
   const ConstStateViews state = state_views(model.layout, x.data());
+  const RingBodies rings = driven_rings(model, state, motion);
   RingWrenches on_rings;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
     on_rings.add(roller_forces(model, rings, roller_body(model, state, j), j));

@@ -29,7 +29,7 @@ void PlanetBearingEquations::derivative(double time, const Eigen::Ref<const Eige
   const RingBodies rings = ring_bodies(model_, state, time);
   RingWrenches on_rings;
 
-  set_kinematics(state, rate);
+  set_kinematics(model_, state, rate);
   set_turning(model_, state, rate);
   if (model_.plain)
     set_rollers<plain_roller_forces>(model_, frame, state, rings, on_rings, rate);

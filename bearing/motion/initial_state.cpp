@@ -36,8 +36,9 @@ Vector2 roller_centre(const BearingModel& model, const bearing::RollerContacts& 
   if (balance.inner_load[j] > 0.0)
     return pin + (race_radius(model.inner, angle) + roller - contacts.inner.approach(balance.inner_load[j])) *
                      outward;
-  return bore + (race_radius(model.outer, angle) + bent - roller + contacts.outer.approach(balance.outer_load[j])) *
-                    outward;
+  return bore +
+         (race_radius(model.outer, angle) + bent - roller + contacts.outer.approach(balance.outer_load[j])) *
+             outward;
 }
 
 void set_roller(const Vector2& centre, double angle, double cage_speed, double spin, Eigen::Index j,
@@ -82,9 +83,11 @@ void place_bodies(const BearingModel& model, const bearing::RollerContacts& cont
   MutableStateViews state = mutable_state_views(model.layout, x.data());
   state.pin_position = start.pin;
   state.bore_position = start.bore;
-  state.cage_position = model.guiding_race == Race::outer ? start.bore : start.pin;
-  state.cage_angle = first_roller;
-  state.cage_speed = start.cage_speed;
+  if (model.layout.caged) {
+    state.cage_position = model.guiding_race == Race::outer ? start.bore : start.pin;
+    state.cage_angle = first_roller;
+    state.cage_speed = start.cage_speed;
+  }
   if (model.layout.waves > 0) state.wave = balance.waves;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
     set_roller(roller_centre(model, contacts, balance, j, start.pin, start.bore), balance.angle[j],

@@ -23,16 +23,25 @@ inline RaceWaves waves_of(const ConstStateViews& state) {
   return {state.wave.data(), state.wave_speed.data(), state.wave.size()};
 }
 
+/// The cage; at rest where there is none.
+inline BodyMotion cage_body(const BearingModel& model, const ConstStateViews& state) {
+  if (!model.layout.caged) return {Vector2::Zero(), Vector2::Zero()};
+  return {state.cage_position, state.cage_velocity, state.cage_speed};
+}
+inline Vector2 cage_direction(const BearingModel& model, const ConstStateViews& state) {
+  return model.layout.caged ? direction(state.cage_angle) : Vector2::UnitX();
+}
+
 /// Bodies at `time` [s], which matters in a run-up and where waves turn with a race.
 inline RingBodies ring_bodies(const BearingModel& model, const ConstStateViews& state, double time = 0.0) {
   const double ratio = speed_ratio(model.driving, time);
   const double turned = equivalent_time(model.driving, time);
-  return {.cage = {state.cage_position, state.cage_velocity, state.cage_speed},
+  return {.cage = cage_body(model, state),
           .bore = {state.bore_position, state.bore_velocity, model.point.outer_speed * ratio,
                    model.point.outer_speed * turned},
           .pin = {state.pin_position, state.pin_velocity, model.point.inner_speed * ratio,
                   model.point.inner_speed * turned},
-          .cage_direction = direction(state.cage_angle),
+          .cage_direction = cage_direction(model, state),
           .waves = waves_of(state)};
 }
 
@@ -64,11 +73,37 @@ inline RollerBody roller_body(const BearingModel& model, const ConstStateViews& 
   return roller;
 }
 
+/// What the neighbours of one roller do to it where no cage keeps them apart.
+struct NeighbourForces {
+  NeighbourTouch ahead;   // in the sense of rising angles
+  NeighbourTouch behind;  // the ahead of the roller before
+
+  Wrench on_roller() const {
+    Wrench both = ahead.on_roller;
+    return both += behind.on_roller;
+  }
+};
+
+/// None with a cage.
+inline NeighbourForces neighbour_forces(const BearingModel& model, const ConstStateViews& state,
+                                        const RollerBody& roller, Eigen::Index j) {
+  if (model.layout.caged) return {};
+  const Eigen::Index z = model.layout.rollers;
+  const auto radius = [&](Eigen::Index i) {
+    return model.geometry.element_radius + model.radius_deviation[static_cast<std::size_t>(i)];
+  };
+  const auto touch = [&](Eigen::Index other) {
+    return neighbour_touch(model.neighbours, roller.motion, radius(j),
+                           roller_body(model, state, other).motion, radius(other));
+  };
+  return {touch((j + 1) % z), touch((j + z - 1) % z)};
+}
+
 /// What acts on one roller.
 struct RollerForces {
   RaceForces inner;
   RaceForces outer;
-  PocketForces pocket;
+  PocketForces pocket;      // of a cage
   double orbit_drag = 0.0;  // [N]    along e_theta
   double spin_drag = 0.0;   // [N m]
   LaminaStand stand;        // of contacts cut into laminae
@@ -132,8 +167,9 @@ inline RollerForces roller_forces(const BearingModel& model, const RingBodies& r
       tilts ? model.laminae->bore_tip().dot(across(roller.outward)) * roller.orbital_speed : 0.0;
   return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_load),
           .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_load),
-          .pocket = pocket_forces(model.pocket, roller.motion, rings.cage, pocket_direction(model, rings, j),
-                                  larger),
+          .pocket = model.layout.caged ? pocket_forces(model.pocket, roller.motion, rings.cage,
+                                                       pocket_direction(model, rings, j), larger)
+                                       : PocketForces{},
           .orbit_drag = model.orbit_drag.force(roller.radius * roller.orbital_speed),
           .spin_drag = model.spin_drag.force(roller.motion.speed),
           .stand = contacts.stand,

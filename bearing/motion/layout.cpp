@@ -1,5 +1,7 @@
 #include "bearing/motion/layout.hpp"
 
+#include <span>
+
 namespace orbearing::bearing::motion {
 
 namespace {
@@ -30,7 +32,12 @@ constexpr Variable kOfRings[] = {{"cage_x [m]", VariableKind::length},
 
 // As equilibrium/elastic_waves.hpp orders them.
 std::string wave_name(Eigen::Index i) {
-  return "rim_wave_" + std::to_string(i == 0 ? 0 : (i + 3) / 2) + (i == 0 || i % 2 == 1 ? "_cosine" : "_sine");
+  return "rim_wave_" + std::to_string(i == 0 ? 0 : (i + 3) / 2) +
+         (i == 0 || i % 2 == 1 ? "_cosine" : "_sine");
+}
+
+std::span<const Variable> rings_of(const StateLayout& layout) {
+  return std::span(kOfRings).subspan(layout.caged ? 0 : 6);
 }
 
 }  // namespace
@@ -39,7 +46,7 @@ std::vector<VariableKind> variable_kinds(const StateLayout& layout) {
   std::vector<VariableKind> kinds;
   for (Eigen::Index group = 0; group < layout.groups(); ++group)
     kinds.insert(kinds.end(), static_cast<std::size_t>(layout.rollers), kOfRollers[group].kind);
-  for (const Variable& variable : kOfRings) kinds.push_back(variable.kind);
+  for (const Variable& variable : rings_of(layout)) kinds.push_back(variable.kind);
   kinds.insert(kinds.end(), static_cast<std::size_t>(layout.waves), VariableKind::length);
   kinds.insert(kinds.end(), static_cast<std::size_t>(layout.waves), VariableKind::velocity);
   kinds.insert(kinds.end(), static_cast<std::size_t>(layout.followed), VariableKind::angle);
@@ -51,7 +58,7 @@ std::vector<std::string> variable_names(const StateLayout& layout) {
   for (Eigen::Index group = 0; group < layout.groups(); ++group)
     for (Eigen::Index roller = 1; roller <= layout.rollers; ++roller)
       names.push_back("roller_" + std::to_string(roller) + "_" + kOfRollers[group].name);
-  for (const Variable& variable : kOfRings) names.emplace_back(variable.name);
+  for (const Variable& variable : rings_of(layout)) names.emplace_back(variable.name);
   for (Eigen::Index i = 0; i < layout.waves; ++i) names.push_back(wave_name(i) + " [m]");
   for (Eigen::Index i = 0; i < layout.waves; ++i) names.push_back(wave_name(i) + "_speed [m/s]");
   for (Eigen::Index i = 1; i <= layout.followed; ++i)

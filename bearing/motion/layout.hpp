@@ -1,7 +1,8 @@
 // Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
 //
 //   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | tip (Z), where rollers tilt | cage x y psi x' y'
-//   psi' | bore x y x' y' | pin x y x' y' | waves | rates of the waves | turned (followed) ]
+//   psi', where there is one | bore x y x' y' | pin x y x' y' | waves | rates of the waves | turned
+//   (followed) ]
 //
 #pragma once
 
@@ -21,12 +22,13 @@ struct StateLayout {
   Eigen::Index followed = 0;  // rollers whose turning is followed, since it carries scratches round
   bool tilting = false;       // rollers tilt: contacts cut into laminae that are not level
   Eigen::Index waves = 0;     // of an elastic outer race, in the order of equilibrium/elastic_waves.hpp
+  bool caged = true;          // else a full complement: rollers touch one another
 
   /// Variables of each roller.
   Eigen::Index groups() const { return tilting ? 6 : 5; }
   Eigen::Index size() const { return turned() + followed; }
   Eigen::Index cage() const { return groups() * rollers; }
-  Eigen::Index bore() const { return cage() + 6; }
+  Eigen::Index bore() const { return cage() + (caged ? 6 : 0); }
   Eigen::Index pin() const { return bore() + 4; }
   Eigen::Index wave() const { return pin() + 4; }
   Eigen::Index wave_speed() const { return wave() + waves; }
@@ -34,7 +36,7 @@ struct StateLayout {
 };
 
 /// Named views on a flat state, or on its derivative: the views then hold the rate of what they are named
-/// for.
+/// for. Those of the cage must not be used without one.
 template <typename Scalar>
 struct StateViews {
   template <typename Plain>
@@ -53,8 +55,8 @@ struct StateViews {
   View<Eigen::Vector2d> bore_velocity;  // [m/s]
   View<Eigen::Vector2d> pin_position;   // [m]
   View<Eigen::Vector2d> pin_velocity;   // [m/s]
-  View<Eigen::ArrayXd> turned;  // [rad]    (followed)  by the rollers that are followed, since the start
-  View<Eigen::ArrayXd> tip;     // [m]      (rollers) or none; LaminaStand::tip
+  View<Eigen::ArrayXd> turned;       // [rad]    (followed)  by the rollers that are followed, since the start
+  View<Eigen::ArrayXd> tip;          // [m]      (rollers) or none; LaminaStand::tip
   View<Eigen::VectorXd> wave;        // [m]      (waves)
   View<Eigen::VectorXd> wave_speed;  // [m/s]    (waves)
 };

@@ -47,11 +47,33 @@ void check_form(const Bearing& bearing, const BearingGeometry& geometry) {
             "less than the radius of a roller");
 }
 
+// Angle that the rollers take on the pitch circle, all touching.
+double angle_taken(const Bearing& bearing) {
+  const CylindricalRollers& rollers = bearing.rollers();
+  const auto count = static_cast<std::size_t>(rollers.count);
+  double taken = 0.0;
+  for (std::size_t j = 0; j < count; ++j)
+    taken += 2.0 * std::asin((rollers.diameter + 0.5 * (diameter_deviation(bearing, j) +
+                                                        diameter_deviation(bearing, (j + 1) % count))) /
+                             bearing.pitch_diameter);
+  return taken;
+}
+
+void check_full_complement(const Bearing& bearing) {
+  require(bearing.rollers().count >= 3, "rollers without a cage", bearing.rollers().count, "at least 3");
+  const double taken = angle_taken(bearing);
+  require(taken <= two_pi, "angle that rollers without a cage take on the pitch circle [rad]", taken,
+          "at most a full turn; give fewer or smaller rollers");
+}
+
 void check(const Bearing& bearing, const BearingGeometry& geometry, const DynamicsParameters& parameters) {
   require(bearing.rollers().count >= 2, "rollers", bearing.rollers().count, "at least 2");
   require(geometry.element_mass > 0.0, "mass of a roller [kg]", geometry.element_mass, "more than 0");
-  require(geometry.cage_mass > 0.0, "mass of the cage [kg]", geometry.cage_mass,
-          "more than 0; give the cage's diameters, width and density");
+  if (bearing.has_cage())
+    require(geometry.cage_mass > 0.0, "mass of the cage [kg]", geometry.cage_mass,
+            "more than 0; give the cage's diameters, width and density");
+  else
+    check_full_complement(bearing);
   require(geometry.inner_ring_mass > 0.0, "mass of the pin ring [kg]", geometry.inner_ring_mass,
           "more than 0; give a bore smaller than the inner race");
   require(parameters.bore_mass > 0.0 || geometry.outer_ring_mass > 0.0, "mass of the bore [kg]",
@@ -89,10 +111,17 @@ PocketModel pocket_model(const BearingGeometry& geometry, double length,
           .roughness = cage.pocket_roughness};
 }
 
+NeighbourModel neighbour_model(const Bearing& bearing, const DynamicsParameters& parameters) {
+  const RaceContactParameters& race = parameters.race;
+  return {.elastic = roller_race_contact(bearing.contact_law, bearing.rollers().length),
+          .damping = race.damping_law == DampingLaw::approach_speed ? race.damping : 0.0,
+          .friction = {parameters.neighbours.friction, race.sliding_scale}};
+}
+
 GuidanceModel guidance_model(const Bearing& bearing, const DynamicsParameters& parameters) {
   const CageParameters& given = parameters.cage;
   GuidanceModel model;
-  model.present = given.guide_diameter > 0.0;
+  model.present = bearing.has_cage() && given.guide_diameter > 0.0;
   if (!model.present) return model;
   const bool outside = bearing.cage.guidance == Race::outer;
   const double cage_diameter = outside ? bearing.cage.outer_diameter : bearing.cage.inner_diameter;
@@ -146,9 +175,9 @@ std::vector<double> larger_rollers(const Bearing& bearing) {
 }
 
 bool is_plain(const Bearing& bearing, const BearingModel& model) {
-  return bearing.inner.form.empty() && bearing.outer.form.empty() && !model.inner.friction.mixed &&
-         bearing.rollers().diameter_deviation.empty() && !model.pocket.with_film && !model.laminae &&
-         model.layout.waves == 0;
+  return model.layout.caged && bearing.inner.form.empty() && bearing.outer.form.empty() &&
+         !model.inner.friction.mixed && bearing.rollers().diameter_deviation.empty() &&
+         !model.pocket.with_film && !model.laminae && model.layout.waves == 0;
 }
 
 laminae::LaminaContact lamina_contact(const CylindricalRollers& rollers, const RaceModel& race,
@@ -232,7 +261,9 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
   moving.outer_race = moving_waves(point.outer_race, parameters.rim);
   const double bore_mass = parameters.bore_mass > 0.0 ? parameters.bore_mass : geometry.outer_ring_mass;
   BearingModel model{
-      .layout = {.rollers = rollers.count, .waves = wave_count(moving.outer_race)},
+      .layout = {.rollers = rollers.count,
+                 .waves = wave_count(moving.outer_race),
+                 .caged = bearing.has_cage()},
       .geometry = geometry,
       .point = moving,
       .frame = carrier_frame(point.carrier, parameters.inertia),
@@ -247,6 +278,7 @@ BearingModel bearing_model(const Bearing& bearing, const OperatingPoint& point,
       .inner_film = film_contact(bearing, geometry, Race::inner, parameters.lubricant),
       .outer_film = film_contact(bearing, geometry, Race::outer, parameters.lubricant),
       .pocket = pocket_model(geometry, rollers.length, parameters),
+      .neighbours = neighbour_model(bearing, parameters),
       .radius_deviation = larger_rollers(bearing),
       .pocket_direction = pocket_directions(rollers.count),
       .guidance = guidance_model(bearing, parameters),

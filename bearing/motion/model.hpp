@@ -18,6 +18,7 @@
 #include "bearing/motion/cage_pocket.hpp"
 #include "bearing/motion/driving.hpp"
 #include "bearing/motion/layout.hpp"
+#include "bearing/motion/neighbour_contact.hpp"
 #include "bearing/motion/oil_drag.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "bearing/motion/pin_support.hpp"
@@ -56,7 +57,8 @@ struct BearingModel {
   RimModel rim;                        // no waves: rigid
   FilmContact inner_film;
   FilmContact outer_film;
-  PocketModel pocket;
+  PocketModel pocket;         // of a cage
+  NeighbourModel neighbours;  // without one
   std::vector<RollerScratch> roller_scratches = {};
   std::vector<double> radius_deviation;   // [m]  (rollers)  radius of each roller less the stated one
   std::vector<Vector2> pocket_direction;  // [-]  of each pocket at cage angle zero

@@ -280,6 +280,27 @@ void describe(Visitor& visit, CageParameters& m) {
       internal(m.touch_down_friction, "bearing.cage.touch_down_friction"));
 }
 
+/// Rollers of a full complement, which touch one another: steel on steel as at the races, whose line contact
+/// and damping they share.
+struct NeighbourParameters {
+  double friction = 0.12;  // [-]  both spin alike: their surfaces slide, and draw in no oil
+};
+
+template <class Visitor>
+void describe(Visitor& visit, NeighbourParameters& m) {
+  using namespace described;
+  members(
+      visit, m,
+      field(m.friction, "bearing.neighbour_friction", Felt::motion,
+            "friction coefficient of rollers that touch one another, of a full complement",
+            {.models = planetary_drivetrain,
+             .range = {0.0, 1.0},
+             .reason = "boundary friction of steel in mineral oil with additives: both spin alike, so that "
+                       "no oil is drawn in",
+             .where = {"bearing.complement", "full"},
+             .fmu = InFmu::parameter}));
+}
+
 /// Oil-air mixture around the rollers. Assumption: it rests in the carrier frame, the upper bound of its
 /// drag.
 struct OilDragParameters {
@@ -375,6 +396,7 @@ struct Driving {
 struct DynamicsParameters {
   RaceContactParameters race;
   CageParameters cage;
+  NeighbourParameters neighbours;
   OilDragParameters drag;
   SupportParameters support;
   RimParameters rim;
@@ -393,7 +415,7 @@ void describe(Visitor& visit, DynamicsParameters& m) {
               m.bore_mass, "planet.mass_per_bearing",
               "planet mass per bearing, by which support.damping_ratio counts; its inertia is not in the FMU",
               {.dimension = dimension::mass, .range = {.least = 0.0}, .fmu = InFmu::parameter}),
-          part(m.inertia), part(m.cage), apart(m.excitation), apart(m.driving));
+          part(m.inertia), part(m.cage), part(m.neighbours), apart(m.excitation), apart(m.driving));
 }
 
 }  // namespace orbearing::bearing::motion

@@ -6,11 +6,13 @@
 
 namespace orbearing::bearing::motion::rates {
 
-inline void set_kinematics(const ConstStateViews& state, MutableStateViews& rate) {
+inline void set_kinematics(const BearingModel& model, const ConstStateViews& state, MutableStateViews& rate) {
   rate.radius = state.radial_speed;
   rate.angle = state.orbital_speed;
-  rate.cage_position = state.cage_velocity;
-  rate.cage_angle = state.cage_speed;
+  if (model.layout.caged) {
+    rate.cage_position = state.cage_velocity;
+    rate.cage_angle = state.cage_speed;
+  }
   rate.bore_position = state.bore_velocity;
   rate.pin_position = state.pin_velocity;
   rate.wave = state.wave_speed;
@@ -26,11 +28,12 @@ inline void set_turning(const BearingModel& model, const ConstStateViews& state,
 // memory on the way here cost a third of the right-hand side: hence inline.
 [[gnu::always_inline]] inline void set_roller(const BearingModel& model, const CarrierFrame& frame,
                                               const RollerBody& roller, const RollerForces& forces,
-                                              Eigen::Index j, MutableStateViews& rate) {
-  const Vector2 force =
-      forces.inner.on_roller.force + forces.outer.on_roller.force + forces.pocket.on_roller.force;
+                                              const Wrench& neighbours, Eigen::Index j,
+                                              MutableStateViews& rate) {
+  const Vector2 force = forces.inner.on_roller.force + forces.outer.on_roller.force +
+                        forces.pocket.on_roller.force + neighbours.force;
   const double moment = forces.inner.on_roller.moment + forces.outer.on_roller.moment +
-                        forces.pocket.on_roller.moment + forces.spin_drag;
+                        forces.pocket.on_roller.moment + forces.spin_drag + neighbours.moment;
   const double mass = model.roller.mass;
   rate.radial_speed[j] =
       force.dot(roller.outward) / mass +
@@ -52,7 +55,7 @@ void set_rollers(const BearingModel& model, const CarrierFrame& frame, const Con
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
     const RollerBody roller = roller_body(model, state, j);
     const RollerForces forces = forces_on(model, rings, roller, j);
-    set_roller(model, frame, roller, forces, j, rate);
+    set_roller(model, frame, roller, forces, neighbour_forces(model, state, roller, j).on_roller(), j, rate);
     on_rings.add(forces);
     if (model.layout.waves > 0) add_wave_forces(forces.outer.load, forces.outer_normal, rate.wave_speed);
   }
@@ -71,6 +74,7 @@ inline void set_waves(const BearingModel& model, const ConstStateViews& state, d
 
 inline void set_cage(const BearingModel& model, const CarrierFrame& frame, const BodyMotion& cage,
                      const Wrench& wrench, MutableStateViews& rate) {
+  if (!model.layout.caged) return;
   rate.cage_velocity =
       wrench.force / model.cage.mass + inertial_acceleration(frame, cage.position, cage.velocity);
   rate.cage_speed = (wrench.moment + model.cage_drag.force(cage.speed)) / model.cage.inertia - frame.euler;

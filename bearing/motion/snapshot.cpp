@@ -25,7 +25,7 @@ void resize(RaceSnapshot& race, Eigen::Index rollers) {
   race.least_film.resize(rollers);
 }
 
-void resize(Snapshot& into, Eigen::Index rollers, bool cut) {
+void resize(Snapshot& into, Eigen::Index rollers, bool cut, bool caged) {
   resize(into.inner, rollers);
   resize(into.outer, rollers);
   into.angle.resize(rollers);
@@ -33,7 +33,9 @@ void resize(Snapshot& into, Eigen::Index rollers, bool cut) {
     stand->resize(cut ? rollers : 0);
   into.orbital_speed.resize(rollers);
   into.spin.resize(rollers);
-  into.pocket_load.resize(rollers);
+  into.caged = caged;
+  into.pocket_load.resize(caged ? rollers : 0);
+  into.neighbour_load.resize(caged ? 0 : rollers);
   into.loss = {};
 }
 
@@ -48,6 +50,11 @@ void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
   into.inner_approach[j] = stand.inner_approach;
   into.outer_approach[j] = stand.outer_approach;
   into.tip[j] = stand.tip;
+}
+
+void add_neighbour(const NeighbourTouch& ahead, Eigen::Index j, Snapshot& into) {
+  into.neighbour_load[j] = ahead.load;
+  into.loss.neighbours += ahead.damping_power + ahead.friction_power;
 }
 
 void add_losses(const BearingModel& model, const RollerBody& roller, const RollerForces& forces,
@@ -94,8 +101,9 @@ void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, con
   energy.kinetic += kinetic(model.roller, motion);
   energy.centrifugal += centrifugal(frame, model.roller.mass, frame.orbit_radius, motion.position);
   energy.races += contact_energy(model, rings, roller, j);
-  energy.pockets += pocket_energy(model.pocket, motion.position, rings.cage.position,
-                                  pocket_direction(model, rings, j), larger);
+  if (model.layout.caged)
+    energy.pockets += pocket_energy(model.pocket, motion.position, rings.cage.position,
+                                    pocket_direction(model, rings, j), larger);
 }
 
 double rim_damping(const BearingModel& model, const ConstStateViews& state) {
@@ -211,7 +219,7 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
   const RingBodies rings = ring_bodies(model, state, time);
   RingWrenches on_rings;
   into.laminae = cut_races(model);
-  resize(into, model.layout.rollers, into.laminae != nullptr);
+  resize(into, model.layout.rollers, into.laminae != nullptr, model.layout.caged);
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
     const RollerBody roller = roller_body(model, state, j);
     const RollerForces forces = roller_forces(model, rings, roller, j);
@@ -221,7 +229,10 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
     into.orbital_speed[j] = roller.orbital_speed;
     into.spin[j] = roller.motion.speed;
     if (into.laminae) put_stand(forces.stand, j, into);
-    into.pocket_load[j] = forces.pocket.load;
+    if (model.layout.caged)
+      into.pocket_load[j] = forces.pocket.load;
+    else
+      add_neighbour(neighbour_forces(model, state, roller, j).ahead, j, into);
     add_losses(model, roller, forces, into.loss);
     on_rings.add(forces);
   }
@@ -233,8 +244,8 @@ void take_snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::Vect
   into.loss.race_damping += rim_damping(model, state);
   into.waves = state.wave;
   into.race_speeds = race_speeds(model.geometry, rings.pin.speed, rings.bore.speed);
-  into.cage_angle = state.cage_angle;
-  into.cage_speed = rings.cage.speed;
+  into.orbit_angle = model.layout.caged ? state.cage_angle : state.angle.mean();
+  into.orbit_speed = model.layout.caged ? rings.cage.speed : state.orbital_speed.mean();
   into.cage_position = rings.cage.position;
   into.cage_eccentricity = guidance.eccentricity;
   into.bore_friction_moment = on_rings.bore.moment;
@@ -246,8 +257,11 @@ StoredEnergy stored_energy(const BearingModel& model, const Eigen::Ref<const Eig
   const CarrierFrame frame = frame_at(model, time);
   const RingBodies rings = ring_bodies(model, state, time);
   StoredEnergy energy;
-  for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
-    add_roller_energy(model, frame, rings, roller_body(model, state, j), j, energy);
+  for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
+    const RollerBody roller = roller_body(model, state, j);
+    add_roller_energy(model, frame, rings, roller, j, energy);
+    energy.neighbours += neighbour_forces(model, state, roller, j).ahead.energy;
+  }
   energy.kinetic += kinetic(model.cage, rings.cage) +
                     0.5 * model.bore_mass * rings.bore.velocity.squaredNorm() +
                     0.5 * model.pin_mass * rings.pin.velocity.squaredNorm();

@@ -22,11 +22,14 @@ struct StoredEnergy {
   double centrifugal = 0.0;  // negative outward
   double races = 0.0;        // elastic contacts and films
   double pockets = 0.0;
+  double neighbours = 0.0;  // rollers that touch one another
   double guidance = 0.0;
   double support = 0.0;
   double rim = 0.0;  // waves of an elastic race, beyond what the teeth hold
 
-  double total() const { return kinetic + centrifugal + races + pockets + guidance + support + rim; }
+  double total() const {
+    return kinetic + centrifugal + races + pockets + neighbours + guidance + support + rim;
+  }
 };
 
 /// Power lost by cause [W], each >= 0.
@@ -35,13 +38,15 @@ struct PowerLoss {
   double inner_traction = 0.0;
   double outer_traction = 0.0;
   double rolling = 0.0;
-  double drag = 0.0;      // rollers and cage in the oil-air mixture
-  double pockets = 0.0;   // damping, friction, film
-  double guidance = 0.0;  // film, touch-down
+  double drag = 0.0;        // rollers and cage in the oil-air mixture
+  double pockets = 0.0;     // damping, friction, film
+  double neighbours = 0.0;  // of rollers that touch one another: damping, friction
+  double guidance = 0.0;    // film, touch-down
   double support = 0.0;
 
   double total() const {
-    return race_damping + inner_traction + outer_traction + rolling + drag + pockets + guidance + support;
+    return race_damping + inner_traction + outer_traction + rolling + drag + pockets + neighbours + guidance +
+           support;
   }
 };
 
@@ -64,12 +69,14 @@ struct PowerInput {
 struct Snapshot {
   RaceSnapshot inner;
   RaceSnapshot outer;
-  Eigen::ArrayXd angle;                     // [rad]  (rollers)  place of each roller, from 0 to 2 pi
-  Eigen::ArrayXd orbital_speed;             // [rad/s]  (rollers)  relative to the carrier
-  Eigen::ArrayXd spin;                      // [rad/s]  (rollers)
-  Eigen::ArrayXd pocket_load;               // [N]    (rollers)  positive where the roller drives the cage
-  double cage_angle = 0.0;                  // [rad]  grows without bound
-  double cage_speed = 0.0;                  // [rad/s]  relative to the carrier
+  Eigen::ArrayXd angle;          // [rad]  (rollers)  place of each roller, from 0 to 2 pi
+  Eigen::ArrayXd orbital_speed;  // [rad/s]  (rollers)  relative to the carrier
+  Eigen::ArrayXd spin;           // [rad/s]  (rollers)
+  bool caged = true;
+  Eigen::ArrayXd pocket_load;  // [N]    (rollers)  positive where the roller drives the cage; empty without
+  Eigen::ArrayXd neighbour_load;  // [N]    (rollers)  of the neighbour ahead, without a cage; else empty
+  double orbit_angle = 0.0;  // [rad]  of the cage, without one the mean over the rollers; grows without bound
+  double orbit_speed = 0.0;  // [rad/s]  likewise; relative to the carrier
   Vector2 cage_position = Vector2::Zero();  // [m]
   double cage_eccentricity = 0.0;           // [-]  of the land's clearance
   double bore_friction_moment = 0.0;        // [N m]  of the bearing on the bore

@@ -14,6 +14,7 @@ PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other) {
   sum.rolling += other.rolling;
   sum.drag += other.drag;
   sum.pockets += other.pockets;
+  sum.neighbours += other.neighbours;
   sum.guidance += other.guidance;
   sum.support += other.support;
   return sum;
@@ -26,6 +27,7 @@ PowerLoss operator/(const PowerLoss& loss, double by) {
           .rolling = loss.rolling / by,
           .drag = loss.drag / by,
           .pockets = loss.pockets / by,
+          .neighbours = loss.neighbours / by,
           .guidance = loss.guidance / by,
           .support = loss.support / by};
 }
@@ -41,7 +43,7 @@ void StatisticsCollector::begin(double time, const Snapshot& at_start) {
   weight_ = 0.0;
   sums_ = {};
   begin_time_ = time;
-  begin_cage_angle_ = end_cage_angle_ = at_start.cage_angle;
+  begin_orbit_angle_ = end_orbit_angle_ = at_start.orbit_angle;
 }
 
 void StatisticsCollector::add_loads(double weight, const RollerLoads& loads) {
@@ -69,7 +71,7 @@ void StatisticsCollector::add_state(double time, const Snapshot& sample) {
   add_state(sample.outer, outer_);
   ++sums_.samples;
   sums_.duration = time - begin_time_;
-  end_cage_angle_ = sample.cage_angle;
+  end_orbit_angle_ = sample.orbit_angle;
   sums_.mean_spin += sample.spin.mean();
   sums_.mean_cage_eccentricity += sample.cage_eccentricity;
   sums_.largest_cage_eccentricity = std::max(sums_.largest_cage_eccentricity, sample.cage_eccentricity);
@@ -107,7 +109,7 @@ WindowStatistics StatisticsCollector::means() const {
   WindowStatistics result = sums_;
   result.inner = means(inner_, damage_.inner);
   result.outer = means(outer_, damage_.outer);
-  result.cage_speed = (end_cage_angle_ - begin_cage_angle_) / sums_.duration;
+  result.orbit_speed = (end_orbit_angle_ - begin_orbit_angle_) / sums_.duration;
   result.mean_spin /= samples;
   result.mean_cage_eccentricity /= samples;
   result.mean_cage_position /= samples;

@@ -32,7 +32,8 @@ struct WindowStatistics {
   double duration = 0.0;  // [s]
   RaceStatistics inner;
   RaceStatistics outer;
-  double cage_speed = 0.0;                       // [rad/s]  relative to the carrier, from the angle it turned
+  double orbit_speed = 0.0;  // [rad/s]  of the cage, without one the mean over the rollers, relative to the
+                             //          carrier, from the angle turned
   double mean_spin = 0.0;                        // [rad/s]  over all rollers
   double mean_cage_eccentricity = 0.0;           // [-]
   double largest_cage_eccentricity = 0.0;        // [-]
@@ -76,8 +77,8 @@ class StatisticsCollector {
   double weight_ = 0.0;  // of all loads
   WindowStatistics sums_;
   double begin_time_ = 0.0;        // [s]
-  double begin_cage_angle_ = 0.0;  // [rad]
-  double end_cage_angle_ = 0.0;    // [rad]
+  double begin_orbit_angle_ = 0.0;  // [rad]
+  double end_orbit_angle_ = 0.0;    // [rad]
 };
 
 /// What a race has taken of its life.

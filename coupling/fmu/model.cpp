@@ -21,9 +21,21 @@ auto of_model(const NumberTable& numbers, const Call& call) {
   throw std::invalid_argument("model: found '" + numbers.model + "'; required: bearing or gearset");
 }
 
+// Of a bearing what it has: a cage, or neighbours that touch.
+ShownFields fields_of(const DrivenBearingSetup& setup) {
+  ShownFields fields = shown_fields(setup);
+  const std::string_view absent = setup.bearing.has_cage() ? "bearing.neighbour_friction" : "bearing.cage.";
+  for (std::vector<ShownField>* list : {&fields.parameters, &fields.constants})
+    std::erase_if(*list, [&](const ShownField& field) { return field.facts.name.starts_with(absent); });
+  return fields;
+}
+ShownFields fields_of(const DrivenGearsSetup& setup) {
+  return shown_fields(setup);
+}
+
 const char* meaning_of(const std::string& model) {
   return model == "bearing"
-             ? "One cylindrical roller bearing of one planet: rollers, cage and pin ring in the "
+             ? "One cylindrical roller bearing of one planet: rollers, cage if any, and pin ring in the "
                "carrier's frame"
              : "A planetary gear set whose planet bearings are computed elsewhere";
 }
@@ -40,7 +52,7 @@ NumberTable numbers_of(const DrivenGearsSetup& setup) {
 ModelFacts facts_of(const NumberTable& numbers) {
   return of_model(numbers, [&]<class Driven>(const auto& setup) -> ModelFacts {
     const Driven driven(setup);
-    return {numbers.model, meaning_of(numbers.model), shown_fields(setup), driven.inputs(), driven.outputs()};
+    return {numbers.model, meaning_of(numbers.model), fields_of(setup), driven.inputs(), driven.outputs()};
   });
 }
 
@@ -48,7 +60,7 @@ std::unique_ptr<system::Participant> make_participant(const NumberTable& numbers
                                                       const std::vector<double>& parameters) {
   NumberTable own = numbers;
   const std::vector<ShownField> fields =
-      of_model(numbers, []<class>(const auto& setup) { return shown_fields(setup).parameters; });
+      of_model(numbers, []<class>(const auto& setup) { return fields_of(setup).parameters; });
   for (std::size_t i = 0; i < fields.size(); ++i)
     for (NumberRow& row : own.rows)
       if (row.name == fields[i].facts.name) row.values = {parameters.at(i)};

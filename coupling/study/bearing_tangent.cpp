@@ -61,18 +61,6 @@ RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearin
   return mean;
 }
 
-// The pin's support alone is asked of a model in motion, which must have a cage: one is lent to a full
-// complement of rollers.
-bearing::Bearing with_some_cage(bearing::Bearing like) {
-  if (like.cage.width > 0.0) return like;
-  const double half_height = 0.25 * like.rollers().diameter;
-  like.cage = {.inner_diameter = like.pitch_diameter - half_height,
-               .outer_diameter = like.pitch_diameter + half_height,
-               .width = 2.0 * like.rollers().length,
-               .density = like.material.density};
-  return like;
-}
-
 }  // namespace
 
 bearing::Bearing of_like_rollers(bearing::Bearing like) {
@@ -87,7 +75,7 @@ gearset::dynamics::AffineBearing bearing_tangent(const PlanetaryDrivetrain& driv
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   const RollerTangent rollers = roller_tangent(drivetrain, geometry.bearing, duty.point);
   const bearing::motion::BearingModel model =
-      bearing_model(with_some_cage(drivetrain.bearing), duty.point, bearing_dynamics(drivetrain, geometry));
+      bearing_model(drivetrain.bearing, duty.point, bearing_dynamics(drivetrain, geometry));
   const double pin = model.support.stiffness;
   const Vector2d mean = rollers.displacement + duty.point.bore_load / pin;
   const Matrix2d unit = Matrix2d::Identity();

@@ -349,9 +349,12 @@ PointResult dynamic_point(const PlanetaryDrivetrain& drivetrain, const BearingDu
   PointResult result;
   result.inner = race_result(run.statistics.inner);
   result.outer = race_result(run.statistics.outer);
-  result.cage_slip = run.cage_slip();
-  result.distribution = distribution_of(run.statistics);
   result.dynamic = record_of(run);
+  if (drivetrain.bearing.has_cage())
+    result.cage_slip = run.orbit_slip();
+  else
+    result.dynamic->orbit_slip = run.orbit_slip();
+  result.distribution = distribution_of(run.statistics);
   put_life(drivetrain, mean_duty(drivetrain, duty), run.statistics, result);
   return result;
 }
@@ -478,6 +481,7 @@ PointResult completed(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
   put_loads(drivetrain, geometry, duties, result);
   result.contact_pressure = largest_pressure(drivetrain, geometry, result);
   result.radial_clearance = drivetrain.bearing.radial_clearance;
+  result.caged = drivetrain.bearing.has_cage();
   return result;
 }
 

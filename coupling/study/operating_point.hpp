@@ -42,6 +42,7 @@ struct LaminaRecord {
 struct DynamicRecord {
   bool steady = false;                  // false: the means still drifted when they were taken
   double roller_slip = 0.0;             // [-]  1 - mean roller spin / spin at pure rolling
+  std::optional<double> orbit_slip;  // [-]  1 - mean orbital speed of rollers without cage / at pure rolling
   double friction_moment = 0.0;         // [N m]  of the bearing on the bore
   bearing::motion::PowerLoss loss;      // [W]  by cause
   system::BearingSeries series;         // of the last cage revolution
@@ -115,7 +116,8 @@ struct PointResult {
   double system_life_hours = 0.0;  // [h]  all planet bearings of all sets
   double contact_pressure =
       0.0;                 // [Pa] largest of both races, after Hertz; of laminae, the most loaded one's
-  double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed
+  double cage_slip = 0.0;  // [-]  1 - cage speed / kinematic cage speed; 0 at rest
+  bool caged = true;       // else there is nothing of a cage to tell
   double radial_clearance = 0.0;           // [m]  of the running bearing
   std::optional<ModifiedRecord> modified;  // none where nothing is said of the oil
   LoadDistribution distribution;

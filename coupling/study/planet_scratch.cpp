@@ -134,9 +134,9 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
         out.largest_load =
             std::max({out.largest_load, shown.inner.load.maxCoeff(), shown.outer.load.maxCoeff()});
         out.roller_speed += shown.spin[roller] / static_cast<double>(plan.samples);
-        if (now == 0) cage_then = shown.cage_angle, time_then = time;
+        if (now == 0) cage_then = shown.orbit_angle, time_then = time;
         if (now == plan.samples - 1) {
-          out.cage_speed = (shown.cage_angle - cage_then) / (time - time_then);
+          out.cage_speed = (shown.orbit_angle - cage_then) / (time - time_then);
           out.planet_speed = (out.planet_angle[now] - out.planet_angle[0]) / (time - time_then);
         }
       }

@@ -51,8 +51,10 @@ double longest_step(const bearing::motion::BearingModel& model) {
   const double load = model.inner.load.load(kTypicalApproach, 1.0);
   const double races = 0.25 * static_cast<double>(model.layout.rollers) * load / kTypicalApproach;
   const double ring = std::sqrt(model.bore_mass / std::max(races, 1.0));
-  const double pocket = std::sqrt(model.roller.mass / std::max(model.pocket.stiffness, 1.0));
-  return kStepOfImpact * std::min(ring, pocket);
+  const double bar = model.layout.caged ? model.pocket.stiffness
+                                        : model.neighbours.elastic.load(kTypicalApproach) / kTypicalApproach;
+  const double impact = std::sqrt(model.roller.mass / std::max(bar, 1.0));
+  return kStepOfImpact * std::min(ring, impact);
 }
 
 // A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off
@@ -61,7 +63,7 @@ std::string out_of_place(const bearing::motion::BearingModel& model,
                          const Eigen::Ref<const Eigen::VectorXd>& x) {
   const auto now = bearing::motion::state_views(model.layout, x.data());
   const double limit = model.geometry.element_radius;
-  const double cage = (now.cage_position - now.pin_position).norm();
+  const double cage = model.layout.caged ? (now.cage_position - now.pin_position).norm() : 0.0;
   std::ostringstream text;
   if (cage > limit)
     text << "the cage came out: it stands " << cage << " m beside the pin";
@@ -92,7 +94,7 @@ void WithinStep::bend(std::ptrdiff_t position, std::ptrdiff_t velocity, std::ptr
 
 void WithinStep::bend(const bearing::vectorised::PaddedLayout& layout, std::ptrdiff_t first) const {
   bend(first, first + 2 * layout.lanes(), 2 * layout.lanes());
-  bend(first + layout.cage(), first + layout.cage() + 3, 3);
+  if (layout.caged) bend(first + layout.cage(), first + layout.cage() + 3, 3);
   bend(first + layout.bore(), first + layout.bore() + 2, 2);
   bend(first + layout.pin(), first + layout.pin() + 2, 2);
   bend(first + layout.wave(), first + layout.wave_speed(), layout.waves);

@@ -33,7 +33,8 @@ Eigen::VectorXd allowed_errors(const bearing::motion::BearingModel& model, doubl
 std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBearing& bearing,
                                              const Eigen::VectorXd& allowed_error);
 
-/// Longest step [s] that still resolves the impact of a roller on its pocket and the ring on its rollers.
+/// Longest step [s] that still resolves the impact of a roller on its pocket, or on its neighbour where there
+/// is no cage, and the ring on its rollers.
 double longest_step(const bearing::motion::BearingModel& model);
 
 /// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and

@@ -136,7 +136,7 @@ std::vector<Input> bearing_inputs(const DrivenBearingSetup& setup) {
 }
 
 // What rolls on the bore feels its motion at once; the rest only through its own motion.
-std::vector<Output> bearing_outputs(int rollers) {
+std::vector<Output> bearing_outputs(int rollers, bool caged) {
   using namespace bearing_input;
   using Inputs = std::vector<std::size_t>;
   const Inputs none, turning{planet_speed}, bore{x, y, velocity_x, velocity_y, planet_speed};
@@ -146,8 +146,12 @@ std::vector<Output> bearing_outputs(int rollers) {
       {"force.y", "N", "force of the bearing on the planet, in the sense of carrier rotation", bore, all},
       {"moment", "N.m", "moment of the bearing on the planet about its axis", bore, all},
       {"life_used", "1", "revolutions so far over the life under the loads so far", none, none, false},
-      {"cage.slip", "1", "1 - speed of the cage over that at pure rolling", turning, turning},
-      {"cage.speed", "rad/s", "speed of the cage relative to the carrier", none, turning},
+      caged ? Output{"cage.slip", "1", "1 - speed of the cage over that at pure rolling", turning, turning}
+            : Output{"rollers.slip", "1", "1 - mean orbital speed of the rollers over that at pure rolling",
+                     turning, turning},
+      caged ? Output{"cage.speed", "rad/s", "speed of the cage relative to the carrier", none, turning}
+            : Output{"rollers.speed", "rad/s", "mean orbital speed of the rollers relative to the carrier",
+                     none, turning},
       {"revolutions", "1", "revolutions of the planet relative to the carrier since the start", none, none,
        false},
       {"friction_loss", "W", "power lost to friction", bore, all}};
@@ -190,8 +194,8 @@ DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, doub
   const double kinematic = kinematic_cage_speed(geometry, 0.0, bore_speed);
   DrivenBearingOutput output;
   output.reaction = reaction;
-  output.cage_speed = now.cage_speed;
-  output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.cage_speed / kinematic : 0.0;
+  output.cage_speed = now.orbit_speed;
+  output.cage_slip = std::abs(kinematic) > kLeastSpeed ? 1.0 - now.orbit_speed / kinematic : 0.0;
   output.revolutions = turned / boost::math::double_constants::two_pi;
   output.life_used = output.revolutions / life;
   output.friction_loss = now.loss.total();
@@ -243,8 +247,12 @@ struct DrivenBearing::Inside {
 
   // What a saved state must agree in: version, rollers, places, which equations.
   std::vector<double> head() const {
-    return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.places),
-            fast ? 1.0 : 0.0, static_cast<double>(model.layout.waves)};
+    return {kVersion,
+            static_cast<double>(setup.bearing.rollers().count),
+            static_cast<double>(setup.places),
+            fast ? 1.0 : 0.0,
+            static_cast<double>(model.layout.waves),
+            setup.bearing.has_cage() ? 1.0 : 0.0};
   }
 
   BoreMotion here(BoreMotion motion) const {
@@ -321,7 +329,8 @@ struct DrivenBearing::Inside {
 };
 
 DrivenBearing::DrivenBearing(const DrivenBearingSetup& setup)
-    : Participant(bearing_inputs(setup), bearing_outputs(setup.bearing.rollers().count)),
+    : Participant(bearing_inputs(setup),
+                  bearing_outputs(setup.bearing.rollers().count, setup.bearing.has_cage())),
       inside_(std::make_unique<Inside>(setup)) {}
 DrivenBearing::~DrivenBearing() = default;
 DrivenBearing::DrivenBearing(DrivenBearing&&) noexcept = default;

@@ -79,7 +79,7 @@ void require_length(const Window& window);
 /// At the present time.
 struct DrivenBearingOutput {
   bearing::motion::BoreReaction reaction;
-  double cage_speed = 0.0;   // [rad/s]  relative to the carrier
+  double cage_speed = 0.0;   // [rad/s]  relative to the carrier; without a cage the mean over the rollers
   double cage_slip = 0.0;    // [-]  1 - cage speed / kinematic cage speed; 0 where nothing turns
   double life_used = 0.0;    // [-]  revolutions so far over the life (in revolutions) under the loads so far
   double revolutions = 0.0;  // [-]  of the bore relative to the carrier, since the start; absolute value

@@ -27,15 +27,17 @@ constexpr double kLongestWindow =
 // Where loads are taken at every step, fewer states do for all other means.
 constexpr long kStatesPerSample = 5;  // of the series, for one state of the means
 
-void resize(BearingSeries& series, Eigen::Index rollers, Eigen::Index samples) {
+void resize(BearingSeries& series, const Snapshot& like, Eigen::Index samples) {
+  const Eigen::Index rollers = like.angle.size();
+  series.caged = like.caged;
   for (Eigen::ArrayXXd* matrix :
        {&series.angle, &series.inner_load, &series.outer_load, &series.inner_sliding, &series.outer_sliding,
-        &series.inner_film, &series.outer_film, &series.pocket_load, &series.spin})
+        &series.inner_film, &series.outer_film, &series.neighbour_load, &series.pocket_load, &series.spin})
     matrix->setZero(rollers, samples);
   series.time.setZero(samples);
   series.cage_position.setZero(2, samples);
-  series.cage_angle.setZero(samples);
-  series.cage_speed.setZero(samples);
+  series.orbit_angle.setZero(samples);
+  series.orbit_speed.setZero(samples);
   series.power_loss.setZero(samples);
 }
 
@@ -48,20 +50,23 @@ void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& ser
   series.outer_sliding.col(i) = now.outer.sliding;
   series.inner_film.col(i) = now.inner.least_film;
   series.outer_film.col(i) = now.outer.least_film;
-  series.pocket_load.col(i) = now.pocket_load;
+  if (now.caged)
+    series.pocket_load.col(i) = now.pocket_load;
+  else
+    series.neighbour_load.col(i) = now.neighbour_load;
   series.spin.col(i) = now.spin;
   series.cage_position.col(i) = now.cage_position;
-  series.cage_angle[i] = now.cage_angle;
-  series.cage_speed[i] = now.cage_speed;
+  series.orbit_angle[i] = now.orbit_angle;
+  series.orbit_speed[i] = now.orbit_speed;
   series.power_loss[i] = now.loss.total();
 }
 
 // Keeps samples of the last window as series.
 class Recorder {
  public:
-  Recorder(long all, long per_window, long wanted, Eigen::Index rollers, BearingSeries* series)
+  Recorder(long all, long per_window, long wanted, const Snapshot& like, BearingSeries* series)
       : series_(series), stride_(std::max(1L, per_window / std::max(1L, wanted))), sample_(per_window - all) {
-    if (series_) resize(*series_, rollers, (per_window - 1) / stride_ + 1);
+    if (series_) resize(*series_, like, (per_window - 1) / stride_ + 1);
   }
 
   bool wants_next() const { return series_ && sample_ >= 0 && sample_ % stride_ == 0; }
@@ -94,7 +99,7 @@ class Observation {
       observers.loads.push_back(&of(b));
     }
     motion_.observe_steps(observers);
-    Recorder recorder(times.samples, per_window, options_.series_samples, snapshot_.angle.size(), series);
+    Recorder recorder(times.samples, per_window, options_.series_samples, snapshot_, series);
     const long states = motion_.shows_steps() ? kStatesPerSample : 1;
     long sample = 0;
     motion_.advance(times, [&](double time) {
@@ -145,7 +150,7 @@ class Windows {
     if (motion_.keeps_to_interval()) {
       times_.passed += times_.samples;
     } else {
-      const double turn = two_pi / std::max(std::abs(pooled(means).cage_speed), 1e-300);
+      const double turn = two_pi / std::max(std::abs(pooled(means).orbit_speed), 1e-300);
       times_.start = times_.time(times_.samples);
       times_.interval = std::min(turn, kLongestWindow * revolution_) / static_cast<double>(per_window_);
     }
@@ -207,7 +212,7 @@ WindowStatistics pooled(const std::vector<WindowStatistics>& bearings) {
   for (const WindowStatistics& one : bearings) {
     add(one.inner, all.inner);
     add(one.outer, all.outer);
-    all.cage_speed += one.cage_speed / number;
+    all.orbit_speed += one.orbit_speed / number;
     all.mean_spin += one.mean_spin / number;
     all.mean_cage_eccentricity += one.mean_cage_eccentricity / number;
     all.largest_cage_eccentricity = std::max(all.largest_cage_eccentricity, one.largest_cage_eccentricity);
@@ -228,7 +233,8 @@ bool is_steady(const WindowStatistics& before, const WindowStatistics& now, doub
   };
   return close(before.inner.load_rms, now.inner.load_rms) &&
          close(before.outer.load_rms, now.outer.load_rms) &&
-         std::abs(before.cage_speed - now.cage_speed) <= options.cage_drift * std::abs(kinematic_cage_speed);
+         std::abs(before.orbit_speed - now.orbit_speed) <=
+             options.cage_drift * std::abs(kinematic_cage_speed);
 }
 
 double sample_interval(const RollingSpeeds& rolling, const SteadyStateOptions& options) {

@@ -74,11 +74,14 @@ struct BearingSeries {
   Eigen::ArrayXXd outer_sliding;  // [m/s]
   Eigen::ArrayXXd inner_film;     // [m]
   Eigen::ArrayXXd outer_film;     // [m]
-  Eigen::ArrayXXd pocket_load;    // [N]
+  Eigen::ArrayXXd pocket_load;    // [N]      zero without a cage
+  Eigen::ArrayXXd neighbour_load;  // [N]      of the roller ahead, without a cage; else zero
   Eigen::ArrayXXd spin;           // [rad/s]
   Eigen::Array2Xd cage_position;  // [m]      (x and y, samples)
-  Eigen::ArrayXd cage_angle;      // [rad]    grows without bound
-  Eigen::ArrayXd cage_speed;      // [rad/s]  relative to the carrier
+  bool caged = true;
+  Eigen::ArrayXd
+      orbit_angle;  // [rad]    of the cage, without one the mean over the rollers; grows without bound
+  Eigen::ArrayXd orbit_speed;     // [rad/s]  likewise; relative to the carrier
   Eigen::ArrayXd power_loss;      // [W]
 };
 
@@ -102,8 +105,8 @@ struct SteadyStateResult {
   Eigen::VectorXd final_state;            // of a bearing by itself, in the order of StateLayout
   integration::IntegrationReport report;  // summed over all windows; smallest step of all
 
-  /// 1 - cage speed / kinematic cage speed.
-  double cage_slip() const { return 1.0 - statistics.cage_speed / rolling.cage; }
+  /// 1 - orbital speed / that at pure rolling: of the cage, without one of the rollers' mean.
+  double orbit_slip() const { return 1.0 - statistics.orbit_speed / rolling.cage; }
 };
 
 /// Loads of several bearings as if all were passages of one: means over the bearings, the largest load of

@@ -1,10 +1,10 @@
-// Plays one orbit of the cage: rollers, cage and rings in the carrier frame, x outward (up), y along carrier rotation (left).
+// Plays one orbit of the rollers: rollers, cage and rings in the carrier frame, x outward (up), y along carrier rotation (left).
 "use strict";
 const data = JSON.parse(document.getElementById("data").textContent);
 const byId = (name) => document.getElementById(name);
 const BLUE = "#0072B2", VERMILION = "#D55E00", GREY = "#767676", BLACK = "#1a1a1a", STEEL = "#d5dade", CAGE = "#e2cd96";
 const BAR = 0.26; // longest load bar over the outside radius
-const instants = data.time.length, rollers = data.angle.length;
+const instants = data.time.length, rollers = data.angle.length, caged = "cageX" in data;
 
 // Values between two stored instants; `place` runs from 0 to instants - 1.
 const at = (series, place) => {
@@ -87,7 +87,7 @@ const drawRings = (page, place) => {
 
 const drawCage = (page, place) => {
   const size = data.size;
-  if (!(size.cageOuter > size.cageInner)) return;
+  if (!caged) return;
   const x = data.factor * at(data.cageX, place) * 1e-3, y = data.factor * at(data.cageY, place) * 1e-3;
   page.ring(x, y, size.cageOuter / 2, size.cageInner / 2, CAGE);
   const angle = at(data.cageAngle, place);
@@ -134,7 +134,7 @@ const drawSenses = (page) => {
   page.turning(edge, 0, 1, BLACK);
   page.text("carrier turns", 1.07 * edge, 0);
   page.turning(0.93 * outside, Math.PI / 4, side, BLACK);
-  page.turning(data.size.pitch / 2, Math.PI / 4 + Math.PI / rollers, Math.sign(data.cageSpeed[0]), VERMILION);
+  page.turning(data.size.pitch / 2, Math.PI / 4 + Math.PI / rollers, Math.sign(data.orbitSpeed[0]), VERMILION);
   page.line(page.point(-0.98 * edge, 0), page.point(-1.08 * edge, 0), BLACK, 2);
   for (const y of [-0.02, 0.02]) page.line(page.point(-1.08 * edge, 0), page.point(-1.05 * edge, y * edge), BLACK, 2);
   page.text("sun", -1.12 * edge, 0);
@@ -149,6 +149,7 @@ const drawSenses = (page) => {
 
 // The cage's centre inside its clearance, at a scale of its own, in the empty bore.
 const drawOrbit = (page, place) => {
+  if (!caged) return;
   const room = 0.42 * data.size.bore / 2, reach = Math.max(data.clearance, ...data.cageX.map((x, i) => Math.hypot(x, data.cageY[i])), 1e-9);
   const spot = (x, y) => page.point(x / reach * room, y / reach * room);
   page.pen.beginPath();
@@ -203,13 +204,13 @@ const drawTrace = (place) => {
 
 const tell = (place) => {
   const loads = data.outer.map((load, j) => Math.max(at(load, place), at(data.inner[j], place)));
-  const speed = at(data.cageSpeed, place), x = at(data.cageX, place), y = at(data.cageY, place);
+  const speed = at(data.orbitSpeed, place);
   byId("now-time").textContent = `${fixed(1e3 * (at(data.time, place) - data.time[0]), 3)} ms`;
-  byId("now-cage").textContent = `${thousands(speed * 30 / Math.PI)} rpm`;
-  byId("now-slip").textContent = data.cageRolling ? `${fixed(100 * (1 - speed / data.cageRolling), 2)} %` : "not known";
+  byId("now-orbit").textContent = `${thousands(speed * 30 / Math.PI)} rpm`;
+  byId("now-slip").textContent = data.orbitRolling ? `${fixed(100 * (1 - speed / data.orbitRolling), 2)} %` : "not known";
   byId("now-load").textContent = `${thousands(Math.max(...loads))} N`;
   byId("now-carrying").textContent = `${loads.filter((load) => load > 0.05 * data.largest).length} of ${rollers}`;
-  byId("now-shift").textContent = `${fixed(Math.hypot(x, y), 1)} \u00b5m`;
+  if (caged) byId("now-shift").textContent = `${fixed(Math.hypot(at(data.cageX, place), at(data.cageY, place)), 1)} \u00b5m`;
 };
 
 const slider = byId("instant"), button = byId("play"), pace = byId("pace");

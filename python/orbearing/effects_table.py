@@ -8,7 +8,7 @@ from pathlib import Path
 from orbearing.blocks import is_number
 from orbearing.errors import BadInput
 from orbearing.figures.ablation import REFERENCE
-from orbearing.result_folder import read_report, record, records
+from orbearing.result_folder import read_report, record, records, slip_of_set
 
 HEAD = ("rpm", "effect", "life [h]", "change", "rms load, pin [N]", "rms load, bore [N]", "cage slip", "roller slip", "power loss [W]")
 
@@ -32,7 +32,7 @@ def _row(speed: float, name: str, point: dict, base) -> tuple[str, ...]:
     change = f"{100 * (life / base - 1):+.1f} %" if is_number(life) and is_number(base) and name != REFERENCE else ""
     drifts = "" if point.get("steady", True) else " (drifts)"
     return (f"{speed:g}", name + drifts, number("life_h", "{:.0f}"), change, number("inner_load_rms_N", "{:.1f}"),
-            number("outer_load_rms_N", "{:.1f}"), number("cage_slip", "{:.2f} %", 100), number("roller_slip", "{:.2f} %", 100),
+            number("outer_load_rms_N", "{:.1f}"), number("orbit_slip" if is_number(point.get("orbit_slip")) else "cage_slip", "{:.2f} %", 100), number("roller_slip", "{:.2f} %", 100),
             number("power_loss_W", "{:.1f}"))
 
 
@@ -43,8 +43,10 @@ def main(folder: str) -> int:
         print(error, file=sys.stderr)
         return 2
     lines = rows(records(record(report.record("dynamic")).get("ablation")))
-    print("| " + " | ".join(HEAD) + " |")
-    print("|---:|---|" + "---:|" * (len(HEAD) - 2))
+    points = [point for effect in records(record(report.record("dynamic")).get("ablation")) for point in records(effect.get("points"))]
+    head = [f"{slip_of_set(points)[1]} slip" if name == "cage slip" else name for name in HEAD]
+    print("| " + " | ".join(head) + " |")
+    print("|---:|---|" + "---:|" * (len(head) - 2))
     for line in lines:
         print("| " + " | ".join(line) + " |")
     return 0

@@ -49,6 +49,12 @@ def lies_on(row: dict, line: dict) -> bool:
     return all(same(row.get(column), value) for column, value in line.items())
 
 
+def slip_of_set(points: list[dict]) -> tuple[str, str]:
+    """What goes round with the rollers: the column of its slip and its name, of the cage or, without one, of the rollers' mean orbit."""
+    without = any(is_number(record(point).get("orbit_slip")) for point in points)
+    return ("orbit_slip", "orbit") if without else ("cage_slip", "cage")
+
+
 def peak_of(points: list[dict]) -> dict:
     """The longest life among these points: of the grid's, and of all where points were added to it."""
     alive = [p for p in points if is_number(p.get("life_h")) and is_number(p.get("input_speed_rpm"))]

@@ -84,6 +84,7 @@ struct AuditedSteps {
   const char* name;
   bool film;
   double excitation;  // [N]
+  bool full = false;  // no cage
 };
 
 DynamicsParameters parameters_of(const AuditedSteps& audited) {
@@ -111,9 +112,10 @@ TEST_P(FastPathEnergy, StepsAddLittleAndLessAtASmallerAllowedError) {
   const char* text = std::getenv("ENERGY_AUDIT_SECONDS");
   const double seconds = text == nullptr ? 4e-3 : std::atof(text);
   const DynamicsParameters parameters = parameters_of(GetParam());
-  const BearingModel model = bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
+  const Bearing given = GetParam().full ? test::full_complement_bearing() : test::reducer_bearing();
+  const BearingModel model = bearing_model(given, test::reducer_point(6000.0), parameters);
   VectorBearing bearing(model);
-  const Eigen::VectorXd start = initial_state(test::reducer_bearing(), model, parameters, 0.3).x;
+  const Eigen::VectorXd start = initial_state(given, model, parameters, 0.3).x;
   double coarse = 0.0;
   for (const double finer : {1.0, 16.0}) {
     const LocalFlowAudit audit = audited(bearing, start, seconds, kStandard / finer);
@@ -130,7 +132,9 @@ TEST_P(FastPathEnergy, StepsAddLittleAndLessAtASmallerAllowedError) {
 INSTANTIATE_TEST_SUITE_P(Variants, FastPathEnergy,
                          testing::Values(AuditedSteps{"dry", false, 0.0}, AuditedSteps{"film", true, 0.0},
                                          AuditedSteps{"dry_shaken", false, 400.0},
-                                         AuditedSteps{"film_shaken", true, 400.0}),
+                                         AuditedSteps{"film_shaken", true, 400.0},
+                                         // Issue 16, Build 8: rollers that touch one another.
+                                         AuditedSteps{"full_complement", false, 0.0, true}),
                          [](const testing::TestParamInfo<AuditedSteps>& variant) {
                            return variant.param.name;
                          });

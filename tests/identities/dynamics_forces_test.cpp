@@ -14,7 +14,18 @@ namespace {
 constexpr int kStates = 40;
 constexpr double kSpeed = 0.05;  // share of the kinematic speeds by which a state is shaken
 
-enum class Refinement { none, forms, scratches, unequal_rollers, mixed_lubrication, pocket_film, run_up, printed, rim };
+enum class Refinement {
+  none,
+  forms,
+  scratches,
+  unequal_rollers,
+  mixed_lubrication,
+  pocket_film,
+  run_up,
+  printed,
+  full_complement,
+  rim
+};
 
 struct Variant {
   const char* name;
@@ -67,6 +78,10 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         point.outer_race = test::bending_race();
         parameters.driving.ramp = 150.0;
         break;
+      case Refinement::full_complement:  // Issue 16, Build 8: rollers that touch one another
+        bearing = test::full_complement_bearing();
+        bearing.rollers().diameter_deviation = {1e-6, -2e-6, 0.0, 1e-6};
+        break;
       case Refinement::printed:
         parameters.race.film_approach = FilmApproach::as_printed;
         parameters.race.damping_law = DampingLaw::as_printed;
@@ -108,7 +123,7 @@ TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
                          double external) {
     Eigen::VectorXd dx(x.size());
     equations.derivative(0.0, x, dx);
-    const bool angle = (position >= z && position < 2 * z) || position == layout.cage() + 2;
+    const bool angle = (position >= z && position < 2 * z) || (layout.caged && position == layout.cage() + 2);
     const double step = angle ? 1e-9 : 2e-11;  // [rad] or [m]: 1e-5 of the approaches
     Eigen::VectorXd left = x, right = x;
     left[position] -= step;
@@ -125,9 +140,10 @@ TEST_P(DynamicsIdentity, ForcesAreTheSlopeOfTheEnergy) {
     const Eigen::VectorXd shaken = test::shaken_state(model, bearing, parameters, 2e-5, 0.0, random);
     Eigen::VectorXd x = shaken;
     x.segment(2 * z, 3 * z).setZero();
-    x.segment(layout.cage() + 3, 3).setZero();
+    if (layout.caged) x.segment(layout.cage() + 3, 3).setZero();
     for (Eigen::Index i = 0; i < 2 * z; ++i) check(x, i, i + 2 * z, 0.0);
-    for (Eigen::Index i = 0; i < 3; ++i) check(x, layout.cage() + i, layout.cage() + 3 + i, 0.0);
+    for (Eigen::Index i = 0; layout.caged && i < 3; ++i)
+      check(x, layout.cage() + i, layout.cage() + 3 + i, 0.0);
     for (Eigen::Index i = 0; i < 2; ++i) {
       check(x, layout.bore() + i, layout.bore() + 2 + i, bore_load(model, 0.0)[i]);
       check(x, layout.pin() + i, layout.pin() + 2 + i, 0.0);
@@ -164,7 +180,7 @@ TEST_P(DynamicsIdentity, LossesAreNeverNegative) {
     const Eigen::VectorXd x = test::shaken_state(model, bearing, parameters, 3e-5, 3.0 * kSpeed, random);
     const PowerLoss loss = snapshot(model, x).loss;
     for (double one : {loss.race_damping, loss.inner_traction, loss.outer_traction, loss.rolling, loss.drag,
-                       loss.pockets, loss.guidance, loss.support})
+                       loss.pockets, loss.neighbours, loss.guidance, loss.support})
       EXPECT_GE(one, 0.0);
     EXPECT_GT(loss.total(), 0.0);
   }
@@ -190,6 +206,7 @@ TEST_P(DynamicsIdentity, InnerForcesAndMomentsCancel) {
       const RollerForces forces = roller_forces(model, rings, roller, j);
       for (const Wrench& wrench : {forces.inner.on_roller, forces.outer.on_roller, forces.pocket.on_roller})
         add(wrench, roller.motion.position);
+      add(neighbour_forces(model, state, roller, j).on_roller(), roller.motion.position);
       on_rings.add(forces);
     }
     on_rings.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
@@ -213,7 +230,7 @@ TEST_P(DynamicsIdentity, RollersCanBeRenamed) {
   Eigen::VectorXd renamed = x, dx(x.size()), renamed_dx(x.size());
   for (Eigen::Index block = 0; block < 5; ++block)
     for (Eigen::Index j = 0; j < z; ++j) renamed[block * z + j] = x[block * z + (j + 1) % z];
-  renamed[model.layout.cage() + 2] += 2.0 * M_PI / static_cast<double>(z);
+  if (model.layout.caged) renamed[model.layout.cage() + 2] += 2.0 * M_PI / static_cast<double>(z);
   equations.derivative(0.0, x, dx);
   equations.derivative(0.0, renamed, renamed_dx);
   const double round_off =
@@ -223,28 +240,57 @@ TEST_P(DynamicsIdentity, RollersCanBeRenamed) {
     for (Eigen::Index j = 0; j < z; ++j)
       EXPECT_NEAR(renamed_dx[block * z + j], dx[block * z + (j + 1) % z], round_off * scale);
   }
-  EXPECT_NEAR((renamed_dx.tail(14) - dx.tail(14)).norm(), 0.0, round_off * dx.tail(14).norm());
+  const Eigen::Index rings = x.size() - 5 * z;
+  EXPECT_NEAR((renamed_dx.tail(rings) - dx.tail(rings)).norm(), 0.0, round_off * dx.tail(rings).norm());
+}
+
+// Issue 16, Build 8: neighbours that do not touch do nothing, as bars that are never reached.
+TEST(FullComplement, WithRoomLeftMovesAsInACageOutOfReach) {
+  Bearing roomy = test::reducer_bearing();  // 15 rollers where 21 go in
+  DynamicsParameters far = test::reducer_parameters();
+  far.cage.pocket_clearance = 4e-3;
+  const BearingModel caged = bearing_model(roomy, test::reducer_point(6000.0), far);
+  roomy.cage = {};
+  const BearingModel full = bearing_model(roomy, test::reducer_point(6000.0), far);
+  test::Random random;
+  const Eigen::Index z = full.layout.rollers;
+  for (int k = 0; k < 10; ++k) {
+    const Eigen::VectorXd x = test::shaken_state(full, roomy, far, 5e-6, kSpeed, random);
+    Eigen::VectorXd in_cage = Eigen::VectorXd::Zero(caged.layout.size()), dx(x.size()),
+                    dx_caged(in_cage.size());
+    in_cage.head(5 * z) = x.head(5 * z);
+    in_cage[caged.layout.cage() + 2] = 0.3;  // where the first roller begins
+    in_cage.tail(8) = x.tail(8);
+    PlanetBearingEquations(full).derivative(0.0, x, dx);
+    PlanetBearingEquations(caged).derivative(0.0, in_cage, dx_caged);
+    const double round_off = 1e-12;
+    EXPECT_LT((dx.head(5 * z) - dx_caged.head(5 * z)).norm(), round_off * dx.head(5 * z).norm());
+    EXPECT_LT((dx.tail(4) - dx_caged.tail(4)).norm(), round_off * dx.tail(4).norm()) << "the pin";
+    EXPECT_EQ(snapshot(full, x).loss.neighbours, 0.0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Variants, DynamicsIdentity,
-    testing::Values(Variant{"dry", false, false, TractionLaw::regularised_coulomb},
-                    Variant{"film", true, false, TractionLaw::regularised_coulomb},
-                    Variant{"limiting_shear", false, false, TractionLaw::limiting_shear},
-                    Variant{"inner_guidance", true, true, TractionLaw::limiting_shear},
-                    Variant{"forms", true, false, TractionLaw::regularised_coulomb, Refinement::forms},
-                    Variant{"scratches", true, false, TractionLaw::regularised_coulomb, Refinement::scratches},
-                    Variant{"unequal_rollers", true, false, TractionLaw::regularised_coulomb,
-                            Refinement::unequal_rollers},
-                    Variant{"mixed_lubrication", false, false, TractionLaw::limiting_shear,
-                            Refinement::mixed_lubrication},
-                    Variant{"pocket_film", false, false, TractionLaw::regularised_coulomb,
-                            Refinement::pocket_film},
-                    // Issue 16, Build 1: waves of an elastic rim are slopes of its energy, and teeth whose forces
-                    // fall in a run-up do work on it.
-                    Variant{"rim", true, false, TractionLaw::regularised_coulomb, Refinement::rim},
-                    Variant{"run_up", false, false, TractionLaw::regularised_coulomb, Refinement::run_up},
-                    Variant{"printed", true, false, TractionLaw::regularised_coulomb, Refinement::printed}),
+    testing::Values(
+        Variant{"dry", false, false, TractionLaw::regularised_coulomb},
+        Variant{"film", true, false, TractionLaw::regularised_coulomb},
+        Variant{"limiting_shear", false, false, TractionLaw::limiting_shear},
+        Variant{"inner_guidance", true, true, TractionLaw::limiting_shear},
+        Variant{"forms", true, false, TractionLaw::regularised_coulomb, Refinement::forms},
+        Variant{"scratches", true, false, TractionLaw::regularised_coulomb, Refinement::scratches},
+        Variant{"unequal_rollers", true, false, TractionLaw::regularised_coulomb,
+                Refinement::unequal_rollers},
+        Variant{"mixed_lubrication", false, false, TractionLaw::limiting_shear,
+                Refinement::mixed_lubrication},
+        Variant{"pocket_film", false, false, TractionLaw::regularised_coulomb, Refinement::pocket_film},
+        // Issue 16, Build 1: waves of an elastic rim are slopes of its energy, and teeth whose forces
+        // fall in a run-up do work on it.
+        Variant{"rim", true, false, TractionLaw::regularised_coulomb, Refinement::rim},
+        Variant{"run_up", false, false, TractionLaw::regularised_coulomb, Refinement::run_up},
+        Variant{"full_complement", true, false, TractionLaw::regularised_coulomb,
+                Refinement::full_complement},
+        Variant{"printed", true, false, TractionLaw::regularised_coulomb, Refinement::printed}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace

@@ -48,7 +48,7 @@ system::SteadyStateOptions short_run(Method method, double first_roller) {
 
 bool sound(const motion::WindowStatistics& means) {
   return std::isfinite(means.inner.load_rms) && std::isfinite(means.outer.load_max) &&
-         std::isfinite(means.inner.least_film) && std::isfinite(means.cage_speed) &&
+         std::isfinite(means.inner.least_film) && std::isfinite(means.orbit_speed) &&
          std::isfinite(means.mean_spin) && std::isfinite(means.loss.total());
 }
 
@@ -88,7 +88,7 @@ void write_line(std::ostream& out, int n, const MotionDraw& draw, const system::
       << race.roughness << ',' << draw.parameters.excitation.harmonics.size() << ','
       << draw.point.carrier.speed << ',' << steps_of_longest_length(draw, run) << ',' << run.report.steps
       << ',' << run.report.rejected << ',' << run.report.smallest_step << ',' << run.report.wall_seconds
-      << ',' << run.cage_slip() << ',' << reason(run) << std::endl;
+      << ',' << run.orbit_slip() << ',' << reason(run) << std::endl;
 }
 
 class RandomDynamics : public testing::TestWithParam<Method> {};

@@ -73,11 +73,11 @@ TEST(RunUp, CageFollowsTheSpeed) {
   const auto run =
       system::run_up(test::reducer_bearing(), test::reducer_point(6000.0), parameters, short_options(), 0.01);
   ASSERT_TRUE(run.completed) << run.message;
-  EXPECT_NEAR(run.cage_slip(), 0.0, 0.02);
+  EXPECT_NEAR(run.orbit_slip(), 0.0, 0.02);
   const double kinematic = run.rolling.cage / 1.1;
-  const Eigen::Index n = run.series.cage_speed.size();
-  EXPECT_NEAR(run.series.cage_speed.head(n / 10).mean() / kinematic, 1.01, 0.02);
-  EXPECT_NEAR(run.series.cage_speed.tail(n / 10).mean() / kinematic, 1.19, 0.02);
+  const Eigen::Index n = run.series.orbit_speed.size();
+  EXPECT_NEAR(run.series.orbit_speed.head(n / 10).mean() / kinematic, 1.01, 0.02);
+  EXPECT_NEAR(run.series.orbit_speed.tail(n / 10).mean() / kinematic, 1.19, 0.02);
   EXPECT_NEAR(run.series.time[n - 1], 0.01, 2e-4);
 }
 

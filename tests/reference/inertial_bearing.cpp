@@ -104,7 +104,8 @@ struct Rim {
     return sum;
   }
   double slope(double angle) const {
-    constexpr double kStep = 1e-3;  // [rad]  central differences of higher order: error 1e-9 of a wave of order 6
+    constexpr double kStep =
+        1e-3;  // [rad]  central differences of higher order: error 1e-9 of a wave of order 6
     const auto difference = [&](double step) {
       return (further(angle + step, bodies.bent) - further(angle - step, bodies.bent)) / (2.0 * step);
     };
@@ -126,11 +127,11 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
   const double steep = outside ? rim.slope(place) : 0.0;
   const double gap = outside ? race_radius + further - distance - a : distance - race_radius - a;
   const Plane touch = roller.position + a * towards_race;
-  // The point of contact stays on the line of centres, which passes along a bore whose form stands in the carrier.
+  // The point of contact stays on the line of centres, which passes along a bore whose form stands in the
+  // carrier.
   const double line_speed = along(roller.velocity - race.velocity, tangent) / distance;
   double closing = along(roller.velocity - race.velocity, towards_race);
-  if (outside)
-    closing -= steep * (line_speed - rim.carrier.speed) + rim.further(place, rim.bodies.bending);
+  if (outside) closing -= steep * (line_speed - rim.carrier.speed) + rim.further(place, rim.bodies.bending);
   const Plane touch_velocity = roller.velocity + kTurn * line_speed * (touch - roller.position);
   const double race_surface = along(velocity_at(race, touch) - touch_velocity, tangent);
   const double roller_surface = along(velocity_at(roller, touch) - touch_velocity, tangent);
@@ -181,6 +182,21 @@ void push(const BearingNumbers& b, double angle, const Body& roller, const Body&
       -load * towards_bar + coulomb(b.pocket_friction, load, sliding, b.sliding_scale) * outward;
   on_roller.add(roller, touch, force);
   on_cage.add(cage, touch, -force);
+}
+
+// Two rollers that meet without a cage, in the middle of their overlap.
+void meet(const BearingNumbers& b, const Body& one, const Body& other, Load& on_one, Load& on_other) {
+  const Plane line = other.position - one.position, towards_other = line / std::abs(line);
+  const double overlap = 2.0 * b.roller_radius - std::abs(line);
+  const double closing = along(one.velocity - other.velocity, towards_other);
+  const double load = palmgren_load(b.roller_length, overlap) * std::max(0.0, 1.0 + b.damping * closing);
+  if (load <= 0.0) return;
+  const Plane touch = 0.5 * (one.position + other.position), tangent = kTurn * towards_other;
+  const double sliding = along(velocity_at(other, touch) - velocity_at(one, touch), tangent);
+  const Plane force =
+      -load * towards_other + coulomb(b.neighbour_friction, load, sliding, b.sliding_scale) * tangent;
+  on_one.add(one, touch, force);
+  on_other.add(other, touch, -force);
 }
 
 // Resultant on the cage of the short bearing's film that is squeezed, pressure nowhere below that around it.
@@ -245,12 +261,18 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
   const Rim rim{b, carrier, bodies};
   std::vector<Plane> on_rim(b.rim.size());
   const double pitch = 2.0 * kPi / static_cast<double>(bodies.rollers.size());
+  const std::size_t count = bodies.rollers.size();
+  std::vector<Load> from_neighbours(count);
+  for (std::size_t j = 0; !b.caged && j < count; ++j)
+    meet(b, bodies.rollers[j], bodies.rollers[(j + 1) % count], from_neighbours[j],
+         from_neighbours[(j + 1) % count]);
   for (std::size_t j = 0; j < bodies.rollers.size(); ++j) {
     const Body& roller = bodies.rollers[j];
-    Load load;
+    Load load = from_neighbours[j];
     press(b, false, roller, bodies.pin, rim, load, on_pin, on_rim);
     press(b, true, roller, bodies.bore, rim, load, on_bore, on_rim);
-    push(b, bodies.cage.angle + static_cast<double>(j) * pitch, roller, bodies.cage, load, on_cage);
+    if (b.caged)
+      push(b, bodies.cage.angle + static_cast<double>(j) * pitch, roller, bodies.cage, load, on_cage);
 
     // The mixture rests in the carrier; it resists the way around the pin.
     const Plane way = kTurn * (roller.position - pin_axis) / std::abs(roller.position - pin_axis);
@@ -260,16 +282,17 @@ Accelerations accelerations(const BearingNumbers& b, const Carrier& carrier, con
     load.moment += churned(a, length, roller.speed);
     result.rollers.push_back({load.force / b.roller_mass, load.moment / b.roller_inertia});
   }
-  guide(b, bodies.cage, bodies.bore, on_cage, on_bore);
+  if (b.caged) guide(b, bodies.cage, bodies.bore, on_cage, on_bore);
   on_cage.moment += churned(b.cage_mean_radius, b.cage_width, bodies.cage.speed);
   on_pin.force -= b.support_stiffness * (bodies.pin.position - pin_axis) +
                   b.support_damping * (bodies.pin.velocity - carrier_velocity(bodies.pin.position));
-  result.cage = {on_cage.force / b.cage_mass, on_cage.moment / b.cage_inertia};
+  if (b.caged) result.cage = {on_cage.force / b.cage_mass, on_cage.moment / b.cage_inertia};
   result.bore = {(on_bore.force + bore_force) / b.bore_mass, 0.0};
   result.pin = {on_pin.force / b.pin_mass, 0.0};
   for (std::size_t i = 0; i < b.rim.size(); ++i) {
     const RimWave& wave = b.rim[i];
-    Plane force = on_rim[i] - wave.damping * bodies.bending[i] - wave.stiffness * (bodies.bent[i] - wave.at_rest);
+    Plane force =
+        on_rim[i] - wave.damping * bodies.bending[i] - wave.stiffness * (bodies.bent[i] - wave.at_rest);
     if (wave.order == 0) force = force.real();
     result.rim.push_back(force / wave.mass);
   }

@@ -17,8 +17,8 @@ struct Oil {
   double pressure_viscosity;  // [1/Pa]
 };
 
-/// One way in which the bore bends: it stands further out by Re(conj(a) e^(i order phi)), phi the angle from the
-/// carrier's arm.
+/// One way in which the bore bends: it stands further out by Re(conj(a) e^(i order phi)), phi the angle from
+/// the carrier's arm.
 struct RimWave {
   int order;
   double stiffness, mass, damping;  // [N/m], [kg], [N s/m]
@@ -44,6 +44,8 @@ struct BearingNumbers {
   double cylinder_drag, churning;             // [-]
   double cage_mean_radius, cage_width;        // [m]
   std::vector<RimWave> rim = {};
+  bool caged = true;                // else rollers meet their neighbours, the last the first
+  double neighbour_friction = 0.0;  // [-]
 };
 
 /// The carrier turns about the origin; the undeformed axis of the pin is at orbit_radius on its arm.
@@ -61,7 +63,7 @@ struct Body {
 
 struct Bodies {
   std::vector<Body> rollers;
-  Body cage, bore, pin;  // the speeds of bore and pin are given
+  Body cage, bore, pin;              // the speeds of bore and pin are given
   std::vector<Plane> bent, bending;  // [m], [m/s]  amplitudes of the rim's waves and their rates
 };
 

@@ -87,6 +87,13 @@ struct LandConstants {
   LandLaw law;
 };
 
+/// Rollers that touch one another; see motion/neighbour_contact.hpp.
+struct NeighbourConstants {
+  double stiffness = 0.0;  // [N/m^(10/9)]
+  double damping = 0.0;    // [s/m]
+  CoulombFriction<double> friction;
+};
+
 /// Constants of a run.
 struct Constants {
   int rollers = 0;
@@ -108,7 +115,9 @@ struct Constants {
   LaminaConstants laminae;
   RimConstants rim;
 
-  PocketLaw pocket;
+  bool caged = true;
+  PocketLaw pocket;               // of a cage
+  NeighbourConstants neighbours;  // without one
 
   int followed = 0;  // rollers whose turning is followed
   int roller_scratches = 0;

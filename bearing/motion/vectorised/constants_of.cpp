@@ -50,7 +50,9 @@ Constants constants_of(const motion::BearingModel& model) {
   c.orbit_radius = model.frame.orbit_radius;
   c.inner = race_constants(model.inner, model.point.inner_speed);
   c.outer = race_constants(model.outer, model.point.outer_speed);
+  c.caged = model.layout.caged;
   c.pocket = motion::pocket_law(model.pocket);
+  c.neighbours = {model.neighbours.elastic.constant(), model.neighbours.damping, model.neighbours.friction};
   c.cage_mass = model.cage.mass;
   c.cage_inertia = model.cage.inertia;
   c.bore_mass = model.bore_mass;

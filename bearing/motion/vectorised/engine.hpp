@@ -7,8 +7,9 @@
 namespace orbearing::bearing::vectorised {
 
 /// Order of the padded state: [ r | theta | r' | theta' | spin | tip, where rollers tilt ] of lanes() entries
-/// each, then cage x y psi x' y' psi', bore x y x' y', pin x y x' y', waves of an elastic rim, their rates
-/// and what the followed rollers have turned as in motion/layout.hpp. Entries beyond the rollers are at rest.
+/// each, then cage x y psi x' y' psi' where there is one, bore x y x' y', pin x y x' y', waves of an elastic
+/// rim, their rates and what the followed rollers have turned as in motion/layout.hpp. Entries beyond the
+/// rollers are at rest.
 struct PaddedLayout {
   /// So many fit in without more entries.
   static constexpr int kMostFollowed = 2;
@@ -17,11 +18,12 @@ struct PaddedLayout {
   int followed = 0;
   bool tilting = false;
   int waves = 0;
+  bool caged = true;
 
   int groups() const { return tilting ? 6 : 5; }
   int lanes() const { return (rollers + kPadding - 1) / kPadding * kPadding; }
   int cage() const { return groups() * lanes(); }
-  int bore() const { return cage() + 6; }
+  int bore() const { return cage() + (caged ? 6 : 0); }
   int pin() const { return bore() + 4; }
   int wave() const { return pin() + 4; }
   int wave_speed() const { return wave() + waves; }

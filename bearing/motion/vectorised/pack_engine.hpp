@@ -3,7 +3,9 @@
 
 #include "bearing/motion/vectorised/block_arrow.hpp"
 #include "bearing/motion/vectorised/engine.hpp"
+#include "bearing/motion/vectorised/neighbour_contact.hpp"
 #include "bearing/motion/vectorised/pocket_contact.hpp"
+#include "bearing/motion/vectorised/roller_chain.hpp"
 #include "mechanics/packs/aligned_array.hpp"
 #include "mechanics/packs/dual.hpp"
 
@@ -40,6 +42,47 @@ struct RollerPack {
   bool caged = false;
 };
 
+/// The same of rollers that may touch their neighbours.
+struct NeighbourPack {
+  NeighbourSlopes ahead, behind;
+};
+
+/// Numbers of the neighbours of each roller, moved into its lane.
+class Neighbours {
+ public:
+  static constexpr int kGroups = 6;  // of the state, the tips with it
+
+  explicit Neighbours(int packs)
+      : lanes_(packs * kLanes), ahead_(kGroups * packs), behind_(kGroups * packs) {}
+
+  /// From the first `groups` groups of lanes of `x`.
+  void take(const double* x, int groups, int rollers) {
+    for (int group = 0; group < groups; ++group) {
+      const double* from = x + group * lanes_;
+      double *ahead = entry(ahead_, group), *behind = entry(behind_, group);
+      for (int j = 0; j + 1 < rollers; ++j) {
+        ahead[j] = from[j + 1];
+        behind[j + 1] = from[j];
+      }
+      ahead[rollers - 1] = from[0];
+      behind[0] = from[rollers - 1];
+      for (int j = rollers; j < lanes_; ++j) ahead[j] = behind[j] = from[j] + 1.0;  // lanes without a roller
+    }
+  }
+  Pack ahead(int group, int pack) const { return load(entry(ahead_, group) + pack * kLanes); }
+  Pack behind(int group, int pack) const { return load(entry(behind_, group) + pack * kLanes); }
+
+ private:
+  double* entry(AlignedArray<Pack>& of, int group) const {
+    return reinterpret_cast<double*>(&of[0]) + group * lanes_;
+  }
+  const double* entry(const AlignedArray<Pack>& of, int group) const {
+    return reinterpret_cast<const double*>(&of[0]) + group * lanes_;
+  }
+  int lanes_;
+  AlignedArray<Pack> ahead_, behind_;
+};
+
 /// What the rollers do to the rings, summed pack by pack.
 struct RingLoads {
   Pair pin, bore, cage;
@@ -54,7 +97,8 @@ class PackEngine final : public Engine {
         races_(both_races(c_)),
         given_(rollers),
         layout_{constants.rollers, constants.followed,
-                constants.laminae.count > 0 && !constants.laminae.upright, constants.rim.waves},
+                constants.laminae.count > 0 && !constants.laminae.upright, constants.rim.waves,
+                constants.caged},
         packs_(layout_.lanes() / kLanes),
         linear_(packs_),
         block_(packs_),
@@ -63,13 +107,25 @@ class PackEngine final : public Engine {
         inner_approach_(packs_),
         outer_approach_(packs_),
         tip_(packs_),
-        wave_force_(constants.rim.waves) {}
+        wave_force_(constants.rim.waves),
+        neighbour_(c_.caged ? 0 : packs_),
+        neighbours_(c_.caged ? 0 : packs_),
+        radii_(c_.caged ? 0 : packs_),
+        chain_(c_.caged ? 0 : c_.rollers, c_.caged ? 0 : packs_) {
+    if (!c_.caged) radii_.take(given_.radius, 1, c_.rollers);
+  }
 
   [[gnu::flatten]] void derivative(const double* x, double load_x, double load_y, double* dx) override {
-    evaluate<false>(x, load_x, load_y, dx);
+    if (c_.caged)
+      evaluate<false, true>(x, load_x, load_y, dx);
+    else
+      evaluate_without_cage<false>(x, load_x, load_y, dx);
   }
   [[gnu::flatten]] void linearise(const double* x, double load_x, double load_y, double* dx) override {
-    evaluate<true>(x, load_x, load_y, dx);
+    if (c_.caged)
+      evaluate<true, true>(x, load_x, load_y, dx);
+    else
+      evaluate_without_cage<true>(x, load_x, load_y, dx);
   }
   bool factor(double g) override;
   void solve(const double* rhs, double* k) const override;
@@ -96,21 +152,47 @@ class PackEngine final : public Engine {
   static constexpr int kTip = 5;  // group of the tips in the state
   using GuidanceDual = Dual<5>;   // by offset x y, velocity x y, cage speed
 
-  template <bool WithSlopes>
+  // What a full complement takes is compiled apart, so that bearings with a cage do not carry it: their
+  // right-hand side would take a tenth longer.
+  template <bool WithSlopes, bool Caged>
   void evaluate(const double* x, double load_x, double load_y, double* dx);
   template <bool WithSlopes>
+  [[gnu::noinline, gnu::flatten]] void evaluate_without_cage(const double* x, double load_x, double load_y,
+                                                             double* dx) {
+    evaluate<WithSlopes, false>(x, load_x, load_y, dx);
+  }
+  template <bool WithSlopes, bool Caged>
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
   template <bool WithSlopes>
+  bool push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed);
+  template <bool WithSlopes, bool Caged>
   void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
   void evaluate_waves(const double* x, double* dx) const;
   void complete_waves(const double* rhs, double* k) const;
   void build_block(int p, double g);
-  template <bool OpenBore>
+  void add_neighbours(int p, double g);
+  void chain_rollers();
+  void push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t, Pack& moment) const;
+  template <bool OpenBore, bool Caged>
   void assemble(double g);
   template <bool OpenBore>
+  [[gnu::noinline, gnu::flatten]] void assemble_without_cage(double g) {
+    assemble<OpenBore, false>(g);
+  }
+  template <bool OpenBore, bool Caged>
   void add_rings(double g, RingBlock& rings) const;
-  template <bool OpenBore>
+  template <bool OpenBore, bool Caged>
   void reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const;
+  template <bool OpenBore>
+  [[gnu::noinline, gnu::flatten]] void reduce_without_cage(const double* rhs, double* k,
+                                                           double (&b)[kRingUnknowns]) const {
+    reduce_rollers<OpenBore, false>(rhs, k, b);
+  }
+  template <bool Caged>
+  void reduce_open(const double* rhs, double* k, double (&force)[2]);
+  template <bool Caged>
+  void complete_open(const double* rhs, const double (&rate)[2], double* k) const;
+  template <bool Caged>
   void complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const;
   void tilt_rollers(int p, const double* rhs, const Pack& shift, const double (&b)[kRingUnknowns],
                     double* k) const;
@@ -132,6 +214,11 @@ class PackEngine final : public Engine {
   AlignedArray<Pack> outer_load_;
   AlignedArray<Pack> inner_approach_, outer_approach_, tip_;  // [m]  of contacts cut into laminae
   AlignedArray<Pack> wave_force_;                             // [N]  (waves)
+  AlignedArray<NeighbourPack> neighbour_;  // slopes at the last linearisation, without a cage
+  mutable Neighbours neighbours_;          // of the state, then of a right-hand side
+  Neighbours radii_;
+  RollerChain chain_;
+  bool touching_ = false;  // rollers touched one another at the last linearisation
   RingBlock rings_;
   double g_ = 0.0;
   GuidanceDual land_x_, land_y_, land_moment_;
@@ -185,7 +272,24 @@ inline void react(const Pack& f_r, const Pack& f_t, const Pack& cosine, const Pa
   sum.y -= f_r * sine + f_t * cosine;
 }
 
+/// Force of both neighbours on each roller; whether any touches.
 template <bool WithSlopes>
+bool PackEngine::push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed) {
+  const Mask here = present(p);
+  const Neighbours& all = neighbours_;
+  const RollerMotion ahead{all.ahead(0, p), all.ahead(1, p), all.ahead(2, p),
+                           all.ahead(3, p), all.ahead(4, p), radii_.ahead(0, p)};
+  const RollerMotion behind{all.behind(0, p), all.behind(1, p), all.behind(2, p),
+                            all.behind(3, p), all.behind(4, p), radii_.behind(0, p)};
+  ContactForce<Pack> one, other;
+  NeighbourPack& slopes = neighbour_[p];
+  const bool before = neighbour_contact<WithSlopes>(c_.neighbours, here, own, ahead, one, slopes.ahead);
+  const bool after = neighbour_contact<WithSlopes>(c_.neighbours, here, own, behind, other, slopes.behind);
+  pushed = {one.f_r + other.f_r, one.f_t + other.f_t, one.moment + other.moment, one.load};
+  return before || after;
+}
+
+template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums) {
   const Pack r = load(entry(x, 0, p)), theta = load(entry(x, 1, p)), radial = load(entry(x, 2, p)),
              orbital = load(entry(x, 3, p)), spin = load(entry(x, 4, p));
@@ -223,13 +327,23 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     }
   }
   if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
-  const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
-             own_sine = load(given_.pocket_sine + p * kLanes);
-  const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
-  const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
-  const PocketForce pocket = pocket_contact<WithSlopes>(
-      c_.pocket, c_.roller_radius, radius, here, e_x * cosine + e_y * sine, e_y * cosine - e_x * sine,
-      cage[5], motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
+  const PocketForce pocket = [&] {
+    if constexpr (Caged) {
+      const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
+                 own_sine = load(given_.pocket_sine + p * kLanes);
+      const Pack e_x = own_cosine * cage_cosine_ - own_sine * cage_sine_;
+      const Pack e_y = own_cosine * cage_sine_ + own_sine * cage_cosine_;
+      return pocket_contact<WithSlopes>(c_.pocket, c_.roller_radius, radius, here, e_x * cosine + e_y * sine,
+                                        e_y * cosine - e_x * sine, cage[5],
+                                        motion_to({cage[0], cage[1], cage[3], cage[4]}), linear.pocket);
+    } else {
+      PocketForce pushed;  // by the neighbours, in place of a pocket
+      const bool touched =
+          push_neighbours<WithSlopes>(p, {r, theta, radial, orbital, spin, radius}, pushed.on_roller);
+      if constexpr (WithSlopes) touching_ = touching_ || touched;
+      return pushed;
+    }
+  }();
   inner_load_[p] = races.load.low;
   outer_load_[p] = races.load.high;
   react(races.f_r.low, races.f_t.low, cosine, sine, sums.pin);
@@ -269,21 +383,26 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   }
 }
 
-template <bool WithSlopes>
+template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
   RingLoads sums;
-  const double cage_angle = x[layout_.cage() + 2];
-  cage_cosine_ = __builtin_cos(cage_angle);
-  cage_sine_ = __builtin_sin(cage_angle);
+  if constexpr (Caged) {
+    const double cage_angle = x[layout_.cage() + 2];
+    cage_cosine_ = __builtin_cos(cage_angle);
+    cage_sine_ = __builtin_sin(cage_angle);
+  } else {
+    neighbours_.take(x, 5, c_.rollers);
+    if constexpr (WithSlopes) touching_ = false;
+  }
   for (int i = 0; i < layout_.waves; ++i) wave_force_[i] = Pack{};
-  for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes>(p, x, dx, sums);
+  for (int p = 0; p < packs_; ++p) evaluate_rollers<WithSlopes, Caged>(p, x, dx, sums);
   for (int i = layout_.wave(); i < layout_.size(); ++i) dx[i] = 0.0;
   for (int i = 0; i < c_.roller_scratches; ++i) {
     const RollerScratch& scratch = c_.roller_scratch[i];
     dx[layout_.turned() + scratch.followed] = x[4 * layout_.lanes() + scratch.roller];
   }
   evaluate_waves(x, dx);
-  evaluate_rings<WithSlopes>(x, load_x, load_y, sums, dx);
+  evaluate_rings<WithSlopes, Caged>(x, load_x, load_y, sums, dx);
 }
 
 inline void PackEngine::evaluate_waves(const double* x, double* dx) const {

@@ -14,7 +14,10 @@ inline constexpr int kBoreLast[kRingUnknowns] = {kPin,      kPin + 1, kCage,    
 inline constexpr int kInner = kRingUnknowns - 2;  // all but the bore
 
 [[gnu::flatten]] inline bool PackEngine::factor_open(double g, PortMatrix& port) {
-  assemble<true>(g);
+  if (c_.caged)
+    assemble<true, true>(g);
+  else
+    assemble_without_cage<true>(g);
   const RingBlock given = rings_;
   for (int i = 0; i < kRingUnknowns; ++i)
     for (int k = 0; k < kRingUnknowns; ++k) rings_.a[i][k] = given.a[kBoreLast[i]][kBoreLast[k]];
@@ -25,8 +28,19 @@ inline constexpr int kInner = kRingUnknowns - 2;  // all but the bore
 }
 
 [[gnu::flatten]] inline void PackEngine::reduce(const double* rhs, double* k, double (&force)[2]) {
+  if (c_.caged)
+    reduce_open<true>(rhs, k, force);
+  else
+    reduce_open<false>(rhs, k, force);
+}
+
+template <bool Caged>
+void PackEngine::reduce_open(const double* rhs, double* k, double (&force)[2]) {
   double b[kRingUnknowns];
-  reduce_rollers<true>(rhs, k, b);
+  if constexpr (Caged)
+    reduce_rollers<true, true>(rhs, k, b);
+  else
+    reduce_without_cage<true>(rhs, k, b);
   for (int i = 0; i < kRingUnknowns; ++i) {
     double sum = b[kBoreLast[i]];
     for (int m = 0; m < i && m < kInner; ++m) sum -= rings_.a[i][m] * reduced_[m];
@@ -37,6 +51,14 @@ inline constexpr int kInner = kRingUnknowns - 2;  // all but the bore
 
 [[gnu::flatten]] inline void PackEngine::complete(const double* rhs, const double (&rate)[2],
                                                   double* k) const {
+  if (c_.caged)
+    complete_open<true>(rhs, rate, k);
+  else
+    complete_open<false>(rhs, rate, k);
+}
+
+template <bool Caged>
+void PackEngine::complete_open(const double* rhs, const double (&rate)[2], double* k) const {
   double y[kRingUnknowns];
   for (int i = 0; i < kInner; ++i) y[i] = reduced_[i];
   y[kInner] = rate[0];
@@ -47,7 +69,7 @@ inline constexpr int kInner = kRingUnknowns - 2;  // all but the bore
   }
   double b[kRingUnknowns];
   for (int i = 0; i < kRingUnknowns; ++i) b[kBoreLast[i]] = y[i];
-  complete_rollers(rhs, b, k);
+  complete_rollers<Caged>(rhs, b, k);
 }
 
 /// The force on the roller changes with its place relative to the bore, and the bore feels the opposite: the

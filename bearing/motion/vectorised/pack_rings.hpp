@@ -24,7 +24,7 @@ LandForce<T> land_force(const LandConstants& land, const LandMotion<T>& motion) 
           now.shear - couple + (land.law.side * land.law.cage_radius) * now.touch_friction};
 }
 
-template <bool WithSlopes>
+template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums,
                                 double* dx) {
   const double* cage = x + layout_.cage();
@@ -62,16 +62,18 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
   const auto frame_y = [&](double px, double py, double vx, double orbit_radius) {
     return -2.0 * c_.coriolis_speed * vx + c_.centrifugal * py - c_.euler * (px + orbit_radius);
   };
-  cage_rate[0] = cage[3];
-  cage_rate[1] = cage[4];
-  cage_rate[2] = cage[5];
-  cage_rate[3] =
-      (sum(sums.cage.x) + land_x) / c_.cage_mass + frame_x(cage[0], cage[1], cage[4], c_.orbit_radius);
-  cage_rate[4] =
-      (sum(sums.cage.y) + land_y) / c_.cage_mass + frame_y(cage[0], cage[1], cage[3], c_.orbit_radius);
-  cage_rate[5] = (sum(sums.cage_moment) + land_moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) /
-                     c_.cage_inertia -
-                 c_.euler;
+  if constexpr (Caged) {
+    cage_rate[0] = cage[3];
+    cage_rate[1] = cage[4];
+    cage_rate[2] = cage[5];
+    cage_rate[3] =
+        (sum(sums.cage.x) + land_x) / c_.cage_mass + frame_x(cage[0], cage[1], cage[4], c_.orbit_radius);
+    cage_rate[4] =
+        (sum(sums.cage.y) + land_y) / c_.cage_mass + frame_y(cage[0], cage[1], cage[3], c_.orbit_radius);
+    cage_rate[5] = (sum(sums.cage_moment) + land_moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) /
+                       c_.cage_inertia -
+                   c_.euler;
+  }
   // The load on the bore holds the planet's inertial load at the origin: here only what displacement adds.
   const double bore_x = sum(sums.bore.x), bore_y = sum(sums.bore.y);
   on_bore_ = {bore_x - on_bore * land_x, bore_y - on_bore * land_y,

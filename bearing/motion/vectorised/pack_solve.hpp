@@ -26,9 +26,30 @@ inline ContactForce<Pack> shifted(const ContactSlopes<Pack>& slopes, const Shift
   return change;
 }
 
+/// What the neighbours' shifts and the rollers' own change in the forces between them, added.
+inline void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, Pack& f_r, Pack& f_t,
+                                     Pack& moment) const {
+  const RollerPack& at = linear_[p];
+  const auto add = [&](const NeighbourSlopes& slopes, const Pack& other_dr, const Pack& other_dtheta) {
+    const Pack r = other_dr, t = slopes.r * other_dtheta, w_r = -slopes.r * slopes.orbital * other_dtheta,
+               w_t = slopes.radial * other_dtheta + slopes.orbital * other_dr;
+    Shift shift = shift_of(at, dr, dtheta, 0.0, 0.0);
+    shift.d_r -= r * slopes.cosine - t * slopes.sine;
+    shift.d_t -= r * slopes.sine + t * slopes.cosine;
+    shift.w_r -= w_r * slopes.cosine - w_t * slopes.sine;
+    shift.w_t -= w_r * slopes.sine + w_t * slopes.cosine;
+    const ContactForce<Pack> change = shifted(slopes.on_roller, shift);
+    f_r += change.f_r;
+    f_t += change.f_t;
+    moment += change.moment;
+  };
+  add(neighbour_[p].ahead, neighbours_.ahead(0, p), neighbours_.ahead(1, p));
+  add(neighbour_[p].behind, neighbours_.behind(0, p), neighbours_.behind(1, p));
+}
+
 /// Rollers: their share of `k`, and what they leave on the right-hand sides `b` of the rings. The rows of an
 /// open bore hold the force on it alone.
-template <bool OpenBore>
+template <bool OpenBore, bool Caged>
 void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
@@ -36,6 +57,9 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   const double g = g_, per_mass = 1.0 / c_.roller_mass;
   RingLoads loads;             // changes of force through the shifts of positions
   Pack sums[kRingUnknowns]{};  // of_shared own^-1 b
+  const bool chained = !Caged && touching_;
+  if constexpr (!Caged)
+    if (chained) neighbours_.take(rhs, 2, c_.rollers);
   for (int p = 0; p < packs_; ++p) {
     const RollerPack& at = linear_[p];
     const RollerBlock& block = block_[p];
@@ -60,12 +84,20 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
       f_t += pocket.f_t;
       moment += pocket.moment;
     }
+    if constexpr (!Caged)
+      if (chained) push_shifted(p, dr, dtheta, f_r, f_t, moment);
     const FreeSlopes& free = at.free;
     const Pack own[3] = {
         load(entry(rhs, 2, p)) + g * (f_r * per_mass + free.radial_by_r * dr + free.radial_by_theta * dtheta),
         load(entry(rhs, 3, p)) +
             g * (f_t * at.per_r * per_mass + free.orbital_by_r * dr + free.orbital_by_theta * dtheta),
         load(entry(rhs, 4, p)) + (g / c_.roller_inertia) * moment};
+    if constexpr (!Caged) {
+      if (chained) {  // all together, beneath
+        for (int i = 0; i < 3; ++i) store(own[i], entry(k, 2 + i, p));
+        continue;
+      }
+    }
     Pack y[3];
     for (int i = 0; i < 3; ++i) {
       y[i] = block.own[i][0] * own[0] + block.own[i][1] * own[1] + block.own[i][2] * own[2];
@@ -73,6 +105,15 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
     }
     for (int i = 0; i < block.ring_end(); ++i)
       sums[i] += block.of_shared[i][0] * y[0] + block.of_shared[i][1] * y[1] + block.of_shared[i][2] * y[2];
+  }
+
+  if constexpr (!Caged) {
+    if (chained) {
+      chain_.solve<1>([&](int j, int i, int) -> double& { return entry(k, 2 + i, 0)[j]; });
+      for (int p = 0; p < packs_; ++p)
+        for (int i = 0; i < kCage; ++i)
+          for (int m = 0; m < 3; ++m) sums[i] += block_[p].of_shared[i][m] * load(entry(k, 2 + m, p));
+    }
   }
 
   const auto ring_rhs = [&](int i) { return -sum(sums[i]); };
@@ -97,6 +138,10 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
            g * ((sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass + turn * bore[0] + late * bore[1]);
     b[3] = ring_rhs(3) + bore[3] +
            g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]);
+  }
+  if constexpr (!Caged) {
+    b[4] = b[5] = b[6] = 0.0;
+    return;
   }
   b[4] = ring_rhs(4) + cage[3] +
          g * ((sum(loads.cage.x) + land[0]) / c_.cage_mass + turn * cage[0] + late * cage[1]);
@@ -134,8 +179,8 @@ inline void PackEngine::complete_waves(const double* rhs, double* k) const {
 }
 
 /// All rates, once those of the rings are known: `b`.
-inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns],
-                                         double* k) const {
+template <bool Caged>
+void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();
@@ -166,7 +211,7 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
     k_bore[i] = bore[i] + g * b[kBore + i];
     k_bore[2 + i] = b[kBore + i];
   }
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; Caged && i < 3; ++i) {
     k_cage[i] = cage[i] + g * b[kCage + i];
     k_cage[3 + i] = b[kCage + i];
   }
@@ -174,9 +219,15 @@ inline void PackEngine::complete_rollers(const double* rhs, const double (&b)[kR
 
 [[gnu::flatten]] inline void PackEngine::solve(const double* rhs, double* k) const {
   double b[kRingUnknowns];
-  reduce_rollers<false>(rhs, k, b);
-  rings_.solve(b);
-  complete_rollers(rhs, b, k);
+  if (c_.caged) {
+    reduce_rollers<false, true>(rhs, k, b);
+    rings_.solve(b);
+    complete_rollers<true>(rhs, b, k);
+  } else {
+    reduce_without_cage<false>(rhs, k, b);
+    rings_.solve(b);
+    complete_rollers<false>(rhs, b, k);
+  }
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -16,8 +16,9 @@ struct StageSlopes {
   Pack body[3][2];    // by the velocity of the other body, along e_r and e_theta
 };
 
-inline void by_roller(double g, const RollerPack& at, const Pack& position_r, const Pack& position_t,
-                      const Pack& velocity_r, const Pack& velocity_t, Pack& radial, Pack& orbital) {
+template <class At>
+void by_roller(double g, const At& at, const Pack& position_r, const Pack& position_t, const Pack& velocity_r,
+               const Pack& velocity_t, Pack& radial, Pack& orbital) {
   radial = g * position_r + velocity_r + g * at.orbital * velocity_t;
   orbital =
       at.r * (g * position_t + velocity_t) + g * (at.radial * velocity_t - at.r * at.orbital * velocity_r);
@@ -92,6 +93,40 @@ inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Con
   block.rings[kTurn][kTurn] = scale * (g * slopes.cage_by_angle + slopes.cage_by_speed);
 }
 
+/// Both neighbours of each roller, in its own block and in those that couple it with them.
+inline void PackEngine::add_neighbours(int p, double g) {
+  const RollerPack& at = linear_[p];
+  const Pack roller_scale[3] = {spread(-g / c_.roller_mass), (-g / c_.roller_mass) * at.per_r,
+                                spread(-g / c_.roller_inertia)};
+  RollerBlock& block = block_[p];
+  const auto add = [&](const NeighbourSlopes& slopes, RollerChain::Blocks& coupled) {
+    const StageSlopes stage = stage_slopes(g, at, slopes.on_roller);
+    for (int i = 0; i < 3; ++i) {
+      Pack position[2], velocity[2], radial, orbital;
+      slopes.to_neighbour(slopes.on_roller.by_position[i], position[0], position[1]);
+      slopes.to_neighbour(slopes.on_roller.by_velocity[i], velocity[0], velocity[1]);
+      by_roller(g, slopes, position[0], position[1], velocity[0], velocity[1], radial, orbital);
+      for (int k = 0; k < 3; ++k) block.own[i][k] += roller_scale[i] * stage.roller[i][k];
+      coupled[i][0] = -roller_scale[i] * radial;
+      coupled[i][1] = -roller_scale[i] * orbital;
+      coupled[i][2] = roller_scale[i] * slopes.by_neighbour_spin[i];
+    }
+  };
+  add(neighbour_[p].ahead, chain_.ahead(p));
+  add(neighbour_[p].behind, chain_.behind(p));
+}
+
+/// The rollers of all blocks eliminated together, since they touch one another.
+inline void PackEngine::chain_rollers() {
+  for (int p = 0; p < packs_; ++p)
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) chain_.own(p)[i][k] = block_[p].own[i][k];
+  chain_.factor();
+  chain_.solve<kCage>([&](int j, int i, int column) -> double& {
+    return lane_of(block_[j / kLanes].by_shared[i][column], j % kLanes);
+  });
+}
+
 inline void PackEngine::build_block(int p, double g) {
   const RollerPack& at = linear_[p];
   RollerBlock& block = block_[p];
@@ -117,7 +152,7 @@ inline void PackEngine::build_block(int p, double g) {
 
 /// What the rings feel apart from rollers: frame, support, land, drag of the cage. The rows of an open bore
 /// hold the forces on it alone.
-template <bool OpenBore>
+template <bool OpenBore, bool Caged>
 void PackEngine::add_rings(double g, RingBlock& rings) const {
   const auto frame = [&](int first) {
     rings.a[first][first] += 1.0 - g * g * c_.centrifugal;
@@ -127,9 +162,13 @@ void PackEngine::add_rings(double g, RingBlock& rings) const {
   };
   frame(kPin);
   if constexpr (!OpenBore) frame(kBore);
-  frame(kCage);
-  rings.a[kCage + 2][kCage + 2] +=
-      1.0 + 2.0 * g * c_.cage_drag / c_.cage_inertia * __builtin_fabs(cage_speed_);
+  if constexpr (Caged) {
+    frame(kCage);
+    rings.a[kCage + 2][kCage + 2] +=
+        1.0 + 2.0 * g * c_.cage_drag / c_.cage_inertia * __builtin_fabs(cage_speed_);
+  } else {
+    for (int i = kCage; i < kRingUnknowns; ++i) rings.a[i][i] = 1.0;
+  }
   const double support = g / c_.pin_mass * (g * c_.support_stiffness + c_.support_damping);
   rings.a[kPin][kPin] += support;
   rings.a[kPin + 1][kPin + 1] += support;
@@ -155,10 +194,22 @@ void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingR
   add_rollers<kEnd>(block, rings);
 }
 
-template <bool OpenBore>
+template <bool OpenBore, bool Caged>
 void PackEngine::assemble(double g) {
   g_ = g;
   rings_ = RingBlock{};
+  if constexpr (!Caged) {
+    if (touching_) {
+      for (int p = 0; p < packs_; ++p) {
+        build_block(p, g);
+        add_neighbours(p, g);
+      }
+      chain_rollers();
+      for (int p = 0; p < packs_; ++p) add_rollers<kCage>(block_[p], rings_.a);
+      add_rings<OpenBore, Caged>(g, rings_);
+      return;
+    }
+  }
   for (int p = 0; p < packs_; ++p) {
     build_block(p, g);
     if (block_[p].caged)
@@ -166,11 +217,14 @@ void PackEngine::assemble(double g) {
     else
       eliminate_and_add<kCage>(block_[p], rings_.a);
   }
-  add_rings<OpenBore>(g, rings_);
+  add_rings<OpenBore, Caged>(g, rings_);
 }
 
 [[gnu::flatten]] inline bool PackEngine::factor(double g) {
-  assemble<false>(g);
+  if (c_.caged)
+    assemble<false, true>(g);
+  else
+    assemble_without_cage<false>(g);
   return rings_.factor();
 }
 

@@ -72,7 +72,7 @@ bool supports(const motion::BearingModel& model) {
 VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::InstructionSet set)
     : model_(model),
       layout_{static_cast<int>(model.layout.rollers), static_cast<int>(model.layout.followed),
-              model.layout.tilting, static_cast<int>(model.layout.waves)},
+              model.layout.tilting, static_cast<int>(model.layout.waves), model.layout.caged},
       set_(set),
       inner_scratches_(model.inner.scratches),
       outer_scratches_(model.outer.scratches) {

@@ -7,11 +7,11 @@ from matplotlib.figure import Figure
 
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_number, is_number
-from orbearing.result_folder import Report, lies_on, record, records, same
+from orbearing.result_folder import Report, lies_on, record, records, same, slip_of_set
 
 SLUG, TITLE = "branches", "Branches: speed followed up and down"
 LOADS = ("inner_load_rms_N", "outer_load_rms_N")
-PANELS = (("outer_load_rms_N", "rms load (N)", 1.0), ("outer_load_max_N", "largest load (N)", 1.0), ("cage_slip", "cage slip (%)", 100.0))
+PANELS = (("outer_load_rms_N", "rms load (N)", 1.0), ("outer_load_max_N", "largest load (N)", 1.0))
 LOOKS = {"up": (style.BLUE, "-", "^"), "down": (style.VERMILION, "--", "v"), "own start": (style.BLACK, ":", "o")}
 ORDER = tuple(LOOKS)
 CAPTION = (
@@ -78,8 +78,10 @@ def _unsteady(runs: dict) -> str:
 
 def _draw(runs: dict, pairs: list[tuple]) -> str:
     figure = Figure(figsize=(5.6, 7.0))
-    rows = figure.subplots(len(PANELS), 1, sharex=True)
-    for axes, (column, label, scale) in zip(rows, PANELS):
+    slip, whose = slip_of_set([p for points in runs.values() for p in points])
+    panels = (*PANELS, (slip, f"{whose} slip (%)", 100.0))
+    rows = figure.subplots(len(panels), 1, sharex=True)
+    for axes, (column, label, scale) in zip(rows, panels):
         for name, points in runs.items():
             colour, dash, marker = LOOKS[name]
             speed = [p["input_speed_rpm"] for p in points]
@@ -93,26 +95,27 @@ def _draw(runs: dict, pairs: list[tuple]) -> str:
     rows[-1].axhline(0, color=style.GREY, linewidth=0.8)
     style.speed_axis(rows[-1])
     style.legend_above(rows[0], columns=4)
-    return style.to_svg(figure, SLUG, "Rms load, largest load and cage slip over speed, followed up and down")
+    return style.to_svg(figure, SLUG, f"Rms load, largest load and {whose} slip over speed, followed up and down")
 
 
 def _summary(runs: dict, pairs: list[tuple]) -> Table | None:
     if not pairs:
         return None
     names = list(runs)[:2]
-    rows = [(speed, p["outer_load_rms_N"], q["outer_load_rms_N"], round(100 * gap, 3), _slip(p), _slip(q),
+    column, whose = slip_of_set([p for points in runs.values() for p in points])
+    rows = [(speed, p["outer_load_rms_N"], q["outer_load_rms_N"], round(100 * gap, 3), _slip(p, column), _slip(q, column),
              "two states" if apart else "one state") for speed, p, q, gap, apart in pairs]
     head = ("input speed (rpm)", *(f"rms load, outer race, {name} (N)" for name in names), "largest difference (%)",
-            *(f"cage slip, {name} (%)" for name in names), "reading")
+            *(f"{whose} slip, {name} (%)" for name in names), "reading")
     return Table(head, rows)
 
 
-def _slip(point: dict) -> float | None:
-    value = record(point).get("cage_slip")
+def _slip(point: dict, column: str) -> float | None:
+    value = record(point).get(column)
     return round(100 * value, 3) if is_number(value) else None
 
 
 def _data(runs: dict) -> Table:
-    columns = ("input_speed_rpm", "inner_load_rms_N", "outer_load_rms_N", "inner_load_max_N", "outer_load_max_N", "cage_slip", "roller_slip", "steady")
+    columns = ("input_speed_rpm", "inner_load_rms_N", "outer_load_rms_N", "inner_load_max_N", "outer_load_max_N", "cage_slip", "orbit_slip", "roller_slip", "steady")
     rows = [(name, *(p.get(column) for column in columns)) for name, points in runs.items() for p in points]
     return Table(("branch", *columns), rows)

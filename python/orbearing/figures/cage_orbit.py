@@ -36,7 +36,8 @@ def block(report: Report) -> FigureBlock:
         point = read_point(report, speed)
         stored = point.get("time", "cage_position")
         if stored is None or stored[1].shape != (2, len(stored[0])):
-            problem = point.problem or "The files of the points hold no path of the cage."
+            without = point.get("time", "orbit_speed") is not None
+            problem = "This bearing has no cage." if without else point.problem or "The files of the points hold no path of the cage."
             continue
         orbits.append((speed, stored[0] - stored[0][0], MICRO * stored[1]))
     if not orbits:

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_change, format_number, is_number
 from orbearing.figures.ablation import REFERENCE
-from orbearing.result_folder import Report, records
+from orbearing.result_folder import Report, records, slip_of_set
 
 SLUG, TITLE = "dynamic-ablation", "Worth of effects in motion"
 LINEAR = 1.0  # [%] changes of life up to this stand on a linear scale, larger ones on a logarithmic one
@@ -52,16 +52,17 @@ def _percent(points: Points, name: str, speed: float) -> float:
 def _draw(runs: dict[str, Points]) -> str:
     figure = Figure(figsize=(7.6, 1.7 + ROW * len(runs)))
     panels = figure.subplots(1, 3, sharey=True)
+    of_set, whose = slip_of_set([point for points in runs.values() for point in points.values()])
     speeds, reference = sorted({speed for points in runs.values() for speed in points}), runs.get(REFERENCE, {})
     for index, speed in enumerate(speeds):
         places = np.arange(len(runs)) + SPREAD * ((index + 0.5) / len(speeds) - 0.5)
         columns = ([change_of_life(points, reference, speed) if name != REFERENCE else np.nan for name, points in runs.items()],
                    [_percent(points, "roller_slip", speed) for points in runs.values()],
-                   [_percent(points, "cage_slip", speed) for points in runs.values()])
+                   [_percent(points, of_set, speed) for points in runs.values()])
         for axes, column in zip(panels, columns):
             axes.barh(places, np.nan_to_num(column), 0.9 * SPREAD / len(speeds), color=style.SERIES[(index + 1) % len(style.SERIES)],
                       label=f"{format_number(speed)} rpm")
-    for axes, label in zip(panels, ("change of life (%)", "roller slip (%)", "cage slip (%)")):
+    for axes, label in zip(panels, ("change of life (%)", "roller slip (%)", f"{whose} slip (%)")):
         _scale(axes)
         axes.axvline(0, color=style.BLACK, linewidth=0.8)
         axes.grid(False, axis="y")
@@ -71,7 +72,7 @@ def _draw(runs: dict[str, Points]) -> str:
     panels[0].set_ylim(len(runs) - 0.5, -0.5)
     figure.get_layout_engine().set(rect=(0, 0, 1, 1 - LEGEND / figure.get_figheight()))
     figure.legend(*panels[0].get_legend_handles_labels(), loc="upper center", ncol=len(speeds)).set_in_layout(False)
-    return style.to_svg(figure, SLUG, "Change of life, roller slip and cage slip with single effects left out")
+    return style.to_svg(figure, SLUG, f"Change of life, roller slip and {whose} slip with single effects left out")
 
 
 def _scale(axes: Axes) -> None:
@@ -90,13 +91,14 @@ def _scale(axes: Axes) -> None:
 
 def _table(runs: dict[str, Points]) -> Table:
     reference, rows = runs.get(REFERENCE, {}), []
+    of_set, whose = slip_of_set([point for points in runs.values() for point in points.values()])
     for speed in sorted({speed for points in runs.values() for speed in points}):
         for name, points in runs.items():
             point = points.get(speed, {})
             change = "reference" if name == REFERENCE else format_change(point.get("life_h"), reference.get(speed, {}).get("life_h"))
             rows.append((speed, name, point.get("life_h"), change, round(_percent(points, "roller_slip", speed), 3),
-                         round(_percent(points, "cage_slip", speed), 3), point.get("power_loss_W"), point.get("inner_load_rms_N"),
+                         round(_percent(points, of_set, speed), 3), point.get("power_loss_W"), point.get("inner_load_rms_N"),
                          point.get("outer_load_rms_N")))
-    head = ("input speed (rpm)", "what is computed", "life (h)", "against all effects", "roller slip (%)", "cage slip (%)",
+    head = ("input speed (rpm)", "what is computed", "life (h)", "against all effects", "roller slip (%)", f"{whose} slip (%)",
             "power loss (W)", "rms load, inner race (N)", "rms load, outer race (N)")
     return Table(head, rows)

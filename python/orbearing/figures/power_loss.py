@@ -14,12 +14,13 @@ CAUSES = {
     "power_loss_pockets_W": "cage pockets",
     "power_loss_drag_W": "oil drag",
     "power_loss_guidance_W": "cage guidance",
+    "power_loss_neighbours_W": "between rollers",
     "power_loss_outer_traction_W": "sliding, outer race",
     "power_loss_inner_traction_W": "sliding, inner race",
     "power_loss_race_damping_W": "contact damping",
     "power_loss_support_W": "pin support",
 }
-COLOURS = (style.BLUE, style.ORANGE, style.SKY, style.GREEN, style.VERMILION, style.PURPLE, style.GREY, style.BLACK)
+COLOURS = (style.BLUE, style.ORANGE, style.SKY, style.GREEN, "#F0E442", style.VERMILION, style.PURPLE, style.GREY, style.BLACK)
 LEAST_SHARE = 0.5  # [%] what never reaches this is too thin to see and is only named
 ALONE = 0.03  # half-width of the strip that stands for a single point, over its speed
 
@@ -28,6 +29,7 @@ def block(report: Report) -> FigureBlock:
     """Watts and shares, both stacked."""
     speed = report.point_column("input_speed_rpm")
     losses = np.array([report.point_column(name) for name in CAUSES])
+    there = np.isfinite(losses).any(axis=1) if len(speed) else np.zeros(len(CAUSES), dtype=bool)  # a bearing has a cage or it has none
     known = np.isfinite(speed) & np.isfinite(losses).any(axis=0) if len(speed) else np.zeros(0, dtype=bool)
     if not known.any():
         return FigureBlock(SLUG, TITLE, missing="No point of this sweep has power losses by cause.")
@@ -38,7 +40,7 @@ def block(report: Report) -> FigureBlock:
     seen = shares.max(axis=1) >= LEAST_SHARE
     pictures = (_draw(speed, losses, seen, "power lost in one bearing (W)", "watts"),
                 _draw(speed, shares, seen, "share of the loss (%)", "shares"))
-    return FigureBlock(SLUG, TITLE, _caption(seen), pictures, data=_table(speed, losses, total))
+    return FigureBlock(SLUG, TITLE, _caption(seen | ~there), pictures, data=_table(speed, losses, total))
 
 
 def _draw(speed: np.ndarray, values: np.ndarray, seen: np.ndarray, label: str, slug: str) -> str:

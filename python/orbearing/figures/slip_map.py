@@ -13,7 +13,7 @@ from orbearing.blocks import FigureBlock, Table, columns_table, format_number, i
 from orbearing.result_folder import Report, lies_on, same
 
 SLUG, TITLE = "slip-map", "Slip over speed and load"
-SLIPS = (("cage_slip", "cage"), ("roller_slip", "rollers"))
+SLIPS = (("cage_slip", "cage"), ("orbit_slip", "orbit"), ("roller_slip", "rollers"))
 MOST_LABELLED = 80  # cells of a map that show their number
 CELL = 0.5  # [inch] wide, for a number of four letters
 CAPTION = (
@@ -89,7 +89,7 @@ def _limits(report: Report) -> str:
     if not all(is_number(value) for value in (cage, inner, outer)) or cage == 0:
         return text.strip()
     ends = sorted(100 * (1 - race / cage) for race in (inner, outer))
-    return text + (f"A cage that turned with one race would slip by {format_number(ends[0], 3)} % or {format_number(ends[1], 3)} %: "
+    return text + (f"A cage, or rollers without one, that turned with one race would slip by {format_number(ends[0], 3)} % or {format_number(ends[1], 3)} %: "
                    "traction of the races takes it no further.")
 
 
@@ -146,6 +146,8 @@ def _number(axes: Axes, slip: np.ndarray, load: np.ndarray, colours, scale) -> N
 def _trend(maps: dict[str, np.ndarray], column: str) -> Table:
     rows = []
     for name, title in SLIPS:
+        if not np.isfinite(maps[name]).any():
+            continue
         for along, what in ((1, "input speed"), (0, _label(column))):
             steps = np.diff(maps[name], axis=along)
             known = steps[np.isfinite(steps)]
@@ -154,5 +156,5 @@ def _trend(maps: dict[str, np.ndarray], column: str) -> Table:
 
 
 def _data(points: list[dict], column: str) -> Table:
-    names = ("input_speed_rpm", column, "planet_load_N", "cage_slip", "roller_slip", "status")
+    names = ("input_speed_rpm", column, "planet_load_N", "cage_slip", "orbit_slip", "roller_slip", "status")
     return columns_table(names, *([p.get(name) for p in points] for name in names))

@@ -341,7 +341,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"life.viscosity_ratio_by", {"film", {"lubricant.grade=ISO VG 220"}}},
       {"bearing.radial_clearance", {"8 um"}},
       {"bearing.cage.material", {"brass"}},
-      {"bearing.complement", {"full", {"bearing.rollers=21"}}},
+      {"bearing.complement", {"full", {}, {"bearing.rollers=21"}}},
+      {"bearing.neighbour_friction", {"0.3", {"bearing.complement=full", "bearing.rollers=21"}}},
       {"bearing.rings", {"none"}},
       {"bearing.fit.inner_interference", {"4 um", {shelf}}},
       {"bearing.fit.outer_interference", {"40 um", {shelf}}},  // the teeth open less at this speed

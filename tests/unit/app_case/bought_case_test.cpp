@@ -166,9 +166,10 @@ TEST(FullComplement, HasAsManyRollersAsGoInAndNoCage) {
   EXPECT_EQ(bearing_sets(in).front().geometry.bearing.cage_mass, 0.0);
   EXPECT_THAT(mistakes(planet(kNeedles + "complement: full, rollers: 15")),
               ElementsAre(HasSubstr("a full complement of 15 rollers with room for 3 more; 18 rollers")));
-  EXPECT_NO_THROW((void)require_used(in, use::quasi_static));
-  for (const use::Analysis moving : {use::dynamic, use::monolithic, use::fmu_bearing})
-    EXPECT_THROW((void)require_used(in, moving), BadInput);
+  for (const use::Analysis felt :
+       {use::quasi_static, use::dynamic, use::co_simulated, use::monolithic, use::fmu_bearing})
+    EXPECT_NO_THROW((void)require_used(in, felt));
+  EXPECT_THROW((void)require_used(in, use::planet_defect), BadInput);
 }
 
 TEST(FullComplement, TakesNoNoticeOfACageAndSaysSo) {

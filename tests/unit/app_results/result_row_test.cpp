@@ -48,6 +48,7 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "outer_L10m_Mrev",
                                            "static_safety",
                                            "roller_slip",
+                                           "orbit_slip",
                                            "friction_moment_N_m",
                                            "power_loss_W",
                                            "power_loss_race_damping_W",
@@ -57,6 +58,7 @@ const std::vector<std::string> promised = {"input_speed_rpm",
                                            "power_loss_drag_W",
                                            "power_loss_pockets_W",
                                            "power_loss_guidance_W",
+                                           "power_loss_neighbours_W",
                                            "power_loss_support_W",
                                            "steady",
                                            "shortest_life_h",
@@ -133,6 +135,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.modified = study::ModifiedRecord{60.0, 61.0, 62.0, 65e6, 66e6, 63.0, 64.0};
   result.dynamic = study::DynamicRecord{.steady = true,
                                         .roller_slip = 18.0,
+                                        .orbit_slip = 75.0,
                                         .friction_moment = 19.0,
                                         .loss = {.race_damping = 1.0,
                                                  .inner_traction = 2.0,
@@ -140,6 +143,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .rolling = 8.0,
                                                  .drag = 16.0,
                                                  .pockets = 32.0,
+                                                 .neighbours = 256.0,
                                                  .guidance = 64.0,
                                                  .support = 128.0}};
   study::OneWayRecord fit{
@@ -152,17 +156,26 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};
   result.seats = {{.load = 30.0, .tilt = {3e-3, -4e-3}, .life_hours = 70.0},
                   {.load = 50.0, .life_hours = 71.0}};
-  const ResultRow row = result_row(result, {17.0});
   const TableHead head = table_head({{"axis", "1", ""}});
-  const std::vector<double> expected = {
-      0,   1,  2,    3,  4,  6,  7,  10, 11,    8,  12, 14,  15, 16, 9,  13, -1, 5,  72, 73,  74, 20, 67,
-      3.5, 60, 61,   62, 63, 64, 65, 66, 40000, 18, 19, 255, 1,  2,  4,  8,  16, 32, 64, 128, 1,  21, 2,
-      1.5, 5,  1.25, 23, 24, 40, 1,  41, 42,    43, 44, 45,  46, 47, 48, 49, 50, 51, 52, 53,  -1, 17};
-  ASSERT_EQ(expected.size(), head.names.size());
-  for (std::size_t i = 0; i < expected.size(); ++i)
-    if (i != head.status_place && i != head.refined_place) {
-      EXPECT_EQ(row.values.at(i), expected[i]) << head.names[i];
-    }
+  // Issue 16, Build 8: what a cage alone tells, and what rollers without one alone tell, is absent else.
+  for (const bool caged : {true, false}) {
+    result.caged = caged;
+    const ResultRow row = result_row(result, {17.0});
+    const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
+                 guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
+    const std::vector<double> expected = {
+        0,  1,  2,  3,  4,  6,       7,        10,         11,  8,  12, 14, 15,  slip,  9,    13, -1, 5,
+        72, 73, 74, 20, 67, 3.5,     60,       61,         62,  63, 64, 65, 66,  40000, 18,   75, 19, 511,
+        1,  2,  4,  8,  16, pockets, guidance, neighbours, 128, 1,  21, 2,  1.5, 5,     1.25, 23, 24, 40,
+        1,  41, 42, 43, 44, 45,      46,       47,         48,  49, 50, 51, 52,  53,    -1,   17};
+    ASSERT_EQ(expected.size(), head.names.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      if (i != head.status_place && i != head.refined_place) {
+        EXPECT_TRUE(row.values.at(i) == expected[i] ||
+                    (std::isnan(row.values.at(i)) && std::isnan(expected[i])))
+            << head.names[i] << ": " << row.values.at(i);
+      }
+  }
 }
 
 TEST(ResultRow, QuasiStaticPointHasNoDynamicNumbers) {

@@ -112,7 +112,7 @@ TEST(EvaluateFrom, StaysInTheSteadyStateItStartsFrom) {
   EXPECT_NEAR(second.outer.load_rms / first.outer.load_rms, 1.0, drivetrain.steady_state.load_drift);
   EXPECT_EQ(second.planet_load, first.planet_load);
   // It goes on where the first ended: rollers have turned on, as a start of its own would not have them.
-  EXPECT_GT(std::abs(second.dynamic->series.cage_angle[0]), std::abs(first.dynamic->series.cage_angle[0]));
+  EXPECT_GT(std::abs(second.dynamic->series.orbit_angle[0]), std::abs(first.dynamic->series.orbit_angle[0]));
 }
 
 }  // namespace

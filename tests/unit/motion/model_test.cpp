@@ -25,9 +25,18 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
   const DynamicsParameters parameters = test::reducer_parameters();
   EXPECT_EQ(complaint(bearing, parameters), "accepted");
 
-  Bearing no_cage = bearing;
-  no_cage.cage = {};
-  EXPECT_THAT(complaint(no_cage, parameters), HasSubstr("mass of the cage"));
+  Bearing cage_of_nothing = bearing;
+  cage_of_nothing.cage.density = 0.0;
+  EXPECT_THAT(complaint(cage_of_nothing, parameters), HasSubstr("mass of the cage"));
+  // Issue 16, Build 8: without a cage rollers touch one another, and must have room.
+  Bearing crowded = bearing;
+  crowded.cage = {};
+  crowded.rollers().count = 21;
+  EXPECT_EQ(complaint(crowded, parameters), "accepted");
+  crowded.rollers().count = 22;
+  EXPECT_THAT(complaint(crowded, parameters), HasSubstr("found 6.49"));
+  crowded.rollers().count = 2;
+  EXPECT_THAT(complaint(crowded, parameters), HasSubstr("rollers without a cage"));
   DynamicsParameters tight_land = parameters;
   tight_land.cage.guide_diameter = 38.0e-3;
   EXPECT_THAT(complaint(bearing, tight_land), HasSubstr("clearance of cage and land"));

@@ -23,6 +23,16 @@ inline bearing::Bearing reducer_bearing() {
   return bearing;
 }
 
+/// The same without a cage: as many rollers as go in, somewhat thicker, so that 3 um are left between two of
+/// them on the pitch circle.
+inline bearing::Bearing full_complement_bearing() {
+  bearing::Bearing bearing = reducer_bearing();
+  bearing.cage = {};
+  bearing.rollers().count = 21;
+  bearing.rollers().diameter = bearing.pitch_diameter * std::sin(M_PI / 21.0) - 3e-6;
+  return bearing;
+}
+
 /// Carrier, bore and load [N] of one of two bearings of a planet at `sun_rpm` revolutions per minute of the
 /// sun.
 inline bearing::OperatingPoint reducer_point(double sun_rpm) {

@@ -24,7 +24,7 @@ Snapshot sample_at(double first_angle, double first_load, double second_load, do
   sample.race_speeds = {0.0, 5.0, 2.0};
   sample.spin = Eigen::Array2d(10.0, 20.0);
   sample.pocket_load = Eigen::Array2d::Zero();
-  sample.cage_angle = cage_angle;
+  sample.orbit_angle = cage_angle;
   sample.loss.drag = 4.0;
   return sample;
 }
@@ -36,7 +36,7 @@ TEST(Statistics, MeansOfAHandMadeWindow) {
   collector.add(2.0, sample_at(0.05, 4.0, 1.0, 7.0));
   const WindowStatistics means = collector.means();
   EXPECT_EQ(means.samples, 2);
-  EXPECT_NEAR(means.cage_speed, 2.0, kRoundOff);
+  EXPECT_NEAR(means.orbit_speed, 2.0, kRoundOff);
   EXPECT_NEAR(means.mean_spin, 15.0, kRoundOff);
   EXPECT_NEAR(means.loss.total(), 4.0, kRoundOff);
   EXPECT_NEAR(means.inner.roller_rms[0], std::sqrt((3.0 * 3.0 + 4.0 * 4.0) / 2.0), kRoundOff);

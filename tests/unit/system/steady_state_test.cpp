@@ -14,7 +14,7 @@ WindowStatistics window() {
   WindowStatistics means;
   means.inner.load_rms = 100.0;
   means.outer.load_rms = 120.0;
-  means.cage_speed = -301.0;
+  means.orbit_speed = -301.0;
   return means;
 }
 
@@ -37,8 +37,8 @@ TEST(Steady, AsksBothRacesAndTheCage) {
       EXPECT_TRUE(steady_after(race, 1.0 + sign * 0.0015));
       EXPECT_FALSE(steady_after(race, 1.0 + sign * 0.0025));
     }
-    EXPECT_TRUE(steady_after(&WindowStatistics::cage_speed, 1.0 + sign * 0.0009));
-    EXPECT_FALSE(steady_after(&WindowStatistics::cage_speed, 1.0 + sign * 0.0011));
+    EXPECT_TRUE(steady_after(&WindowStatistics::orbit_speed, 1.0 + sign * 0.0009));
+    EXPECT_FALSE(steady_after(&WindowStatistics::orbit_speed, 1.0 + sign * 0.0011));
   }
 }
 
@@ -60,7 +60,7 @@ TEST(Pooled, MeansAndExtremesOfSeveralBearings) {
                .mean_sliding = of,
                .least_film = 1.0 / of};
     }
-    one.cage_speed = -size;
+    one.orbit_speed = -size;
     one.mean_spin = 7.0 * size;
     one.mean_cage_eccentricity = 0.1 * size;
     one.largest_cage_eccentricity = 0.2 * size;
@@ -86,7 +86,7 @@ TEST(Pooled, MeansAndExtremesOfSeveralBearings) {
     EXPECT_NEAR(race.mean_sliding, scale * 2.0, scale * kRoundOff);
     EXPECT_EQ(race.least_film, 1.0 / (scale * 3.0));
   }
-  EXPECT_NEAR(all.cage_speed, -2.0, kRoundOff);
+  EXPECT_NEAR(all.orbit_speed, -2.0, kRoundOff);
   EXPECT_NEAR(all.mean_spin, 14.0, 10.0 * kRoundOff);
   EXPECT_NEAR(all.mean_cage_eccentricity, 0.2, kRoundOff);
   EXPECT_EQ(all.largest_cage_eccentricity, 0.2 * 3.0);
@@ -129,8 +129,8 @@ class EvenMotion : public Motion {
       race->load = (b + 1.0) * some;
       race->sliding = race->entrainment = race->least_film = some;
     }
-    into.cage_speed = share * kCageSpeed;
-    into.cage_angle = into.cage_speed * now_;
+    into.orbit_speed = share * kCageSpeed;
+    into.orbit_angle = into.orbit_speed * now_;
     into.race_speeds = {0.0, 2.0 * kCageSpeed, kCageSpeed};
   }
   integration::IntegrationReport report() const override { return {.steps = 7}; }
@@ -156,7 +156,7 @@ TEST(RunToSteadyState, KeepsToOneInterval) {
   for (std::size_t i = 0; i < motion.times.size(); ++i)
     EXPECT_EQ(motion.times[i], static_cast<double>(i + 1) * interval);
   EXPECT_DOUBLE_EQ(run.duration, 5.0 * kRevolution);
-  EXPECT_NEAR(run.cage_slip(), 0.2, 1e-12);
+  EXPECT_NEAR(run.orbit_slip(), 0.2, 1e-12);
 }
 
 // Loads of both bearings as passages of one; the series is that of the last window of the first.
