@@ -31,9 +31,10 @@ mechanics::Material elasticity_of(const ResolvedCase& in) {
 
 void warn_standard(const NamedMesh& mesh, std::vector<std::string>& texts) {
   if (mesh.standard.in_range) return;
-  texts.push_back(mesh.first + " and " + mesh.second +
-                  ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not "
-                  "below the wheel's, sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
+  texts.push_back(
+      mesh.first + " and " + mesh.second +
+      ": profile shifts or helix outside the range of ISO 6336-1, method B (pinion's shift not "
+      "below the wheel's, sum from -0.5 to 2, helix up to 30 deg); its values are shown all the same");
 }
 
 MeshStudy pair_study(const ResolvedCase& in) {
@@ -74,7 +75,7 @@ gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::Planetar
                                    const gearset::WorkingGeometry& geometry) {
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
   return gearset::planetary_meshes(
-      drivetrain.set, geometry, gearset::equal_planet_angles(drivetrain.set.planets),
+      drivetrain.set, geometry,
       {.sun_bore = in.number("gearset.sun_bore_ratio"),
        .ring_outside = in.number("gearset.ring_outside_ratio")},
       elasticity_of(in), gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed),
