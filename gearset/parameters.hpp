@@ -157,7 +157,7 @@ void describe(Visitor& visit, PlanetarySet& m) {
             "places of the planets on the carrier, anticlockwise from the first, which stands at 0 deg: "
             "whole steps "
             "of 360 deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps all round if absent",
-            {.models = set, .dimension = dimension::angle, .range = {0.0, 6.2832}}),
+            {.models = set, .dimension = dimension::angle, .range = {0.0, 360.0, true, false}}),
       count(m.sun_teeth, "gearset.teeth.sun", "teeth of the sun", {5, 2000}),
       count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
       count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),

@@ -145,6 +145,7 @@ TEST(SeatedBearings, LiveInMotionNearlyAsAtRest) {
   PlanetaryDrivetrain drivetrain = tilting_reducer();
   drivetrain.seats.clearance_differences = {0.0, 10e-6};
   drivetrain.mesh_variation = false;
+  drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
   drivetrain.steady_state.observed_windows = 6;
   const DrivetrainGeometry geometry = derive(drivetrain);
   const PointResult rest = evaluate(drivetrain, geometry);

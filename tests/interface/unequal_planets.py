@@ -94,7 +94,7 @@ class UnequalPlanets(unittest.TestCase):
 
     def test_fmu_of_the_gears_has_them(self):
         with tempfile.TemporaryDirectory() as folder:
-            made = run("fmu", REDUCER, "--part", "gearset", "-o", pathlib.Path(folder) / "gears.fmu", *settings(placed((0, 22, 58, 80))))
+            made = run("fmu", REDUCER, "--model", "gearset", "-o", pathlib.Path(folder) / "gears.fmu", *settings(placed((0, 22, 58, 80))))
             self.assertEqual(made.returncode, 0, made.stderr)
 
 
@@ -124,10 +124,10 @@ class Seats(unittest.TestCase):
         shelf = ("bearing.clearance_state=unmounted", "bearing.radial_clearance=40 um")
         by_class = answer("check", REDUCER, *shelf, "bearing.fit.pin_class=k5", "bearing.fit.planet_class=N6")
         by_value = answer("check", REDUCER, *shelf, "bearing.fit.inner_interference=11.5 um", "bearing.fit.outer_interference=14.5 um")
-        chain = [[row["value"] for row in result["derived"] if row["key"] == "bearing.clearance.operating"] for result in (by_class, by_value)]
+        chain = [[row["value"] for row in result["derived"] if row["path"] == "bearing.clearance.operating"] for result in (by_class, by_value)]
         self.assertEqual(*chain)
         self.assertTrue(chain[0])
-        ends = {row["key"]: row["value"] for row in by_class["derived"]}
+        ends = {row["path"]: row["value"] for row in by_class["derived"]}
         self.assertAlmostEqual(ends["bearing.fit.inner_interference.most"], 21.0, delta=1e-9)
         self.assertAlmostEqual(ends["bearing.fit.outer_interference.least"], 1.0, delta=1e-9)
         both = run("check", REDUCER, *settings([*shelf, "bearing.fit.pin_class=k5", "bearing.fit.inner_interference=3 um"]))
