@@ -81,9 +81,9 @@ class UnequalPlanets(unittest.TestCase):
             self.assertEqual(point["status"], "ok", fidelity)
         gears = answer("run", REDUCER, *places, *SHORT, options=("--gears",))
         self.assertIn("load_sharing", json.dumps(gears))
-        crown = run("crown", REDUCER, *settings(places), "--set", "bearing.laminae=12", "--drops", "0,1 um", "--tilts", "0")
+        crown = run("crown", REDUCER, "--json", *settings(places), "--set", "bearing.laminae=12", "--drops", "0 um,1 um", "--tilts", "0 mrad")
         self.assertEqual(crown.returncode, 0, crown.stderr)
-        self.assertIn("gearset.planet_angles", crown.stderr)
+        self.assertIn("gearset.planet_angles", " ".join(json.loads(crown.stdout)["warnings"]))
         for values in (("bearing.laminae=12", "bearing.tilt_state=computed"), ("gearset.planet_rim=elastic",)):
             refused = run("check", REDUCER, *settings([*places, *values]))
             self.assertEqual(refused.returncode, 2)
@@ -105,7 +105,7 @@ class TiltInMotion(unittest.TestCase):
         motion = answer("run", REDUCER, *tilting, *SHORT, options=("--fidelity", "dynamic"))["points"][0]
         for key in ("largest_bearing_tilt_mrad", "largest_bearing_share", "shortest_life_h", "life_h"):
             self.assertAlmostEqual(motion[key] / rest[key], 1.0, delta=0.15, msg=key)
-        refused = run("run", REDUCER, "--fidelity", "monolithic", *settings(tilting))
+        refused = run("run", REDUCER, "--json", "--fidelity", "monolithic", *settings(tilting))
         self.assertNotEqual(refused.returncode, 0)
         self.assertIn("bearing.tilt_state", refused.stderr)
 
@@ -130,8 +130,8 @@ class Seats(unittest.TestCase):
         ends = {row["path"]: row["value"] for row in by_class["derived"]}
         self.assertAlmostEqual(ends["bearing.fit.inner_interference.most"], 21.0, delta=1e-9)
         self.assertAlmostEqual(ends["bearing.fit.outer_interference.least"], 1.0, delta=1e-9)
-        both = run("check", REDUCER, *settings([*shelf, "bearing.fit.pin_class=k5", "bearing.fit.inner_interference=3 um"]))
-        self.assertIn("bearing.fit.inner_interference", both.stderr)
+        both = answer("check", REDUCER, *shelf, "bearing.fit.pin_class=k5", "bearing.fit.inner_interference=3 um")
+        self.assertIn("bearing.fit.inner_interference", " ".join(both["warnings"]))
 
 
 if __name__ == "__main__":
