@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -5,6 +6,7 @@
 
 #include "gearset/checks.hpp"
 #include "gearset/message.hpp"
+#include "gearset/planet_places.hpp"
 
 namespace orbearing::gearset {
 
@@ -79,21 +81,26 @@ Warnings single_value_problems(const PlanetarySet& set) {
   return problems;
 }
 
-// Equally spaced planets find their tooth spaces only if a step of 1/N of a turn moves whole teeth. Eq. (23).
-void check_equal_spacing(const PlanetarySet& set, Warnings& problems) {
+// Planets find their tooth spaces only if the step from one to the next moves whole teeth. Eq. (23).
+void check_spacing(const PlanetarySet& set, Warnings& problems) {
+  if (!set.planet_angles.empty()) {
+    for (const Warning& problem : place_problems(set)) problems.push_back(problem);
+    return;
+  }
   const int sum = set.sun_teeth + set.ring_teeth;
   if (sum % set.planets == 0) return;
   problems.push_back({"gearset.planets",
                       "found " + std::to_string(set.planets) +
                           " equally spaced planets; a divisor of sun + ring teeth = " + std::to_string(sum) +
-                          " is required; change the number of planets or the teeth"});
+                          " is required; change the number of planets or the teeth, or state "
+                          "gearset.planet_angles"});
 }
 
 // Eq. (24).
 void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
   if (set.planets < 2) return;
-  const double pitch =
-      2.0 * geometry.centre_distance * std::sin(boost::math::double_constants::pi / set.planets);
+  const double step = std::min(least_step(planet_places(set)), boost::math::double_constants::pi);
+  const double pitch = 2.0 * geometry.centre_distance * std::sin(0.5 * step);
   const double tip_diameter = 2.0 * geometry.planet.tip_radius;
   if (tip_diameter < pitch) return;
   problems.push_back({"gearset.planets", "found planets with a tip diameter of " + millimetres(tip_diameter) +
@@ -148,7 +155,7 @@ Warnings rack_problems(const BasicRack& rack, const std::string& block) {
 Warnings assembly_problems(const PlanetarySet& set) {
   Warnings problems = single_value_problems(set);
   if (!problems.empty()) return problems;
-  check_equal_spacing(set, problems);
+  check_spacing(set, problems);
   try {
     check_geometry(set, problems);
   } catch (const std::domain_error& error) {

@@ -1,5 +1,6 @@
 #include "gearset/gear_pair.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,9 +13,10 @@ namespace orbearing::gearset {
 
 namespace {
 
+using boost::math::double_constants::degree;
+
 constexpr const char* kPairShift = "pair.profile_shift";
 constexpr double largest_pair_angle = 45.0;  // [deg]  beyond it no involute pair of practice works
-constexpr double degree = 0.017453292519943295;
 
 double working_angle(const GearPair& pair) {
   const double teeth = pair.teeth[0] + pair.teeth[1];

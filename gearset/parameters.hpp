@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gearset/flank_modifications.hpp"
 #include "mechanics/described.hpp"
@@ -109,7 +110,7 @@ inline described::Row<double> helix_row(double& member, const std::string& block
                            .reason = "spur gears"});
 }
 
-/// Parameters of one planetary set with equally spaced planets.
+/// Parameters of one planetary set, its planets alike.
 struct PlanetarySet {
   int sun_teeth = 0;
   int planet_teeth = 0;
@@ -132,6 +133,7 @@ struct PlanetarySet {
   OwnHeights ring_heights;
   Web web;  // of the softer gear of each mesh
   FlankModifications flanks;
+  std::vector<double> planet_angles;  // [rad]  (planets)  anticlockwise from the first; empty: equal steps
 };
 
 template <class Visitor>
@@ -152,7 +154,12 @@ void describe(Visitor& visit, PlanetarySet& m) {
       visit, m,
       field(m.fixed_member, "gearset.fixed", Felt::planet, "member held by the housing",
             {.models = set, .reason = "the usual reduction gear"}),
-      count(m.planets, "gearset.planets", "number of equally spaced planets", {1, 24}),
+      count(m.planets, "gearset.planets", "number of planets", {1, 24}),
+      field(m.planet_angles, "gearset.planet_angles", Felt::places,
+            "places of the planets on the carrier, anticlockwise from the first, which stands at 0 deg: "
+            "whole steps "
+            "of 360 deg/(sun + ring teeth), rounded by at most 0.005 deg; equal steps all round if absent",
+            {.models = set, .dimension = dimension::angle, .range = {0.0, 360.0, true, false}}),
       count(m.sun_teeth, "gearset.teeth.sun", "teeth of the sun", {5, 2000}),
       count(m.planet_teeth, "gearset.teeth.planet", "teeth of a planet", {5, 2000}),
       count(m.ring_teeth, "gearset.teeth.ring", "teeth of the ring", {15, 4000}),

@@ -45,6 +45,8 @@ inline constexpr Dimension kinematic_viscosity{"kinematic viscosity", "m2/s", "m
 inline constexpr Dimension pressure_viscosity{"pressure-viscosity coefficient", "Pa-1", "GPa-1", "15 GPa-1",
                                               1e-9};
 inline constexpr Dimension stiffness{"stiffness", "N/m", "N/m", "1e8 N/m"};
+inline constexpr Dimension turning_stiffness{"stiffness against rotation", "N.m/rad", "N.m/rad",
+                                             "1e6 N.m/rad"};
 inline constexpr Dimension speed{"speed", "m/s", "m/s", "0.1 m/s"};
 inline constexpr Dimension inverse_speed{"inverse speed", "s/m", "s/m", "0.1 s/m"};
 inline constexpr Dimension damping{"damping", "N.s/m", "N.s/m", "200 N.s/m"};
@@ -117,13 +119,14 @@ enum class Felt {
   walls,          // the carrier's, which hold the pins: gears and rollers in motion
   pin,            // what holds the bearing: its springs, and rollers in motion
   load_sharing,   // unlike loads of the planets
-  at_rest,        // bearings at rest, and those in motion that start from them
-  motion,         // rollers and cage in motion
-  euler,          // the carrier's speed that changes
-  life,           // what loads of the rollers are worth in life
-  run,            // means over time
-  run_up,         // speeds that grow
-  lone,           // a single bearing under a load of its own
+  places,   // of the planets on the carrier, by which their loads differ and their meshes follow another
+  at_rest,  // bearings at rest, and those in motion that start from them
+  motion,   // rollers and cage in motion
+  euler,    // the carrier's speed that changes
+  life,     // what loads of the rollers are worth in life
+  run,      // means over time
+  run_up,   // speeds that grow
+  lone,     // a single bearing under a load of its own
   turning_balls,  // balls of such a bearing or of a pair whose rings turn, in balance
   lone_run,       // a ball bearing by itself in time
   defect,         // a bearing with scratches in motion

@@ -17,6 +17,7 @@
 #include "app/units.hpp"
 #include "bearing/catalogue/clearance_class.hpp"
 #include "bearing/catalogue/inference.hpp"
+#include "bearing/catalogue/seat_class.hpp"
 #include "bearing/usual_design.hpp"
 
 namespace orbearing::app {
@@ -62,6 +63,7 @@ class Bought {
   void fill() {
     fill_designation();
     fill_class();
+    fill_seats();
     fill_material();
     fill_complement();
     fill_rings();
@@ -151,6 +153,26 @@ class Bought {
     const FieldValue* angle = find("bearing.contact_angle");
     return angle == nullptr || angle->number == 0.0 ? catalogue::Family::deep_groove
                                                     : catalogue::Family::angular_contact;
+  }
+
+  // Both seats, each by its class.
+  void fill_seats() {
+    fill_seat(bought::kPinClass, "bearing.bore", bought::kInnerFit, catalogue::inner_interference);
+    fill_seat(bought::kPlanetClass, "bearing.outside_diameter", bought::kOuterFit,
+              catalogue::outer_interference);
+  }
+
+  void fill_seat(const char* seat_class, const char* diameter, const char* interference,
+                 catalogue::Deviations (*range_of)(std::string_view, double)) {
+    const FieldValue *name = find(seat_class), *size = find(diameter);
+    if (name == nullptr || size == nullptr) return;
+    try {
+      const catalogue::Deviations range = range_of(name->given, size->number);
+      put(interference, fmt::format("{:g} um", kMicro * range.middle()),
+          fmt::format("default: middle of class {}, {:g} to {:g} um (ISO 286, ISO 492)", name->given,
+                      kMicro * range.least, kMicro * range.most));
+    } catch (const std::invalid_argument&) {  // check_as_bought() says it
+    }
   }
 
   void fill_material() {
@@ -246,6 +268,17 @@ void check_class(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   }
 }
 
+void check_seat(const ResolvedCase& in, const char* seat_class, const char* diameter,
+                std::vector<Mistake>& mistakes) {
+  if (!has_all(in, {seat_class, diameter})) return;
+  try {
+    (void)catalogue::shaft_deviations("h6", in.quantity(diameter));
+  } catch (const std::invalid_argument& error) {
+    object_to(in, seat_class, fmt::format("{} on {}", in.choice(seat_class), in.given(diameter)),
+              error.what(), mistakes);
+  }
+}
+
 void check_complement(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (!is_full_complement(in) ||
       !has_all(in, {bought::kRollers, "bearing.pitch_diameter", "bearing.roller_diameter"}))
@@ -280,6 +313,17 @@ std::vector<Derived> quantities_of_one(const ResolvedCase& in) {
         {"bearing.clearance_class.least", kMicro * range.least, "um", "of bearings of this class"});
     rows.push_back({"bearing.clearance_class.most", kMicro * range.most, "um", "of bearings of this class"});
   }
+  const auto add_seat = [&](const char* seat_class, const char* diameter, const std::string& interference,
+                            catalogue::Deviations (*range_of)(std::string_view, double)) {
+    if (!has_all(in, {seat_class, diameter})) return;
+    const catalogue::Deviations range = range_of(in.choice(seat_class), in.quantity(diameter));
+    rows.push_back(
+        {interference + ".least", kMicro * range.least, "um", "of seats of this class; negative: loose"});
+    rows.push_back({interference + ".most", kMicro * range.most, "um", "of seats of this class"});
+  };
+  add_seat(bought::kPinClass, "bearing.bore", bought::kInnerFit, catalogue::inner_interference);
+  add_seat(bought::kPlanetClass, "bearing.outside_diameter", bought::kOuterFit,
+           catalogue::outer_interference);
   return rows;
 }
 
@@ -296,6 +340,8 @@ void fill_as_bought(CaseData& data, Model model) {
 void check_as_bought(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_designation(in, mistakes);
   check_class(in, mistakes);
+  check_seat(in, bought::kPinClass, "bearing.bore", mistakes);
+  check_seat(in, bought::kPlanetClass, "bearing.outside_diameter", mistakes);
   check_complement(in, mistakes);
 }
 

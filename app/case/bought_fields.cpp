@@ -10,6 +10,7 @@
 #include "app/case/given_by.hpp"
 #include "bearing/catalogue/clearance_class.hpp"
 #include "bearing/catalogue/inference.hpp"
+#include "bearing/catalogue/seat_class.hpp"
 
 namespace orbearing::app {
 
@@ -78,6 +79,8 @@ std::vector<Condition> given_by(std::string_view path) {
   if (path == "bearing.outside_diameter") by.push_back(where(bought::kRings, {"none"}));
   if (path == bought::kClearance) by.push_back(where_given({bought::kClass}));
   if (path == bought::kDensity) by.push_back(where_given({bought::kMaterial}));
+  if (path == bought::kInnerFit) by.push_back(where_given({bought::kPinClass}));
+  if (path == bought::kOuterFit) by.push_back(where_given({bought::kPlanetClass}));
   return by;
 }
 
@@ -102,6 +105,16 @@ void add_bought_fields(std::vector<Field>& fields) {
       choice(bought::kClass,
              "clearance class of the bearing on the shelf, ISO 5753; the middle of its range is taken",
              use_of_any(fields, {bought::kClearance}), with_rollers | lone_balls, names_of_classes()),
+      choice(bought::kPinClass,
+             "tolerance class of the pin under the inner ring, ISO 286, in place of its interference: the "
+             "middle of "
+             "what a bearing of normal accuracy has on it",
+             use_of_row(fields, bought::kInnerFit), planetary_drivetrain, catalogue::shaft_classes()),
+      choice(bought::kPlanetClass,
+             "tolerance class of the planet's bore around the outer ring, ISO 286, in place of its "
+             "interference: "
+             "the middle of what a bearing of normal accuracy has in it",
+             use_of_row(fields, bought::kOuterFit), planetary_drivetrain, catalogue::hole_classes()),
       choice(bought::kMaterial, "material of the cage, in place of its density",
              use_of_any(fields, {bought::kDensity}), with_rollers | described::balls_in_time,
              {"polyamide", "steel", "brass", "aluminium"}),
@@ -116,17 +129,21 @@ void add_bought_fields(std::vector<Field>& fields) {
     add_condition(fields, path, where_absent(bought::kDesignation));
   add_condition(fields, bought::kClearance, where_absent(bought::kClass));
   add_condition(fields, bought::kDensity, where_absent(bought::kMaterial));
+  add_condition(fields, bought::kInnerFit, where_absent(bought::kPinClass));
+  add_condition(fields, bought::kOuterFit, where_absent(bought::kPlanetClass));
   for (Field& field : fields)
     if (field.path.starts_with("bearing.cage."))
       field.use = field.use.when(where(bought::kComplement, {"caged"}));
   add_condition(fields, "bearing.bore", where(bought::kRings, {"both"}));
   add_condition(fields, "bearing.outside_diameter", where(bought::kRings, {"both", "outer"}));
-  add_condition(fields, "bearing.fit.inner_interference", where(bought::kRings, {"both"}));
+  add_condition(fields, bought::kInnerFit, where(bought::kRings, {"both"}));
   add_condition(fields, "bearing.temperature.inner_ring", where(bought::kRings, {"both"}));
-  add_condition(fields, "bearing.fit.outer_interference", where(bought::kRings, {"both", "outer"}));
+  add_condition(fields, bought::kOuterFit, where(bought::kRings, {"both", "outer"}));
   add_condition(fields, "bearing.temperature.outer_ring", where(bought::kRings, {"both", "outer"}));
   for (Field& row : rows) {
     if (row.path == bought::kMaterial) row.use = row.use.when(where(bought::kComplement, {"caged"}));
+    if (row.path == bought::kPinClass) row.use = row.use.when(where(bought::kRings, {"both"}));
+    if (row.path == bought::kPlanetClass) row.use = row.use.when(where(bought::kRings, {"both", "outer"}));
     fields.push_back(std::move(row));
   }
 }

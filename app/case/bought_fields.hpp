@@ -11,7 +11,10 @@ inline constexpr const char *kDesignation = "bearing.designation", *kClass = "be
                             *kClearance = "bearing.radial_clearance", *kState = "bearing.clearance_state",
                             *kMaterial = "bearing.cage.material", *kComplement = "bearing.complement",
                             *kRings = "bearing.rings", *kRollers = "bearing.rollers",
-                            *kDensity = "bearing.cage.density";
+                            *kDensity = "bearing.cage.density", *kPinClass = "bearing.fit.pin_class",
+                            *kPlanetClass = "bearing.fit.planet_class",
+                            *kInnerFit = "bearing.fit.inner_interference",
+                            *kOuterFit = "bearing.fit.outer_interference";
 }  // namespace bought
 
 /// Inputs that follow where `bearing.designation` is given.

@@ -21,6 +21,7 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/case/static_consistency.hpp"
 #include "gearset/checks.hpp"
+#include "gearset/planet_places.hpp"
 
 namespace orbearing::app {
 
@@ -119,7 +120,14 @@ bool two_values(Checker& check, const ResolvedCase& resolved, const char* path) 
 
 void check_parallel_stages(Checker& check, const ResolvedCase& resolved) {
   for (const char* path : {"parallel_stage.front", "parallel_stage.behind"})
-    if (check.has({path})) two_values(check, resolved, path);
+    if (check.has({path}) && two_values(check, resolved, path)) {
+      constexpr double least = 5.0;  // as of a sun
+      const std::vector<double>& teeth = resolved.list(path);
+      const bool none = teeth[0] == 1.0 && teeth[1] == 1.0;
+      if (!none && (teeth[0] < least || teeth[1] < least))
+        check.object(path, fmt::format("{:g} and {:g} teeth", teeth[0], teeth[1]),
+                     "at least 5 of each gear, or [1, 1] for no stage, are required");
+    }
 }
 
 void check_pair(Checker& check, const ResolvedCase& resolved) {
@@ -143,6 +151,11 @@ void check_error_lists(Checker& check, const ResolvedCase& resolved) {
       check.object(path, fmt::format("a list of {}", count),
                    fmt::format("one value for each of the {} planets is required", planets));
   }
+  if (check.has({"gearset.planet_angles", "gearset.planets"}) && !resolved.shape().teeth)
+    object_all(check,
+               gearset::place_problems({.planets = check.count("gearset.planets"),
+                                        .planet_angles = resolved.list("gearset.planet_angles")}),
+               "planets at places of their own are required");
   for (const char* path :
        {"gearset.dynamics.transmission_error.sun", "gearset.dynamics.transmission_error.ring"})
     if (check.has({path}) && resolved.list(path).size() < 3)

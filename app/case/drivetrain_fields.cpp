@@ -23,7 +23,7 @@ Field ratio(std::string path, std::string meaning, const Use& use, Range range, 
 void add_bodies(std::vector<Field>& fields) {
   const Use bodies =
       Use(use::gears_in_motion | use::natural | use::mesh, use::rollers_at_rest | use::fmu_bearing)
-          .felt_too(use::quasi_static, where_pins_are_displaced());
+          .felt_too(use::quasi_static, where_planets_carry_unlike_loads());
   const Use planet =
       Use(use::bearings_as_springs | use::mesh, use::lives | use::fmu_bearing | use::planet_stiffness)
           .when(where_absent("bearing.rollers"));

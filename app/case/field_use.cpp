@@ -41,6 +41,8 @@ unsigned holding(described::Felt felt) {
       return use::rollers_in_motion | use::bearings_as_springs | use::balls_in_motion;
     case load_sharing:
       return use::gears_in_motion | use::quasi_static;
+    case places:
+      return use::gears_in_motion | use::quasi_static | use::natural | use::mesh;
     case at_rest:
       return use::rollers_at_rest | use::one_set_in_time | use::bearings_as_springs;
     case motion:
@@ -77,7 +79,8 @@ unsigned leaving_out(described::Felt felt) {
   // All that moves bearings knows none with scratches but what is run for them.
   if (felt == described::Felt::defect)
     return use::lives | use::gears | use::fmu_bearing | use::fmu_gearset | use::planet_stiffness;
-  return felt == load_sharing ? use::dynamic_of_sets | use::crown | use::planet_stiffness : 0u;
+  return felt == load_sharing || felt == places ? use::dynamic_of_sets | use::crown | use::planet_stiffness
+                                                : 0u;
 }
 
 // How single parameters differ from what their physics says.
@@ -89,7 +92,7 @@ struct Exception {
 };
 
 constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
-constexpr unsigned no_tilt = use::rollers_in_motion | use::planet_stiffness;
+constexpr unsigned no_tilt = (use::rollers_in_motion & ~use::dynamic) | use::planet_stiffness;
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
     {"input.power", 0, use::fmu_bearing},
@@ -104,12 +107,13 @@ constexpr Exception exceptions[] = {
     {"bearing.cage.pocket_roughness", use::monolithic},
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
-    // A computed tilt is that of bearings at rest; gears do not feel it.
+    // A computed tilt is that of bearings at rest, with which one bearing may go on; gears do not feel it.
     {"bearing.tilt_state", no_tilt, use::bearings_as_springs},
     {"bearing.axial_places", no_tilt, use::bearings_as_springs},
     {"bearing.clearance_differences", no_tilt, use::bearings_as_springs},
     {"support.pin_ends", no_tilt, use::bearings_as_springs},
     {"support.pin_span", no_tilt, use::bearings_as_springs},
+    {"support.carrier_twist_stiffness", no_tilt, use::bearings_as_springs},
     {"support.pin_inclination.radial", no_tilt, use::bearings_as_springs},
     {"support.pin_inclination.tangential", no_tilt, use::bearings_as_springs},
     {"load.tilt", use::ball_run},
@@ -119,8 +123,8 @@ constexpr Exception exceptions[] = {
     {"signal.length_error", 0, use::moving_defect},
     {"simulation.integrator", other_rungs | use::fmu_bearing}};
 
-// What gives way under the planets besides, with its ends: felt at rest too where pins stand off their
-// places, since then it decides who carries how much.
+// What gives way under the planets besides, with its ends: felt at rest too where planets carry unlike
+// loads, since then it decides who carries how much.
 constexpr std::string_view giving_way[] = {"bearing.bore",
                                            "support.stiffness",
                                            "gearset.dynamics.sun.mass",
@@ -142,7 +146,7 @@ constexpr std::string_view giving_way[] = {"bearing.bore",
 Use with_load_sharing(const Use& use, std::string_view path) {
   const bool gives_way = makes_meshes(path) || std::find(std::begin(giving_way), std::end(giving_way),
                                                          path) != std::end(giving_way);
-  return gives_way ? use.felt_too(use::quasi_static, where_pins_are_displaced()) : use;
+  return gives_way ? use.felt_too(use::quasi_static, where_planets_carry_unlike_loads()) : use;
 }
 
 // "one|other"
@@ -261,8 +265,9 @@ Condition where_absent(std::string path) {
   return {.paths = {std::move(path)}, .absent = true};
 }
 
-Condition where_pins_are_displaced() {
-  return where_given({"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"});
+Condition where_planets_carry_unlike_loads() {
+  return where_given({"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential",
+                      "gearset.planet_angles"});
 }
 
 Use Use::when(Condition condition) const {

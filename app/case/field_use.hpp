@@ -26,14 +26,14 @@ enum Analysis : unsigned {
   mesh = 1u << 9,
   fmu_bearing = 1u << 10,
   fmu_gearset = 1u << 11,
-  static_load = 1u << 12,  // run of a single bearing
-  defect = 1u << 13,       // run of a bearing with scratches, on balls without mass
-  ball_run = 1u << 16,     // run of a ball bearing in time
+  static_load = 1u << 12,    // run of a single bearing
+  defect = 1u << 13,         // run of a bearing with scratches, on balls without mass
+  ball_run = 1u << 16,       // run of a ball bearing in time
   moving_defect = 1u << 17,  // run of a bearing with scratches, all of it in motion
   duplex_modes = 1u << 18,
   duplex_run = 1u << 19,
-  spin_film = 1u << 20,    // run of a contact that rolls and spins
-  stiffness = 1u << 21,    // of a single bearing
+  spin_film = 1u << 20,  // run of a contact that rolls and spins
+  stiffness = 1u << 21,  // of a single bearing
   planet_stiffness = 1u << 22,
   planet_defect = 1u << 23  // run of a drivetrain with a scratched planet bearing
 };
@@ -70,7 +70,7 @@ Condition where(std::string path, std::vector<std::string> values);
 Condition where_given(std::vector<std::string> paths);
 Condition where_absent(std::string path);
 /// Pins off their places: loads at rest then follow from what gives way under the planets.
-Condition where_pins_are_displaced();
+Condition where_planets_carry_unlike_loads();
 
 /// Who uses a field. There is no default: a row that does not say so does not compile. An analysis that is
 /// named nowhere in the row warns of a value that is given and neither the default nor zero.

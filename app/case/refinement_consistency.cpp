@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/case/uneven_planets.hpp"
+
 namespace orbearing::app {
 
 namespace {
@@ -47,13 +49,9 @@ void check_rim(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
     object(resolved, rim, fmt::format("elastic beside {}", helix),
            "rigid is required beside helical teeth: an elastic rim is computed in the plane of spur gears",
            mistakes);
-  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
-    if (!resolved.has(pins)) continue;
-    const std::vector<double>& errors = resolved.list(pins);
-    if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; }))
-      object(resolved, rim, fmt::format("elastic beside {}", pins),
-             "rigid is required where pins stand off their places", mistakes);
-  }
+  if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty())
+    object(resolved, rim, fmt::format("elastic beside {}", uneven),
+           "rigid is required where planets carry unlike loads", mistakes);
 }
 
 // Teeth under load push only, and follow from their form.
@@ -83,8 +81,8 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   need(!resolved.shape().several, "among several sets", "one set, as gearset at the top of a case,");
   need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
        "beside gearset.planet_rim: elastic", "a rigid rim");
-  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"})
-    need(!resolved.has(pins), std::string("beside ") + pins, "planets that carry alike");
+  const std::string uneven = uneven_planets_by(resolved);
+  need(uneven.empty(), "beside " + uneven, "planets that carry alike");
   const auto bearings = static_cast<std::size_t>(resolved.integer("bearing.per_planet"));
   for (const char* list : {"bearing.axial_places", "bearing.clearance_differences"})
     if (resolved.has(list) && resolved.list(list).size() != bearings)
@@ -98,6 +96,10 @@ void check_places(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) 
   if (!resolved.has(state) || resolved.choice(state) != "computed" || !resolved.has("gearset.face_width"))
     return;
   const double face = resolved.quantity("gearset.face_width");
+  const std::string twist = "support.carrier_twist_stiffness", ends = "support.pin_ends";
+  if (resolved.has(twist) && resolved.choice(ends) == "one")
+    object(resolved, twist, resolved.given(twist) + " beside support.pin_ends: one",
+           "pins between two walls are required, of which one twists against the other", mistakes);
   if (resolved.has(span) && resolved.quantity(span) < face)
     object(resolved, span, resolved.given(span) + " beside a face of " + resolved.given("gearset.face_width"),
            "at least the face, beyond which its supports lie, is required", mistakes);

@@ -7,6 +7,7 @@
 #include "app/case/described_case.hpp"
 #include "app/case/profile_case.hpp"
 #include "app/case/set_case.hpp"
+#include "app/case/uneven_planets.hpp"
 #include "app/study/rated_oil.hpp"
 #include "gearset/checks.hpp"
 
@@ -34,15 +35,6 @@ std::vector<bearing::RaceHarmonic> form_of(const ResolvedCase& in, const std::st
   return form;
 }
 
-bool has_displaced_pins(const ResolvedCase& in) {
-  for (const char* path : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
-    if (!in.has(path)) continue;
-    const std::vector<double>& errors = in.list(path);
-    if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; })) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
@@ -58,7 +50,7 @@ study::PlanetaryDrivetrain drivetrain_without_gear_set(const ResolvedCase& in) {
   out.bearing.rollers().profile = roller_profile_of(in);
   out.bearing.inner.form = form_of(in, "bearing.inner_race");
   out.bearing.outer.form = form_of(in, "bearing.outer_race");
-  out.pins_displaced = has_displaced_pins(in);
+  out.uneven_planets = !uneven_planets_by(in).empty();
   out.rated = rated_bearing(in, out.bearing);
   out.mounting.unmounted_clearance = out.bearing.radial_clearance;
   // Without inner ring the pin itself carries the race and moves with it, down to its hole; of a solid one a

@@ -32,7 +32,9 @@ gearset::dynamics::SetModel lumped_model(const ResolvedCase& in, double carrier_
   gearset::dynamics::Operation operation;
   operation.speeds.carrier = carrier_speed;
   return set_model(
-      study::lumped_set(gears_of(in), in.integer("gearset.planets"), in.quantity("gearset.pressure_angle")),
+      study::lumped_set(
+          gears_of(in), in.integer("gearset.planets"), in.quantity("gearset.pressure_angle"),
+          in.has("gearset.planet_angles") ? in.list("gearset.planet_angles") : std::vector<double>{}),
       operation);
 }
 

@@ -125,11 +125,11 @@ Json campbell(const std::vector<SpeedPoint>& points) {
   return result;
 }
 
-Json meetings_json(const std::vector<SpeedPoint>& points, int sun_teeth, int planets) {
+Json meetings_json(const std::vector<SpeedPoint>& points, const gearset::PlanetarySet& set) {
   std::vector<ModesAtSpeed> modes;
   for (const SpeedPoint& point : points) modes.push_back(point.modes);
   Json list = Json::array();
-  for (const Meeting& meeting : meetings(modes, sun_teeth, planets))
+  for (const Meeting& meeting : meetings(modes, set))
     list.push_back({{"order", meeting.order},
                     {"mode", meeting.mode.name},
                     {"speed_rpm", meeting.rpm},
@@ -163,7 +163,7 @@ Json mode_shapes(const SetModel& model) {
                       {"kind", modes_json({mode})[0]["kind"]},
                       {"shape", snapshot_of(mode)}});
   }
-  return {{"planets", planets},
+  return {{"places_rad", model.places},
           {"centre_distance_mm", 1e3 * model.parameters.carrier.radius},
           {"sun_radius_mm", 1e3 * model.parameters.sun.radius},
           {"ring_radius_mm", 1e3 * model.parameters.ring.radius},
@@ -220,7 +220,7 @@ nlohmann::ordered_json gear_report(const ResolvedCase& resolved, std::vector<dou
           {"meshes", one_of_each_kind(mesh_study(at_middle))},
           {"mode_shapes", mode_shapes(gear_model_of(at_middle))},
           {"campbell", campbell(points)},
-          {"meetings", meetings_json(points, set.sun_teeth, set.planets)},
+          {"meetings", meetings_json(points, set)},
           {"runs", runs_json(points, speeds_rpm)},
           {"spectrum", spectrum(fixed, middle)}};
 }

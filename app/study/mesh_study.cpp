@@ -76,7 +76,7 @@ gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::Planetar
                                    const gearset::WorkingGeometry& geometry) {
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
   return gearset::planetary_meshes(
-      drivetrain.set, geometry, gearset::equal_planet_angles(drivetrain.set.planets),
+      drivetrain.set, geometry,
       {.sun_bore = in.number("gearset.sun_bore_ratio"),
        .ring_outside = in.number("gearset.ring_outside_ratio")},
       elasticity_of(in), gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed),

@@ -220,7 +220,7 @@ std::vector<study::NamedSet> bearing_sets(const ResolvedCase& resolved) {
     const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
     drivetrain.in_arrangement = flow.sets[place];
     drivetrain.gear_set = nullptr;      // a model of one set, which knows neither its place nor its share
-    drivetrain.pins_displaced = false;  // without that model none shares its load unevenly; the case warns
+    drivetrain.uneven_planets = false;  // without that model none shares its load unevenly; the case warns
     study::mount(drivetrain);
     const study::DrivetrainGeometry geometry = study::derive(drivetrain);
     sets.push_back({name, std::move(drivetrain), geometry});

@@ -10,6 +10,8 @@
 #include "app/study/gear_output.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
+#include "gearset/dynamics/mode_kind.hpp"
+#include "gearset/planet_places.hpp"
 
 namespace orbearing::app {
 
@@ -34,13 +36,6 @@ int group_size(ModeKind kind, int planets) {
 const char* letter_of_kind(ModeKind kind) {
   if (kind == ModeKind::rotational) return "R";
   return kind == ModeKind::translational ? "T" : "P";
-}
-
-// Eq. (14) of gearset/dynamics/README.md; with planets that differ it is a rule no more.
-ModeKind excited_kind(int order, int sun_teeth, int planets) {
-  const int component = order * sun_teeth % planets;
-  if (component == 0) return ModeKind::rotational;
-  return component == 1 || component == planets - 1 ? ModeKind::translational : ModeKind::planet;
 }
 
 const NamedFrequency* same_mode(const NamedFrequency& mode, const ModesAtSpeed& point) {
@@ -96,8 +91,9 @@ ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
           named_frequencies(modes_at_speed(model), model.parameters.planets)};
 }
 
-std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, int sun_teeth, int planets) {
+std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set) {
   std::vector<Meeting> list;
+  const std::vector<double> places = planet_places(set);
   for (int order = 1; order <= kMetHarmonics; ++order)
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       for (const NamedFrequency& mode : points[i].modes) {
@@ -108,7 +104,7 @@ std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, int sun_t
         if (before > 0.0 || after <= 0.0) continue;
         const double share = before / (before - after);
         Meeting meeting{order, mode, std::lerp(points[i].rpm, points[i + 1].rpm, share),
-                        excited_kind(order, sun_teeth, planets) == mode.kind};
+                        excites(places, order * set.sun_teeth, mode.kind)};
         meeting.mode.frequency = std::lerp(mode.frequency, next->frequency, share);
         list.push_back(std::move(meeting));
       }
@@ -124,8 +120,7 @@ bool has_resonances(const ResolvedCase& resolved) {
 std::vector<Resonance> resonances(const ResolvedCase& resolved, double lowest_rpm, double highest_rpm) {
   const gearset::PlanetarySet set = drivetrain_of(resolved).set;
   std::vector<Resonance> list;
-  for (const Meeting& meeting :
-       meetings(modes_between(resolved, lowest_rpm, highest_rpm), set.sun_teeth, set.planets))
+  for (const Meeting& meeting : meetings(modes_between(resolved, lowest_rpm, highest_rpm), set))
     if (meeting.excited) list.push_back(resonance_of(meeting));
   std::sort(list.begin(), list.end(),
             [](const Resonance& one, const Resonance& other) { return one.speed < other.speed; });

@@ -40,12 +40,13 @@ struct Meeting {
   int order = 0;
   NamedFrequency mode;   // frequency: where they meet
   double rpm = 0.0;      // [rpm]
-  bool excited = false;  // whether the meshes of equal planets can excite it; Eq. (14) of gearset/dynamics
+  bool excited = false;  // whether the meshes can excite it; Eq. (14) of gearset/dynamics
 };
 
 /// All meetings of harmonics 1 to 4 between the first and the last of `points`, on straight lines between
 /// neighbours; by order, then by speed.
-std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, int sun_teeth, int planets);
+/// @param set whose teeth and places of planets decide what is excited
+std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set);
 
 /// Whether the motion of a case's bearings feels resonances of its gears: one set with bearings, whose meshes
 /// vary. Several sets have no gear dynamics yet.

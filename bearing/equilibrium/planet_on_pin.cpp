@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -25,8 +26,8 @@ struct PinnedPlanet {
   const PlanetOnPin& planet;
   std::vector<RaceEquilibrium> races;  // (bearings)
   Vector2d load, moment;
-  double lever = 0.0;             // [m]
-  Eigen::MatrixXd pin_stiffness;  // of displacements and slopes, in one plane
+  double lever = 0.0;                            // [m]
+  std::array<Eigen::MatrixXd, 2> pin_stiffness;  // of displacements and slopes, along x and y
   std::vector<LaminaState>& states;
 
   Index size() const { return kPinAt + kPerSeat * static_cast<Index>(planet.bearings.size()); }
@@ -73,7 +74,7 @@ struct PinnedPlanet {
     for (Index i = 0; i < 2 * count; ++i)
       for (Index j = 0; j < 2 * count; ++j)
         for (Index axis = 0; axis < 2; ++axis) {
-          const double stiffness = unit(i) * unit(j) * pin_stiffness(i, j);
+          const double stiffness = unit(i) * unit(j) * pin_stiffness[static_cast<std::size_t>(axis)](i, j);
           sum.stiffness(coordinate(i, axis), coordinate(j, axis)) += stiffness;
           sum.force[coordinate(i, axis)] -= stiffness * at[coordinate(j, axis)];
         }
@@ -108,7 +109,10 @@ struct PinnedPlanet {
 PinnedPlanet pinned(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
                     const QuasiStaticOptions& options, double first_roller,
                     std::vector<LaminaState>& states) {
-  PinnedPlanet problem{planet, {}, point.bore_load, moment, 0.0, planet.pin_compliance.inverse(), states};
+  const Eigen::MatrixXd& along_y =
+      planet.tangential_compliance.size() > 0 ? planet.tangential_compliance : planet.pin_compliance;
+  PinnedPlanet problem{
+      planet, {}, point.bore_load, moment, 0.0, {planet.pin_compliance.inverse(), along_y.inverse()}, states};
   OperatingPoint unloaded = point;
   unloaded.bore_load.setZero();
   for (std::size_t k = 0; k < planet.bearings.size(); ++k) {

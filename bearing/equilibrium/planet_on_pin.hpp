@@ -20,6 +20,8 @@ struct PlanetOnPin {
   std::vector<LaminaBearing> bearings;
   std::vector<double> place;       // [m]  (bearings)  of their middles, from that of the face
   Eigen::MatrixXd pin_compliance;  // [m/N], ...  pin_compliance() at these places
+  /// The same along y, with what the carrier adds there; empty: as along x.
+  Eigen::MatrixXd tangential_compliance{};
   std::vector<Eigen::Vector2d>
       pin_error{};  // [m]    (bearings)  of an unloaded pin from its place; empty: none
   std::vector<Eigen::Vector2d> pin_inclination{};  // [rad]  (bearings)  of an unloaded pin; empty: none

@@ -40,7 +40,7 @@ system::CoupledSetup coupled_setup(const PlanetaryDrivetrain& drivetrain,
                                    const DrivetrainGeometry& geometry) {
   system::CoupledSetup setup{driven_gears_setup(drivetrain), driven_bearing_setup(drivetrain, geometry),
                              drivetrain.bearings_per_planet};
-  if (drivetrain.pins_displaced && drivetrain.misalignment.planet_tilt != 0.0)
+  if (drivetrain.uneven_planets && drivetrain.misalignment.planet_tilt != 0.0)
     for (const BearingDuty& duty : planet_duties(drivetrain, geometry))
       setup.bore_tilts.push_back(duty.point.bore_tilt);
   return setup;

@@ -103,8 +103,10 @@ struct PinSeats {
   std::vector<double> axial_places;  // [m]  (bearings)  from the middle of the face; none: evenly across it
   std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the stated clearance; none: alike
   bearing::PinEnds ends = bearing::PinEnds::both;
-  std::optional<double> span;           // [m]  of the pin; none: by the face, pin_span()
-  double radial_inclination = 0.0;      // [rad]  of an unloaded pin: its positive end stands outward
+  std::optional<double> span;  // [m]  of the pin; none: by the face, pin_span()
+  std::optional<double>
+      carrier_twist;                // [N m/rad]  of one wall of the carrier against the other; none: rigid
+  double radial_inclination = 0.0;  // [rad]  of an unloaded pin: its positive end stands outward
   double tangential_inclination = 0.0;  // [rad]  its positive end leads
 };
 
@@ -154,6 +156,14 @@ void describe(Visitor& visit, PinSeats& m) {
              .dimension = dimension::length,
              .range = positive(1e4),
              .where = computed}),
+      field(m.carrier_twist, "support.carrier_twist_stiffness", Felt::at_rest,
+            "stiffness of the carrier against a twist of its wall at the positive end against that at the "
+            "negative "
+            "end, which passes the torque on; rigid if absent",
+            {.models = planetary_drivetrain,
+             .dimension = dimension::turning_stiffness,
+             .range = positive(1e15),
+             .where = computed}),
       inclination(m.radial_inclination, "radial", "its positive end outward"),
       inclination(m.tangential_inclination, "tangential", "its positive end ahead in the sense of rotation"));
 }
@@ -193,8 +203,9 @@ struct PlanetaryDrivetrain {
   /// Bodies and meshes of the gears, whose motion at each speed shakes the bearing in time; none: the meshes
   /// give their mean forces. Called by each analysis anew, from any thread: the same every time.
   std::function<gearset::dynamics::SetParameters()> gear_set;
-  bool pins_displaced = false;  // of gear_set: pins stand off their places, so that planets load unevenly
-  bool mesh_variation = true;   // false: the meshes keep their mean stiffness, and give their mean forces
+  bool uneven_planets =
+      false;  // of gear_set: pins off their places or at unequal steps make planets load unevenly
+  bool mesh_variation = true;  // false: the meshes keep their mean stiffness, and give their mean forces
   std::optional<RatedBearing> rated;  // none: lives of Lundberg and Palmgren alone
   int cage_positions = 16;  // cage angles over one roller pitch that the quasi-static model averages
 };
@@ -214,7 +225,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
       apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
       apart(m.film_approach),  // dynamics' own
       system::lambda_row(m.lambda), part(m.misalignment), part(m.seats), part(m.dynamics),
-      part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.pins_displaced),
+      part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
       apart(m.rated),
       field(m.mesh_variation, "gearset.mesh_variation", Felt::gear_motion,
             "the stiffness of a mesh varies as teeth pass, and shakes gears and planet bearings; false: it "
@@ -262,6 +273,7 @@ struct BearingDuty {
   gearset::MeanLoads gears;
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
   int planet = 0;                 // [-]  whose, counted from 0
+  double share = 1.0;             // [-]  of its planet's load, over the mean of that planet's bearings
 };
 
 /// Film, inertia and cage angles of the quasi-static bearing.

@@ -63,7 +63,7 @@ class PlanetSupport {
 SetModel on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   if (!drivetrain.gear_set)
     throw std::invalid_argument(
-        "pins off their places: found gears that cannot move; required: one set with teeth");
+        "planets that load unevenly: found gears that cannot move; required: one set with teeth");
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.coupled_bearing = false;
   set.planet.bearing_stiffness = planet_bearing_stiffness(drivetrain, geometry);
@@ -127,7 +127,7 @@ std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const Dri
 std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
                                        const DrivetrainGeometry& geometry) {
   const BearingDuty even = bearing_duty(drivetrain, geometry);
-  if (!drivetrain.pins_displaced) return {even};
+  if (!drivetrain.uneven_planets) return {even};
   std::vector<BearingDuty> duties;
   for (const double share : load_shares(drivetrain, geometry)) {
     BearingDuty duty = even;

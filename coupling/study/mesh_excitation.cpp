@@ -94,7 +94,7 @@ bearing::motion::MeshExcitation excitation_of(const GearRunResult& run, const Pl
   const double least = kLeastShare * meshes.norm() / drivetrain.bearings_per_planet;
   for (int order = 1; order <= static_cast<int>(planet.radial_force.cosines.size()); ++order) {
     const double w = order * excitation.angular_frequency;
-    const Vector2cd load = load_over_force(drivetrain, duty, law, bore_mass, w) *
+    const Vector2cd load = duty.share * load_over_force(drivetrain, duty, law, bore_mass, w) *
                            force_at(planet, static_cast<std::size_t>(order));
     if (load.norm() > least) excitation.harmonics.push_back({order, load.real(), -load.imag()});
   }

@@ -238,20 +238,20 @@ std::size_t shortest_lived(const std::vector<PlanetResult>& planets) {
   return static_cast<std::size_t>(shortest - planets.begin());
 }
 
-// Bearing by bearing of a planet whose tilt is computed.
-void put_seats(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
-               const std::vector<QuasiStaticBearing>& bearings, PointResult& result) {
+// Bearing by bearing of a planet whose tilt is computed: their means, and tilts of bore against pin.
+void put_seats(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const Eigen::ArrayXd& angle,
+               const std::vector<WindowStatistics>& means, const std::vector<Eigen::Vector2d>& tilts,
+               PointResult& result) {
   const std::vector<double> places = axial_places(drivetrain);
   std::vector<double> lives, modified_lives;
-  for (std::size_t k = 0; k < bearings.size(); ++k) {
-    const WindowStatistics& means = bearings[k].means;
-    const auto modified = modified_under_means(drivetrain, duty, means);
-    lives.push_back(hours_of(life_under_means(drivetrain, means), drivetrain, duty));
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    const auto modified = modified_under_means(drivetrain, duty, means[k]);
+    lives.push_back(hours_of(life_under_means(drivetrain, means[k]), drivetrain, duty));
     modified_lives.push_back(modified ? modified->life_hours : 0.0);
     result.seats.push_back(
         {.place = places[k],
-         .load = mean_bore_force(means.outer, bearings[k].angle, drivetrain.bearing.rollers().count).norm(),
-         .tilt = bearings[k].laminae->bore_tilt,
+         .load = mean_bore_force(means[k].outer, angle, drivetrain.bearing.rollers().count).norm(),
+         .tilt = tilts[k],
          .life_hours = lives.back(),
          .modified_life_hours = modified_lives.back()});
   }
@@ -280,7 +280,9 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   put_life(drivetrain, duties.front(), all, result);
   result.laminae = bearings.front().laminae;
   if (drivetrain.seats.tilt == TiltState::computed) {
-    put_seats(drivetrain, duties.front(), bearings, result);
+    std::vector<Eigen::Vector2d> tilts;
+    for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.laminae->bore_tilt);
+    put_seats(drivetrain, duties.front(), angle, means, tilts, result);
     return result;
   }
   if (duties.size() == 1) return result;
@@ -366,7 +368,8 @@ PointResult driven_point(const PlanetaryDrivetrain& drivetrain, const BearingDut
   return result;
 }
 
-// Of unlike planets: their loads as passages of one bearing, the series and the end of the first's motion.
+// Of unlike planets or bearings: their loads as passages of one bearing, the series and the end of the
+// first's motion.
 system::SteadyStateResult together(const std::vector<system::SteadyStateResult>& runs,
                                    const std::vector<WindowStatistics>& means) {
   system::SteadyStateResult all = runs.front();
@@ -375,9 +378,29 @@ system::SteadyStateResult together(const std::vector<system::SteadyStateResult>&
   return all;
 }
 
+// Of a planet whose tilt is computed, all its bearings, each under its own load.
+PointResult seated_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                         const BearingDuty& duty, const GearsOnTangent& gears) {
+  std::vector<system::SteadyStateResult> runs;
+  std::vector<WindowStatistics> means;
+  std::vector<Eigen::Vector2d> tilts;
+  for (const SeatedBearing& one : seated_bearings(drivetrain, geometry, duty)) {
+    runs.push_back(motion_of(one.drivetrain, one.geometry, one.duty, gears).bearing);
+    if (!runs.back().completed) throw std::runtime_error(runs.back().message);
+    means.push_back(runs.back().statistics);
+    tilts.push_back(one.duty.point.bore_tilt);
+  }
+  PointResult result = dynamic_point(drivetrain, duty, together(runs, means));
+  put_seats(drivetrain, mean_duty(drivetrain, duty), place_angles(means.front().outer.mean_load.size()),
+            means, tilts, result);
+  return result;
+}
+
 PointResult one_way_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const std::vector<BearingDuty>& duties) {
   const GearsOnTangent gears = gears_on_tangent(drivetrain, geometry);
+  if (drivetrain.seats.tilt == TiltState::computed)
+    return seated_point(drivetrain, geometry, duties.front(), gears);
   if (duties.size() == 1)
     return driven_point(drivetrain, duties.front(), motion_of(drivetrain, geometry, duties.front(), gears));
   std::vector<system::SteadyStateResult> runs;
@@ -510,10 +533,15 @@ PointResult evaluate(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeom
 
 PointResult evaluate_from(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                           const Eigen::VectorXd& start) {
-  if (drivetrain.pins_displaced)
+  if (drivetrain.uneven_planets)
     throw std::invalid_argument(
-        "state to start from: found one, and pins off their places, where each planet has its own; required: "
-        "pins in their places, or points that start from their quasi-static states");
+        "state to start from: found one, and planets that load unevenly, where each has its own; required: "
+        "planets that carry alike, or points that start from their quasi-static states");
+  if (drivetrain.seats.tilt == TiltState::computed)
+    throw std::invalid_argument(
+        "state to start from: found one, and a planet whose tilt is computed, where each bearing has its "
+        "own; "
+        "required: a stated tilt, or points that start from their quasi-static states");
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   return completed(drivetrain, geometry, {duty},
                    driven_point(drivetrain, duty, motion_from(start, drivetrain, geometry, duty)));

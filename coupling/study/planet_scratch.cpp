@@ -10,6 +10,7 @@
 #include "coupling/study/low_pass.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "gearset/mean_loads.hpp"
+#include "gearset/planet_places.hpp"
 
 namespace orbearing::study {
 
@@ -41,12 +42,11 @@ class Turning {
   const gearset::dynamics::Operation& operation_;
 };
 
-double housing_force(const system::DrivenGearsOutput& gears, double carrier_angle) {
+double housing_force(const system::DrivenGearsOutput& gears, const std::vector<double>& places,
+                     double carrier_angle) {
   double force = 0.0;
-  const auto planets = static_cast<double>(gears.planets.size());
   for (std::size_t i = 0; i < gears.planets.size(); ++i)
-    force +=
-        felt(carrier_angle + two_pi * static_cast<double>(i) / planets) * gears.planets[i].ring_mesh_force;
+    force += felt(carrier_angle + places[i]) * gears.planets[i].ring_mesh_force;
   return force;
 }
 
@@ -104,6 +104,7 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
   const int bearing =
       planet * setup.bearings_per_planet + (scratched.empty() ? 0 : scratched.front().bearing);
   const Turning turning(operation);
+  const std::vector<double> places = gearset::planet_places(drivetrain.set);
 
   system::Monolithic motion(setup);
   PlanetVibration out{.rate = plan.rate,
@@ -124,7 +125,8 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
       const Eigen::Vector2d velocity = gears.planets[static_cast<std::size_t>(planet)].velocity;
       const Eigen::Vector2d acceleration = (velocity - before) / plan.interval();
       before = velocity;
-      low_pass.take({acceleration.x(), acceleration.y(), housing_force(gears, turning.carrier(time))});
+      low_pass.take(
+          {acceleration.x(), acceleration.y(), housing_force(gears, places, turning.carrier(time))});
       if (i % PlanetLowPass::kOversampling != 0) continue;
       const long now = i / PlanetLowPass::kOversampling - plan.settling - PlanetLowPass::kReach;
       if (now >= 0 && now < plan.samples) {

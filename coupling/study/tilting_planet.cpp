@@ -31,6 +31,22 @@ bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain) {
           .material = drivetrain.bearing.material};
 }
 
+Eigen::MatrixXd carrier_twist_compliance(const PlanetaryDrivetrain& drivetrain) {
+  if (!drivetrain.seats.carrier_twist) return {};
+  const double span = planet_pin(drivetrain).span;
+  const double radius = gearset::working_geometry(drivetrain.set).centre_distance;
+  const std::vector<double> places = axial_places(drivetrain);
+  const auto count = static_cast<Eigen::Index>(places.size());
+  Eigen::VectorXd at_wall(2 *
+                          count);  // by a displacement of the positive wall: of the seats, then their slopes
+  for (Eigen::Index k = 0; k < count; ++k) {
+    at_wall[k] = 0.5 + places[static_cast<std::size_t>(k)] / span;
+    at_wall[count + k] = 1.0 / span;
+  }
+  return drivetrain.set.planets * radius * radius / *drivetrain.seats.carrier_twist * at_wall *
+         at_wall.transpose();
+}
+
 Eigen::Matrix2d mesh_tilt_stiffness(const PlanetaryDrivetrain& drivetrain) {
   if (!drivetrain.gear_set)
     throw std::invalid_argument("tilt of a planet: found gears without meshes; required: one set with teeth");
@@ -49,6 +65,8 @@ PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain) {
   PlanetSeat seat{.places = axial_places(drivetrain), .clearance_differences = seats.clearance_differences};
   seat.clearance_differences.resize(seat.places.size(), 0.0);
   seat.pin_compliance = bearing::pin_compliance(planet_pin(drivetrain), seat.places);
+  if (const Eigen::MatrixXd twist = carrier_twist_compliance(drivetrain); twist.size() > 0)
+    seat.tangential_compliance = seat.pin_compliance + twist;
   seat.pin_inclination = {seats.radial_inclination, seats.tangential_inclination};
   seat.tilt_stiffness = mesh_tilt_stiffness(drivetrain);
   return seat;
@@ -56,7 +74,9 @@ PlanetSeat planet_seat(const PlanetaryDrivetrain& drivetrain) {
 
 bearing::laminae::PlanetOnPin planet_on(const PlanetSeat& seat, const bearing::Bearing& bearing,
                                         mechanics::InstructionSet set) {
-  bearing::laminae::PlanetOnPin planet{.place = seat.places, .pin_compliance = seat.pin_compliance};
+  bearing::laminae::PlanetOnPin planet{.place = seat.places,
+                                       .pin_compliance = seat.pin_compliance,
+                                       .tangential_compliance = seat.tangential_compliance};
   for (const double difference : seat.clearance_differences) {
     bearing::Bearing one = bearing;
     one.radial_clearance += difference;
@@ -85,6 +105,27 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& dr
   return tilting_planet(planet_on(planet_seat(drivetrain), drivetrain.bearing,
                                   mechanics::InstructionSet::baseline),  // equal points on all machines
                         duty.point, duty.gears.overturning_moment, quasi_static_options(drivetrain));
+}
+
+std::vector<SeatedBearing> seated_bearings(const PlanetaryDrivetrain& drivetrain,
+                                           const DrivetrainGeometry& geometry, const BearingDuty& duty) {
+  const bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain, duty);
+  const PlanetSeat seat = planet_seat(drivetrain);
+  Eigen::Vector2d through_cage = Eigen::Vector2d::Zero();
+  if (drivetrain.bearing.cage.guidance == bearing::Race::outer)
+    through_cage = bearing::load_through_cage(drivetrain.bearing, geometry.bearing, duty.point.carrier,
+                                              drivetrain.inertia);
+  std::vector<SeatedBearing> all;
+  for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
+    SeatedBearing one{drivetrain, geometry, duty};
+    one.drivetrain.bearing.radial_clearance += seat.clearance_differences[k];
+    one.geometry.bearing = bearing::geometry_of(one.drivetrain.bearing);
+    one.duty.point.bore_load = planet.bearings[k].total_bore_load - through_cage;
+    one.duty.point.bore_tilt = planet.bearing_tilt[k];
+    one.duty.share = one.duty.point.bore_load.norm() / duty.point.bore_load.norm();
+    all.push_back(std::move(one));
+  }
+  return all;
 }
 
 }  // namespace orbearing::study

@@ -13,6 +13,12 @@ std::vector<double> axial_places(const PlanetaryDrivetrain& drivetrain);
 /// each a quarter of the face thick, or clamped where the face ends.
 bearing::PinBeam planet_pin(const PlanetaryDrivetrain& drivetrain);
 
+/// What the carrier's twist adds to the compliance of all pins along y, in the order of pin_compliance(). The
+/// wall at the positive end passes its part of all N planets' load through the body of the carrier to the
+/// other wall, of stiffness k: a force on it displaces it by N a^2/k, a the centre distance. Empty where the
+/// walls are rigid to each other.
+Eigen::MatrixXd carrier_twist_compliance(const PlanetaryDrivetrain& drivetrain);
+
 /// How stiffly both meshes hold the planet against tilts of its axis, along x and y: each mean stiffness k
 /// spread over the face b gives k b^2/12 about the middle, in its line of action. [N m/rad]. The axial forces
 /// of helical teeth are held by the torques, whatever the tilt, and give no stiffness.
@@ -24,6 +30,7 @@ struct PlanetSeat {
   std::vector<double> places;                 // [m]  (bearings)
   std::vector<double> clearance_differences;  // [m]  (bearings)  beyond the clearance that a bearing has
   Eigen::MatrixXd pin_compliance;             // bearing::pin_compliance() at these places
+  Eigen::MatrixXd tangential_compliance;      // the same with carrier_twist_compliance(); empty: rigid walls
   Eigen::Vector2d pin_inclination;            // [rad]  of the unloaded pin: outward, ahead
   Eigen::Matrix2d tilt_stiffness;             // [N m/rad]  of both meshes
 };
@@ -47,5 +54,17 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::Plane
 /// The same of a drivetrain at one duty.
 bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
                                                    const BearingDuty& duty);
+
+/// One bearing of a planet that found its tilt at rest, as it goes on in motion: load, tilt and clearance
+/// stay what they are at rest.
+struct SeatedBearing {
+  PlanetaryDrivetrain drivetrain;  // with its own clearance
+  DrivetrainGeometry geometry;
+  BearingDuty duty;  // its part of the planet's load, the tilt of its bore
+};
+
+/// All bearings of a planet, from its balance at rest.
+std::vector<SeatedBearing> seated_bearings(const PlanetaryDrivetrain& drivetrain,
+                                           const DrivetrainGeometry& geometry, const BearingDuty& duty);
 
 }  // namespace orbearing::study

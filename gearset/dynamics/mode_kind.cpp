@@ -1,7 +1,6 @@
 #include "gearset/dynamics/mode_kind.hpp"
 
-#include <boost/math/constants/constants.hpp>
-#include <cmath>
+#include <Eigen/QR>
 #include <complex>
 
 #include "mechanics/linear_algebra.hpp"
@@ -10,35 +9,47 @@ namespace orbearing::gearset::dynamics {
 
 namespace {
 
-using boost::math::double_constants::two_pi;
 using Eigen::Index;
 using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
 
-// How often a motion of the planets goes round with their place: its discrete Fourier component. Components
-// beyond half the number of planets go round the other way.
-ModeKind kind_of_component(Index component, Index planets) {
-  const Index rounds = std::min(component, planets - component);
-  return rounds == 0 ? ModeKind::rotational : rounds == 1 ? ModeKind::translational : ModeKind::planet;
+// Motions of the planets one against another, by kind; Eq. (13): each column a pattern over their places,
+// orthonormal. Rotational: all alike; translational: with the cosine and sine of their place; planet: the
+// rest.
+MatrixXd patterns(const std::vector<double>& places, ModeKind kind) {
+  const Eigen::Map<const Eigen::ArrayXd> angle(places.data(), static_cast<Index>(places.size()));
+  constexpr double none = 1e-9;  // of a pattern that is one of those before
+  MatrixXd columns(angle.size(), 3), basis(angle.size(), 0);
+  columns << Eigen::VectorXd::Ones(angle.size()), angle.cos(), angle.sin();
+  Index first_of_shifts = 0;
+  for (Index k = 0; k < columns.cols(); ++k) {
+    Eigen::VectorXd next = columns.col(k).normalized();
+    for (int twice = 0; twice < 2; ++twice) next -= basis * (basis.transpose() * next);
+    if (k == 1) first_of_shifts = basis.cols();
+    if (next.norm() < none) continue;
+    basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+    basis.rightCols(1) = next.normalized();
+  }
+  if (kind == ModeKind::rotational) return basis.leftCols(first_of_shifts);
+  if (kind == ModeKind::translational) return basis.rightCols(basis.cols() - first_of_shifts);
+  return Eigen::HouseholderQR<MatrixXd>(basis).householderQ() *
+         MatrixXd::Identity(angle.size(), angle.size()).rightCols(angle.size() - basis.cols());
 }
 
 // The share of each column that belongs to `kind`.
-MatrixXcd projected(const SetLayout& layout, const MatrixXcd& shapes, ModeKind kind) {
+MatrixXcd projected(const SetModel& model, const MatrixXcd& shapes, ModeKind kind) {
   MatrixXcd part = MatrixXcd::Zero(shapes.rows(), shapes.cols());
   for (Index place = 0; place < SetLayout::planet(0); place += 3) {
     if (kind == ModeKind::translational) part.middleRows(place, 2) = shapes.middleRows(place, 2);
     if (kind == ModeKind::rotational) part.row(place + 2) = shapes.row(place + 2);
   }
-  const double planets = static_cast<double>(layout.planets);
-  for (Index component = 0; component < layout.planets; ++component) {
-    if (kind_of_component(component, layout.planets) != kind) continue;
-    const auto turn = [&](Index n) {
-      return std::polar(1.0, two_pi * static_cast<double>(component * n) / planets);
-    };
+  const MatrixXd own = patterns(model.places, kind);
+  for (Index pattern = 0; pattern < own.cols(); ++pattern) {
     MatrixXcd amplitude = MatrixXcd::Zero(3, shapes.cols());
-    for (Index n = 0; n < layout.planets; ++n)
-      amplitude += std::conj(turn(n)) / planets * shapes.middleRows(SetLayout::planet(n), 3);
-    for (Index n = 0; n < layout.planets; ++n)
-      part.middleRows(SetLayout::planet(n), 3) += turn(n) * amplitude;
+    for (Index n = 0; n < own.rows(); ++n)
+      amplitude += own(n, pattern) * shapes.middleRows(SetLayout::planet(n), 3);
+    for (Index n = 0; n < own.rows(); ++n)
+      part.middleRows(SetLayout::planet(n), 3) += own(n, pattern) * amplitude;
   }
   return part;
 }
@@ -75,22 +86,38 @@ MatrixXcd shapes_above_half(const MatrixXcd& hermitian) {
 
 }  // namespace
 
-KindShares kind_shares(const SetLayout& layout, const Eigen::VectorXcd& shape) {
+KindShares kind_shares(const SetModel& model, const Eigen::VectorXcd& shape) {
   const auto share = [&](ModeKind kind) {
-    return projected(layout, shape, kind).squaredNorm() / shape.squaredNorm();
+    return projected(model, shape, kind).squaredNorm() / shape.squaredNorm();
   };
   return {share(ModeKind::rotational), share(ModeKind::translational), share(ModeKind::planet)};
 }
 
-std::vector<KindShapes> by_kind(const SetLayout& layout, const MatrixXcd& shapes) {
+std::vector<KindShapes> by_kind(const SetModel& model, const MatrixXcd& shapes) {
   const MatrixXcd basis = orthonormal(shapes, shapes.cols());
   std::vector<KindShapes> parts;
   for (const ModeKind kind : {ModeKind::rotational, ModeKind::translational, ModeKind::planet}) {
     // In the space spanned, the shapes of this kind are those that its projector leaves alone.
-    const MatrixXcd own = shapes_above_half(basis.adjoint() * projected(layout, basis, kind));
+    const MatrixXcd own = shapes_above_half(basis.adjoint() * projected(model, basis, kind));
     if (own.cols() > 0) parts.push_back({kind, basis * own});
   }
   return parts;
+}
+
+bool excites(const std::vector<double>& places, int teeth, ModeKind kind) {
+  constexpr double none = 1e-9;  // [-]  of forces that cancel
+  const auto planets = static_cast<Index>(places.size());
+  Eigen::VectorXcd force(planets);  // of the meshes on the planets, one after the other
+  for (Index n = 0; n < planets; ++n) force[n] = std::polar(1.0, teeth * places[static_cast<std::size_t>(n)]);
+  if (kind == ModeKind::planet)
+    return (patterns(places, kind).transpose() * force).norm() > none * force.norm();
+  const auto total = [&](int turn) {  // on a central member: its moment, or its force seen from one side
+    std::complex<double> sum = 0.0;
+    for (Index n = 0; n < planets; ++n)
+      sum += force[n] * std::polar(1.0, turn * places[static_cast<std::size_t>(n)]);
+    return std::abs(sum) / static_cast<double>(planets);
+  };
+  return kind == ModeKind::rotational ? total(0) > none : total(1) > none || total(-1) > none;
 }
 
 }  // namespace orbearing::gearset::dynamics

@@ -4,14 +4,16 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "gearset/dynamics/layout.hpp"
+#include "gearset/dynamics/model.hpp"
 
 namespace orbearing::gearset::dynamics {
 
 /// Kinds of [LinParker1999], by the motion's symmetry under an exchange of planets:
 /// rotational      central members turn, all planets do the same;
-/// translational   central members shift, the planets' motion goes once round with their place;
-/// planet          central members rest, the planets' motion goes round twice or more.
+/// translational  central members shift, the planets' motion goes with cosine and sine of their place;
+/// planet         central members rest, the planets' motion is any other.
+/// Planets at unequal steps keep the kinds where equal forces on all of them balance on the sun
+/// [LinParker2000]; elsewhere rotational and translational modes mix.
 enum class ModeKind { rotational, translational, planet };
 
 /// Part of a space of shapes that is of one kind.
@@ -29,12 +31,18 @@ struct KindShares {
 };
 
 /// @param shape (freedoms) in the coordinates sqrt(mass) x position; not zero
-KindShares kind_shares(const SetLayout& layout, const Eigen::VectorXcd& shape);
+KindShares kind_shares(const SetModel& model, const Eigen::VectorXcd& shape);
 
 /// Splits the space that the columns of `shapes` span, which share one frequency, into parts of one kind.
-/// Where by unequal planets a shape belongs to no kind alone, the largest part names it. Eq. (13) of
+/// Where a shape belongs to no kind alone, the largest part names it. Eq. (13) of
 /// gearset/dynamics/README.md.
 /// @param shapes (freedoms, number) in the coordinates sqrt(mass) x position
-std::vector<KindShapes> by_kind(const SetLayout& layout, const Eigen::MatrixXcd& shapes);
+std::vector<KindShapes> by_kind(const SetModel& model, const Eigen::MatrixXcd& shapes);
+
+/// Whether a force of the meshes that goes `teeth` times round the sun while the carrier goes round once
+/// against it excites modes of that kind: harmonic l of the mesh frequency has l z_s. Eq. (14),
+/// [ParkerLin2004].
+/// @param places [rad] of the planets
+bool excites(const std::vector<double>& places, int teeth, ModeKind kind);
 
 }  // namespace orbearing::gearset::dynamics

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "gearset/mesh/loaded/transmission_error.hpp"
+#include "gearset/planet_places.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::gearset::dynamics {
@@ -57,6 +58,8 @@ void require_sound(const SetParameters& set) {
   for (const std::vector<double>* phases : {&set.sun_phase, &set.ring_phase})
     require(phases->size() == planets, "number of mesh phases", static_cast<double>(phases->size()),
             "one for each planet");
+  require(set.planet_places.empty() || set.planet_places.size() == planets, "number of places of planets",
+          static_cast<double>(set.planet_places.size()), "one for each planet, or none");
   require(set.pin_error.cols() == 0 || set.pin_error.cols() == set.planets, "number of pin errors",
           static_cast<double>(set.pin_error.cols()), "one for each planet, or none");
 }
@@ -98,10 +101,6 @@ void add_mesh(SetModel& model, MeshKind kind, Eigen::Index n, double planet_angl
       {kind, n, sun ? SetLayout::sun() : SetLayout::ring(), SetLayout::planet(n),
        deflection(planet_angle, alpha, loaded), deflection(planet_angle, alpha, back),
        (sun ? model.parameters.sun_phase : model.parameters.ring_phase)[static_cast<std::size_t>(n)]});
-}
-
-double planet_angle(const SetModel& model, Eigen::Index n) {
-  return two_pi * static_cast<double>(n) / static_cast<double>(model.layout.planets);
 }
 
 }  // namespace
@@ -151,12 +150,15 @@ SetModel set_model(SetParameters parameters, const Operation& operation) {
   require_sound(operation);
   linearise_meshes(parameters, operation);
   SetModel model{.layout = {parameters.planets}, .parameters = std::move(parameters), .operation = operation};
+  model.places = model.parameters.planet_places;
+  if (model.places.empty()) model.places = even_places(model.parameters.planets);
   set_masses(model);
   for (const MeshKind kind : {MeshKind::sun, MeshKind::ring})
-    for (Eigen::Index n = 0; n < model.layout.planets; ++n) add_mesh(model, kind, n, planet_angle(model, n));
+    for (Eigen::Index n = 0; n < model.layout.planets; ++n)
+      add_mesh(model, kind, n, model.places[static_cast<std::size_t>(n)]);
   const Eigen::Matrix2Xd& errors = model.parameters.pin_error;
   for (Eigen::Index n = 0; n < model.layout.planets; ++n) {
-    const double angle = planet_angle(model, n);
+    const double angle = model.places[static_cast<std::size_t>(n)];
     const Eigen::Vector2d error = errors.cols() == 0 ? Eigen::Vector2d::Zero().eval() : errors.col(n).eval();
     model.bearings.push_back(
         {SetLayout::planet(n), radial_bearing_deflection(angle), tangential_bearing_deflection(angle), error,

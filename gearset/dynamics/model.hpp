@@ -36,6 +36,7 @@ struct SetModel {
   SetLayout layout;
   SetParameters parameters;
   Operation operation;
+  std::vector<double> places;           // [rad]  of the planets on the carrier, anticlockwise
   std::vector<PlanetMesh> meshes;       // sun meshes of all planets, then ring meshes
   std::vector<PlanetBearing> bearings;  // (planets)
   Eigen::VectorXd mass;                 // [kg]    (freedoms)

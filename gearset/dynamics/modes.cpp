@@ -133,7 +133,7 @@ std::vector<Mode> grouped(const SetModel& model, const RawModes& raw) {
     MatrixXcd shapes(raw.shapes.rows(), static_cast<Index>(end - begin));
     for (std::size_t i = begin; i < end; ++i)
       shapes.col(static_cast<Index>(i - begin)) = raw.shapes.col(order[i]);
-    for (const KindShapes& part : by_kind(model.layout, shapes))
+    for (const KindShapes& part : by_kind(model, shapes))
       modes.push_back(mode_of(model, mean, growth, part, largest));
   }
   return modes;

@@ -210,9 +210,10 @@ void describe(Visitor& visit, FrameSwitches& m) {
           internal(m.centrifugal, "inertia.carrier_centrifugal"), internal(m.euler, "inertia.euler"));
 }
 
-/// One planetary set. Planet n stands at the angle 2 pi n / planets.
+/// One planetary set.
 struct SetParameters {
   int planets = 0;
+  std::vector<double> planet_places;  // [rad]  (planets)  anticlockwise; empty: 2 pi n / planets
   CentralMember sun;
   CentralMember ring;
   CentralMember carrier;
@@ -232,7 +233,8 @@ void describe(Visitor& visit, SetParameters& m) {
   members(visit, m,
           internal(m.planets, "gearset.planets", "number of planets",
                    {.range = positive(), .fmu = InFmu::constant}),
-          part(m.planet), part(m.sun, [&] { describe(visit, m.sun, "sun"); }),
+          internal(m.planet_places, "gearset.planet_places"), part(m.planet),
+          part(m.sun, [&] { describe(visit, m.sun, "sun"); }),
           part(m.ring, [&] { describe(visit, m.ring, "ring"); }),
           part(m.carrier, [&] { describe(visit, m.carrier, "carrier"); }),
           part(m.sun_mesh, [&] { describe(visit, m.sun_mesh, "sun"); }),

@@ -1,24 +1,17 @@
 #include "gearset/mesh/planetary_meshes.hpp"
 
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 #include "gearset/mesh/elastic_ring.hpp"
 #include "gearset/mesh/iso6336.hpp"
 #include "gearset/message.hpp"
+#include "gearset/planet_places.hpp"
 
 namespace orbearing::gearset {
 
-std::vector<double> equal_planet_angles(int planets) {
-  std::vector<double> angles;
-  for (int i = 0; i < planets; ++i) angles.push_back(2.0 * boost::math::double_constants::pi * i / planets);
-  return angles;
-}
-
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
-                                 const std::vector<double>& planet_angles, const BodyRatios& bodies,
-                                 const mechanics::Material& material, const MeshMotion& motion,
-                                 std::optional<double> held_race) {
+                                 const BodyRatios& bodies, const mechanics::Material& material,
+                                 const MeshMotion& motion, std::optional<double> held_race) {
   const double width = set.face_width;
   const double a = geometry.centre_distance;
   const MeshGear planet =
@@ -38,7 +31,7 @@ PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry&
   const double to_ring =
       ring_to_sun_lag(meshes.sun_gears, meshes.ring_gears, geometry.sun_mesh.working_pressure_angle,
                       geometry.ring_mesh.working_pressure_angle);
-  for (const double angle : planet_angles) {
+  for (const double angle : planet_places(set)) {
     meshes.sun_lag.push_back(sun_mesh_lag(set.sun_teeth, angle, motion));
     meshes.ring_lag.push_back(whole_periods_off(to_ring + ring_mesh_lag(set.ring_teeth, angle, motion)));
   }

@@ -30,15 +30,11 @@ struct PlanetaryMeshes {
 
 /// @param held_race [m] radius of the race at which the planet is held, whose rim bends as a whole besides
 /// (gearset/rim): foundation by the elastic ring. None: held at its bore, as published models have it
-/// @param planet_angles [rad] anticlockwise; such that the set can be assembled
+/// @param set whose planets stand where it can be assembled
 /// @throws std::domain_error if a gear has no body under its teeth
 PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry& geometry,
-                                 const std::vector<double>& planet_angles, const BodyRatios& bodies,
-                                 const mechanics::Material& material, const MeshMotion& motion,
-                                 std::optional<double> held_race = {});
-
-/// Angles of equally spaced planets. [rad]
-std::vector<double> equal_planet_angles(int planets);
+                                 const BodyRatios& bodies, const mechanics::Material& material,
+                                 const MeshMotion& motion, std::optional<double> held_race = {});
 
 /// Whether a gear's body lies outside the range of the polynomials of [Sainsot2004], and what the elastic
 /// ring gives in their place; none for a ring gear.

@@ -69,7 +69,7 @@ TEST_P(PhaseRule, TellsTheKindOfEachHarmonic) {
   // What the transient left after 600 periods, the allowed error of the steps, and rotation as a rigid body.
   constexpr double leak = 1e-4;  // [-]  share of energy
   for (int l = 1; l <= kHarmonics; ++l) {
-    const KindShares shares = kind_shares(model.layout, amplitude.col(l - 1));
+    const KindShares shares = kind_shares(model, amplitude.col(l - 1));
     const int k = (l * GetParam().sun_teeth) % 4;
     const double own = k == 0 ? shares.rotational : k == 2 ? shares.planet : shares.translational;
     EXPECT_GT(own, 1.0 - leak) << "harmonic " << l << ": rotational " << shares.rotational

@@ -60,7 +60,7 @@ gearset::dynamics::SetParameters gears_of(const PlanetaryDrivetrain& drivetrain)
   const DrivetrainGeometry geometry = derive(drivetrain);
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry.gears, drivetrain.drive);
   const gearset::PlanetaryMeshes meshes = gearset::planetary_meshes(
-      drivetrain.set, geometry.gears, gearset::equal_planet_angles(drivetrain.set.planets), {}, {},
+      drivetrain.set, geometry.gears, {}, {},
       gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed));
   GearDynamicsChoice choice;
   choice.mesh_damping_ratio = choice.bearing_damping_ratio = 0.05;

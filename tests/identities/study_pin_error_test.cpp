@@ -24,7 +24,7 @@ PlanetaryDrivetrain displaced(int planets, double error, bool floating_sun) {
   gears.pin_error = Eigen::Matrix2Xd::Zero(2, planets);
   gears.pin_error(1, 0) = error;
   drivetrain.gear_set = [gears] { return gears; };
-  drivetrain.pins_displaced = true;
+  drivetrain.uneven_planets = true;
   return drivetrain;
 }
 
@@ -97,7 +97,7 @@ TEST(PinErrors, EveryPlanetLivesUnderItsOwnLoad) {
   EXPECT_LT(point.life_hours, longest->life_hours);
   EXPECT_NEAR(mean, point.planet_load, kBalance * mean);
   PlanetaryDrivetrain even = drivetrain;
-  even.pins_displaced = false;
+  even.uneven_planets = false;
   EXPECT_TRUE(evaluate(even, derive(even)).planets.empty());
 }
 

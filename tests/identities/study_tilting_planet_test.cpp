@@ -50,7 +50,8 @@ TEST(TiltingPlanet, TiltOfTheReducerIsThatOfItsPin) {
     const double slope = (bends(2, 0) + bends(2, 1)) * load.norm();
     ASSERT_EQ(found.seats.size(), 2u);
     EXPECT_LT((found.seats[0].tilt + found.seats[1].tilt).norm(), 1e-6 * slope);
-    EXPECT_NEAR(found.seats[0].tilt.norm() / slope, 1.0, 0.2);  // tilted rollers straighten it, their cage loads it more
+    EXPECT_NEAR(found.seats[0].tilt.norm() / slope, 1.0,
+                0.2);  // tilted rollers straighten it, their cage loads it more
   }
 }
 
@@ -82,6 +83,81 @@ TEST(TiltingPlanet, HoldsWhatHelicalTeethOverturn) {
     EXPECT_NEAR(point.axial_mesh_force / axial, 1.0, 1e-12);
     EXPECT_NEAR(point.sun_thrust / axial, -drivetrain.set.planets, 1e-12);
   }
+}
+
+// The wall at the positive end carries half of what presses on a pin in its middle; N of these halves at the
+// centre distance twist it against the other wall, which inclines the pins by the arc over their span.
+TEST(TiltingPlanet, FeelsTheTwistOfItsCarrier) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  drivetrain.seats.carrier_twist = 2e5;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const BearingDuty duty = bearing_duty(drivetrain, geometry);
+  const double a = geometry.gears.centre_distance, span = planet_pin(drivetrain).span;
+  const double half = duty.gears.tangential_force / 2.0;  // of one planet
+  const double inclination = drivetrain.set.planets * half * a / *drivetrain.seats.carrier_twist * a / span;
+  const Eigen::MatrixXd compliance = carrier_twist_compliance(drivetrain);
+  Eigen::Vector4d loads(half, half, 0.0, 0.0);  // two bearings
+  EXPECT_NEAR((compliance * loads)[2] / inclination, 1.0, 1e-9);
+  EXPECT_NEAR((compliance * loads)[3] / inclination, 1.0, 1e-9);
+  // Mean of both places: the middle of the pin goes along by half of the wall's displacement.
+  EXPECT_NEAR((compliance * loads).head<2>().mean() / (0.5 * inclination * span), 1.0, 1e-9);
+  // What it does to the planet is what an inclined pin does to it.
+  const bearing::laminae::PlanetOnPinResult twisted = tilting_planet(drivetrain, duty);
+  PlanetaryDrivetrain stated = drivetrain;
+  stated.seats.carrier_twist.reset();
+  const bearing::laminae::PlanetOnPinResult rigid = tilting_planet(stated, duty);
+  const double wall = [&] {  // of the loads that are found: bearings no longer carry alike
+    double force = 0.0;
+    const std::vector<double> places = axial_places(drivetrain);
+    for (std::size_t k = 0; k < 2; ++k)
+      force += twisted.bearings[k].total_bore_load.y() * (0.5 + places[k] / span) +
+               twisted.bearings[k].moment.y() / span * -1.0;
+    return force;
+  }();
+  stated.seats.tangential_inclination =
+      drivetrain.set.planets * a * a / *drivetrain.seats.carrier_twist * wall / span;
+  const bearing::laminae::PlanetOnPinResult inclined = tilting_planet(stated, duty);
+  const double change = (twisted.tilt - rigid.tilt).norm();
+  EXPECT_GT(change, 1e-6);
+  EXPECT_LT((twisted.tilt - inclined.tilt).norm(), 1e-3 * change);
+}
+
+// Issue 16, Build 2, in motion: each bearing goes on with the load, the clearance and the tilt that it has at
+// rest.
+TEST(SeatedBearings, ShareTheLoadOfTheirPlanet) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  drivetrain.seats.clearance_differences = {0.0, 10e-6};
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const BearingDuty duty = bearing_duty(drivetrain, geometry);
+  const std::vector<SeatedBearing> seated = seated_bearings(drivetrain, geometry, duty);
+  ASSERT_EQ(seated.size(), 2u);
+  const Eigen::Vector2d both = seated[0].duty.point.bore_load + seated[1].duty.point.bore_load;
+  EXPECT_LT((both - 2.0 * duty.point.bore_load).norm(), 1e-6 * both.norm());
+  EXPECT_GT(seated[0].duty.share, 1.2);
+  EXPECT_LT(seated[1].duty.share, 0.8);
+  EXPECT_NEAR(seated[1].drivetrain.bearing.radial_clearance - seated[0].drivetrain.bearing.radial_clearance,
+              10e-6, 1e-12);
+  const bearing::laminae::PlanetOnPinResult rest = tilting_planet(drivetrain, duty);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(seated[k].duty.point.bore_tilt, rest.bearing_tilt[k]);
+}
+
+TEST(SeatedBearings, LiveInMotionNearlyAsAtRest) {
+  PlanetaryDrivetrain drivetrain = tilting_reducer();
+  drivetrain.seats.clearance_differences = {0.0, 10e-6};
+  drivetrain.mesh_variation = false;
+  drivetrain.dynamics.cage.guide_diameter = 38.88e-3;
+  drivetrain.steady_state.observed_windows = 6;
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  const PointResult rest = evaluate(drivetrain, geometry);
+  const PointResult motion = evaluate(drivetrain, geometry, Fidelity::dynamic);
+  ASSERT_EQ(motion.seats.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(motion.seats[k].tilt, rest.seats[k].tilt);
+    EXPECT_NEAR(motion.seats[k].load / rest.seats[k].load, 1.0, 0.02);
+    EXPECT_NEAR(motion.seats[k].life_hours / rest.seats[k].life_hours, 1.0, 0.15);
+  }
+  EXPECT_LT(motion.seats[0].life_hours, motion.seats[1].life_hours);
+  EXPECT_THROW(evaluate_from(drivetrain, geometry, motion.dynamic->final_state), std::invalid_argument);
 }
 
 TEST(TiltingPlanet, WithoutMeshesIsRefused) {

@@ -9,6 +9,7 @@
 
 #include "app/case/printable.hpp"
 #include "app/case/spectrum_case.hpp"
+#include "app/case/uneven_planets.hpp"
 #include "app/errors.hpp"
 #include "app/study/crown/quantity_list.hpp"
 #include "app/study/planetary_case.hpp"
@@ -57,8 +58,7 @@ std::string reason_to_state(const ResolvedCase& resolved) {
   if (resolved.shape().several) return "several sets";
   if (resolved.has("gearset.planet_rim") && resolved.choice("gearset.planet_rim") == "elastic")
     return "gearset.planet_rim: elastic";
-  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"})
-    if (resolved.has(pins)) return pins;
+  if (const std::string uneven = uneven_planets_by(resolved); !uneven.empty()) return uneven;
   const char* wind_up = "bearing.misalignment.carrier_wind_up";
   if (resolved.has(wind_up) && resolved.quantity(wind_up) != 0.0) return wind_up;
   return "";

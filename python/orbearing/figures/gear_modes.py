@@ -14,7 +14,7 @@ from orbearing.result_folder import curve, numbers, record, records
 SHAPE_SLUG, SHAPE_TITLE = "gear-modes", "Gears: mode shapes"
 CAMPBELL_SLUG, CAMPBELL_TITLE = "gear-campbell", "Gears: Campbell diagram"
 KINDS = {"R": ("rotational", style.BLUE, "-"), "T": ("translational", style.GREEN, "--"), "P": ("planet", style.VERMILION, "-.")}
-NEEDED = ("planets", "centre_distance_mm", "sun_radius_mm", "ring_radius_mm", "planet_radius_mm")
+NEEDED = ("centre_distance_mm", "sun_radius_mm", "ring_radius_mm", "planet_radius_mm")
 ORDERS = (1, 2, 3, 4)  # with four planets each kind of mode has a harmonic among these
 DRAWN = 0.16  # largest displacement in the picture over the centre distance
 
@@ -28,7 +28,7 @@ def shape_block(gears: dict) -> FigureBlock:
     """The lowest modes of each kind, each in a panel."""
     content = record(gears.get("mode_shapes"))
     lacking = [name for name in NEEDED if not is_number(content.get(name)) or content[name] <= 0]
-    size = 9 + 3 * int(content["planets"]) if not lacking else 0
+    size = 0 if lacking else 9 + 3 * len(numbers(content.get("places_rad")))
     modes = [m for m in records(content.get("modes")) if is_number(m.get("frequency_Hz")) and _shape(m).size == size > 0]
     if not modes:
         return FigureBlock(SHAPE_SLUG, SHAPE_TITLE, missing="This result holds no mode shapes.")
@@ -64,9 +64,7 @@ def members(content: dict, shape: np.ndarray) -> list[tuple]:
     rows = [("ring", (0.0, 0.0), content["ring_radius_mm"], shape[3:5], shape[5]),
             ("sun", (0.0, 0.0), content["sun_radius_mm"], shape[0:2], shape[2]),
             ("carrier", (0.0, 0.0), 0.22 * distance, shape[6:8], shape[8] * 0.22)]
-    planets = int(content["planets"])
-    for n in range(planets):
-        angle = 2 * np.pi * n / planets
+    for n, angle in enumerate(content["places_rad"]):
         out, along = np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
         x, y, turn = shape[9 + 3 * n:12 + 3 * n]
         rows.append((f"planet {n + 1}", tuple(distance * out), content["planet_radius_mm"], x * out + y * along, turn))

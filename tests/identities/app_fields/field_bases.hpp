@@ -284,6 +284,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"bearing.clearance_differences", {"[10 um]", tilting}},
       {"support.pin_ends", {"one", tilting}},
       {"support.pin_span", {"40 mm", {laminae, "bearing.tilt_state=computed", "support.pin_ends=one"}}},
+      {"support.carrier_twist_stiffness", {"1e5 N.m/rad", tilting}},
       {"support.pin_inclination.radial", {"0.03 deg", tilting}},
       {"support.pin_inclination.tangential", {"0.03 deg", tilting}},
       {"input.acceleration", {"1100 rpm/s", run_up}},
@@ -291,6 +292,7 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"inertia.euler", {"false", both}},
       {"gearset.fixed", {"sun", {"input.member=carrier"}}},
       {"gearset.planets", {"4"}},
+      {"gearset.planet_angles", {"[0 deg, 170.6897 deg]"}},
       {"gearset.helix_angle", {"12 deg"}},
       {"gearset.sun_thrust", {"carrier", {"gearset.helix_angle=12 deg"}}},
       {"pair.helix_angle", {"12 deg"}},
@@ -346,6 +348,8 @@ inline const std::map<std::string, Change>& stated_changes() {
       {"bearing.rings", {"none"}},
       {"bearing.fit.inner_interference", {"4 um", {shelf}}},
       {"bearing.fit.outer_interference", {"40 um", {shelf}}},  // the teeth open less at this speed
+      {"bearing.fit.pin_class", {"k5", {shelf}}},
+      {"bearing.fit.planet_class", {"P6", {shelf}}},
       {"bearing.fit.pin_bore", {"10 mm", {shelf, "bearing.fit.inner_interference=6 um"}}},
       {"bearing.fit.expansion", {"12e-6 K-1", {shelf, "bearing.temperature.inner_ring=60 degC"}}},
       {"bearing.temperature.pin", {"50 degC", {shelf, "bearing.fit.inner_interference=6 um"}}},
@@ -492,7 +496,8 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
   const bool rim = field.path == "gearset.planet_rim";
   const bool of_tilt = field.path == "bearing.tilt_state" || field.path == "bearing.axial_places" ||
                        field.path == "bearing.clearance_differences" ||
-                       field.path.starts_with("support.pin_");
+                       field.path.starts_with("support.pin_") ||
+                       field.path == "support.carrier_twist_stiffness";
   const bool alone = !in.shape().several && !in.has("bearing.rollers");  // a rim that rests on no rollers
   return ((rim || of_tilt) && in.has("gearset.dynamics.pin_error.tangential")) || (rim && alone) ||
          (of_tilt && in.shape().several);

@@ -26,7 +26,7 @@ inline MeshingGears meshing(const GearPair& pair, bool first_drives = true,
 
 inline PlanetaryMeshes meshes_of(PlanetarySet set, const MeshMotion& motion = {}) {
   if (set.planet_bore == 0.0) set.planet_bore = 42e-3;  // the source prints no bearing for one of its sets
-  return planetary_meshes(set, working_geometry(set), equal_planet_angles(set.planets), {}, {}, motion);
+  return planetary_meshes(set, working_geometry(set), {}, {}, motion);
 }
 
 }  // namespace orbearing::gearset

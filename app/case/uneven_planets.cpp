@@ -1,0 +1,32 @@
+#include "app/case/uneven_planets.hpp"
+
+#include <algorithm>
+
+#include "gearset/planet_places.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+bool is_uneven(const ResolvedCase& in, const std::string& places) {
+  gearset::PlanetarySet set{.planets = in.integer("gearset.planets"), .planet_angles = in.list(places)};
+  if (in.shape().teeth) {
+    set.sun_teeth = in.integer("gearset.teeth.sun");
+    set.ring_teeth = in.integer("gearset.teeth.ring");
+  }
+  return gearset::stands_unevenly(set);
+}
+
+}  // namespace
+
+std::string uneven_planets_by(const ResolvedCase& resolved) {
+  for (const char* pins : {"gearset.dynamics.pin_error.radial", "gearset.dynamics.pin_error.tangential"}) {
+    if (!resolved.has(pins)) continue;
+    const std::vector<double>& errors = resolved.list(pins);
+    if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; })) return pins;
+  }
+  const char* places = "gearset.planet_angles";
+  return resolved.has(places) && is_uneven(resolved, places) ? places : "";
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,135 @@
+#include "bearing/catalogue/seat_class.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace orbearing::bearing::catalogue {
+
+namespace {
+
+constexpr double kSeatMicrometre = 1e-6;
+constexpr std::size_t kSteps = 11;
+
+// Steps of diameters: each value below holds up to this [mm], from the one before, the first from 3 mm.
+constexpr std::array<double, kSteps> kUpTo{6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400};
+
+// Tolerances of the grades 4 to 7 [um].
+constexpr std::array<std::array<double, kSteps>, 4> kGrades{{{4, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18},
+                                                             {5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25},
+                                                             {8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36},
+                                                             {12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57}}};
+
+// The end of a shaft's field that is nearer to the nominal diameter [um]: above it, but for g, which lies
+// below.
+struct ShaftLetter {
+  std::string_view letter;
+  std::array<double, kSteps> nearer;
+};
+constexpr std::array<ShaftLetter, 6> kShafts{{{"g", {-4, -5, -6, -7, -9, -10, -12, -14, -15, -17, -18}},
+                                              {"h", {}},
+                                              {"k", {1, 1, 1, 2, 2, 2, 3, 3, 4, 4, 4}},
+                                              {"m", {4, 6, 7, 8, 9, 11, 13, 15, 17, 20, 21}},
+                                              {"n", {8, 10, 12, 15, 17, 20, 23, 27, 31, 34, 37}},
+                                              {"p", {12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62}}}};
+
+std::size_t step_of(double diameter) {
+  constexpr double least = 3e-3, round_off = 1e-9;  // [m]
+  const auto* const step = std::find_if(kUpTo.begin(), kUpTo.end(),
+                                        [&](double most) { return diameter <= 1e-3 * most + round_off; });
+  if (!(diameter > least) || step == kUpTo.end())
+    throw std::invalid_argument("a diameter from 3 to 400 mm is required");
+  return static_cast<std::size_t>(step - kUpTo.begin());
+}
+
+struct Class {
+  std::string letter;  // small
+  int grade = 0;
+};
+
+Class split(std::string_view name) {
+  Class out;
+  for (const char c : name) {
+    if (c >= '0' && c <= '9')
+      out.grade = 10 * out.grade + (c - '0');
+    else
+      out.letter += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  return out;
+}
+
+double tolerance(int grade, std::size_t step) {
+  return kGrades.at(static_cast<std::size_t>(grade - 4)).at(step);
+}
+
+const std::array<double, kSteps>& nearer_end(const std::string& letter) {
+  for (const ShaftLetter& one : kShafts)
+    if (one.letter == letter) return one.nearer;
+  throw std::invalid_argument("no class of seats with the letter '" + letter + "'");
+}
+
+std::vector<std::string> classes(const std::vector<std::string>& letters, int first_grade) {
+  std::vector<std::string> all;
+  for (const std::string& letter : letters)
+    for (int grade = first_grade; grade <= 7; ++grade) all.push_back(letter + std::to_string(grade));
+  return all;
+}
+
+Deviations micrometres(double least, double most) {
+  return {kSeatMicrometre * least, kSeatMicrometre * most};
+}
+
+// By how much bores and outsides of normal accuracy are smaller than nominal at most [um].
+constexpr std::array<double, kSteps> kBores{8, 8, 8, 10, 12, 15, 20, 25, 30, 35, 40};
+// Outsides have a step of their own at 150 mm.
+double outside_tolerance(double diameter) {
+  constexpr double own_step = 0.15, below = 18;
+  constexpr std::array<double, kSteps> outsides{8, 8, 8, 9, 11, 13, 15, 25, 30, 35, 40};
+  const std::size_t step = step_of(diameter);
+  return diameter > 0.12 && diameter <= own_step ? below : outsides.at(step);
+}
+
+}  // namespace
+
+std::vector<std::string> shaft_classes() {
+  return classes({"g", "h", "js", "k", "m", "n", "p"}, 5);
+}
+
+std::vector<std::string> hole_classes() {
+  return classes({"G", "H", "JS", "K", "M", "N", "P"}, 6);
+}
+
+Deviations shaft_deviations(std::string_view shaft, double diameter) {
+  const Class name = split(shaft);
+  const std::size_t step = step_of(diameter);
+  const double width = tolerance(name.grade, step);
+  if (name.letter == "js") return micrometres(-0.5 * width, 0.5 * width);
+  const double nearer = nearer_end(name.letter).at(step);
+  const bool below = name.letter == "g" || name.letter == "h";
+  return below ? micrometres(nearer - width, nearer) : micrometres(nearer, nearer + width);
+}
+
+// Holes mirror shafts; of those that press, the finer grade of the shaft that goes with them makes the fit,
+// so that the difference of both tolerances is added.
+Deviations hole_deviations(std::string_view hole, double diameter) {
+  const Class name = split(hole);
+  const std::size_t step = step_of(diameter);
+  const double width = tolerance(name.grade, step);
+  if (name.letter == "js") return micrometres(-0.5 * width, 0.5 * width);
+  const double nearer = -nearer_end(name.letter).at(step);
+  if (name.letter == "g" || name.letter == "h") return micrometres(nearer, nearer + width);
+  const double upper = nearer + width - tolerance(name.grade - 1, step);
+  return micrometres(upper - width, upper);
+}
+
+Deviations inner_interference(std::string_view shaft, double bore) {
+  const Deviations pin = shaft_deviations(shaft, bore);
+  return {pin.least, pin.most + kSeatMicrometre * kBores.at(step_of(bore))};
+}
+
+Deviations outer_interference(std::string_view hole, double outside_diameter) {
+  const Deviations seat = hole_deviations(hole, outside_diameter);
+  return {-seat.most - kSeatMicrometre * outside_tolerance(outside_diameter), -seat.least};
+}
+
+}  // namespace orbearing::bearing::catalogue
