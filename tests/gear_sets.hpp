@@ -91,7 +91,7 @@ inline void load_teeth(SetParameters& parameters) {
   PlanetarySet set = reducer();
   set.flanks = {.sun_relief = 5e-6, .planet_relief = 8e-6, .ring_crown = 6e-6, .sun_slope = 4e-6};
   const PlanetaryMeshes meshes =
-      planetary_meshes(set, working_geometry(set), equal_planet_angles(set.planets), {}, {}, {});
+      planetary_meshes(set, working_geometry(set), {}, {}, {});
   constexpr int slices = 4;
   parameters.sun_mesh.loaded = std::make_shared<const LoadedTeeth>(
       tooth_pairs(meshes.sun_gears, sun_mesh_modifications(set.flanks, set.module), slices).teeth);
