@@ -20,6 +20,7 @@
 #include "app/case/set_case.hpp"
 #include "app/case/spectrum_case.hpp"
 #include "app/case/static_consistency.hpp"
+#include "app/case/uneven_planets.hpp"
 #include "gearset/checks.hpp"
 #include "gearset/planet_places.hpp"
 
@@ -320,7 +321,15 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
 void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   for (const std::string& set : resolved.shape().sets) {
     std::vector<Mistake> of_set;
-    check_one_set(resolved.of_set(set), of_set);
+    const ResolvedCase one = resolved.of_set(set);
+    check_one_set(one, of_set);
+    // How planets at unequal steps share a load follows from gears that can move: those of one set.
+    if (const char* angles = "gearset.planet_angles"; uneven_planets_by(one) == angles)
+      of_set.push_back(
+          {one.place(angles),
+           angles,
+           {"unequal steps in one of several sets",
+            "planets at equal steps, or one set, as gearset at the top of a case, are required"}});
     for (Mistake& mistake : of_set) {
       mistake.path = set_prefix(set) + mistake.path;
       mistakes.push_back(std::move(mistake));

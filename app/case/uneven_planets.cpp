@@ -10,7 +10,7 @@ namespace {
 
 bool is_uneven(const ResolvedCase& in, const std::string& places) {
   gearset::PlanetarySet set{.planets = in.integer("gearset.planets"), .planet_angles = in.list(places)};
-  if (in.shape().teeth) {
+  if (in.has("gearset.teeth.sun") && in.has("gearset.teeth.ring")) {
     set.sun_teeth = in.integer("gearset.teeth.sun");
     set.ring_teeth = in.integer("gearset.teeth.ring");
   }
@@ -26,7 +26,9 @@ std::string uneven_planets_by(const ResolvedCase& resolved) {
     if (std::any_of(errors.begin(), errors.end(), [](double error) { return error != 0.0; })) return pins;
   }
   const char* places = "gearset.planet_angles";
-  return resolved.has(places) && is_uneven(resolved, places) ? places : "";
+  for (const char* needed : {places, "gearset.planets"})
+    if (!resolved.has(needed)) return "";
+  return is_uneven(resolved, places) ? places : "";
 }
 
 }  // namespace orbearing::app

@@ -46,7 +46,7 @@ def draw(axes, name):
     for power in POWERS:
         result = mesh(name, *LOADED, f"input.power={power}")
         found = result["transmission_error"]
-        label = f"{found['force_N']:.3g} N"
+        label = f"{found['force_N'] / 1e3:.3g} kN"
         stiffness.plot(*over_two_periods([(f, found["force_N"] / e) for f, e in found["curve_um"]]), label=label)
         error.plot(*over_two_periods([(f, (e - found["mean_um"]) / found["mean_um"]) for f, e in found["curve_um"]]),
                    label=label)

@@ -88,6 +88,8 @@ class UnequalPlanets(unittest.TestCase):
             refused = run("check", REDUCER, *settings([*places, *values]))
             self.assertEqual(refused.returncode, 2)
             self.assertIn("beside gearset.planet_angles", refused.stderr)
+        several = run("check", SETS, "--set", "sets.reduction.gearset.planet_angles=[0 deg, 68.2759 deg, 180 deg, 248.2759 deg]")
+        self.assertEqual(several.returncode, 2)
         wrong = run("check", REDUCER, *settings(["gearset.planets=3", "gearset.planet_angles=[0 deg, 95 deg, 233 deg]"]))
         self.assertEqual(wrong.returncode, 2)
         self.assertIn("where teeth do not fit", wrong.stderr)

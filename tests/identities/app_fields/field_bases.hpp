@@ -500,7 +500,7 @@ inline bool stays_as_it_is(const Field& field, const ResolvedCase& in) {
                        field.path == "support.carrier_twist_stiffness";
   const bool alone = !in.shape().several && !in.has("bearing.rollers");  // a rim that rests on no rollers
   return ((rim || of_tilt) && in.has("gearset.dynamics.pin_error.tangential")) || (rim && alone) ||
-         (of_tilt && in.shape().several);
+         ((of_tilt || field.path == "gearset.planet_angles") && in.shape().several);
 }
 
 /// The change of `path` in the case `in`; an empty value for a field that has but one.
@@ -508,6 +508,8 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
   if (field.path == "gearset.planets" && in.has("gearset.dynamics.pin_error.tangential"))
     return {"4", {}, {"gearset.dynamics.pin_error.tangential=[4 um, 0 um, 0 um, 0 um]"}};
   const bool rollers = (in.model() & with_rollers) != 0;
+  if (field.path == "bearing.complement" && (in.model() & planetary_drivetrain) == 0)
+    return {"full", {"bearing.rollers=21"}};  // at rest their number counts, and no pocket
   if (field.path == "bearing.designation")
     return {rollers ? "NU 204" : in.model() == duplex_pair ? "7205 A" : "6204"};
   if (field.path == "bearing.clearance_class")
