@@ -2,40 +2,16 @@
 
 import json
 import math
-import os
 import pathlib
-import subprocess
 import tempfile
 import unittest
 
-CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
+from program import CASES, REDUCER, SETS, WIND, answer, run, settings, warned
+
 PAIR = CASES / "mesh_62_62" / "case.yaml"
-REDUCER = CASES / "reducer_150kW" / "case.yaml"
-SETS = CASES / "three_sets_150kW" / "case.yaml"
-WIND = CASES / "wind_stage_750kW" / "case.yaml"
-SECONDS = 240
 HELIX = "gearset.helix_angle=15 deg"
 SHORT = ("simulation.observed_revolutions=1", "simulation.most_revolutions=2", "gearset.dynamics.observed_periods=8",
          "gearset.dynamics.settling_periods=100", "simulation.length_error=2e-6 mm")
-
-
-def run(*arguments):
-    command = [os.environ["ORBEARING"], *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
-
-
-def settings(values):
-    return [word for value in values for word in ("--set", value)]
-
-
-def answer(command, case, *values, options=()):
-    result = run(command, case, "--json", *options, *settings(values))
-    assert result.returncode == 0, result.stderr
-    return json.loads(result.stdout)
-
-
-def warned(result, text):
-    return any(text in warning for warning in result["warnings"])
 
 
 class Helical(unittest.TestCase):

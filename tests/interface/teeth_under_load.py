@@ -1,32 +1,11 @@
 """Issue 16, Build 4: teeth under load in `mesh`, `modes`, `run --gears` and `check`."""
 
-import json
-import os
-import pathlib
-import subprocess
 import unittest
 
-CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
-REDUCER = CASES / "reducer_150kW" / "case.yaml"
-WIND = CASES / "wind_stage_750kW" / "case.yaml"
-SECONDS = 240
+from program import REDUCER, WIND, answer, run
+
 LOADED = "gearset.tooth_contact=loaded"
 SLOW = "input.speed=1000 rpm"
-
-
-def run(*arguments):
-    command = [os.environ["ORBEARING"], *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
-
-
-def settings(values):
-    return [word for value in values for word in ("--set", value)]
-
-
-def answer(command, case, *values, options=()):
-    result = run(command, case, "--json", *options, *settings(values))
-    assert result.returncode == 0, result.stderr
-    return json.loads(result.stdout)
 
 
 def sun_mesh(*values, case=REDUCER):

@@ -2,36 +2,17 @@
 
 import json
 import math
-import os
 import pathlib
-import subprocess
 import tempfile
 import unittest
 
-CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
-REDUCER = CASES / "reducer_150kW" / "case.yaml"
-SETS = CASES / "three_sets_150kW" / "case.yaml"
-SECONDS = 240
+from program import REDUCER, SETS, answer, run, settings
+
 STEP = 360.0 / 116.0  # [deg]  37 + 79 teeth
 THREE = (0, 30, 75)
 SHORT = ("simulation.observed_revolutions=1", "simulation.most_revolutions=2", "gearset.dynamics.observed_periods=8",
          "gearset.dynamics.settling_periods=100", "simulation.length_error=2e-6 mm")
 FLOATING = "gearset.dynamics.sun.support_stiffness=0 N/m"
-
-
-def run(*arguments):
-    command = [os.environ["ORBEARING"], *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
-
-
-def settings(values):
-    return [word for value in values for word in ("--set", value)]
-
-
-def answer(command, case, *values, options=()):
-    result = run(command, case, "--json", *options, *settings(values))
-    assert result.returncode == 0, result.stderr
-    return json.loads(result.stdout)
 
 
 def placed(steps):

@@ -1,0 +1,32 @@
+"""The program as the interface tests call it, and the cases that they call it with."""
+
+import json
+import os
+import pathlib
+import subprocess
+
+CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
+REDUCER = CASES / "reducer_150kW" / "case.yaml"
+SETS = CASES / "three_sets_150kW" / "case.yaml"
+WIND = CASES / "wind_stage_750kW" / "case.yaml"
+SECONDS = 240
+
+
+def run(*arguments):
+    command = [os.environ["ORBEARING"], *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+def settings(values):
+    return [word for value in values for word in ("--set", value)]
+
+
+def answer(command, case, *values, options=()):
+    """What the program prints with --json; it must succeed."""
+    result = run(command, case, "--json", *options, *settings(values))
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def warned(result, text):
+    return any(text in warning for warning in result["warnings"])
