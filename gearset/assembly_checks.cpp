@@ -135,7 +135,7 @@ void check_reach(const MeshGeometry& mesh, const std::string& name, Warnings& pr
 
 void check_geometry(const PlanetarySet& set, Warnings& problems) {
   const WorkingGeometry geometry = working_geometry(set);
-  check_neighbours(set, geometry, problems);
+  if (place_problems(set).empty()) check_neighbours(set, geometry, problems);
   check_rim(set, geometry, problems);
   check_pointed(half_thickness_angle(geometry.sun, geometry.sun.tip_radius), "sun", problems);
   check_pointed(half_thickness_angle(geometry.planet, geometry.planet.tip_radius), "planet", problems);

@@ -164,7 +164,7 @@ void check_error_lists(Checker& check, const ResolvedCase& resolved) {
                    "at least three values, at equal steps of a mesh period, are required");
 }
 
-void check_roller_circle(Checker& check) {
+void check_roller_circle(Checker& check, const ResolvedCase& resolved) {
   if (!check.has({"bearing.rollers", "bearing.roller_diameter", "bearing.pitch_diameter"})) return;
   const int rollers = check.count("bearing.rollers");
   const double spacing =
@@ -176,7 +176,7 @@ void check_roller_circle(Checker& check) {
         fmt::format("a roller diameter ({:.4g} mm) less than the distance of their centres, {:.4g} mm, is "
                     "required; take fewer or thinner rollers",
                     1e3 * diameter, 1e3 * spacing));
-  } else if (check.has({"bearing.cage.pocket_clearance"})) {
+  } else if (check.has({"bearing.cage.pocket_clearance"}) && !is_full_complement(resolved)) {
     check.ordered("bearing.cage.pocket_clearance",
                   "room for bars between the pockets: a roller with its play",
                   diameter + check.length("bearing.cage.pocket_clearance"), spacing);
@@ -299,7 +299,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
   check_gears(check, resolved);
   check_pair(check, resolved);
   check_error_lists(check, resolved);
-  check_roller_circle(check);
+  check_roller_circle(check, resolved);
   const std::optional<Races> races = races_of(check);
   if (races) check_rings(check, *races);
   if (!is_full_complement(resolved)) {
@@ -323,13 +323,18 @@ void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mist
     std::vector<Mistake> of_set;
     const ResolvedCase one = resolved.of_set(set);
     check_one_set(one, of_set);
-    // How planets at unequal steps share a load follows from gears that can move: those of one set.
+    // Both follow from gears that can move: those of one set.
+    const auto needs_one_set = [&](const std::string& path, const std::string& found,
+                                   const std::string& required) {
+      of_set.push_back({one.place(path),
+                        path,
+                        {found + " in one of several sets",
+                         required + ", or one set, as gearset at the top of a case, are required"}});
+    };
     if (const char* angles = "gearset.planet_angles"; uneven_planets_by(one) == angles)
-      of_set.push_back(
-          {one.place(angles),
-           angles,
-           {"unequal steps in one of several sets",
-            "planets at equal steps, or one set, as gearset at the top of a case, are required"}});
+      needs_one_set(angles, "unequal steps", "planets at equal steps");
+    if (const char* tilt = "bearing.tilt_state"; one.has(tilt) && one.choice(tilt) == "computed")
+      needs_one_set(tilt, "computed", "stated tilts");
     for (Mistake& mistake : of_set) {
       mistake.path = set_prefix(set) + mistake.path;
       mistakes.push_back(std::move(mistake));

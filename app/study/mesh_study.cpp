@@ -158,6 +158,9 @@ double mass(const gearset::ExternalTooth& gear, const gearset::GearPair& pair, d
 
 MeshStudy mesh_study(const ResolvedCase& resolved) {
   if (resolved.model() == gear_pair) return pair_study(resolved);
+  if (resolved.model() == planetary_drivetrain && resolved.shape().several)
+    throw BadInput(resolved.file() +
+                   ": sets: found several sets; required: one set, as gearset at the top of a case");
   if (resolved.model() == planetary_drivetrain && !resolved.shape().teeth)
     throw BadInput(resolved.file() +
                    ": gearset.teeth: missing; required: teeth, which the meshes follow from");

@@ -1,4 +1,4 @@
-"""Issue 16, Build 3: planets at unequal angles in every command. Build 2: a computed tilt in motion. Build 8: seats by class."""
+"""Issue 16, Build 3: planets at unequal angles in every command. Build 2: a computed tilt in motion. Build 8: seats by class, full complements."""
 
 import json
 import math
@@ -71,6 +71,13 @@ class UnequalPlanets(unittest.TestCase):
             self.assertIn("beside gearset.planet_angles", refused.stderr)
         several = run("check", SETS, "--set", "sets.reduction.gearset.planet_angles=[0 deg, 68.2759 deg, 180 deg, 248.2759 deg]")
         self.assertEqual(several.returncode, 2)
+        self.assertIn("unequal steps in one of several sets", several.stderr)
+        tilted = run("check", SETS, "--set", "sets.reduction.bearing.tilt_state=computed", "--set", "sets.reduction.bearing.laminae=12")
+        self.assertEqual(tilted.returncode, 2)
+        self.assertIn("computed in one of several sets", tilted.stderr)
+        self.assertEqual(run("mesh", SETS).returncode, 2)
+        turned = run("check", REDUCER, "--set", "gearset.planet_angles=[0 deg, 270 deg, 180 deg, 90 deg]")
+        self.assertNotIn("must not touch", turned.stderr)
         wrong = run("check", REDUCER, *settings(["gearset.planets=3", "gearset.planet_angles=[0 deg, 95 deg, 233 deg]"]))
         self.assertEqual(wrong.returncode, 2)
         self.assertIn("where teeth do not fit", wrong.stderr)
@@ -115,6 +122,16 @@ class Seats(unittest.TestCase):
         self.assertAlmostEqual(ends["bearing.fit.outer_interference.least"], 1.0, delta=1e-9)
         both = answer("check", REDUCER, *shelf, "bearing.fit.pin_class=k5", "bearing.fit.inner_interference=3 um")
         self.assertIn("bearing.fit.inner_interference", " ".join(both["warnings"]))
+
+
+class FullComplement(unittest.TestCase):
+    def test_of_a_caged_case_needs_no_room_for_bars(self):
+        point = answer("run", REDUCER, "bearing.complement=full", "bearing.rollers=21")["points"][0]
+        self.assertEqual(point["status"], "ok")
+        self.assertGreater(point["life_h"], answer("run", REDUCER)["points"][0]["life_h"])
+        caged = run("check", REDUCER, *settings(["bearing.rollers=21"]))
+        self.assertEqual(caged.returncode, 2)
+        self.assertIn("room for bars", caged.stderr)
 
 
 if __name__ == "__main__":
