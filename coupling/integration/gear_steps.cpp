@@ -29,7 +29,7 @@ Jumps jumps_of(const SetModel& model, double from) {
 }
 
 Eigen::VectorXd gear_allowed_errors(const SetModel& model, double share) {
-  constexpr double least_deflection = 1e-7;  // [m]  of a set that carries nothing
+  constexpr double least_deflection = 1e-9;  // [m]  of a set that carries nothing
   const gearset::dynamics::SetParameters& set = model.parameters;
   const double force = std::abs(model.operation.torques.sun) / (set.planets * set.sun.radius);
   const double sun = set.sun_mesh.stiffness.mean(), ring = set.ring_mesh.stiffness.mean();

@@ -78,6 +78,14 @@ class TeethUnderLoad(unittest.TestCase):
             self.assertEqual(result.returncode, 2, beside)
             self.assertIn("gearset.tooth_contact", result.stderr)
 
+    def test_stepped_teeth_shake_as_their_load(self):
+        """Stiffness that depends on time alone is linear, however light the load."""
+        shaken = [answer("run", REDUCER, f"input.power={power} W", options=("--gears",)) for power in (1, 150e3)]
+        heavy, light = (1e3 * run["planet_acceleration_m_per_s2"]["x"]["rms"] / power for run, power in zip(shaken, (1, 150e3)))
+        self.assertAlmostEqual(light / heavy, 1.0, delta=0.03)
+        for result in shaken:
+            self.assertEqual(result["share_of_time_with_parted_teeth"], shaken[0]["share_of_time_with_parted_teeth"])
+
 
 if __name__ == "__main__":
     unittest.main()
