@@ -214,7 +214,7 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   if (result.status == "ok" && !result.seats.empty()) add_seats(content, result.seats);
   if (result.status == "ok" && !result.planets.empty()) add_planets(content, result.planets);
   if (result.dynamic) add_series(result.dynamic->series, content);
-  if (result.dynamic) add_final_state(result.dynamic->final_state, result.dynamic->series, content);
+  if (result.dynamic) add_final_state(result.dynamic->final_state, result.dynamic->layout, content);
   content.attributes = result_attributes(header, fmt::format("operating point {}", point), result.status);
   if (header.continued) content.attributes.emplace_back("continue", to_string(*header.continued));
   if (!header.sets.empty()) content.attributes.emplace_back("limiting_set", result.limiting_set);

@@ -73,10 +73,9 @@ void add_series(const system::BearingSeries& series, PointContent& content) {
   along_time("power_loss_over_time", "W", "power lost in all", series.power_loss);
 }
 
-void add_final_state(const Eigen::VectorXd& state, const system::BearingSeries& of, PointContent& content) {
+void add_final_state(const Eigen::VectorXd& state, const bearing::motion::StateLayout& layout,
+                     PointContent& content) {
   if (state.size() == 0) return;
-  bearing::motion::StateLayout layout{.rollers = of.inner_load.rows(), .caged = of.caged};
-  layout.tilting = layout.size() < state.size();
   std::string names;
   for (const std::string& name : bearing::motion::variable_names(layout))
     names += (names.empty() ? "" : ", ") + name;

@@ -12,8 +12,8 @@ void add_series(const system::BearingSeries& series, PointContent& content);
 /// Variable that holds the state in which the motion ended.
 inline constexpr const char* final_state_name = "final_state";
 
-/// Appends that state of the bearing that moved as in `of`, each variable named with its unit in the array's
-/// meaning. Nothing for an empty one.
-void add_final_state(const Eigen::VectorXd& state, const system::BearingSeries& of, PointContent& content);
+/// Appends that state, each variable named with its unit in the array's meaning. Nothing for an empty one.
+void add_final_state(const Eigen::VectorXd& state, const bearing::motion::StateLayout& layout,
+                     PointContent& content);
 
 }  // namespace orbearing::app

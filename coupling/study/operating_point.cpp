@@ -299,7 +299,8 @@ DynamicRecord record_of(const system::SteadyStateResult& run) {
           .loss = run.statistics.loss,
           .series = run.series,
           .run = run.report,
-          .final_state = run.final_state};
+          .final_state = run.final_state,
+          .layout = run.layout};
 }
 
 Eigen::ArrayXd place_angles(Eigen::Index places) {

@@ -40,14 +40,15 @@ struct LaminaRecord {
 
 /// What only the motion in time tells.
 struct DynamicRecord {
-  bool steady = false;                  // false: the means still drifted when they were taken
-  double roller_slip = 0.0;             // [-]  1 - mean roller spin / spin at pure rolling
+  bool steady = false;               // false: the means still drifted when they were taken
+  double roller_slip = 0.0;          // [-]  1 - mean roller spin / spin at pure rolling
   std::optional<double> orbit_slip;  // [-]  1 - mean orbital speed of rollers without cage / at pure rolling
-  double friction_moment = 0.0;         // [N m]  of the bearing on the bore
-  bearing::motion::PowerLoss loss;      // [W]  by cause
-  system::BearingSeries series;         // of the last cage revolution
+  double friction_moment = 0.0;      // [N m]  of the bearing on the bore
+  bearing::motion::PowerLoss loss;   // [W]  by cause
+  system::BearingSeries series;      // of the last cage revolution
   integration::IntegrationReport run;   // what it took
   Eigen::VectorXd final_state;          // where it ended; a neighbouring point may go on from here
+  bearing::motion::StateLayout layout;  // of that state
   std::optional<OneWayRecord> one_way;  // what stood for the bearings in gears that drive one of them
 };
 
@@ -101,13 +102,13 @@ struct SetResult {
 /// What one operating point gives. Loads and lives are those of one bearing: of several sets, of the one
 /// whose bearings live shortest.
 struct PointResult {
-  double input_speed = 0.0;       // [rad/s]
-  double carrier_speed = 0.0;     // [rad/s]
-  double planet_load = 0.0;       // [N]  total on the bore of one bearing, with cage and rollers
-  double tangential_load = 0.0;   // [N]  y: from both meshes
-  double radial_mesh_load = 0.0;  // [N]  x: from both meshes, positive outward
-  double centrifugal_load = 0.0;  // [N]  x: planet, cage and the tangential halves of the rollers
-  double axial_mesh_force = 0.0;  // [N]    z: of the sun on one planet; the ring's is opposite
+  double input_speed = 0.0;         // [rad/s]
+  double carrier_speed = 0.0;       // [rad/s]
+  double planet_load = 0.0;         // [N]  total on the bore of one bearing, with cage and rollers
+  double tangential_load = 0.0;     // [N]  y: from both meshes
+  double radial_mesh_load = 0.0;    // [N]  x: from both meshes, positive outward
+  double centrifugal_load = 0.0;    // [N]  x: planet, cage and the tangential halves of the rollers
+  double axial_mesh_force = 0.0;    // [N]    z: of the sun on one planet; the ring's is opposite
   double overturning_moment = 0.0;  // [N m]  about y: of both axial forces on one planet
   double sun_thrust = 0.0;          // [N]    z: of all planets on the sun; the ring's is opposite
   RaceResult inner;

@@ -309,6 +309,7 @@ SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bea
                      options.allowed_length_error, options.integration);
   SteadyStateResult result = run_to_steady_state(motion, rolling_speeds(model), options);
   result.final_state = motion.state();
+  result.layout = model.layout;
   return result;
 }
 
@@ -336,6 +337,7 @@ SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::Operati
   }
   result.report = motion.report();
   result.final_state = motion.state();
+  result.layout = model.layout;
   result.duration = duration;
   const double mean_ratio = equivalent_time(parameters.driving, duration) / duration;
   result.rolling.cage *= mean_ratio;

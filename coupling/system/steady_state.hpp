@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/motion/layout.hpp"
 #include "bearing/motion/parameters.hpp"
 #include "coupling/system/motion.hpp"
 
@@ -66,23 +67,23 @@ void describe(Visitor& visit, SteadyStateOptions& m) {
 
 /// One window as time series. Matrices are (rollers, samples).
 struct BearingSeries {
-  Eigen::ArrayXd time;            // [s]  from the start of the run
-  Eigen::ArrayXXd angle;          // [rad]
-  Eigen::ArrayXXd inner_load;     // [N]
-  Eigen::ArrayXXd outer_load;     // [N]
-  Eigen::ArrayXXd inner_sliding;  // [m/s]
-  Eigen::ArrayXXd outer_sliding;  // [m/s]
-  Eigen::ArrayXXd inner_film;     // [m]
-  Eigen::ArrayXXd outer_film;     // [m]
-  Eigen::ArrayXXd pocket_load;    // [N]      zero without a cage
+  Eigen::ArrayXd time;             // [s]  from the start of the run
+  Eigen::ArrayXXd angle;           // [rad]
+  Eigen::ArrayXXd inner_load;      // [N]
+  Eigen::ArrayXXd outer_load;      // [N]
+  Eigen::ArrayXXd inner_sliding;   // [m/s]
+  Eigen::ArrayXXd outer_sliding;   // [m/s]
+  Eigen::ArrayXXd inner_film;      // [m]
+  Eigen::ArrayXXd outer_film;      // [m]
+  Eigen::ArrayXXd pocket_load;     // [N]      zero without a cage
   Eigen::ArrayXXd neighbour_load;  // [N]      of the roller ahead, without a cage; else zero
-  Eigen::ArrayXXd spin;           // [rad/s]
-  Eigen::Array2Xd cage_position;  // [m]      (x and y, samples)
+  Eigen::ArrayXXd spin;            // [rad/s]
+  Eigen::Array2Xd cage_position;   // [m]      (x and y, samples)
   bool caged = true;
   Eigen::ArrayXd
       orbit_angle;  // [rad]    of the cage, without one the mean over the rollers; grows without bound
-  Eigen::ArrayXd orbit_speed;     // [rad/s]  likewise; relative to the carrier
-  Eigen::ArrayXd power_loss;      // [W]
+  Eigen::ArrayXd orbit_speed;  // [rad/s]  likewise; relative to the carrier
+  Eigen::ArrayXd power_loss;   // [W]
 };
 
 /// What pure rolling would give.
@@ -101,8 +102,9 @@ struct SteadyStateResult {
   std::vector<bearing::motion::WindowStatistics> windows;   // each window on the way to the steady state
   BearingSeries series;                                     // of the first bearing in the last window
   RollingSpeeds rolling;
-  double duration = 0.0;                  // [s]  from the start to the end of what was observed
-  Eigen::VectorXd final_state;            // of a bearing by itself, in the order of StateLayout
+  double duration = 0.0;        // [s]  from the start to the end of what was observed
+  Eigen::VectorXd final_state;  // of a bearing by itself, in the order of `layout`
+  bearing::motion::StateLayout layout{};
   integration::IntegrationReport report;  // summed over all windows; smallest step of all
 
   /// 1 - orbital speed / that at pure rolling: of the cage, without one of the rollers' mean.

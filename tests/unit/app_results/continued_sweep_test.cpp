@@ -2,11 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "app/errors.hpp"
 #include "app/results/continuation_paths.hpp"
 #include "app/results/point_file.hpp"
+#include "app/results/series_content.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::continued_sweep_test {
@@ -35,6 +37,7 @@ SweepRequest continued(const fs::path& folder, Direction direction) {
   request.evaluate_from = [](std::size_t point, const Eigen::VectorXd& start) {
     study::PointResult result = fake_sweep::fake_result(point);
     result.dynamic.emplace().final_state = next_state(point, start);
+    result.dynamic->layout = {.rollers = 3};
     result.cage_slip = result.dynamic->final_state[0];
     return result;
   };
@@ -157,6 +160,21 @@ TEST(PointFile, FinalStateIsReadAsItWasWritten) {
   const Eigen::VectorXd& state = result.dynamic->final_state;
   EXPECT_EQ(read_final_state(place / "p.nc"), std::vector<double>(state.begin(), state.end()));
   EXPECT_TRUE(read_final_state(place / "missing.nc").empty());
+}
+
+// Rollers that tilt, rims that bend and bearings without a cage have variables of their own.
+TEST(PointFile, FinalStateNamesEachOfItsVariables) {
+  for (const bearing::motion::StateLayout& layout :
+       {bearing::motion::StateLayout{.rollers = 3}, bearing::motion::StateLayout{.rollers = 3, .waves = 5},
+        bearing::motion::StateLayout{.rollers = 3, .tilting = true, .waves = 5, .caged = false}}) {
+    PointContent content;
+    add_final_state(Eigen::VectorXd::Zero(layout.size()), layout, content);
+    const std::string& names = content.arrays.at(0).meaning;
+    EXPECT_EQ(std::count(names.begin(), names.end(), '['), layout.size());
+    EXPECT_EQ(names.find("tip") != std::string::npos, layout.tilting);
+    EXPECT_EQ(names.find("rim_wave_3_sine") != std::string::npos, layout.waves > 0);
+    EXPECT_EQ(names.find("cage_x") != std::string::npos, layout.caged);
+  }
 }
 
 }  // namespace
