@@ -78,7 +78,6 @@ void check_tilt(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   };
   need(resolved.has("bearing.laminae"), "without bearing.laminae",
        "a number of laminae, which feel the tilt,");
-  need(!resolved.shape().several, "among several sets", "one set, as gearset at the top of a case,");
   need(!resolved.has("gearset.planet_rim") || resolved.choice("gearset.planet_rim") == "rigid",
        "beside gearset.planet_rim: elastic", "a rigid rim");
   const std::string uneven = uneven_planets_by(resolved);

@@ -470,10 +470,8 @@ void put_loads(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& 
   result.carrier_speed = duties.front().gears.carrier_speed;
   const double part = 1.0 / static_cast<double>(duties.size());
   for (const BearingDuty& duty : duties) {
-    Eigen::Vector2d total = duty.point.bore_load;
-    if (drivetrain.bearing.cage.guidance == Race::outer)
-      total += bearing::load_through_cage(drivetrain.bearing, geometry.bearing, duty.point.carrier,
-                                          drivetrain.inertia);
+    const Eigen::Vector2d total =
+        bearing::total_bore_load(drivetrain.bearing, geometry.bearing, duty.point, drivetrain.inertia);
     const double radial = duty.gears.radial_force / drivetrain.bearings_per_planet;
     result.planet_load += part * total.norm();
     result.tangential_load += part * duty.gears.tangential_force / drivetrain.bearings_per_planet;

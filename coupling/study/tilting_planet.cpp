@@ -100,21 +100,30 @@ bearing::laminae::PlanetOnPinResult tilting_planet(const bearing::laminae::Plane
   return result;
 }
 
-bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
-                                                   const BearingDuty& duty) {
-  return tilting_planet(planet_on(planet_seat(drivetrain), drivetrain.bearing,
+namespace {
+
+bearing::laminae::PlanetOnPinResult balance_on(const PlanetSeat& seat, const PlanetaryDrivetrain& drivetrain,
+                                               const BearingDuty& duty) {
+  return tilting_planet(planet_on(seat, drivetrain.bearing,
                                   mechanics::InstructionSet::baseline),  // equal points on all machines
                         duty.point, duty.gears.overturning_moment, quasi_static_options(drivetrain));
 }
 
+}  // namespace
+
+bearing::laminae::PlanetOnPinResult tilting_planet(const PlanetaryDrivetrain& drivetrain,
+                                                   const BearingDuty& duty) {
+  return balance_on(planet_seat(drivetrain), drivetrain, duty);
+}
+
 std::vector<SeatedBearing> seated_bearings(const PlanetaryDrivetrain& drivetrain,
                                            const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain, duty);
   const PlanetSeat seat = planet_seat(drivetrain);
-  Eigen::Vector2d through_cage = Eigen::Vector2d::Zero();
-  if (drivetrain.bearing.cage.guidance == bearing::Race::outer)
-    through_cage = bearing::load_through_cage(drivetrain.bearing, geometry.bearing, duty.point.carrier,
-                                              drivetrain.inertia);
+  const bearing::laminae::PlanetOnPinResult planet = balance_on(seat, drivetrain, duty);
+  bearing::OperatingPoint unloaded = duty.point;
+  unloaded.bore_load.setZero();
+  const Eigen::Vector2d through_cage =
+      total_bore_load(drivetrain.bearing, geometry.bearing, unloaded, drivetrain.inertia);
   std::vector<SeatedBearing> all;
   for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
     SeatedBearing one{drivetrain, geometry, duty};
