@@ -29,6 +29,8 @@ def run(options, rpm, error, start):
                "--set", f"input.speed={rpm * (1.0 + SHIFT * start):.10g} rpm",
                "--set", f"simulation.length_error={error:g} mm",
                "--set", f"simulation.observed_revolutions={options.revolutions}"]
+    for setting in options.set:
+        command += ["--set", setting]
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
@@ -63,6 +65,7 @@ def arguments():
     parser.add_argument("--errors", type=numbers, default=[2e-7, 1e-8], help="mm, the finest last")
     parser.add_argument("--starts", type=int, default=8)
     parser.add_argument("--revolutions", type=int, default=30, help="of the cage, averaged in each run")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help="of the case, as for orbearing")
     parser.add_argument("--output", required=True, help="folder for the runs")
     return parser.parse_args()
 

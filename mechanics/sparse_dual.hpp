@@ -166,6 +166,21 @@ auto root(const SparseDual<a, Number>& x) {
   return chained(x, y, Number(0.5 / y));
 }
 
+template <unsigned a, class Number>
+auto inverse_root(const SparseDual<a, Number>& x) {
+  const Number y = inverse_root(x.value);
+  return chained(x, y, Number(-0.5 * y * y * y));
+}
+/// Angle of the vector (x, y).
+template <unsigned a, unsigned b, class Number>
+auto angle_of(const SparseDual<a, Number>& y, const SparseDual<b, Number>& x) {
+  const Number inverse = 1.0 / (x.value * x.value + y.value * y.value);
+  const Number by_y = x.value * inverse, by_x = -y.value * inverse;
+  return combined(
+      y, x, angle_of(y.value, x.value), [&](const Number& s) { return by_y * s; },
+      [&](const Number& s) { return by_x * s; });
+}
+
 /// x / sqrt(x^2 + scale^2): the sign of `x`, rounded over `scale`.
 template <class Number, class Scale>
 auto rounded_sign(const Number& x, const Scale& scale) {

@@ -230,8 +230,9 @@ Use use_of(const described::Facts& facts) {
   const Use use = with_relief(with_turning_rings(with_stiffness(at_rest, facts.path), facts), facts.path);
   const described::Where& only = facts.details.where;
   if (only.path.empty()) return use;
-  const std::string path(only.path);
-  return use.when(only.value.empty() ? where_given({path}) : where(path, either_of(only.value)));
+  const std::vector<std::string> paths = either_of(only.path);
+  return use.when(only.value.empty() ? where_given(paths)
+                                     : Condition{.paths = paths, .values = either_of(only.value)});
 }
 
 Use with_planet_defect(const Use& use, std::string_view path) {

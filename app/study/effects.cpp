@@ -73,6 +73,7 @@ constexpr Effect kOil[] = {
     {"oil", "traction.rolling_law", "reynolds", "rolling resistance computed", "goksem-hargreaves",
      "rolling resistance by regression", "traction.rolling_resistance"},
     {"oil", "drag.enabled", "true", "oil drag", "false", "no oil drag"},
+    {"oil", "contact.squeeze", "true", "squeeze of the films", "false", "no squeeze of the films"},
     {"oil", "contact.lubrication", "mixed", "mixed lubrication", "full", "no mixed lubrication"},
     {"oil", "bearing.cage.pocket_film", "hydrodynamic", "film in the pockets", "none",
      "no film in the pockets"},

@@ -21,23 +21,31 @@ namespace orbearing::bearing {
 /// Load of a film and what it does to surfaces that slide, with the slopes that a stage of a step needs.
 template <class Number>
 struct RigidPointLoad {
-  Number load;             // [N]      pushes apart, >= 0
-  Number by_gap;           // [N/m]    <= 0
-  Number by_closing;       // [N s/m]  >= 0
-  Number by_ux, by_uy;     // [N s/m]
-  Number shear;            // [N s/m]  of both surfaces against sliding
+  Number load;          // [N]      pushes apart, >= 0
+  Number by_gap;        // [N/m]    <= 0
+  Number by_closing;    // [N s/m]  >= 0
+  Number by_ux, by_uy;  // [N s/m]
+  Number shear;         // [N s/m]  of both surfaces against sliding
+};
+
+/// What closing adds to the load of the wedge, with slopes.
+template <class Number>
+struct SqueezedPoint {
+  Number load;        // [N]      with the sign of the closing speed
+  Number by_gap;      // [N/m]
+  Number by_closing;  // [N s/m]  >= 0
 };
 
 struct RigidPointFilm {
-  double size = 0.0;          // [m]       pi sqrt(R_x R_y); 0: no film
-  double squeeze = 0.0;       // [N s/m]   c / V
-  double entrained_x = 0.0;   // [N s m^-1.5]  A / (sqrt(g) u_x)
+  double size = 0.0;         // [m]       pi sqrt(R_x R_y); 0: no film
+  double squeeze = 0.0;      // [N s/m]   c / V
+  double entrained_x = 0.0;  // [N s m^-1.5]  A / (sqrt(g) u_x)
   double entrained_y = 0.0;
-  double rolling_x = 0.0;     // [-]       traction on each surface over shear times u_x
+  double rolling_x = 0.0;  // [-]       traction on each surface over shear times u_x
   double rolling_y = 0.0;
-  double viscosity = 0.0;     // [Pa s]
-  double extent = 0.0;        // [m]       gap by which the film ends: that at its edge less that in its middle
-  double least_gap = 0.0;     // [m]       where asperities hold it
+  double viscosity = 0.0;  // [Pa s]
+  double extent = 0.0;     // [m]       gap by which the film ends: that at its edge less that in its middle
+  double least_gap = 0.0;  // [m]       where asperities hold it
 
   bool present() const { return size > 0.0; }
 
@@ -45,7 +53,9 @@ struct RigidPointFilm {
   static RigidPointFilm between(double viscosity, double rx, double ry, double wide_x, double wide_y,
                                 double least_gap) {
     constexpr double kPi = 3.14159265358979323846;
-    const auto wedge = [&](double along, double across) { return 12.0 * viscosity / (3.0 + 2.0 * along / across); };
+    const auto wedge = [&](double along, double across) {
+      return 12.0 * viscosity / (3.0 + 2.0 * along / across);
+    };
     const auto rolling = [](double along, double across) { return 6.0 / (3.0 + 2.0 * along / across); };
     const double mean = __builtin_sqrt(rx * ry);
     return {.size = kPi * mean,
@@ -59,10 +69,31 @@ struct RigidPointFilm {
             .least_gap = least_gap};
   }
 
-  /// At `gap` [m], which the least gap bounds, closing at `closing` and entrained with `ux`, `uy` [m/s]. Shear
-  /// is that of h from its middle to its edge over the half that carries, and over both where it is squeezed.
+  /// Load [N] of the wedge alone at `gap` [m], entrained along x with `ux` [m/s].
   template <class Number>
-  RigidPointLoad<Number> at(const Number& gap, const Number& closing, const Number& ux, const Number& uy) const {
+  Number wedge(const Number& gap, const Number& ux) const {
+    using namespace mechanics;
+    return (size * entrained_x) * absolute(ux) * inverse_root(gap);
+  }
+  /// What closing at `closing` [m/s] adds to it: where surfaces part, less than what the wedge carries.
+  template <class Number>
+  SqueezedPoint<Number> squeezed(const Number& gap, const Number& closing, const Number& ux) const {
+    using namespace mechanics;
+    constexpr double kAtRest = 1e-30;  // [N^2/m^2]  keeps the slope finite
+    const Number c = squeeze * closing, per_gap = size / gap;
+    const Number x = entrained_x * ux, carried = x * x;
+    const Number alone = root(gap * carried + kAtRest), together = root(gap * carried + c * c + kAtRest);
+    const Number load = per_gap * c * (1.0 + c / (together + alone));
+    return {load, per_gap * (0.5 * carried) * (1.0 / together - 1.0 / alone) - load / gap,
+            (squeeze * per_gap) * (1.0 + c / together)};
+  }
+
+  /// At `gap` [m], which the least gap bounds, closing at `closing` and entrained with `ux`, `uy` [m/s].
+  /// Shear is that of h from its middle to its edge over the half that carries, and over both where it is
+  /// squeezed.
+  template <class Number>
+  RigidPointLoad<Number> at(const Number& gap, const Number& closing, const Number& ux,
+                            const Number& uy) const {
     using namespace mechanics;
     constexpr double kAtRest = 1e-30;  // [N^2/m^2]  keeps the slope finite
     const Number held = Number{} + least_gap;
@@ -75,7 +106,8 @@ struct RigidPointFilm {
     const Number per_gap = size / g;
     const Number load = per_gap * (c + together);
     const Number pressed = larger(c, Number{}) / together;
-    return {load, only(free, per_gap * (0.5 * wedge / together) - load / g),
+    return {load,
+            only(free, per_gap * (0.5 * wedge / together) - load / g),
             (squeeze * per_gap) * (1.0 + c / together),
             (size * entrained_x) * x / together,
             (size * entrained_y) * y / together,

@@ -1,6 +1,6 @@
 #include "bearing/motion/cage_pocket.hpp"
 
-#include "bearing/motion/pocket_film.hpp"
+#include "bearing/contact/rigid_line_film.hpp"
 
 namespace orbearing::bearing::motion {
 
@@ -22,7 +22,9 @@ void add_pocket_film(const PocketModel& model, const BodyMotion& roller, const B
   const double roller_surface = -bar * radius * (roller.speed - cage.speed);
   const double bar_surface = -relative_velocity.dot(outward) - cage.speed * offset;
   const double rolling = 0.5 * (roller_surface + bar_surface);
-  const LineFilm film = line_film(model.viscosity, model.length, radius, gap, std::abs(rolling), closing);
+  const auto rigid = RigidLineFilm<double>::of(model.viscosity, model.length, radius);
+  auto film = rigid.at(rigid.slenderness(gap), std::abs(rolling), closing);
+  film.load = std::max(film.load, 0.0);  // round-off
 
   // The surface is dragged by 2 rolling shear; the tilt of the pressure pushes the roller ahead by twice
   // that.

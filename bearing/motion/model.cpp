@@ -18,13 +18,13 @@ void check_oil(const DynamicsParameters& parameters) {
   const RaceContactParameters& race = parameters.race;
   const bool pocket_film = parameters.cage.pocket_film == PocketFilm::hydrodynamic;
   const bool mixed = race.lubrication == Lubrication::mixed;
-  const bool needs_oil =
-      race.film_in_approach || race.traction != TractionLaw::regularised_coulomb || mixed || pocket_film;
+  const bool needs_oil = race.film_in_approach || race.traction != TractionLaw::regularised_coulomb ||
+                         mixed || pocket_film || race.squeeze;
   require(!needs_oil || parameters.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]",
           parameters.lubricant.viscosity,
-          "more than 0 for a film, for limiting shear or for mixed lubrication");
-  require(!mixed || race.roughness > 0.0, "roughness of roller and race [m]", race.roughness,
-          "more than 0 for mixed lubrication");
+          "more than 0 for a film, its squeeze, limiting shear or mixed lubrication");
+  require(!(mixed || race.squeeze) || race.roughness > 0.0, "roughness of roller and race [m]",
+          race.roughness, "more than 0 for mixed lubrication and squeezed films");
   require(!mixed || race.boundary_friction >= 0.0, "boundary friction [-]", race.boundary_friction,
           "0 or more");
   require(!pocket_film || parameters.cage.pocket_roughness > 0.0, "roughness of the pocket [m]",

@@ -2,13 +2,22 @@
 // bodies.
 #pragma once
 
+#include <optional>
+
 #include "bearing/contact/damping.hpp"
 #include "bearing/contact/friction.hpp"
+#include "bearing/contact/squeeze_film.hpp"
 #include "bearing/motion/contact_motion.hpp"
 #include "bearing/motion/form_motion.hpp"
 #include "bearing/motion/race_load.hpp"
 
 namespace orbearing::bearing::motion {
+
+/// Oil that is pressed out between roller and race.
+struct RaceSqueeze {
+  SqueezeFilm<double> law;
+  FilmLaw<double> film;  // in the approach or not
+};
 
 /// One race with its laws, fixed for a run.
 struct RaceModel {
@@ -17,6 +26,7 @@ struct RaceModel {
   double damping = 0.0;            // [s/m]
   double entrainment_scale = 0.0;  // [m/s]
   RaceLoadLaw load;
+  std::optional<RaceSqueeze> squeeze;
   FrictionLaws<double> friction;
   std::vector<RaceHarmonic> form;  // none: round
   std::vector<RaceScratch> scratches = {};
@@ -26,7 +36,7 @@ struct RaceModel {
 struct RaceForces {
   Wrench on_roller;
   Wrench on_race;
-  double load = 0.0;            // [N]    with damping
+  double load = 0.0;            // [N]    with damping and squeeze
   double sliding = 0.0;         // [m/s]
   double entrainment = 0.0;     // [m/s]  > 0
   double damping_power = 0.0;   // [W]    dissipated, as are all powers
@@ -47,7 +57,8 @@ struct FormedContact {
   FormSlope form;
 };
 
-/// What a roller is like: larger in radius by `larger` [m] than stated, with those of `scratches` that are its own.
+/// What a roller is like: larger in radius by `larger` [m] than stated, with those of `scratches` that are
+/// its own.
 struct RollerSurface {
   double larger = 0.0;                                    // [m]
   const std::vector<RollerScratch>* scratches = nullptr;  // of all rollers; null: none
@@ -62,6 +73,17 @@ inline double straight_load(const RaceModel& model, const ContactMotion& motion)
   return model.load.load(motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
 }
 
+/// Load of the oil that is pressed out [N], with the sign of the approach speed; `entrainment` [m/s] > 0.
+inline double squeeze_load(const RaceModel& model, const ContactMotion& motion, double elastic_load,
+                           double entrainment) {
+  if (!model.squeeze) return 0.0;
+  const SqueezeFilm<double>& law = model.squeeze->law;
+  const double elastic = model.load.elastic_approach(motion.approach, entrainment);
+  const double gap = law.gap(model.load.with_film(), model.squeeze->film, motion.approach, elastic,
+                             elastic_load, std::log(entrainment));
+  return law.load(elastic, elastic_load, gap, entrainment, motion.approach_speed);
+}
+
 /// All forces of a contact under `elastic_load` [N] in the given motion; `form` is null on a round race. The
 /// tangential force of the rolling resistance on the roller makes the moments of both surfaces balance; it is
 /// what the tilted oil pressure leaves after the drag at the inlet.
@@ -70,8 +92,11 @@ inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& mo
   RaceForces forces;
   forces.sliding = motion.sliding;
   forces.entrainment = entrainment_speed(motion.rolling, model.entrainment_scale);
-  if (elastic_load <= 0.0) return forces;
-  const auto normal = damped_load(elastic_load, model.damping, motion.approach_speed);
+  const double squeezed = squeeze_load(model, motion, elastic_load, forces.entrainment);
+  const auto normal = with_squeeze(damped_load(elastic_load, model.damping, motion.approach_speed),
+                                   elastic_load, squeezed, motion.approach_speed);
+  forces.damping_power = normal.power;
+  if (normal.load <= 0.0) return forces;
   const double log_speed = model.friction.oiled() ? std::log(forces.entrainment) : 0.0;
   const double traction = model.friction.friction(normal.load, motion.sliding, log_speed);
   const double inlet =
@@ -86,7 +111,6 @@ inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& mo
   forces.on_roller.moment = (traction - inlet) * motion.roller_arm - on_roller;
   forces.on_race.force = -forces.on_roller.force;
   forces.on_race.moment = -(traction + inlet) * motion.race_arm - (form_moment - on_roller);
-  forces.damping_power = normal.power;
   forces.traction_power = traction * motion.sliding;
   forces.rolling_power = 2.0 * inlet * motion.rolling;
   if (form)

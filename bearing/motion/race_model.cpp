@@ -40,6 +40,9 @@ RaceModel race_model(const Bearing& bearing, const BearingGeometry& geometry, co
           .damping = given.damping_law == DampingLaw::approach_speed ? given.damping : 0.0,
           .entrainment_scale = given.entrainment_scale,
           .load = film_added ? RaceLoadLaw(elastic, film) : RaceLoadLaw(elastic),
+          .squeeze = given.squeeze ? std::optional(RaceSqueeze{SqueezeFilm<double>::of(film, given.roughness),
+                                                               FilmLaw<double>::of(film)})
+                                   : std::nullopt,
           .friction = FrictionLaws<double>::of(given, film),
           .form = bearing.ring(race).form};
 }

@@ -38,9 +38,11 @@ std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBe
                                              const Eigen::VectorXd& allowed_error) {
   std::vector<double> allowed = bearing.padded(kLinearlyImplicitErrorFactor * allowed_error);
   const bearing::vectorised::PaddedLayout& layout = bearing.layout();
-  const auto radial_speeds = allowed.begin() + 2 * layout.lanes();
-  std::for_each(radial_speeds, radial_speeds + layout.rollers,
-                [](double& error) { error *= kRadialSpeedShare; });
+  if (!bearing.model().inner.squeeze) {
+    const auto radial_speeds = allowed.begin() + 2 * layout.lanes();
+    std::for_each(radial_speeds, radial_speeds + layout.rollers,
+                  [](double& error) { error *= kRadialSpeedShare; });
+  }
   for (int group = 0; group < layout.groups(); ++group)
     std::fill(allowed.begin() + group * layout.lanes() + layout.rollers,
               allowed.begin() + (group + 1) * layout.lanes(), 0.0);

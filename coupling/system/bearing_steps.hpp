@@ -19,8 +19,9 @@ inline constexpr double kLinearlyImplicitErrorFactor = 1000.0;
 inline constexpr double kTypicalApproach = 1e-6;
 /// Of the fastest vibration in the longest step [rad].
 inline constexpr double kStepOfImpact = 1.05;
-/// Share of the allowed error for the radial speeds of rolling elements: they open and close the contacts,
-/// and life errs with them more than with all other variables together.
+/// Share of the allowed error for the radial speeds of rolling elements that bounce: they open and close the
+/// contacts, and life errs with them more than with all other variables together. Oil that is pressed out
+/// (bearing/contact/squeeze_film.hpp) stops them, and they are weighed as all others.
 inline constexpr double kRadialSpeedShare = 0.2;
 
 /// Allowed errors of a bearing's state by kind: no share relative to angles, which grow. `length` [m] sets

@@ -54,6 +54,28 @@ inline Number exponential(const Number& x) {
   return from_bits(bits_of(y) + (bits_of(shifted) << 52));
 }
 
+/// Angle of the vector (x, y), y > 0: between 0 and pi. By arctan t = pi/6 + arctan((t - c)/(1 + c t)), c =
+/// tan(pi/6), the series is asked at most at tan(pi/12).
+template <class Number>
+inline Number angle_of(const Number& y, const Number& x) {
+  constexpr double kPi = 0x1.921fb54442d18p+1;
+  constexpr double kMiddle = 0x1.279a74590331cp-1;  // tan(pi/6)
+  constexpr double kFar = 0x1.126145e9ecd56p-2;     // tan(pi/12)
+  const Number size = absolute(x);
+  const auto steep = y > size;
+  const Number least = select(steep, size, y), most = select(steep, y, size);
+  const auto far = least > kFar * most;
+  const Number t = select(far, least - kMiddle * most, least) / select(far, most + kMiddle * least, most);
+  const Number q = t * t, q2 = q * q;
+  const Number odd =
+      -1.0 / 3 + q2 * (-1.0 / 7 + q2 * (-1.0 / 11 + q2 * (-1.0 / 15 + q2 * (-1.0 / 19 - q2 * (1.0 / 23)))));
+  const Number even =
+      1.0 / 5 + q2 * (1.0 / 9 + q2 * (1.0 / 13 + q2 * (1.0 / 17 + q2 * (1.0 / 21 + q2 * (1.0 / 25)))));
+  const Number low = t + t * q * (odd + q * even) + only(far, spread<Number>(kPi / 6));
+  const Number first = select(steep, kPi / 2 - low, low);
+  return select(x < 0.0, kPi - first, first);
+}
+
 template <class Number>
 struct SaturationOf {
   Number value, slope;

@@ -314,7 +314,8 @@ class RandomStates {
 struct Case {
   explicit Case(unsigned number, const RandomStates::Kind& kind = {}) : random(number) {
     const Bearing bearing = random.bearing();
-    const MotionParameters parameters = random.parameters(bearing, kind);
+    MotionParameters parameters = random.parameters(bearing, kind);
+    parameters.race.squeeze = number % 3 == 1;  // Issue 17, Build 1: oil that is pressed out
     const auto sets = mechanics::instruction_sets();
     model = std::make_unique<BallBearing>(ball_numbers(bearing, parameters), random.duty(bearing, kind),
                                           sets[number % sets.size()]);

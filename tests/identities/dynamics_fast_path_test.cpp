@@ -85,11 +85,13 @@ struct AuditedSteps {
   bool film;
   double excitation;  // [N]
   bool full = false;  // no cage
+  bool squeeze = false;
 };
 
 DynamicsParameters parameters_of(const AuditedSteps& audited) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.film_in_approach = audited.film;
+  parameters.race.squeeze = audited.squeeze;
   if (audited.excitation > 0.0)
     parameters.excitation = {
         .angular_frequency = 2.0 * M_PI * 2520.0,
@@ -134,7 +136,10 @@ INSTANTIATE_TEST_SUITE_P(Variants, FastPathEnergy,
                                          AuditedSteps{"dry_shaken", false, 400.0},
                                          AuditedSteps{"film_shaken", true, 400.0},
                                          // Issue 16, Build 8: rollers that touch one another.
-                                         AuditedSteps{"full_complement", false, 0.0, true}),
+                                         AuditedSteps{"full_complement", false, 0.0, true},
+                                         // Issue 17, Build 1: oil that is pressed out.
+                                         AuditedSteps{"squeeze", false, 0.0, false, true},
+                                         AuditedSteps{"squeeze_film_shaken", true, 400.0, false, true}),
                          [](const testing::TestParamInfo<AuditedSteps>& variant) {
                            return variant.param.name;
                          });
@@ -239,8 +244,8 @@ TEST_P(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
   EXPECT_NEAR(std::log2(error(4800) / error(9600)), 2.0, kMargin);
 }
 
-// Issue 16, Build 1: a rim a million times as stiff is a rigid one: the same path of all bodies, within what is left
-// of its waves.
+// Issue 16, Build 1: a rim a million times as stiff is a rigid one: the same path of all bodies, within what
+// is left of its waves.
 TEST(FastPathOfRims, TendsToTheRigidOneWithTheModulus) {
   constexpr int kSteps = 2400;
   constexpr double kLeft = 1e-10;  // [m]  a millionth of some micrometres, grown over 0.3 ms
@@ -256,7 +261,8 @@ TEST(FastPathOfRims, TendsToTheRigidOneWithTheModulus) {
   const Eigen::VectorXd rigid = end();
   point.outer_race = test::bending_race();
   const Eigen::VectorXd soft = end();
-  for (Eigen::ArrayXd* stiffer : {&point.outer_race.compliance, &point.outer_race.cosine, &point.outer_race.sine})
+  for (Eigen::ArrayXd* stiffer :
+       {&point.outer_race.compliance, &point.outer_race.cosine, &point.outer_race.sine})
     *stiffer *= 1e-6;
   EXPECT_LT((end() - rigid).cwiseAbs().maxCoeff(), kLeft);
   EXPECT_GT((soft - rigid).cwiseAbs().maxCoeff(), 1e3 * kLeft);

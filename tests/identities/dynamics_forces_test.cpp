@@ -24,7 +24,8 @@ enum class Refinement {
   run_up,
   printed,
   full_complement,
-  rim
+  rim,
+  squeeze,
 };
 
 struct Variant {
@@ -77,6 +78,9 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
       case Refinement::rim:
         point.outer_race = test::bending_race();
         parameters.driving.ramp = 150.0;
+        break;
+      case Refinement::squeeze:  // Issue 17, Build 1: oil that is pressed out
+        parameters.race.squeeze = true;
         break;
       case Refinement::full_complement:  // Issue 16, Build 8: rollers that touch one another
         bearing = test::full_complement_bearing();
@@ -287,6 +291,8 @@ INSTANTIATE_TEST_SUITE_P(
         // Issue 16, Build 1: waves of an elastic rim are slopes of its energy, and teeth whose forces
         // fall in a run-up do work on it.
         Variant{"rim", true, false, TractionLaw::regularised_coulomb, Refinement::rim},
+        Variant{"squeeze", false, false, TractionLaw::regularised_coulomb, Refinement::squeeze},
+        Variant{"squeeze_film", true, false, TractionLaw::limiting_shear, Refinement::squeeze},
         Variant{"run_up", false, false, TractionLaw::regularised_coulomb, Refinement::run_up},
         Variant{"full_complement", true, false, TractionLaw::regularised_coulomb,
                 Refinement::full_complement},

@@ -23,6 +23,7 @@ struct Seen {
   double shaken;                // [-]  share of speeds
   bool rim = false;             // bends
   bool caged = true;
+  bool squeeze = false;
 };
 
 void PrintTo(const Seen& seen, std::ostream* out) {
@@ -74,7 +75,9 @@ reference::BearingNumbers numbers_of(const Bearing& bearing, const DynamicsParam
           .cage_mean_radius = 0.25 * (bearing.cage.inner_diameter + bearing.cage.outer_diameter),
           .cage_width = bearing.cage.width,
           .caged = bearing.cage.width > 0.0,
-          .neighbour_friction = given.neighbours.friction};
+          .neighbour_friction = given.neighbours.friction,
+          .squeeze = given.race.squeeze,
+          .roughness = given.race.roughness};
 }
 
 Plane plane(const Eigen::Ref<const Eigen::Vector2d>& v) {
@@ -198,6 +201,7 @@ class InertialFrame : public testing::TestWithParam<Seen> {
     if (!GetParam().caged) bearing = test::full_complement_bearing();
     bearing.radial_clearance = GetParam().clearance;
     parameters.race.film_in_approach = GetParam().film;
+    parameters.race.squeeze = GetParam().squeeze;
     point.carrier.acceleration = GetParam().carrier_acceleration;
     if (GetParam().rim) point.outer_race = test::bending_race();
   }
@@ -264,7 +268,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Seen{"rim_film", 12000.0, 37e-6, true, 300.0, 0.02, true},
                     Seen{"run_up", 6000.0, 0.0, false, 300.0, 0.02},
                     // Issue 16, Build 8: rollers that touch one another.
-                    Seen{"full_complement", 6000.0, 20e-6, true, 300.0, 0.02, false, false}),
+                    Seen{"full_complement", 6000.0, 20e-6, true, 300.0, 0.02, false, false},
+                    // Issue 17, Build 1: oil that is pressed out.
+                    Seen{"squeeze_dry", 6000.0, 0.0, false, 0.0, 0.02, false, true, true},
+                    Seen{"squeeze_film", 1000.0, 0.0, true, 0.0, 0.02, false, true, true},
+                    Seen{"squeeze_clearance", 12000.0, 37e-6, true, 300.0, 0.02, true, true, true}),
     [](const testing::TestParamInfo<Seen>& seen) { return seen.param.name; });
 
 }  // namespace

@@ -66,6 +66,39 @@ double friction_coefficient(const bearing::ShearParameters& law, double sliding,
   return law.limiting_friction * -std::expm1(-stress / limit);
 }
 
+// What the oil that is pressed out adds to the load: pressure (c - a x)/h^2 over the plane where it is
+// positive, less what it is without closing, by Simpson's rule in polar coordinates; film and bodies yield in
+// series.
+double squeezed_load(const bearing::balls::GrooveNumbers& groove, double approach, double elastic,
+                     double speed, double closing) {
+  const bearing::RigidPointFilm& oil = groove.squeeze.film;
+  const double rx = groove.rolling_radius;
+  const double ry = std::pow(oil.size / M_PI, 2) / rx;
+  const auto rigid = [&](double gap, double v) {
+    const double c = 6.0 * oil.viscosity * v / (1.0 / rx + 1.0 / ry);
+    const double a = 12.0 * oil.viscosity * speed / (3.0 + 2.0 * rx / ry) * std::sqrt(2.0 * rx * gap);
+    // Over y in closed form, x = sqrt(2 R_x g) tan t from where the pressure ends.
+    constexpr int kPieces = 2000;
+    const double begin = std::atan(-c / a), end = 0.5 * M_PI;
+    const auto density = [&](double t) { return 0.5 * M_PI * (c * std::cos(t) + a * std::sin(t)); };
+    double sum = density(begin) + density(end);
+    for (int i = 1; i < kPieces; ++i)
+      sum += (i % 2 == 1 ? 4.0 : 2.0) * density(begin + (end - begin) * i / kPieces);
+    return 2.0 * std::sqrt(rx * ry) / gap * sum * (end - begin) / (3.0 * kPieces);
+  };
+  const auto& law = groove.central_film;
+  const double film =
+      std::exp(law.log_factor) * std::pow(speed, law.speed) * std::pow(std::max(elastic, 1.0), -law.load);
+  const double gap = std::max(film + std::max(-approach, 0.0), oil.least_gap);
+  const double wedge = rigid(gap, 0.0);
+  double share = 1.0;
+  if (approach > 0.0) {
+    const double film_yields = (wedge + law.load * elastic) / (wedge + elastic) * gap;
+    share = film_yields / (film_yields + 2.0 / 3.0 * approach);
+  }
+  return share * (rigid(gap, share * closing) - wedge);
+}
+
 // Axes of a ball's place about the bearing's axis.
 struct Place {
   explicit Place(const Body& ball)
@@ -85,20 +118,12 @@ Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball
   const Vector groove_centre = ring.place + groove.centre_radius * outward + groove.centre_axial * axis;
   const Vector line = ball.place - groove_centre, n = line.normalized();
   contact.approach = line.norm() - groove.play;
-  if (contact.approach <= 0.0) return contact;
+  if (contact.approach <= 0.0 && !groove.squeeze.present()) return contact;
 
   const Vector point = ball.place + b.radius * n;
   const Vector passing = velocity_at(ring, point) - velocity_at(ball, point);
   const Vector turning = ring.turning - ball.turning;
   const double closing = -passing.dot(n);
-  const Load load = load_of(groove.stiffness, groove.damping, contact.approach, closing);
-  total.elastic_power += load.elastic * closing;
-  total.loss.damping += (load.damped - load.elastic) * closing;
-  contact.load = load.damped;
-  if (load.damped <= 0.0) return contact;
-  act_and_react(on_ball, ball, on_ring, ring, point, -load.damped * n);
-
-  const double seen = load.damped + kLeastLoad, scale = std::cbrt(seen);
   const Vector along = axis.cross(outward), across = n.cross(along);
   const Place place(ball);
   // Speed with which the surfaces, on the average, run through the contact, which goes round with the ball.
@@ -107,6 +132,18 @@ Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball
                       0.5 * passing.dot(along) * along.dot(place.ahead) -
                       orbital * (place.radius + b.radius * n.dot(place.outward));
   const double drawn = std::hypot(mean, b.entrainment_scale);
+
+  Load load = load_of(groove.stiffness, groove.damping, std::max(contact.approach, 0.0), closing);
+  if (groove.squeeze.present())
+    load.damped =
+        std::max(0.0, load.damped + squeezed_load(groove, contact.approach, load.elastic, drawn, closing));
+  total.elastic_power += load.elastic * closing;
+  total.loss.damping += (load.damped - load.elastic) * closing;
+  contact.load = load.damped;
+  if (load.damped <= 0.0) return contact;
+  act_and_react(on_ball, ball, on_ring, ring, point, -load.damped * n);
+
+  const double seen = load.damped + kLeastLoad, scale = std::cbrt(seen);
   const auto& film = groove.central_film;
   contact.film = std::exp(film.log_factor) * std::pow(drawn, film.speed) * std::pow(seen, -film.load);
   contact.contact_angle = std::asin(n.z());
@@ -144,9 +181,9 @@ Contact roll(const BallNumbers& b, const GrooveNumbers& groove, const Body& ball
 
 // Oil between a ball and the side `n` of its pocket; `straight_up` is the pocket's axis, along which it is
 // straight. Sphere and cylinder: pressure (c - a . x) / h^2, cut at zero.
-void oil_in_pocket(const BallNumbers& b, double gap, const Vector& n, const Vector& straight_up, const Body& ball,
-                   const Body& cage, Wrench& on_ball, Wrench& on_cage, Contact& contact, Outcome& total,
-                   double sign) {
+void oil_in_pocket(const BallNumbers& b, double gap, const Vector& n, const Vector& straight_up,
+                   const Body& ball, const Body& cage, Wrench& on_ball, Wrench& on_cage, Contact& contact,
+                   Outcome& total, double sign) {
   const bearing::RigidPointFilm& film = b.pocket.film;
   const double along_radius = b.radius, round_radius = b.radius * (b.radius + b.pocket.play) / b.pocket.play;
   const double mean = std::sqrt(along_radius * round_radius), g = std::max(gap, film.least_gap);
@@ -167,9 +204,10 @@ void oil_in_pocket(const BallNumbers& b, double gap, const Vector& n, const Vect
   const Vector sliding = passing + closing * n;
   act_and_react(on_ball, ball, on_cage, cage, point, shear * sliding - load * n);
   // Surfaces that roll on each other meet a couple.
-  const Vector couple = shear * b.radius *
-                        (3.0 / (3.0 + 2.0 * along_radius / round_radius) * by_turning.dot(up) * n.cross(up) +
-                         3.0 / (3.0 + 2.0 * round_radius / along_radius) * by_turning.dot(aside) * n.cross(aside));
+  const Vector couple =
+      shear * b.radius *
+      (3.0 / (3.0 + 2.0 * along_radius / round_radius) * by_turning.dot(up) * n.cross(up) +
+       3.0 / (3.0 + 2.0 * round_radius / along_radius) * by_turning.dot(aside) * n.cross(aside));
   on_ball.moment += couple;
   on_cage.moment -= couple;
   contact.load += sign * load;
@@ -196,9 +234,9 @@ Contact guide_ball(const BallNumbers& b, int pocket, const Body& ball, const Bod
     const double e = std::min(1.0, off.norm() / b.pocket.play), least = b.pocket.film.least_gap;
     const double mean = b.radius * std::sqrt((b.radius + b.pocket.play) / b.pocket.play);
     const double by = 6.0 * b.pocket.film.viscosity /
-                      (1.0 / b.radius + b.pocket.play / (b.radius * (b.radius + b.pocket.play))) * kPi * mean *
-                      (1.0 / std::max(near, least) + 1.0 / std::max(wider - near, least)) * (1.0 - e * e) /
-                      (1.0 + 2.0 * e * e);
+                      (1.0 / b.radius + b.pocket.play / (b.radius * (b.radius + b.pocket.play))) * kPi *
+                      mean * (1.0 / std::max(near, least) + 1.0 / std::max(wider - near, least)) *
+                      (1.0 - e * e) / (1.0 + 2.0 * e * e);
     const Vector aside = n.cross(direction);
     const Vector passing = velocity_at(cage, ball.place) - velocity_at(ball, ball.place);
     const Vector force = by * passing.dot(aside) * aside;

@@ -77,6 +77,39 @@ double filmed_load(const BearingNumbers& b, double radius, double speed, double 
   return high > 0.0 ? 0.5 * (low + high) : 0.0;
 }
 
+// Pressure of rigid bodies that roll past and approach each other, p = eta (6 V R - 4 u x)/h^2 over all x
+// where it is positive: by Simpson's rule over the angle t, x = (2 R g)^(1/2) tan t.
+double rigid_film_load(const BearingNumbers& b, double radius, double gap, double speed, double closing) {
+  constexpr int kPieces = 400;
+  const double scale = std::sqrt(2.0 * radius * gap);
+  const double begin = -0.5 * kPi, end = std::atan(1.5 * closing * radius / (speed * scale));
+  const auto density = [&](double t) {
+    return (6.0 * closing * radius * std::cos(t) - 4.0 * speed * scale * std::sin(t)) * std::cos(t);
+  };
+  double sum = density(begin) + density(end);
+  for (int i = 1; i < kPieces; ++i)
+    sum += (i % 2 == 1 ? 4.0 : 2.0) * density(begin + (end - begin) * i / kPieces);
+  return b.oil.viscosity * b.roller_length * scale / (gap * gap) * sum * (end - begin) / (3.0 * kPieces);
+}
+
+// What squeezing adds to a contact that carries `load` where the surfaces are `gap` apart, negative for an
+// overlap. Film and bodies yield in series under one load.
+double squeezed_load(const BearingNumbers& b, double radius, double speed, double gap, double load,
+                     double closing) {
+  const double central = OilFilm(b, radius, speed).central(load);
+  const double pressed = 1e-3 * std::pow(load / palmgren_load(b.roller_length, 1e-3), 0.9);
+  const double apart = load > 0.0 ? 0.0 : b.film ? gap - central : std::max(gap, 0.0);
+  const double film = std::max(central + apart, b.roughness);
+  const double wedge = rigid_film_load(b, radius, film, speed, 0.0);
+  double share = 1.0;
+  if (load > 0.0) {
+    const double power = (wedge + 0.13 * load) / (wedge + load);  // of the load, at which the film thins
+    const double film_yields = power * film / load, bodies_yield = 0.9 * pressed / load;
+    share = film_yields / (film_yields + bodies_yield);
+  }
+  return share * (rigid_film_load(b, radius, film, speed, share * closing) - wedge);
+}
+
 // Drag of the oil at the inlet, in the groups of Moes; below 1 N in proportion to the load.
 double inlet_drag(const BearingNumbers& b, double radius, double speed, double load) {
   const double modulus = b.young / (1.0 - b.poisson * b.poisson);
@@ -140,7 +173,8 @@ void press(const BearingNumbers& b, bool outside, const Body& roller, const Body
 
   const double radius = outside ? 1.0 / (1.0 / a - 1.0 / race_radius) : 1.0 / (1.0 / a + 1.0 / race_radius);
   const double elastic = b.film ? filmed_load(b, radius, speed, -gap) : palmgren_load(b.roller_length, -gap);
-  const double load = elastic * std::max(0.0, 1.0 + b.damping * closing);
+  double load = elastic * std::max(0.0, 1.0 + b.damping * closing);
+  if (b.squeeze) load += squeezed_load(b, radius, speed, gap, elastic, closing);
   if (load <= 0.0) return;
 
   const Plane friction = coulomb(b.friction, load, sliding, b.sliding_scale) * tangent;

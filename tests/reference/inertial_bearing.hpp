@@ -46,6 +46,8 @@ struct BearingNumbers {
   std::vector<RimWave> rim = {};
   bool caged = true;                // else rollers meet their neighbours, the last the first
   double neighbour_friction = 0.0;  // [-]
+  bool squeeze = false;             // oil is pressed out between rollers and races
+  double roughness = 0.0;           // [m]  where asperities hold the film
 };
 
 /// The carrier turns about the origin; the undeformed axis of the pin is at orbit_radius on its arm.

@@ -58,6 +58,19 @@ double rolling_factor(const OiledPoint& oil) {
          std::pow(1.0 / area, kRollingLoad);
 }
 
+// The oil pressed out between ball and groove, which lies round the ball across the direction of rolling.
+PointSqueezeFilm squeeze_film(const MotionParameters& given, double rolling_radius, double ball_radius,
+                              double groove_radius) {
+  if (!given.race.squeeze) return {};
+  require(given.lubricant.viscosity > 0.0, "viscosity of the oil [Pa s]", given.lubricant.viscosity,
+          "more than 0 for the squeeze of films");
+  require(given.race.roughness > 0.0, "roughness of ball and race [m]", given.race.roughness,
+          "more than 0 for squeezed films");
+  const double across = 1.0 / (1.0 / ball_radius - 1.0 / groove_radius);
+  return {RigidPointFilm::between(given.lubricant.viscosity, rolling_radius, across, ball_radius, ball_radius,
+                                  given.race.roughness)};
+}
+
 GrooveNumbers groove(const Bearing& bearing, Race race, const MotionParameters& given) {
   const Balls& balls = bearing.balls();
   const double osculation = bearing.ring(race).osculation;
@@ -87,7 +100,8 @@ GrooveNumbers groove(const Bearing& bearing, Race race, const MotionParameters& 
           .rolling_radius = oil.rolling_radius,
           .rolling_factor = given.race.rolling_resistance ? rolling_factor(oil) : 0.0,
           .central_film = PointFilmLaw::central(oil),
-          .least_film = PointFilmLaw::least(oil)};
+          .least_film = PointFilmLaw::least(oil),
+          .squeeze = squeeze_film(given, oil.rolling_radius, 0.5 * balls.diameter, groove_radius)};
 }
 
 // Ball in a hole of the cage: Hertz between unlike materials, the hole hollow about its axis and straight

@@ -5,7 +5,7 @@
 #include "bearing/contact/ellipse_traction.hpp"
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/point_film.hpp"
-#include "bearing/contact/rigid_point_film.hpp"
+#include "bearing/contact/squeeze_film.hpp"
 #include "bearing/contact/scratch_law.hpp"
 
 namespace orbearing::bearing::balls {
@@ -49,6 +49,7 @@ struct GrooveNumbers {
   double rolling_factor = 0.0; // [N m]      couple against rolling at 1 m/s and 1 N; 0: none
   PointFilmLaw central_film;
   PointFilmLaw least_film;
+  PointSqueezeFilm squeeze;  // none: oil does not resist the approach
   ScratchNumbers scratch;
 };
 

@@ -19,7 +19,7 @@ namespace orbearing::bearing::balls {
 template <class Number>
 struct RaceTouch {
   BallWrench<Number> on_ball;
-  Number load{};         // [N]  with damping, >= 0
+  Number load{};         // [N]  with damping and squeeze, >= 0
   Number approach{};     // [m]  negative where they part
   Number contact_angle{};// sine: axial part of n
   Number sliding_along{};   // [m/s]  race less ball, in the middle
@@ -111,11 +111,6 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
       ring.velocity - ball.velocity + scaled(Number{} + c.radius, cross(turn, axes.normal));
   const Number past = dot(ball.velocity - ring.velocity, axes.along) * per_away;  // [rad/s] over the race
   const Number closing = -dot(slip, axes.normal) - scratched.by_angle * past - spotted.rate;
-  const auto normal = damped_load(elastic, groove.damping, closing);
-  const Number load = only(touching, normal.load);
-  const auto loaded = load > Number{};
-  const Number felt = load + kLeastLoad;
-
   const Sliding<Number> sliding{dot(slip, axes.along), dot(slip, axes.across), dot(turn, axes.along),
                                 dot(turn, axes.across), dot(turn, axes.normal)};
   // Both surfaces relative to the contact, which goes round with the ball.
@@ -124,6 +119,17 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
   const Triple<Number> on_ball = ball.velocity + scaled(Number{} + c.radius, cross(ball.spin, axes.normal));
   const Number rolling = on_ball.y + 0.5 * sliding.along * axes.along.y - carried;
   const Number entrainment = root(rolling * rolling + c.entrainment_scale * c.entrainment_scale);
+
+  const auto normal = damped_load(elastic, groove.damping, closing);
+  Number load = only(touching, normal.load), damping_power = only(touching, normal.power);
+  BallSqueeze<Number> squeezed{};
+  if (groove.squeeze.present()) {
+    squeezed = groove.squeeze.at(groove.central_film, approach, elastic, entrainment, closing);
+    load = larger(load + squeezed.load, Number{});
+    damping_power = (load - elastic) * closing;
+  }
+  const auto loaded = load > Number{};
+  const Number felt = load + kLeastLoad;
   const Number log_load = logarithm(felt), log_speed = logarithm(entrainment);
   const Number third = exponential((1.0 / 3.0) * log_load);
   const Number log_film = groove.central_film.log_film(log_load, log_speed);
@@ -165,7 +171,7 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
                          scaled(moment[1] - c.radius * force[2], axes.along) +
                          scaled(moment[2] + c.radius * force[1], axes.across);
   if (spots.count > 0) touch.on_ball.moment += scaled(load, spotted.moment);
-  touch.damping_power = only(touching, normal.power);
+  touch.damping_power = damping_power;
   touch.sliding_power = force[1] * sliding.along + force[2] * sliding.across;
   touch.spin_power = moment[0] * sliding.spin;
   touch.rolling_power = only(loaded, rolling_moment * sliding.turn_across);
@@ -182,6 +188,10 @@ RaceTouch<Number> race_touch(const Law& law, const BallNumbers& c, const GrooveN
     const Number grown = only(loaded, damping_factor(groove.damping, closing));
     slopes.load_by_approach = 1.5 * groove.stiffness * root_approach * grown;
     slopes.load_by_speed = only(loaded, elastic * groove.damping);
+    if (groove.squeeze.present()) {
+      slopes.load_by_approach += only(loaded, squeezed.by_approach);
+      slopes.load_by_speed += only(loaded, squeezed.by_closing);
+    }
     slopes.turning_stiffness = load * per_distance;
     for (int i = 0; i < 4; ++i)
       for (int k = 0; k < 4; ++k) slopes.friction.by[i][k] = only(loaded, friction.by[i][k]);

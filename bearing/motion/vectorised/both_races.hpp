@@ -9,7 +9,8 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 using namespace mechanics::ORBEARING_PACKS;
 
 struct BothRaces : RaceNumbers<NumberPair> {
-  bool film = false;  // adds to the elastic approach
+  bool film = false;      // adds to the elastic approach
+  bool squeezed = false;  // resists the approach
   FrictionLaws<NumberPair> friction;
   bool round = true;  // neither race has waves or scratches, no roller a scratch, and the outer one is rigid
   int rim_waves = 0;  // of the outer race
@@ -34,8 +35,8 @@ void put_side_by_side(const Constants<double>& inner, const Constants<double>& o
   __builtin_memcpy(&both, pair, sizeof pair);
 }
 
-/// Both races follow the same laws, with numbers of their own. Keeps pointers to the constants of both races and
-/// to what those of laminae and scratches point to.
+/// Both races follow the same laws, with numbers of their own. Keeps pointers to the constants of both races
+/// and to what those of laminae and scratches point to.
 inline BothRaces both_races(const Constants& constants) {
   const RaceConstants &inner = constants.inner, &outer = constants.outer;
   BothRaces both;
@@ -43,6 +44,7 @@ inline BothRaces both_races(const Constants& constants) {
   put_side_by_side<FrictionNumbers>(inner.friction, outer.friction, both.friction);
   static_cast<FrictionChoice&>(both.friction) = inner.friction;
   both.film = inner.film;
+  both.squeezed = inner.squeezed;
   both.round = inner.waves == 0 && outer.waves == 0 && inner.scratches == 0 && outer.scratches == 0 &&
                constants.roller_scratches == 0 && constants.rim.waves == 0;
   both.rim_waves = constants.rim.waves;

@@ -5,6 +5,7 @@
 #include "bearing/contact/friction.hpp"
 #include "bearing/contact/land_law.hpp"
 #include "bearing/contact/pocket_law.hpp"
+#include "bearing/contact/squeeze_film.hpp"
 #include "bearing/contact/surface_scratch.hpp"
 
 namespace orbearing::bearing::vectorised {
@@ -33,6 +34,7 @@ struct RaceNumbers {
   Number entrainment_scale{};  // [m/s]
 
   FilmLaw<Number> film_law;
+  SqueezeFilm<Number> squeeze;
   // Of a film that is a power law, as its own search takes it.
   Number film_factor{};        // [m^(103/90)]  thinning film times approach^(13/90), at 1 m/s
   Number film_cap{};           // [m]  largest film at 1 m/s
@@ -41,7 +43,8 @@ struct RaceNumbers {
 
 /// One race: its laws and its form.
 struct RaceConstants : RaceNumbers<double> {
-  bool film = false;  // the film adds to the elastic approach
+  bool film = false;      // adds to the elastic approach
+  bool squeezed = false;  // resists the approach
   FrictionLaws<double> friction;
   int waves = 0;                        // of the form; none: round
   const WaveConstants* wave = nullptr;  // (waves)

@@ -17,6 +17,11 @@ RaceConstants race_constants(const motion::RaceModel& race, double speed) {
   c.entrainment_scale = race.entrainment_scale;
   c.film = race.load.with_film();
   c.film_law = race.load.film();
+  c.squeezed = race.squeeze.has_value();
+  if (race.squeeze) {
+    c.film_law = race.squeeze->film;
+    c.squeeze = race.squeeze->law;
+  }
   set_film_powers(c);
   c.friction = race.friction;
   return c;

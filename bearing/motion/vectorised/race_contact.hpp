@@ -63,6 +63,7 @@ struct RaceMotion {
   PackPair line;                  // [rad/s]  at which the line of centres turns
   PackPair approach;              // [m]
   PackPair closing;               // [m/s]  rate of the approach
+  PackPairMask present;           // where there is a roller
   PackPair race_arm, roller_arm;  // [m]
   PackPair sliding, rolling;      // [m/s]
   PackPair entrainment;           // [m/s]
@@ -106,7 +107,8 @@ inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const M
       m.form.rolling_bend = own.rolling_bend;
     }
   }
-  m.approach = select(PackPairMask{present, present}, race.side * gap + radius, spread<PackPair>(-1.0));
+  m.present = PackPairMask{present, present};
+  m.approach = select(m.present, race.side * gap + radius, spread<PackPair>(-1.0));
   m.closing = race.side * opening;
   m.roller_arm = race.side * radius;
   m.race_arm = distance + m.roller_arm;
@@ -148,29 +150,71 @@ TangentForce tangent_force(const mechanics::SparseDual<kVariables, PackPair>& x,
 
 /// What the laws give in a motion: motion/race_forces.hpp.
 struct RaceLoads {
-  PackPair elastic;                  // [N]
-  PackPair by_approach, by_rolling;  // its slopes
-  PackPair damped;                   // [-]  factor of the damping, cut at zero
-  PackPair load;                     // [N]
+  PackPair load;                                 // [N]  >= 0, with damping and squeeze
+  PackPair by_approach, by_closing, by_rolling;  // its slopes
   TangentForce friction;
   TangentForce inlet;  // rolling resistance
   PackPair tilt;       // [-]  arm of the oil pressure's tilt over the distance
 };
+
+/// A load under its elastic approach, and both as functions of the rigid bodies' approach and of ln u.
+struct ElasticLoad {
+  PackApproach approach;
+  LoadSlope load;
+};
+
+/// Adds what the oil that is pressed out gives to `x`, in which the elastic load with its damping stands.
+template <bool WithSlopes>
+void add_squeeze(const BothRaces& race, const RaceMotion& m, const ElasticLoad& e, const PackPair& log_speed,
+                 RaceLoads& x) {
+  enum { kApproach, kClosing, kSpeed };
+  const auto squeezed = [&](const auto& approach, const auto& elastic, const auto& load, const auto& log_u,
+                            const auto& speed, const auto& closing) {
+    const auto gap = race.squeeze.gap(race.film, race.film_law, approach, elastic, load, log_u);
+    return race.squeeze.load(elastic, load, gap, speed, closing);
+  };
+  if constexpr (WithSlopes) {
+    using mechanics::variable;
+    using ByBoth = mechanics::SparseDual<(1u << kApproach | 1u << kSpeed), PackPair>;
+    const mechanics::SparseDual<(1u << kSpeed), PackPair> speed{m.entrainment, {m.entrainment}};
+    const ByBoth elastic{e.approach.value, {e.approach.by_approach, e.approach.by_log_speed}};
+    const ByBoth load{e.load.load,
+                      {e.load.slope * e.approach.by_approach, e.load.slope * e.approach.by_log_speed}};
+    const auto film = squeezed(variable<kApproach>(m.approach), elastic, load, variable<kSpeed>(log_speed),
+                               speed, variable<kClosing>(m.closing));
+    x.load += only(m.present, film.value);
+    x.by_approach += film.template by<kApproach>();
+    x.by_closing += film.template by<kClosing>();
+    x.by_rolling += film.template by<kSpeed>() * m.log_turn;
+  } else {
+    x.load += only(m.present,
+                   squeezed(m.approach, e.approach.value, e.load.load, log_speed, m.entrainment, m.closing));
+  }
+  const PackPairMask open = x.load > 0.0;
+  x.load = only(open, x.load);
+  x.by_approach = only(open, x.by_approach);
+  x.by_closing = only(open, x.by_closing);
+  x.by_rolling = only(open, x.by_rolling);
+}
 
 template <bool WithSlopes>
 RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine,
                      LaminaStand& stand) {
   using mechanics::variable;
   RaceLoads x;
-  const PackPair log_speed = race.film || race.friction.oiled() ? logarithm(m.entrainment) : PackPair{};
-  const PackApproach e = elastic_approach<WithSlopes>(race, m.approach, log_speed);
-  const LoadSlope elastic =
-      race.laminae.count > 0 ? lamina_load(race, e, cosine, sine, stand) : straight_load(race, e);
-  x.elastic = elastic.load;
-  x.by_approach = elastic.slope * e.by_approach;
-  x.by_rolling = elastic.slope * (e.by_log_speed * m.log_turn);
-  x.damped = damping_factor(race.damping, m.closing);
-  x.load = x.elastic * x.damped;
+  const PackPair log_speed =
+      race.film || race.squeezed || race.friction.oiled() ? logarithm(m.entrainment) : PackPair{};
+  ElasticLoad e{elastic_approach<WithSlopes>(race, m.approach, log_speed), {}};
+  e.load = race.laminae.count > 0 ? lamina_load(race, e.approach, cosine, sine, stand)
+                                  : straight_load(race, e.approach);
+  const auto damped = damping_factor(race.damping, variable<0>(m.closing));
+  x.load = e.load.load * damped.value;
+  if constexpr (WithSlopes) {
+    x.by_approach = damped.value * (e.load.slope * e.approach.by_approach);
+    x.by_closing = e.load.load * damped.template by<0>();
+    x.by_rolling = damped.value * (e.load.slope * (e.approach.by_log_speed * m.log_turn));
+  }
+  if (race.squeezed) add_squeeze<WithSlopes>(race, m, e, log_speed, x);
   const auto tangential = [&](const auto& load, const auto& sliding, const auto& rolling, const auto& speed) {
     race.friction.friction(load, sliding, speed,
                            [&](const auto& force) { x.friction = tangent_force(force, m.log_turn); });
@@ -205,14 +249,12 @@ struct LawSlopes {
   PackPair sliding;  // of the friction alone
 };
 
-inline LawSlopes law_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x) {
+inline LawSlopes law_slopes(const RaceLoads& x) {
   const auto by_load = [&](const PackPair& load) {
     return LawRate{load, x.friction.by_load * load, x.inlet.by_load * load};
   };
-  LawSlopes slopes{
-      by_load(x.damped * x.by_approach),
-      by_load(x.elastic * damping_factor(race.damping, mechanics::variable<0>(m.closing)).template by<0>()),
-      by_load(x.damped * x.by_rolling), x.friction.by_sliding};
+  LawSlopes slopes{by_load(x.by_approach), by_load(x.by_closing), by_load(x.by_rolling),
+                   x.friction.by_sliding};
   slopes.rolling.friction += x.friction.by_rolling;
   slopes.rolling.inlet += x.inlet.by_rolling;
   return slopes;
@@ -242,7 +284,7 @@ struct NormalSlopes {
 inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
                                   const PackPair& f_n, const PackPair& f_t) {
   const NumberPair side = race.side;
-  const LawSlopes laws = law_slopes(race, m, x);
+  const LawSlopes laws = law_slopes(x);
   const auto sliding_and_rolling = [&](const PackPair& sliding, const PackPair& rolling) {
     LawRate rate = rolling * laws.rolling;
     rate.friction += sliding * laws.sliding;
@@ -278,10 +320,9 @@ inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, co
     const PackPair per_distance = side * m.inverse;
     n.distance.tangential -= per_distance * x.load * m.form.slope * m.inverse;
     const PackPair climb = -1.0 * m.form.slope * per_distance;
-    const PackPair gain =
-        (m.form.turning_bend * race.speed + m.form.rolling_bend * m.spin - m.form.bend * m.line -
-         m.form.rate_slope) *
-        per_distance;
+    const PackPair gain = (m.form.turning_bend * race.speed + m.form.rolling_bend * m.spin -
+                           m.form.bend * m.line - m.form.rate_slope) *
+                          per_distance;
     const ForceRate by_form = force_rate(race, m, x, climb * laws.approach + gain * laws.closing);
     n.across.normal += by_form.normal;
     n.across.tangential += by_form.tangential + per_distance * x.load * m.form.bend * m.inverse;
@@ -325,7 +366,7 @@ ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, c
   const RaceMotion m = race_motion(race, radius, present, cosine, sine, state, relative);
   const RaceLoads x = race_loads<WithSlopes>(race, m, cosine, sine, stand);
   ContactForce<PackPair> result;
-  if (!any(x.elastic > 0.0)) {
+  if (!any(x.load > 0.0)) {
     if constexpr (WithSlopes) slopes = ContactSlopes<PackPair>{};
     return result;
   }

@@ -161,5 +161,23 @@ TEST(ElasticApproach, OfPowersIsThatOfAnyFilm) {
   }
 }
 
+// What packs have for the film that is pressed out (contact/rigid_line_film.hpp).
+TEST(PackFunctions, AngleOfAVector) {
+  namespace packs = mechanics::film_law_test_packs;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> draw(-1.0, 1.0);
+  const auto worst = [&](double y, double x) {
+    const double found = packs::angle_of(packs::spread<packs::Pack>(y), packs::spread<packs::Pack>(x)).low[0];
+    const double expected = std::atan2(y, x);
+    EXPECT_NEAR(found, expected, 5e-16 * std::max(expected, 0.0) + 1e-300) << y << ' ' << x;
+  };
+  for (int i = 0; i < 20000; ++i)
+    worst(std::pow(10.0, 6.0 * draw(random)), draw(random) * std::pow(10.0, 6.0 * draw(random)));
+  worst(1.0, 0.0);
+  worst(1.0, -0.0);
+  worst(1.0, 1.0);
+  worst(1.0, -1.0);
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::film_law_test

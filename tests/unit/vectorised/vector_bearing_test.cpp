@@ -34,6 +34,7 @@ struct Variant {
   bool scratched = false;
   bool rim = false;   // bends
   bool full = false;  // no cage
+  bool squeeze = false;
 };
 
 class VectorBearingTest : public testing::TestWithParam<Variant> {
@@ -43,6 +44,7 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
     bearing.rollers().count = GetParam().rollers;
     parameters.race.film_in_approach = GetParam().film;
     parameters.race.traction = GetParam().traction;
+    parameters.race.squeeze = GetParam().squeeze;
     if (GetParam().inner_guidance) {
       bearing.cage.guidance = Race::inner;
       parameters.cage.guide_diameter = 33.1e-3;
@@ -236,7 +238,16 @@ INSTANTIATE_TEST_SUITE_P(
         Variant{"full_complement_tilted", true, false, TractionLaw::regularised_coulomb, 21, false, 12, 1e-3,
                 false, false, true},
         Variant{"without_cage", false, false, TractionLaw::regularised_coulomb, 16, false, 0, 0.0, false,
-                false, true}),
+                false, true},
+        // Issue 17, Build 1: oil that is pressed out.
+        Variant{"squeeze", false, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, false, false,
+                false, true},
+        Variant{"squeeze_film", true, false, TractionLaw::limiting_shear, 15, false, 0, 0.0, false, false,
+                false, true},
+        Variant{"squeeze_and_all", true, false, TractionLaw::limiting_shear, 17, true, 12, 1e-3, true, true,
+                false, true},
+        Variant{"squeeze_full_complement", true, false, TractionLaw::regularised_coulomb, 21, true, 7, 0.0,
+                false, false, true, true}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 }  // namespace
