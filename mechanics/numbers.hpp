@@ -46,6 +46,10 @@ ORBEARING_INLINE PlainSineCosine sine_cosine(double x) {
 ORBEARING_INLINE double angle_of(double y, double x) {
   return __builtin_atan2(y, x);
 }
+/// 1 with the sign of `x`.
+ORBEARING_INLINE double sign_of(double x) {
+  return __builtin_copysign(1.0, x);
+}
 ORBEARING_INLINE double larger(double a, double b) {
   return a > b ? a : b;
 }

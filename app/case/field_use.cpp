@@ -103,8 +103,6 @@ constexpr Exception exceptions[] = {
     {"gearset.dynamics.damping_ratio.bearing", 0, use::fmu_gearset, use::one_set_in_time},
     {"film.approach", other_rungs | use::fmu_bearing},
     {"bearing.roller_diameter_deviation", use::rollers_at_rest},  // their mean knows like rollers
-    {"bearing.cage.pocket_film", use::monolithic},  // one system of equations knows pockets without oil
-    {"bearing.cage.pocket_roughness", use::monolithic},
     {"bearing.cage.reference_speed", other_rungs | use::fmu_bearing},
     {"bearing.misalignment.planet_tilt", 0, use::crown},
     // A computed tilt is that of bearings at rest, with which one bearing may go on; gears do not feel it.

@@ -10,6 +10,7 @@
 
 #include "bearing/contact/damping.hpp"
 #include "bearing/contact/friction.hpp"
+#include "bearing/contact/rigid_line_film.hpp"
 
 namespace orbearing::bearing {
 
@@ -28,14 +29,14 @@ template <class Offset, class Along, class SpeedAhead, class SpeedAlong, class S
 PocketMotion(Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed)
     -> PocketMotion<Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed>;
 
-/// What a bar does to the roller; the cage feels the opposite at its own arm.
+/// What a bar or the oil before it does to the roller; the cage feels the opposite at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
 struct PocketTouch {
   Ahead ahead;                 // [N]    on the roller, along a
-  Along along;                 // [N]    on the roller, along e: friction
+  Along along;                 // [N]    on the roller, along e: friction, shear
   RollerMoment roller_moment;  // [N m]  about the roller's centre
   CageMoment cage_moment;      // [N m]  on the cage about its own centre
-  Power damping_power;         // [W]    dissipated
+  Power power;                 // [W]    dissipated across the bar, of oil in all
   Sliding sliding;             // [m/s]  surface of the bar less that of the roller, along e
 };
 
@@ -48,6 +49,10 @@ struct PocketLaw {
   double stiffness = 0.0;       // [N/m]  of a bar
   double damping = 0.0;         // [s/m]
   CoulombFriction<double> friction;
+  double viscous = 0.0;    // [Pa s m]  2 eta l of the oil before the bars; 0: they are felt when touched
+  double roughness = 0.0;  // [m]       where asperities hold that oil
+
+  bool with_film() const { return viscous > 0.0; }
 
   /// How far the bar ahead (`bar` = 1) or behind (-1) is pressed in [m] by a roller whose radius is larger
   /// than stated by `deviation` [m]; negative where they do not touch.
@@ -68,6 +73,35 @@ struct PocketLaw {
     const auto ahead = -(normal.load * bar);
     return PocketTouch{ahead,        rubbed, -(rubbed * arm), (m.offset + arm) * rubbed - m.along * ahead,
                        normal.power, sliding};
+  }
+
+  /// Oil before `bar` (rigid_line_film.hpp). The gap is held at the roughness, so that the film goes over
+  /// into the touch without a jump. Surface speeds are along e, relative to the contact, which moves with the
+  /// roller's centre and turns with the cage. The surface is dragged by twice the shear of rolling; the tilt
+  /// of the pressure pushes the roller ahead by twice that.
+  template <class Number, class... Parts>
+  auto film(const Number& bar, const Number& radius, const Number& deviation,
+            const PocketMotion<Parts...>& m) const {
+    using mechanics::larger, mechanics::root, mechanics::sign_of, mechanics::value_of;
+    const auto gap = larger((half_clearance - deviation) - m.offset * bar, Number{} + roughness);
+    const auto closing = (m.speed_ahead - m.cage_speed * m.along) * bar;
+    const auto roller_surface = (m.cage_speed - m.spin) * (bar * radius);
+    const auto bar_surface = -(m.speed_along + m.cage_speed * m.offset);
+    const auto rolling = 0.5 * (roller_surface + bar_surface);
+    const auto speed = rolling * sign_of(value_of(rolling));
+    const RigidLineFilm<Number> oil{Number{} + viscous, root(2.0 * radius)};
+    const auto film = oil.at(oil.slenderness(gap), speed, closing);
+    const auto sliding = bar_surface - roller_surface;
+    const auto drag = film.shear * (sliding - 2.0 * rolling);
+    const auto ahead = -(film.load * bar);
+    const auto along = drag + 4.0 * (film.shear * rolling);
+    const auto roller_moment = -(drag * (bar * radius));
+    return PocketTouch{ahead,
+                       along,
+                       roller_moment,
+                       m.offset * along - m.along * ahead - roller_moment,
+                       film.load * closing + film.shear * (sliding * sliding + 4.0 * (rolling * rolling)),
+                       sliding};
   }
 };
 

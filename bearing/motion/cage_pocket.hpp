@@ -18,10 +18,10 @@ struct PocketModel {
   double friction = 0.0;        // [-]
   double sliding_scale = 0.0;   // [m/s]
   double roller_radius = 0.0;   // [m]
-  bool with_film = false;
-  double viscosity = 0.0;  // [Pa s]
-  double length = 0.0;     // [m]     of the film: the roller's
-  double roughness = 0.0;  // [m]     least gap of the film
+  double viscous = 0.0;         // [Pa s m]  2 eta l of the oil before the bars; 0: none
+  double roughness = 0.0;       // [m]       least gap of that oil
+
+  bool with_film() const { return viscous > 0.0; }
 };
 
 /// Forces between a roller and its pocket.
@@ -35,7 +35,18 @@ struct PocketForces {
 };
 
 inline PocketLaw pocket_law(const PocketModel& model) {
-  return {model.half_clearance, model.stiffness, model.damping, {model.friction, model.sliding_scale}};
+  return {model.half_clearance, model.stiffness, model.damping, {model.friction, model.sliding_scale},
+          model.viscous,        model.roughness};
+}
+
+/// In the axes of the pocket whose centre line points along `outward` [-] (e).
+inline PocketMotion<double, double, double, double, double, double> pocket_motion(const BodyMotion& roller,
+                                                                                  const BodyMotion& cage,
+                                                                                  const Vector2& outward) {
+  const Vector2 ahead = across(outward), from_cage = roller.position - cage.position;
+  const Vector2 velocity = roller.velocity - cage.velocity;
+  return {from_cage.dot(ahead),  from_cage.dot(outward), velocity.dot(ahead),
+          velocity.dot(outward), roller.speed,           cage.speed};
 }
 
 /// Forces of roller and bars that touch, in the pocket whose centre line points along `outward` [-] (e), of a
@@ -44,20 +55,15 @@ inline PocketForces touch_forces(const PocketModel& model, const BodyMotion& rol
                                  const Vector2& outward, double larger = 0.0) {
   PocketForces forces;
   const PocketLaw law = pocket_law(model);
-  const Vector2 ahead = across(outward);
-  const Vector2 from_cage = roller.position - cage.position;
-  const double offset = from_cage.dot(ahead);
-  const double bar = std::copysign(1.0, offset);
-  if (law.depth(bar, offset, larger) <= 0.0) return forces;
-  const Vector2 velocity = roller.velocity - cage.velocity;
-  const auto touch = law.touch(bar, model.roller_radius + larger, larger,
-                               PocketMotion{offset, from_cage.dot(outward), velocity.dot(ahead),
-                                            velocity.dot(outward), roller.speed, cage.speed});
-  const Vector2 force = touch.ahead * ahead + touch.along * outward;
+  const PocketMotion motion = pocket_motion(roller, cage, outward);
+  const double bar = std::copysign(1.0, motion.offset);
+  if (law.depth(bar, motion.offset, larger) <= 0.0) return forces;
+  const auto touch = law.touch(bar, model.roller_radius + larger, larger, motion);
+  const Vector2 force = touch.ahead * across(outward) + touch.along * outward;
   forces.on_roller = {force, touch.roller_moment};
   forces.on_cage = {-force, touch.cage_moment};
   forces.load = -touch.ahead;
-  forces.damping_power = touch.damping_power;
+  forces.damping_power = touch.power;
   forces.friction_power = touch.along * touch.sliding;
   return forces;
 }

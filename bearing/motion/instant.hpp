@@ -119,39 +119,28 @@ inline Vector2 pocket_direction(const BearingModel& model, const RingBodies& rin
   return own.x() * rings.cage_direction + own.y() * across(rings.cage_direction);
 }
 
-/// Motions of a roller in both its contacts, and their elastic loads.
+/// Motions of a roller in both its contacts, and how they yield.
 struct RollerContacts {
   FormedContact inner;
   FormedContact outer;
-  double inner_load = 0.0;  // [N]
-  double outer_load = 0.0;  // [N]
+  ElasticContact inner_elastic;
+  ElasticContact outer_elastic;
   LaminaStand stand;        // of contacts cut into laminae
   LaminaRaceLoads tilting;  // of such contacts
 };
-
-/// Elastic approach in the middle [m].
-inline double elastic_approach(const RaceModel& model, const ContactMotion& motion) {
-  return model.load.elastic_approach(motion.approach,
-                                     entrainment_speed(motion.rolling, model.entrainment_scale));
-}
 
 inline RollerContacts roller_contacts(const BearingModel& model, const RingBodies& rings,
                                       const RollerBody& roller, Eigen::Index j) {
   const RollerSurface surface = surface_of(model, j);
   RollerContacts contacts{race_motion(model.inner, roller.motion, surface, rings.pin),
                           race_motion(model.outer, roller.motion, surface, rings.bore, rings.waves)};
+  contacts.inner_elastic = straight_contact(model.inner, contacts.inner.contact);
+  contacts.outer_elastic = straight_contact(model.outer, contacts.outer.contact);
   if (model.laminae) {
-    LaminaStand& stand = contacts.stand;
-    stand.inner_approach = elastic_approach(model.inner, contacts.inner.contact);
-    stand.outer_approach = elastic_approach(model.outer, contacts.outer.contact);
-    stand.tip = roller.tip;
-    const LaminaRaceLoads loads = model.laminae->loads(stand, roller.outward);
-    contacts.inner_load = loads.inner;
-    contacts.outer_load = loads.outer;
-    contacts.tilting = loads;
-  } else {
-    contacts.inner_load = straight_load(model.inner, contacts.inner.contact);
-    contacts.outer_load = straight_load(model.outer, contacts.outer.contact);
+    contacts.stand = {contacts.inner_elastic.approach, contacts.outer_elastic.approach, roller.tip};
+    contacts.tilting = model.laminae->loads(contacts.stand, roller.outward);
+    contacts.inner_elastic.load = contacts.tilting.inner;
+    contacts.outer_elastic.load = contacts.tilting.outer;
   }
   return contacts;
 }
@@ -165,8 +154,8 @@ inline RollerForces roller_forces(const BearingModel& model, const RingBodies& r
   const double tip_rate = tilts ? tilting.excess / model.laminae->resistance() : 0.0;
   const double passing =
       tilts ? model.laminae->bore_tip().dot(across(roller.outward)) * roller.orbital_speed : 0.0;
-  return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_load),
-          .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_load),
+  return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_elastic),
+          .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_elastic),
           .pocket = model.layout.caged ? pocket_forces(model.pocket, roller.motion, rings.cage,
                                                        pocket_direction(model, rings, j), larger)
                                        : PocketForces{},

@@ -105,9 +105,9 @@ PocketModel pocket_model(const BearingGeometry& geometry, double length,
           .friction = cage.pocket_friction,
           .sliding_scale = parameters.race.sliding_scale,
           .roller_radius = geometry.element_radius,
-          .with_film = cage.pocket_film == PocketFilm::hydrodynamic,
-          .viscosity = parameters.lubricant.viscosity,
-          .length = length,
+          .viscous = cage.pocket_film == PocketFilm::hydrodynamic
+                         ? 2.0 * parameters.lubricant.viscosity * length
+                         : 0.0,
           .roughness = cage.pocket_roughness};
 }
 
@@ -177,7 +177,7 @@ std::vector<double> larger_rollers(const Bearing& bearing) {
 bool is_plain(const Bearing& bearing, const BearingModel& model) {
   return model.layout.caged && bearing.inner.form.empty() && bearing.outer.form.empty() &&
          !model.inner.friction.mixed && bearing.rollers().diameter_deviation.empty() &&
-         !model.pocket.with_film && !model.laminae && model.layout.waves == 0;
+         !model.pocket.with_film() && !model.laminae && model.layout.waves == 0;
 }
 
 laminae::LaminaContact lamina_contact(const CylindricalRollers& rollers, const RaceModel& race,

@@ -17,12 +17,12 @@ FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, cons
 RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,
                        const RollerSurface& surface) {
   const FormedContact motion = race_motion(model, roller, surface, race);
-  return race_forces(model, motion, race, straight_load(model, motion.contact));
+  return race_forces(model, motion, race, straight_contact(model, motion.contact));
 }
 
 RaceForces race_forces(const RaceModel& model, const FormedContact& motion, const BodyMotion& race,
-                       double elastic_load) {
-  return contact_forces(model, motion.contact, elastic_load, &motion.form, race.speed);
+                       const ElasticContact& elastic) {
+  return contact_forces(model, motion.contact, elastic, &motion.form, race.speed);
 }
 
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,

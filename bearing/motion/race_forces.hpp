@@ -68,33 +68,40 @@ struct RollerSurface {
 FormedContact race_motion(const RaceModel& model, const BodyMotion& roller, const RollerSurface& surface,
                           const BodyMotion& race, const RaceWaves& waves = {});
 
-/// Elastic load of a straight contact in the given motion [N].
-inline double straight_load(const RaceModel& model, const ContactMotion& motion) {
-  return model.load.load(motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
+/// How far the bodies of a contact yield in the middle, and under which load.
+struct ElasticContact {
+  double approach = 0.0;  // [m]  zero or negative where they do not touch
+  double load = 0.0;      // [N]
+};
+
+/// Of a straight contact in the given motion.
+inline ElasticContact straight_contact(const RaceModel& model, const ContactMotion& motion) {
+  const double approach = model.load.elastic_approach(
+      motion.approach, entrainment_speed(motion.rolling, model.entrainment_scale));
+  return {approach, model.load.elastic().load(approach)};
 }
 
 /// Load of the oil that is pressed out [N], with the sign of the approach speed; `entrainment` [m/s] > 0.
-inline double squeeze_load(const RaceModel& model, const ContactMotion& motion, double elastic_load,
+inline double squeeze_load(const RaceModel& model, const ContactMotion& motion, const ElasticContact& elastic,
                            double entrainment) {
   if (!model.squeeze) return 0.0;
   const SqueezeFilm<double>& law = model.squeeze->law;
-  const double elastic = model.load.elastic_approach(motion.approach, entrainment);
-  const double gap = law.gap(model.load.with_film(), model.squeeze->film, motion.approach, elastic,
-                             elastic_load, std::log(entrainment));
-  return law.load(elastic, elastic_load, gap, entrainment, motion.approach_speed);
+  const double gap = law.gap(model.load.with_film(), model.squeeze->film, motion.approach, elastic.approach,
+                             elastic.load, std::log(entrainment));
+  return law.load(elastic.approach, elastic.load, gap, entrainment, motion.approach_speed);
 }
 
-/// All forces of a contact under `elastic_load` [N] in the given motion; `form` is null on a round race. The
+/// All forces of a contact in the given motion; `form` is null on a round race. The
 /// tangential force of the rolling resistance on the roller makes the moments of both surfaces balance; it is
 /// what the tilted oil pressure leaves after the drag at the inlet.
-inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& motion, double elastic_load,
-                                 const FormSlope* form, double race_speed) {
+inline RaceForces contact_forces(const RaceModel& model, const ContactMotion& motion,
+                                 const ElasticContact& elastic, const FormSlope* form, double race_speed) {
   RaceForces forces;
   forces.sliding = motion.sliding;
   forces.entrainment = entrainment_speed(motion.rolling, model.entrainment_scale);
-  const double squeezed = squeeze_load(model, motion, elastic_load, forces.entrainment);
-  const auto normal = with_squeeze(damped_load(elastic_load, model.damping, motion.approach_speed),
-                                   elastic_load, squeezed, motion.approach_speed);
+  const auto normal =
+      with_squeeze(damped_load(elastic.load, model.damping, motion.approach_speed), elastic.load,
+                   squeeze_load(model, motion, elastic, forces.entrainment), motion.approach_speed);
   forces.damping_power = normal.power;
   if (normal.load <= 0.0) return forces;
   const double log_speed = model.friction.oiled() ? std::log(forces.entrainment) : 0.0;
@@ -128,12 +135,12 @@ RaceForces race_forces(const RaceModel& model, const BodyMotion& roller, const B
 inline RaceForces plain_race_forces(const RaceModel& model, const BodyMotion& roller,
                                     const BodyMotion& race) {
   const ContactMotion motion = contact_motion(roller, model.roller_radius, race, model.side);
-  return contact_forces(model, motion, straight_load(model, motion), nullptr, race.speed);
+  return contact_forces(model, motion, straight_contact(model, motion), nullptr, race.speed);
 }
 
-/// The same under a given elastic load [N], in a motion that is known already.
+/// The same under a given elastic load, in a motion that is known already.
 RaceForces race_forces(const RaceModel& model, const FormedContact& motion, const BodyMotion& race,
-                       double elastic_load);
+                       const ElasticContact& elastic);
 
 /// Energy stored in the contact [J].
 double race_energy(const RaceModel& model, const BodyMotion& roller, const BodyMotion& race,

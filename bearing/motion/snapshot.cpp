@@ -87,11 +87,9 @@ double contact_energy(const BearingModel& model, const RingBodies& rings, const 
   const double straight = race_energy(model.inner, roller.motion, rings.pin, surface) +
                           race_energy(model.outer, roller.motion, rings.bore, surface, rings.waves);
   if (!model.laminae) return straight;
-  const RollerContacts contacts = roller_contacts(model, rings, roller, j);
-  const double inner = elastic_approach(model.inner, contacts.inner.contact);
-  const double outer = elastic_approach(model.outer, contacts.outer.contact);
-  return straight - elastic_energy(model.inner, inner) - elastic_energy(model.outer, outer) +
-         model.laminae->energy({inner, outer, roller.tip}, roller.outward);
+  const LaminaStand stand = roller_contacts(model, rings, roller, j).stand;
+  return straight - elastic_energy(model.inner, stand.inner_approach) -
+         elastic_energy(model.outer, stand.outer_approach) + model.laminae->energy(stand, roller.outward);
 }
 
 void add_roller_energy(const BearingModel& model, const CarrierFrame& frame, const RingBodies& rings,

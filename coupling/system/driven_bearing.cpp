@@ -11,8 +11,8 @@
 
 #include "bearing/motion/driven_bore.hpp"
 #include "bearing/motion/driven_start.hpp"
-#include "coupling/integration/readable_window.hpp"
 #include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/driven_system.hpp"
 #include "mechanics/checks.hpp"
@@ -21,8 +21,7 @@ namespace orbearing::system {
 
 // All that the future of a driven bearing depends on.
 struct DrivenState {
-  Eigen::VectorXd flat;      // of the readable equations
-  std::vector<double> x;     // padded, of the vectorised ones; one of both is in use
+  std::vector<double> x;     // padded
   double step = 1e-6;        // [s]    to try next
   double angle = 0.0;        // [rad]  of the bore
   double turned = 0.0;       // [rad]  there and back
@@ -34,7 +33,6 @@ struct DrivenState {
   void each(Visit visit) {
     for (double* one : {&step, &angle, &turned, &step_before}) visit(one, 1);
     visit(x.data(), static_cast<long>(x.size()));
-    visit(flat.data(), static_cast<long>(flat.size()));
     sums.each(visit);
   }
 };
@@ -49,10 +47,8 @@ using bearing::motion::Snapshot;
 using bearing::vectorised::VectorBearing;
 using mechanics::require;
 
-// Steps of central differences: far below what the laws see, far above round-off.
-constexpr double kSpeedStep = 1e-3;     // [rad/s]
-constexpr double kPlaceStep = 1e-10;    // [m]
-constexpr double kVelocityStep = 1e-6;  // [m/s]
+// Step of central differences: far below what the laws see, far above round-off.
+constexpr double kSpeedStep = 1e-3;  // [rad/s]
 
 void check_numbers(const DrivenBearingSetup& setup) {
   require(std::isfinite(setup.orbit_radius) && setup.orbit_radius >= 0.0, "orbit radius [m]",
@@ -165,7 +161,7 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
   return outputs;
 }
 
-constexpr double kVersion = 3.0;
+constexpr double kVersion = 4.0;
 
 }  // namespace
 
@@ -208,51 +204,39 @@ DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, doub
 struct DrivenBearing::Inside {
   DrivenBearingSetup setup;
   BearingModel model;
-  std::optional<VectorBearing> fast;  // none where the readable equations alone know all of the model
-  Eigen::VectorXd allowed;
-  std::optional<integration::Rosenbrock2> stepper;
+  VectorBearing fast;
+  integration::Rosenbrock2 stepper;
   system::LoadsAtStep loads;
   DrivenState state, backup;
   std::vector<double> at_instant, rate;  // padded
 
   explicit Inside(const DrivenBearingSetup& given)
-      : setup(given), model(driven_model(given)), loads(given.bearing.rollers().count) {
-    allowed = system::allowed_errors(model, setup.allowed_length_error);
+      : setup(given),
+        model(driven_model(given)),
+        fast(model),
+        stepper(
+            system::linearly_implicit_errors(fast, system::allowed_errors(model, setup.allowed_length_error)),
+            system::longest_step(model)),
+        loads(given.bearing.rollers().count),
+        at_instant(static_cast<std::size_t>(fast.layout().size())),
+        rate(at_instant) {
     state.sums = no_damage();
-    state.flat = Eigen::VectorXd::Zero(model.layout.size());
-    if (!bearing::vectorised::supports(model)) return;
-    fast.emplace(model);
-    stepper.emplace(system::linearly_implicit_errors(*fast, allowed), system::longest_step(model));
-    at_instant.resize(static_cast<std::size_t>(fast->layout().size()));
-    rate = at_instant;
     set(Eigen::VectorXd::Zero(model.layout.size()));
   }
 
   DamageSums no_damage() const { return DamageSums(setup.places, uneven_laminae(cut_races(model))); }
 
-  void set(const Eigen::VectorXd& x) {
-    if (fast) {
-      state.x = fast->padded(x);
-      state.flat.resize(0);
-    } else {
-      state.flat = x;
-    }
-  }
+  void set(const Eigen::VectorXd& x) { state.x = fast.padded(x); }
   Eigen::VectorXd flat() const {
-    if (!fast) return state.flat;
     Eigen::VectorXd x(model.layout.size());
-    fast->flatten(state.x.data(), x);
+    fast.flatten(state.x.data(), x);
     return x;
   }
 
-  // What a saved state must agree in: version, rollers, places, which equations.
+  // What a saved state must agree in: version, rollers, places, waves, cage.
   std::vector<double> head() const {
-    return {kVersion,
-            static_cast<double>(setup.bearing.rollers().count),
-            static_cast<double>(setup.places),
-            fast ? 1.0 : 0.0,
-            static_cast<double>(model.layout.waves),
-            setup.bearing.has_cage() ? 1.0 : 0.0};
+    return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.places),
+            static_cast<double>(model.layout.waves), setup.bearing.has_cage() ? 1.0 : 0.0};
   }
 
   BoreMotion here(BoreMotion motion) const {
@@ -264,10 +248,9 @@ struct DrivenBearing::Inside {
     const InputPolynomial angle = integral(state.angle, inputs.speed);
     const integration::WindowLimits limits{.most_steps = setup.most_steps};
     loads.step_before = state.step_before;
-    if (fast)
-      run_fast(length, inputs, limits);
-    else
-      run_readable(length, inputs, angle, limits);
+    DrivenSystem system(fast, inputs, state.angle, loads, state.sums);
+    system.settle(0.0, state.x);
+    integration::through_window(stepper, system, state.x, length, limits, state.step);
     state.step_before = loads.step_before;
     state.turned += std::abs(angle.at(length) - state.angle);
     state.angle = angle.at(length);
@@ -275,48 +258,19 @@ struct DrivenBearing::Inside {
     if (!reason.empty()) throw std::runtime_error("driven bearing: " + reason);
   }
 
-  void run_fast(double length, const BoreInputs& inputs, const integration::WindowLimits& limits) {
-    DrivenSystem system(*fast, inputs, state.angle, loads, state.sums);
-    system.settle(0.0, state.x);
-    integration::through_window(*stepper, system, state.x, length, limits, state.step);
-  }
-
-  void run_readable(double length, const BoreInputs& inputs, const InputPolynomial& angle,
-                    const integration::WindowLimits& limits) {
-    const auto motion_at = [&](double time) {
-      BoreMotion motion = inputs.at(time);
-      motion.angle = angle.at(time);
-      return motion;
-    };
-    const auto derivative = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x,
-                                Eigen::Ref<Eigen::VectorXd> dx) {
-      driven_derivative(model, motion_at(time), x, dx);
-    };
-    const auto on_step = [&](double time, double step, const Eigen::Ref<const Eigen::VectorXd>& x) {
-      const Snapshot now = driven_snapshot(model, motion_at(time), x);
-      loads.take(loads_of(now));
-      loads.count(step, &state.sums);
-    };
-    state.flat = state_at(model, motion_at(0.0), state.flat);
-    integration::through_window(derivative, state.flat, length, allowed, limits, state.step, on_step);
-    state.flat = state_at(model, motion_at(length), state.flat);
-  }
-
   // The vectorised bearing with its bore where `motion` says; `linear` keeps slopes.
   BoreReaction evaluate(const BoreMotion& motion, bool linear) {
     at_instant = state.x;
-    double* bore = at_instant.data() + fast->layout().bore();
+    double* bore = at_instant.data() + fast.layout().bore();
     std::copy_n(motion.position.data(), 2, bore);
     std::copy_n(motion.velocity.data(), 2, bore + 2);
     if (linear)
-      fast->linearise(motion, at_instant.data(), rate.data());
+      fast.linearise(motion, at_instant.data(), rate.data());
     else
-      fast->derivative(motion, at_instant.data(), rate.data());
-    return fast->reaction();
+      fast.derivative(motion, at_instant.data(), rate.data());
+    return fast.reaction();
   }
-  BoreReaction reaction(const BoreMotion& motion) {
-    return fast ? evaluate(motion, false) : bearing::motion::reaction(model, motion, state.flat);
-  }
+  BoreReaction reaction(const BoreMotion& motion) { return evaluate(motion, false); }
 
   // Central difference of the force by the number that `move` changes.
   template <class Move>
@@ -387,22 +341,13 @@ ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
   Inside& in = *inside_;
   const BoreMotion here = in.here(motion);
   ForceSlopes slopes;
-  if (in.fast) {
-    in.evaluate(here, true);
-    const bearing::vectorised::BoreSlopes exact = in.fast->bore_slopes();
-    for (int i = 0; i < 2; ++i)
-      for (int k = 0; k < 2; ++k) {
-        slopes.by_displacement(i, k) = exact.by_position[i][k];
-        slopes.by_velocity(i, k) = exact.by_velocity[i][k];
-      }
-  } else {
+  in.evaluate(here, true);
+  const bearing::vectorised::BoreSlopes exact = in.fast.bore_slopes();
+  for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 2; ++k) {
-      slopes.by_displacement.col(k) =
-          in.slope(here, kPlaceStep, [k](BoreMotion& m) -> double& { return m.position[k]; });
-      slopes.by_velocity.col(k) =
-          in.slope(here, kVelocityStep, [k](BoreMotion& m) -> double& { return m.velocity[k]; });
+      slopes.by_displacement(i, k) = exact.by_position[i][k];
+      slopes.by_velocity(i, k) = exact.by_velocity[i][k];
     }
-  }
   slopes.by_speed = in.slope(here, kSpeedStep, [](BoreMotion& m) -> double& { return m.speed; });
   return slopes;
 }

@@ -26,22 +26,14 @@ constexpr double kSavedSystemKind = 30002.0;
 constexpr double kGearErrorFactor = 100.0;
 constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
 
-CoupledModel checked_model(const CoupledSetup& setup) {
-  CoupledModel model = coupled_model(setup);
-  if (!bearing::vectorised::supports(model.bearing))
-    throw std::invalid_argument(
-        "monolithic solution: found oil in the pockets; required: pockets without film, as the vectorised "
-        "bearing knows them");
-  return model;
-}
-
 CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& model,
                                 const CoupledSystem& coupled) {
   const Eigen::VectorXd gears =
       kGearErrorFactor * integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
   return {.gears = {gears.begin(), gears.end()},
           .bearing = system::linearly_implicit_errors(
-              coupled.bearing(0), system::allowed_errors(model.bearing_of(0), setup.bearing.allowed_length_error)),
+              coupled.bearing(0),
+              system::allowed_errors(model.bearing_of(0), setup.bearing.allowed_length_error)),
           .longest_step = system::longest_step(model.bearing),
           .most_refined = setup.most_refined,
           .most_steps = setup.bearing.most_steps};
@@ -109,7 +101,7 @@ struct Monolithic::Inside {
 
 Monolithic::Inside::Inside(const CoupledSetup& setup)
     : setup_(setup),
-      model_(checked_model(setup)),
+      model_(coupled_model(setup)),
       equations(model_.gears),
       system_(model_, setup.bearing.places),
       stepper_(system_, step_options(setup, model_, system_)),

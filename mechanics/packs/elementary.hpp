@@ -54,6 +54,12 @@ inline Number exponential(const Number& x) {
   return from_bits(bits_of(y) + (bits_of(shifted) << 52));
 }
 
+/// 1 with the sign of `x`.
+template <class Part>
+inline Two<Part> sign_of(const Two<Part>& x) {
+  return with_sign_of(spread<Two<Part>>(1.0), x);
+}
+
 /// Angle of the vector (x, y), y > 0: between 0 and pi. By arctan t = pi/6 + arctan((t - c)/(1 + c t)), c =
 /// tan(pi/6), the series is asked at most at tan(pi/12).
 template <class Number>

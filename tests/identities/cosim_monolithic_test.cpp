@@ -97,9 +97,6 @@ TEST(Monolithic, BearingsCarryWhatTheMeshesLeave) {
 
 TEST(Monolithic, RefusesWhatItDoesNotKnow) {
   CoupledSetup setup = test::coupled_reducer();
-  setup.bearing.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
-  EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
-  setup = test::coupled_reducer();
   setup.gears.set.planet.coupled_bearing = false;
   EXPECT_THROW(Monolithic{setup}, std::invalid_argument);
   setup = test::coupled_reducer();

@@ -66,7 +66,7 @@ void put_scratches(const std::vector<RaceScratch>& scratches, RaceConstants& rac
 }  // namespace
 
 bool supports(const motion::BearingModel& model) {
-  return !model.pocket.with_film && model.driving.ramp == 0.0;
+  return model.driving.ramp == 0.0;
 }
 
 VectorBearing::VectorBearing(const motion::BearingModel& model, mechanics::InstructionSet set)

@@ -16,7 +16,7 @@
 
 namespace orbearing::bearing::vectorised {
 
-/// Whether the vectorised bearing knows all that `model` holds: not oil in the pockets, nor run-ups.
+/// Whether the vectorised bearing knows all that `model` holds: not run-ups.
 bool supports(const motion::BearingModel& model);
 
 /// The vectorised bearing: engine, layout and conversion from and to the flat state of bearing/motion.

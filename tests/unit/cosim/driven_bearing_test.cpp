@@ -118,7 +118,7 @@ TEST_P(DrivenBearingState, StaysAtTheBeginningOnAnError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Paths, DrivenBearingState, testing::Bool(),
-                         [](const auto& path) { return path.param ? "readable" : "vectorised"; });
+                         [](const auto& path) { return path.param ? "oiled_pockets" : "dry_pockets"; });
 
 TEST(DrivenBearing, GivesUpWhereItsStepsAreUsedUp) {
   DrivenBearingSetup setup = test::driven_reducer();
@@ -177,9 +177,9 @@ TEST(DrivenBearing, DependsLittleOnTheWindows) {
 }
 
 TEST(DrivenBearing, SlopesAreThoseOfTheForce) {
-  for (const bool readable : {false, true}) {
+  for (const bool oiled_pockets : {false, true}) {
     DrivenBearingSetup setup = test::driven_reducer();
-    if (readable) setup.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
+    if (oiled_pockets) setup.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
     DrivenBearing bearing(setup);
     const BoreMotion about = test::pressed_motion();
     bearing.initialize(about);

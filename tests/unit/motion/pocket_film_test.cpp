@@ -126,9 +126,7 @@ const PocketModel kPocket{.half_clearance = 0.05e-3,
                           .friction = 0.05,
                           .sliding_scale = 0.1,
                           .roller_radius = kRadius,
-                          .with_film = true,
-                          .viscosity = kViscosity,
-                          .length = kLength,
+                          .viscous = 2.0 * kViscosity * kLength,
                           .roughness = 0.4e-6};
 
 // What both bodies lose in power is what is dissipated and stored, and moments cancel, in any motion.

@@ -35,6 +35,7 @@ struct Variant {
   bool rim = false;   // bends
   bool full = false;  // no cage
   bool squeeze = false;
+  bool pocket_film = false;
 };
 
 class VectorBearingTest : public testing::TestWithParam<Variant> {
@@ -45,6 +46,7 @@ class VectorBearingTest : public testing::TestWithParam<Variant> {
     parameters.race.film_in_approach = GetParam().film;
     parameters.race.traction = GetParam().traction;
     parameters.race.squeeze = GetParam().squeeze;
+    if (GetParam().pocket_film) parameters.cage.pocket_film = motion::PocketFilm::hydrodynamic;
     if (GetParam().inner_guidance) {
       bearing.cage.guidance = Race::inner;
       parameters.cage.guide_diameter = 33.1e-3;
@@ -246,6 +248,10 @@ INSTANTIATE_TEST_SUITE_P(
                 false, true},
         Variant{"squeeze_and_all", true, false, TractionLaw::limiting_shear, 17, true, 12, 1e-3, true, true,
                 false, true},
+        Variant{"pocket_film", false, false, TractionLaw::regularised_coulomb, 15, false, 0, 0.0, false,
+                false, false, false, true},
+        Variant{"squeeze_and_pocket_film", true, true, TractionLaw::limiting_shear, 17, true, 0, 0.0, false,
+                false, false, true, true},
         Variant{"squeeze_full_complement", true, false, TractionLaw::regularised_coulomb, 21, true, 7, 0.0,
                 false, false, true, true}),
     [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
