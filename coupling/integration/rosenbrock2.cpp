@@ -66,4 +66,44 @@ double largest_share(double h, const double* k1, const double* k2, const double*
   return total;
 }
 
+ORBEARING_EVERY_WIDTH
+void add_terms(const double* first, Term a, Term b, double* z, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) z[i] = first[i] + (a.factor * a.of[i] + b.factor * b.of[i]);
+}
+
+ORBEARING_EVERY_WIDTH
+void add_terms(const double* first, Term a, Term b, Term c, double* z, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i)
+    z[i] = first[i] + (a.factor * a.of[i] + b.factor * b.of[i] + c.factor * c.of[i]);
+}
+
+ORBEARING_EVERY_WIDTH
+double finish(const double* x, double h, const double* const (&k)[3], const double (&forward)[3],
+              const double (&error)[3], const double* weight, double* next, std::size_t n) {
+  Eight largest{}, poison{};
+  for (std::size_t i = 0; i < n; i += 8) {
+    Eight old, scale, ahead{}, off{};
+    __builtin_memcpy(&old, x + i, sizeof old);
+    __builtin_memcpy(&scale, weight + i, sizeof scale);
+    for (int m = 0; m < 3; ++m) {
+      Eight stage;
+      __builtin_memcpy(&stage, k[m] + i, sizeof stage);
+      ahead += forward[m] * stage;
+      off += error[m] * stage;
+    }
+    const Eight state = old + h * ahead;
+    __builtin_memcpy(next + i, &state, sizeof state);
+    const Eight share = h * off * scale;
+    const Eight size = (Eight)((EightBits)share & 0x7fffffffffffffffLL);
+    largest = size > largest ? size : largest;
+    poison += 0.0 * share;
+  }
+  double total = 0.0;
+  for (int j = 0; j < 8; ++j) {
+    if (poison[j] != 0.0) return INFINITY;
+    total = total > largest[j] ? total : largest[j];
+  }
+  return total;
+}
+
 }  // namespace orbearing::integration::detail
