@@ -40,16 +40,16 @@ struct FilmResistance {
 };
 
 /// Resistance at `eccentricity` [-] < 1 against a squeeze towards the unit vector (`towards_x`, `towards_y`)
-/// in axes along the eccentricity and across it: with t = towards, D = 1 - (eps t_y)^2, w = sqrt(1 - eps^2) and
-/// a = pi/2 + atan(eps t_x / w),
+/// in axes along the eccentricity and across it: with t = towards, D = 1 - (eps t_y)^2, w = sqrt(1 - eps^2)
+/// and a = pi/2 + atan(eps t_x / w),
 ///
 ///     along w^5 = (1 + 2 eps^2) a + eps w t_x (3 + 2 t_y^2 - 5 (eps t_y)^2) / D^2
 ///     across w^3 = a + eps w t_x (1 - 2 t_y^2 + (eps t_y)^2) / D^2
 ///     mixed = 2 eps t_y^3 / D^2.
 ///
-/// These are what the substitution 1 - eps cos(theta) = (1 - eps^2) / (1 + eps cos(gamma)) of [Sommerfeld1904]
-/// gives in the short bearing of [Ocvirk1952], once both ends of the half circle, opposite to each other, are
-/// put in. Its steady state is Eqs. (24) and (25) of [Gai2025].
+/// These are what the substitution 1 - eps cos(theta) = (1 - eps^2) / (1 + eps cos(gamma)) of
+/// [Sommerfeld1904] gives in the short bearing of [Ocvirk1952], once both ends of the half circle, opposite
+/// to each other, are put in. Its steady state is Eqs. (24) and (25) of [Gai2025].
 template <class T>
 FilmResistance<T> half_film_resistance(const T& eccentricity, const T& towards_x, const T& towards_y) {
   using mechanics::arc_tangent, mechanics::inverse_root;

@@ -1,5 +1,5 @@
-// Linearly implicit steppers for stiff systems whose Jacobian has a structure of its own: what they share, and
-// the one of order 2. That of order 3 is in rosenbrock3.hpp.
+// Linearly implicit steppers for stiff systems whose Jacobian has a structure of its own: what they share,
+// and the one of order 2. That of order 3 is in rosenbrock3.hpp.
 //
 // ROS2 of [Verwer1999]: with gamma = 1 - 1/sqrt(2), L-stable,
 //   (1 - gamma h J) k1 = f(t, x) + gamma h f_t
@@ -140,8 +140,8 @@ struct SecondOrder {
   static constexpr double kGamma = 0.29289321881345247559915563789515;
 
   template <class System>
-  static double attempt(System& system, const std::vector<double>& x, double t, double h, const double* weight,
-                        StageArrays<kStages>& s) {
+  static double attempt(System& system, const std::vector<double>& x, double t, double h,
+                        const double* weight, StageArrays<kStages>& s) {
     const std::size_t n = x.size();
     const double g = kGamma * h;
     double *k1 = s.k[0].data(), *k2 = s.k[1].data(), *rhs = s.rhs.data();

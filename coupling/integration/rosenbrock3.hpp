@@ -27,8 +27,8 @@ struct ThirdOrder {
                                       0.22354069897811569627360909276199 * kGamma};
 
   template <class System>
-  static double attempt(System& system, const std::vector<double>& x, double t, double h, const double* weight,
-                        StageArrays<kStages>& s) {
+  static double attempt(System& system, const std::vector<double>& x, double t, double h,
+                        const double* weight, StageArrays<kStages>& s) {
     const std::size_t n = x.size();
     const double g = kGamma * h;
     double *k1 = s.k[0].data(), *k2 = s.k[1].data(), *k3 = s.k[2].data(), *next = s.next.data(),

@@ -132,8 +132,8 @@ struct SharedBlock {
   }
 };
 
-/// The inverse of the shared unknowns' own block: for several right-hand sides with few unknowns, whose solution by
-/// factors waits for itself all the time.
+/// The inverse of the shared unknowns' own block: for several right-hand sides with few unknowns, whose
+/// solution by factors waits for itself all the time.
 template <int kShared>
 class SharedInverse {
  public:
@@ -170,7 +170,9 @@ class SharedInverse {
   template <int p>
   static void eliminate(Row (&row)[kShared], bool& regular) {
     const Places own = kPlaces == static_cast<long long>(p);
-    const auto spread_own = [](const Row& x) { return __builtin_shufflevector(x, x, p, p, p, p, p, p, p, p); };
+    const auto spread_own = [](const Row& x) {
+      return __builtin_shufflevector(x, x, p, p, p, p, p, p, p, p);
+    };
     const double inverse = 1.0 / spread_own(row[p])[0];
     regular = regular && __builtin_fabs(inverse) < 1e300;
     row[p] = inverse * (own ? Row{} + 1.0 : row[p]);

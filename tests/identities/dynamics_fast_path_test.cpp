@@ -256,7 +256,9 @@ TEST(FastPathOfOrderThree, ConvergesWhereContactsStayClosed) {
   const Eigen::VectorXd exact = exact_end(model, start);
   const Eigen::VectorXd weight = system::allowed_errors(model.layout, 1.0, 17.8e-3, 6e5).cwiseInverse();
   const auto error = [&](int steps) {
-    return (end_of_equal_steps<integration::Rosenbrock3>(model, start, steps) - exact).cwiseProduct(weight).norm();
+    return (end_of_equal_steps<integration::Rosenbrock3>(model, start, steps) - exact)
+        .cwiseProduct(weight)
+        .norm();
   };
   EXPECT_NEAR(std::log2(error(1200) / error(2400)), 3.0, kMargin);
   EXPECT_NEAR(std::log2(error(2400) / error(4800)), 3.0, kMargin);

@@ -8,8 +8,8 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-/// Force of the land on the cage, with its slopes kept for the matrix. It waits for itself all the time and for
-/// nothing that the rollers do: asked for before them, it passes while they are evaluated.
+/// Force of the land on the cage, with its slopes kept for the matrix. It waits for itself all the time and
+/// for nothing that the rollers do: asked for before them, it passes while they are evaluated.
 template <bool WithSlopes>
 LandForce<double> PackEngine::evaluate_land(const double* x) {
   const double* cage = x + layout_.cage();
@@ -57,13 +57,11 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
     cage_rate[0] = cage[3];
     cage_rate[1] = cage[4];
     cage_rate[2] = cage[5];
-    cage_rate[3] =
-        (cage_x + land_x) / c_.cage_mass + frame_x(cage[0], cage[1], cage[4], c_.orbit_radius);
-    cage_rate[4] =
-        (cage_y + land_y) / c_.cage_mass + frame_y(cage[0], cage[1], cage[3], c_.orbit_radius);
-    cage_rate[5] = (cage_moment + guided.moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) /
-                       c_.cage_inertia -
-                   c_.euler;
+    cage_rate[3] = (cage_x + land_x) / c_.cage_mass + frame_x(cage[0], cage[1], cage[4], c_.orbit_radius);
+    cage_rate[4] = (cage_y + land_y) / c_.cage_mass + frame_y(cage[0], cage[1], cage[3], c_.orbit_radius);
+    cage_rate[5] =
+        (cage_moment + guided.moment - c_.cage_drag * cage[5] * __builtin_fabs(cage[5])) / c_.cage_inertia -
+        c_.euler;
   }
   // The load on the bore holds the planet's inertial load at the origin: here only what displacement adds.
   on_bore_ = {bore_x - on_bore * land_x, bore_y - on_bore * land_y,
@@ -79,12 +77,10 @@ void PackEngine::evaluate_rings(const double* x, double load_x, double load_y, c
   pin_rate[0] = pin[2];
   pin_rate[1] = pin[3];
   pin_rate[2] =
-      (pin_x - on_pin * land_x - c_.support_stiffness * pin[0] - c_.support_damping * pin[2]) /
-          c_.pin_mass +
+      (pin_x - on_pin * land_x - c_.support_stiffness * pin[0] - c_.support_damping * pin[2]) / c_.pin_mass +
       frame_x(pin[0], pin[1], pin[3], c_.orbit_radius);
   pin_rate[3] =
-      (pin_y - on_pin * land_y - c_.support_stiffness * pin[1] - c_.support_damping * pin[3]) /
-          c_.pin_mass +
+      (pin_y - on_pin * land_y - c_.support_stiffness * pin[1] - c_.support_damping * pin[3]) / c_.pin_mass +
       frame_y(pin[0], pin[1], pin[2], c_.orbit_radius);
 }
 

@@ -117,7 +117,8 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   }
 
   // Both shares of the rollers, each force over the mass that it moves.
-  const double on_pin_mass = g / c_.pin_mass, on_bore_mass = g / c_.bore_mass, on_cage_mass = g / c_.cage_mass;
+  const double on_pin_mass = g / c_.pin_mass, on_bore_mass = g / c_.bore_mass,
+               on_cage_mass = g / c_.cage_mass;
   double of_rollers[kRingUnknowns];
   sums_of({on_pin_mass * loads.pin.x - sums[0], on_pin_mass * loads.pin.y - sums[1],
            on_bore_mass * loads.bore.x - sums[2], on_bore_mass * loads.bore.y - sums[3],
@@ -166,13 +167,14 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
         entry(k, kTip, p));
 }
 
-/// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left out
-/// of J, since the rim gives way far less than the contacts; the order does not ask for it.
+/// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left
+/// out of J, since the rim gives way far less than the contacts; the order does not ask for it.
 inline void PackEngine::complete_waves(const double* rhs, double* k) const {
   const double *place = rhs + layout_.wave(), *speed = rhs + layout_.wave_speed();
   for (int i = 0; i < layout_.waves; ++i) {
     const double per_mass = g_ / c_.rim.mass[i], stiffness = per_mass * c_.rim.stiffness[i];
-    const double rate = (speed[i] - stiffness * place[i]) / (1.0 + per_mass * c_.rim.damping[i] + g_ * stiffness);
+    const double rate =
+        (speed[i] - stiffness * place[i]) / (1.0 + per_mass * c_.rim.damping[i] + g_ * stiffness);
     k[layout_.wave_speed() + i] = rate;
     k[layout_.wave() + i] = place[i] + g_ * rate;
   }
