@@ -46,6 +46,9 @@ ORBEARING_INLINE PlainSineCosine sine_cosine(double x) {
 ORBEARING_INLINE double angle_of(double y, double x) {
   return __builtin_atan2(y, x);
 }
+ORBEARING_INLINE double arc_tangent(double x) {
+  return __builtin_atan(x);
+}
 /// 1 with the sign of `x`.
 ORBEARING_INLINE double sign_of(double x) {
   return __builtin_copysign(1.0, x);

@@ -39,43 +39,33 @@ struct FilmResistance {
   T across;  // [-]
 };
 
-namespace detail {
-// Angle gamma of the substitution 1 - eps cos(theta) = (1 - eps^2) / (1 + eps cos(gamma)) [Sommerfeld1904].
-template <class T>
-struct SubstitutedAngle {
-  T cosine, sine;
-};
-
-template <class T>
-SubstitutedAngle<T> substituted(const T& eccentricity, const T& root, const T& cosine, const T& sine) {
-  const T inverse = 1.0 / (1.0 - eccentricity * cosine);
-  return {(cosine - eccentricity) * inverse, root * sine * inverse};
-}
-}  // namespace detail
-
 /// Resistance at `eccentricity` [-] < 1 against a squeeze towards the unit vector (`towards_x`, `towards_y`)
-/// in axes along the eccentricity and across it. Closed form by the substitution of [Sommerfeld1904] in the
-/// short bearing of [Ocvirk1952]; its steady state is Eqs. (24) and (25) of [Gai2025].
+/// in axes along the eccentricity and across it: with t = towards, D = 1 - (eps t_y)^2, w = sqrt(1 - eps^2)
+/// and a = pi/2 + atan(eps t_x / w),
+///
+///     along w^5 = (1 + 2 eps^2) a + eps w t_x (3 + 2 t_y^2 - 5 (eps t_y)^2) / D^2
+///     across w^3 = a + eps w t_x (1 - 2 t_y^2 + (eps t_y)^2) / D^2
+///     mixed = 2 eps t_y^3 / D^2.
+///
+/// These are what the substitution 1 - eps cos(theta) = (1 - eps^2) / (1 + eps cos(gamma)) of
+/// [Sommerfeld1904] gives in the short bearing of [Ocvirk1952], once both ends of the half circle, opposite
+/// to each other, are put in. Its steady state is Eqs. (24) and (25) of [Gai2025].
 template <class T>
 FilmResistance<T> half_film_resistance(const T& eccentricity, const T& towards_x, const T& towards_y) {
-  using mechanics::angle_of, mechanics::root, mechanics::value_of;
-  constexpr double kTwoPi = 6.283185307179586476925286766559;
-  const T square = 1.0 - eccentricity * eccentricity;
-  const T square_root = root(square);
-  const auto from = detail::substituted(eccentricity, square_root, towards_y, T(-towards_x));
-  const auto to = detail::substituted(eccentricity, square_root, T(-towards_y), towards_x);
-  // Both angles lie half a turn of the plain angle apart; their difference in (0, 2 pi).
-  T span =
-      angle_of(from.cosine * to.sine - from.sine * to.cosine, from.cosine * to.cosine + from.sine * to.sine);
-  if (value_of(span) <= 0.0) span = span + kTwoPi;
-  const T sine_cosine = to.sine * to.cosine - from.sine * from.cosine;
-  const T sine = to.sine - from.sine;
-  const T cosine = to.cosine - from.cosine;
-  const T sine_square = to.sine * to.sine - from.sine * from.sine;
-  return {(0.5 * (span + sine_cosine) + 2.0 * eccentricity * sine + eccentricity * eccentricity * span) /
-              (square * square * square_root),
-          (0.5 * sine_square - eccentricity * cosine) / (square * square),
-          0.5 * (span - sine_cosine) / (square * square_root)};
+  using mechanics::arc_tangent, mechanics::inverse_root;
+  constexpr double kQuarterTurn = 1.5707963267948966192313216916398;
+  const T eps_square = eccentricity * eccentricity, across_square = towards_y * towards_y;
+  const T both = eps_square * across_square;
+  const T per_root = inverse_root(1.0 - eps_square), per_square = per_root * per_root;
+  const T slant = eccentricity * towards_x * per_root;
+  const T share = 1.0 / (1.0 - both);
+  const T share_square = share * share;
+  const T angle = kQuarterTurn + arc_tangent(slant);
+  const T end = slant * share_square;  // over w^2
+  return {((1.0 + 2.0 * eps_square) * angle * per_square + end * (3.0 + 2.0 * across_square - 5.0 * both)) *
+              (per_square * per_root),
+          2.0 * eccentricity * towards_y * across_square * share_square,
+          (angle * per_square + end * (1.0 - 2.0 * across_square + both)) * per_root};
 }
 
 struct LandLaw {
@@ -96,15 +86,18 @@ struct LandLaw {
   /// depend on the frame.
   template <class T>
   LandForces<T> forces(const LandMotion<T>& motion, double land_speed) const {
-    using mechanics::root, mechanics::value_of;
+    using mechanics::inverse_root, mechanics::value_of;
     constexpr double kNoDirection = 1e-12;  // [-]  of the clearance: below it the film has no direction
     LandForces<T> result{};
     const T length_square = motion.offset_x * motion.offset_x + motion.offset_y * motion.offset_y;
     T length{}, e_x = T{} + 1.0, e_y{};
-    if (value_of(length_square) > 0.0) length = root(length_square);
-    if (value_of(length) > kNoDirection * clearance) {
-      e_x = motion.offset_x / length;
-      e_y = motion.offset_y / length;
+    if (value_of(length_square) > 0.0) {
+      const T inverse = inverse_root(length_square);
+      length = length_square * inverse;
+      if (value_of(length) > kNoDirection * clearance) {
+        e_x = motion.offset_x * inverse;
+        e_y = motion.offset_y * inverse;
+      }
     }
     result.eccentricity = length * (1.0 / clearance);
     const T held = value_of(result.eccentricity) < largest_eccentricity ? result.eccentricity
@@ -119,7 +112,7 @@ struct LandLaw {
   template <class T>
   void add_film(const LandMotion<T>& motion, double land_speed, const T& held, const T& e_x, const T& e_y,
                 LandForces<T>& result) const {
-    using mechanics::root, mechanics::value_of;
+    using mechanics::inverse_root, mechanics::value_of;
     const T mean_speed = 0.5 * (motion.cage_speed + land_speed);
     result.squeeze_x = motion.velocity_x + mean_speed * motion.offset_y;
     result.squeeze_y = motion.velocity_y - mean_speed * motion.offset_x;
@@ -130,14 +123,14 @@ struct LandLaw {
     if (as_printed) {
       printed_film(motion.cage_speed + land_speed, held, force_along, force_across);
     } else if (value_of(speed_square) > 0.0) {
-      const T speed = root(speed_square);
-      const FilmResistance<T> film = half_film_resistance(held, T(along / speed), T(across / speed));
+      const T per_speed = inverse_root(speed_square);
+      const FilmResistance<T> film = half_film_resistance(held, T(along * per_speed), T(across * per_speed));
       force_along = -film_scale * (film.along * along + film.mixed * across);
       force_across = -film_scale * (film.mixed * along + film.across * across);
     }
     result.film_x = force_along * e_x - force_across * e_y;
     result.film_y = force_along * e_y + force_across * e_x;
-    result.shear = shear_scale * (land_speed - motion.cage_speed) / root(1.0 - held * held);
+    result.shear = shear_scale * (land_speed - motion.cage_speed) * inverse_root(1.0 - held * held);
   }
 
   // Eqs. (24) and (25) of [Gai2025]: of the sum of the surface speeds alone. Its power may have either sign,

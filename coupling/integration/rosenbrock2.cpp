@@ -24,19 +24,27 @@ void second_stage(const double* k1, double g, const double* time_slope, double* 
 using Eight = double __attribute__((vector_size(64)));
 using EightBits = long long __attribute__((vector_size(64)));
 
-ORBEARING_EVERY_WIDTH
-double finish(const double* x, double h, const double* k1, const double* k2, const double* weight,
-              double* next, std::size_t n) {
+// Inlined, so that it takes the width of the function that asks for it.
+template <int kStages>
+[[gnu::always_inline]] inline double finish_stages(const double* x, double h,
+                                                   const double* const (&k)[kStages],
+                                                   const double (&forward)[kStages],
+                                                   const double (&error)[kStages], const double* weight,
+                                                   double* next, std::size_t n) {
   Eight largest{}, poison{};  // the latter is zero unless a share is infinite or not a number
   for (std::size_t i = 0; i < n; i += 8) {
-    Eight old, first, second, scale;
+    Eight old, scale, ahead{}, off{};
     __builtin_memcpy(&old, x + i, sizeof old);
-    __builtin_memcpy(&first, k1 + i, sizeof first);
-    __builtin_memcpy(&second, k2 + i, sizeof second);
     __builtin_memcpy(&scale, weight + i, sizeof scale);
-    const Eight state = old + h * (1.5 * first + 0.5 * second);
+    for (int m = 0; m < kStages; ++m) {
+      Eight stage;
+      __builtin_memcpy(&stage, k[m] + i, sizeof stage);
+      ahead += forward[m] * stage;
+      off += error[m] * stage;
+    }
+    const Eight state = old + h * ahead;
     __builtin_memcpy(next + i, &state, sizeof state);
-    const Eight share = (0.5 * h) * (first + second) * scale;
+    const Eight share = h * off * scale;
     const Eight size = (Eight)((EightBits)share & 0x7fffffffffffffffLL);
     largest = size > largest ? size : largest;
     poison += 0.0 * share;
@@ -47,6 +55,12 @@ double finish(const double* x, double h, const double* k1, const double* k2, con
     total = total > largest[j] ? total : largest[j];
   }
   return total;
+}
+
+ORBEARING_EVERY_WIDTH
+double finish(const double* x, double h, const double* k1, const double* k2, const double* weight,
+              double* next, std::size_t n) {
+  return finish_stages<2>(x, h, {k1, k2}, {1.5, 0.5}, {0.5, 0.5}, weight, next, n);
 }
 
 ORBEARING_EVERY_WIDTH
@@ -64,6 +78,23 @@ double largest_share(double h, const double* k1, const double* k2, const double*
   double total = 0.0;
   for (int j = 0; j < 8; ++j) total = total > largest[j] ? total : largest[j];
   return total;
+}
+
+ORBEARING_EVERY_WIDTH
+void add_terms(const double* first, Term a, Term b, double* z, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) z[i] = first[i] + (a.factor * a.of[i] + b.factor * b.of[i]);
+}
+
+ORBEARING_EVERY_WIDTH
+void add_terms(const double* first, Term a, Term b, Term c, double* z, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i)
+    z[i] = first[i] + (a.factor * a.of[i] + b.factor * b.of[i] + c.factor * c.of[i]);
+}
+
+ORBEARING_EVERY_WIDTH
+double finish(const double* x, double h, const double* const (&k)[3], const double (&forward)[3],
+              const double (&error)[3], const double* weight, double* next, std::size_t n) {
+  return finish_stages(x, h, k, forward, error, weight, next, n);
 }
 
 }  // namespace orbearing::integration::detail

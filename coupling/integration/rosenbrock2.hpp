@@ -1,4 +1,5 @@
-// A linearly implicit stepper of order 2 for stiff systems whose Jacobian has a structure of its own.
+// Linearly implicit steppers for stiff systems whose Jacobian has a structure of its own: what they share,
+// and the one of order 2. That of order 3 is in rosenbrock3.hpp.
 //
 // ROS2 of [Verwer1999]: with gamma = 1 - 1/sqrt(2), L-stable,
 //   (1 - gamma h J) k1 = f(t, x) + gamma h f_t
@@ -7,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <boost/numeric/odeint/stepper/controlled_step_result.hpp>
 #include <boost/numeric/odeint/stepper/stepper_categories.hpp>
 #include <cmath>
@@ -30,16 +32,41 @@ double finish(const double* x, double h, const double* k1, const double* k2, con
               double* next, std::size_t n);
 // That share alone.
 double largest_share(double h, const double* k1, const double* k2, const double* weight, std::size_t n);
+
+// Sums of arrays, each with its factor.
+struct Term {
+  double factor;
+  const double* of;
+};
+// z = first + a + b (+ c).
+void add_terms(const double* first, Term a, Term b, double* z, std::size_t n);
+void add_terms(const double* first, Term a, Term b, Term c, double* z, std::size_t n);
+// As finish(), of three stages: x + h sum forward_i k_i, and h sum error_i k_i.
+double finish(const double* x, double h, const double* const (&k)[3], const double (&forward)[3],
+              const double (&error)[3], const double* weight, double* next, std::size_t n);
 }  // namespace detail
 
-/// Controlled stepper in the sense of Odeint. `System` offers
+/// What the stages of a step work with: rate and its slope by time at its beginning, a right-hand side, the
+/// stages, the state after the step.
+template <int kStages>
+struct StageArrays {
+  using Array = std::vector<double>;
+
+  explicit StageArrays(std::size_t n) : slope(n), time_slope(n), rhs(n), next(n) { k.fill(Array(n)); }
+
+  Array slope, time_slope, rhs, next;
+  std::array<Array, kStages> k;
+};
+
+/// Controlled stepper in the sense of Odeint, by `Formula`. `System` offers
 ///   linearise(t, x, dx)   rate dx at x, and keeps the Jacobian J there
 ///   derivative(t, x, dx)
 ///   time_slope(t, dx)     slope of the rate by time alone
 ///   bool factor(g), solve(rhs, k)   k = (1 - g J)^-1 rhs
 /// on plain arrays, whose length is a multiple of eight. `allowed` holds the allowed error of each variable
 /// in one step.
-class Rosenbrock2 {
+template <class Formula>
+class Rosenbrock {
  public:
   using state_type = std::vector<double>;
   using deriv_type = state_type;
@@ -47,15 +74,8 @@ class Rosenbrock2 {
   using time_type = double;
   using stepper_category = boost::numeric::odeint::controlled_stepper_tag;
 
-  explicit Rosenbrock2(state_type allowed, double longest_step)
-      : weight_(allowed.size()),
-        control_(longest_step),
-        slope_(allowed.size()),
-        time_slope_(allowed.size()),
-        rhs_(allowed.size()),
-        k1_(allowed.size()),
-        k2_(allowed.size()),
-        next_(allowed.size()) {
+  explicit Rosenbrock(state_type allowed, double longest_step)
+      : weight_(allowed.size()), control_(longest_step, Formula::kOrder), stages_(allowed.size()) {
     std::transform(allowed.begin(), allowed.end(), weight_.begin(),
                    [](double e) { return e > 0.0 ? 1.0 / e : 0.0; });
   }
@@ -63,7 +83,7 @@ class Rosenbrock2 {
   /// Rate at `x`, kept for the next step and whatever else is wanted there.
   template <class System>
   void begin(System& system, const state_type& x, double t) {
-    system.linearise(t, x.data(), slope_.data());
+    system.linearise(t, x.data(), stages_.slope.data());
     linear_ = true;
   }
 
@@ -90,38 +110,54 @@ class Rosenbrock2 {
   /// accept(). Returns the largest share of the allowed error. For those who decide on steps themselves.
   template <class System>
   double attempt(System& system, const state_type& x, double t, double h) {
-    const double g = kGamma * h;
-    const std::size_t n = x.size();
-    if (!system.factor(g)) return INFINITY;
-    system.time_slope(t, time_slope_.data());
-    detail::add_scaled(slope_.data(), g, time_slope_.data(), rhs_.data(), n);
-    system.solve(rhs_.data(), k1_.data());
-    detail::add_scaled(x.data(), h, k1_.data(), next_.data(), n);
-    system.derivative(t + h, next_.data(), rhs_.data());
-    detail::second_stage(k1_.data(), g, time_slope_.data(), rhs_.data(), n);
-    system.solve(rhs_.data(), k2_.data());
-    return detail::finish(x.data(), h, k1_.data(), k2_.data(), weight_.data(), next_.data(), n);
+    if (!system.factor(Formula::kGamma * h)) return INFINITY;
+    system.time_slope(t, stages_.time_slope.data());
+    return Formula::attempt(system, x, t, h, weight_.data(), stages_);
   }
   /// Exchanges `x` for the state after the last attempt.
   void accept(state_type& x) {
-    x.swap(next_);
+    x.swap(stages_.next);
     linear_ = false;
   }
   /// The state that accept() took away.
-  const state_type& taken_away() const { return next_; }
+  const state_type& taken_away() const { return stages_.next; }
   /// Largest share of the allowed errors 1 / `weight` in the last attempt, among `n` variables from `first`.
   double share(double h, std::size_t first, const double* weight, std::size_t n) const {
-    return detail::largest_share(h, k1_.data() + first, k2_.data() + first, weight, n);
+    return Formula::share(h, first, weight, n, stages_);
   }
   bool linear() const { return linear_; }
 
  private:
-  static constexpr double kGamma = 0.29289321881345247559915563789515;
-
   state_type weight_;
   StepControl control_;
-  bool linear_ = false;  // the system holds slope_ and the Jacobian at the present state
-  state_type slope_, time_slope_, rhs_, k1_, k2_, next_;
+  bool linear_ = false;  // the system holds the rate and the Jacobian at the present state
+  StageArrays<Formula::kStages> stages_;
 };
+
+/// ROS2, above.
+struct SecondOrder {
+  static constexpr int kOrder = 2, kStages = 2;
+  static constexpr double kGamma = 0.29289321881345247559915563789515;
+
+  template <class System>
+  static double attempt(System& system, const std::vector<double>& x, double t, double h,
+                        const double* weight, StageArrays<kStages>& s) {
+    const std::size_t n = x.size();
+    const double g = kGamma * h;
+    double *k1 = s.k[0].data(), *k2 = s.k[1].data(), *rhs = s.rhs.data();
+    detail::add_scaled(s.slope.data(), g, s.time_slope.data(), rhs, n);
+    system.solve(rhs, k1);
+    detail::add_scaled(x.data(), h, k1, s.next.data(), n);
+    system.derivative(t + h, s.next.data(), rhs);
+    detail::second_stage(k1, g, s.time_slope.data(), rhs, n);
+    system.solve(rhs, k2);
+    return detail::finish(x.data(), h, k1, k2, weight, s.next.data(), n);
+  }
+  static double share(double h, std::size_t first, const double* weight, std::size_t n,
+                      const StageArrays<kStages>& s) {
+    return detail::largest_share(h, s.k[0].data() + first, s.k[1].data() + first, weight, n);
+  }
+};
+using Rosenbrock2 = Rosenbrock<SecondOrder>;
 
 }  // namespace orbearing::integration

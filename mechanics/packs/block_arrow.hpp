@@ -132,4 +132,66 @@ struct SharedBlock {
   }
 };
 
+/// The inverse of the shared unknowns' own block: for several right-hand sides with few unknowns, whose
+/// solution by factors waits for itself all the time.
+template <int kShared>
+class SharedInverse {
+ public:
+  /// Of `block`, without pivoting. False where it is singular.
+  bool take(const SharedBlock<kShared>& block) {
+    Row row[kShared];
+    __builtin_memcpy(row, block.a, sizeof row);
+    bool regular = true;
+    eliminate<0>(row, regular);
+    for (int i = 0; i < kShared; ++i)
+      for (int k = 0; k < kShared; ++k) column_[k][i] = row[i][k];
+    return regular;
+  }
+
+  /// Replaces `b` by its solution.
+  void times(double (&b)[kShared]) const {
+    Row even{}, odd{};
+#pragma GCC unroll 8
+    for (int k = 0; k < kShared; k += 2) {
+      even += b[k] * column(k);
+      if (k + 1 < kShared) odd += b[k + 1] * column(k + 1);
+    }
+    even += odd;
+    __builtin_memcpy(b, &even, sizeof b);
+  }
+
+ private:
+  static_assert(kShared <= 8, "a row is eight numbers");
+  using Row = double __attribute__((vector_size(64)));
+  using Places = long long __attribute__((vector_size(64)));
+  static constexpr Places kPlaces = {0, 1, 2, 3, 4, 5, 6, 7};
+
+  // Unknown p and those after it, all rows of the others included (Gauss, Jordan).
+  template <int p>
+  static void eliminate(Row (&row)[kShared], bool& regular) {
+    const Places own = kPlaces == static_cast<long long>(p);
+    const auto spread_own = [](const Row& x) {
+      return __builtin_shufflevector(x, x, p, p, p, p, p, p, p, p);
+    };
+    const double inverse = 1.0 / spread_own(row[p])[0];
+    regular = regular && __builtin_fabs(inverse) < 1e300;
+    row[p] = inverse * (own ? Row{} + 1.0 : row[p]);
+#pragma GCC unroll 8
+    for (int i = 0; i < kShared; ++i) {
+      if (i == p) continue;
+      const Row share = spread_own(row[i]);
+      row[i] = (own ? Row{} : row[i]) - share * row[p];
+    }
+    if constexpr (p + 1 < kShared) eliminate<p + 1>(row, regular);
+  }
+
+  Row column(int k) const {
+    Row column;
+    __builtin_memcpy(&column, column_[k], sizeof column);
+    return column;
+  }
+
+  alignas(64) double column_[kShared][8] = {};
+};
+
 }  // namespace orbearing::mechanics::ORBEARING_PACKS

@@ -123,11 +123,9 @@ Dual<n> larger(const Dual<n>& x, double limit) {
   return x.value > limit ? x : Dual<n>(limit);
 }
 
-/// Angle of the vector (x, y), as atan2(y, x).
 template <int n>
-Dual<n> angle_of(const Dual<n>& y, const Dual<n>& x) {
-  const double inverse = 1.0 / (x.value * x.value + y.value * y.value);
-  return chained(y, x, __builtin_atan2(y.value, x.value), x.value * inverse, -y.value * inverse);
+Dual<n> arc_tangent(const Dual<n>& x) {
+  return chained(x, __builtin_atan(x.value), 1.0 / (1.0 + x.value * x.value));
 }
 
 }  // namespace orbearing::mechanics::ORBEARING_PACKS

@@ -85,4 +85,18 @@ inline double sum(const Pack& x) {
   return y[0] + y[1];
 }
 
+/// The sums of `n` packs, side by side.
+template <int n>
+inline void sums_of(const Pack (&x)[n], double (&into)[n]) {
+#pragma GCC unroll 8
+  for (int first = 0; first < n; first += kRegisterLanes) {
+    Register parts[kRegisterLanes];
+#pragma GCC unroll 8
+    for (int i = 0; i < kRegisterLanes; ++i)
+      parts[i] = first + i < n ? x[first + i].low + x[first + i].high : Register{};
+    const Register all = sums(parts);
+    for (int i = 0; i < kRegisterLanes && first + i < n; ++i) into[first + i] = all[i];
+  }
+}
+
 }  // namespace orbearing::mechanics::ORBEARING_PACKS

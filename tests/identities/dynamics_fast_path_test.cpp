@@ -5,7 +5,7 @@
 
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
-#include "coupling/integration/rosenbrock2.hpp"
+#include "coupling/integration/rosenbrock3.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/free_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
@@ -196,10 +196,11 @@ struct SmoothCase {
 
 constexpr double kDuration = 3e-4;  // [s]
 
+template <class Stepper = integration::Rosenbrock2>
 Eigen::VectorXd end_of_equal_steps(const BearingModel& model, const Eigen::VectorXd& start, int steps) {
   VectorBearing bearing(model);
   std::vector<double> x = bearing.padded(start);
-  integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), kDuration);  // no error refuses a step
+  Stepper stepper(std::vector<double>(x.size(), 0.0), kDuration);  // no error refuses a step
   double time = 0.0;
   for (int i = 0; i < steps; ++i) {
     double step = kDuration * (i + 1) / steps - time;
@@ -242,6 +243,42 @@ TEST_P(FastPath, ConvergesAtOrderTwoWhereContactsStayClosed) {
   };
   EXPECT_NEAR(std::log2(error(2400) / error(4800)), 2.0, kMargin);
   EXPECT_NEAR(std::log2(error(4800) / error(9600)), 2.0, kMargin);
+}
+
+// Issue 17, Build 2: on a rigid rim the matrix lacks nothing, and ROS3 is of order 3.
+TEST(FastPathOfOrderThree, ConvergesWhereContactsStayClosed) {
+  constexpr double kMargin = 0.1;
+  const SmoothCase smooth;
+  const BearingModel model = bearing_model(smooth.bearing, test::reducer_point(6000.0), smooth.parameters);
+  test::Random random;
+  const Eigen::VectorXd start =
+      test::shaken_state(model, smooth.bearing, smooth.parameters, 3e-7, 5e-3, random);
+  const Eigen::VectorXd exact = exact_end(model, start);
+  const Eigen::VectorXd weight = system::allowed_errors(model.layout, 1.0, 17.8e-3, 6e5).cwiseInverse();
+  const auto error = [&](int steps) {
+    return (end_of_equal_steps<integration::Rosenbrock3>(model, start, steps) - exact)
+        .cwiseProduct(weight)
+        .norm();
+  };
+  // Shorter ones come near to the error of the solution that is held for exact.
+  EXPECT_NEAR(std::log2(error(1200) / error(2400)), 3.0, kMargin);
+}
+
+// Issue 17, Build 2: shaken by teeth at 6000 rpm, with the squeeze of the oil less than a tenth of the steps
+// is refused, and steps of order 3 are longer than the longest of order 2 at the same allowed error.
+TEST(FastPathOfOrderThree, TakesLongStepsAndRefusesFew) {
+  constexpr double kSeconds = 10e-3;
+  const Bearing given = test::reducer_bearing();
+  const DynamicsParameters parameters = parameters_of({"", true, 200.0, false, true});
+  const BearingModel model = bearing_model(given, test::reducer_point(6000.0), parameters);
+  VectorBearing bearing(model);
+  Eigen::VectorXd x = initial_state(given, model, parameters, 0.3).x;
+  integration::IntegrationOptions options;
+  options.allowed_error = system::allowed_errors(model, 2e-10);
+  const auto report = system::integrate_bearing(bearing, x, {0.0, kSeconds, 1}, options, {}, {});
+  ASSERT_TRUE(report.completed) << report.message;
+  EXPECT_LT(report.rejected, 0.1 * static_cast<double>(report.steps));
+  EXPECT_LT(static_cast<double>(report.steps), kSeconds / system::longest_step(model));
 }
 
 // Issue 16, Build 1: a rim a million times as stiff is a rigid one: the same path of all bodies, within what

@@ -90,6 +90,22 @@ struct RingLoads {
   Pack bore_moment{};  // about the origin
 };
 
+/// Of the land on the cage; the land feels the opposite force.
+template <class T>
+struct LandForce {
+  T x, y;    // [N]
+  T moment;  // [N m]
+};
+
+template <class T>
+LandForce<T> land_force(const LandConstants& land, const LandMotion<T>& motion) {
+  if (!land.present) return {};
+  const LandForces<T> now = land.law.forces(motion, land.speed);
+  const T couple = 0.5 * (motion.offset_x * now.film_y - motion.offset_y * now.film_x);
+  return {now.film_x + now.touch_x, now.film_y + now.touch_y,
+          now.shear - couple + (land.law.side * land.law.cage_radius) * now.touch_friction};
+}
+
 class PackEngine final : public Engine {
  public:
   PackEngine(const Constants& constants, const RollerConstants& rollers)
@@ -165,8 +181,11 @@ class PackEngine final : public Engine {
   void evaluate_rollers(int p, const double* x, double* dx, RingLoads& sums);
   template <bool WithSlopes>
   bool push_neighbours(int p, const RollerMotion& own, ContactForce<Pack>& pushed);
-  template <bool WithSlopes, bool Caged>
-  void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums, double* dx);
+  template <bool WithSlopes>
+  LandForce<double> evaluate_land(const double* x);
+  template <bool Caged>
+  void evaluate_rings(const double* x, double load_x, double load_y, const RingLoads& sums,
+                      const LandForce<double>& guided, double* dx);
   void evaluate_waves(const double* x, double* dx) const;
   void complete_waves(const double* rhs, double* k) const;
   void build_block(int p, double g);
@@ -220,6 +239,7 @@ class PackEngine final : public Engine {
   RollerChain chain_;
   bool touching_ = false;  // rollers touched one another at the last linearisation
   RingBlock rings_;
+  SharedInverse<kRingUnknowns> inverse_;  // of rings_, after factor()
   double g_ = 0.0;
   GuidanceDual land_x_, land_y_, land_moment_;
   double cage_speed_ = 0.0;
@@ -386,10 +406,11 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
 template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
   RingLoads sums;
+  const LandForce<double> guided = evaluate_land<WithSlopes>(x);
   if constexpr (Caged) {
-    const double cage_angle = x[layout_.cage() + 2];
-    cage_cosine_ = __builtin_cos(cage_angle);
-    cage_sine_ = __builtin_sin(cage_angle);
+    const SineCosine cage = sine_cosine(spread(x[layout_.cage() + 2]));
+    cage_cosine_ = cage.cosine.low[0];
+    cage_sine_ = cage.sine.low[0];
   } else {
     neighbours_.take(x, 5, c_.rollers);
     if constexpr (WithSlopes) touching_ = false;
@@ -402,7 +423,7 @@ void PackEngine::evaluate(const double* x, double load_x, double load_y, double*
     dx[layout_.turned() + scratch.followed] = x[4 * layout_.lanes() + scratch.roller];
   }
   evaluate_waves(x, dx);
-  evaluate_rings<WithSlopes, Caged>(x, load_x, load_y, sums, dx);
+  evaluate_rings<Caged>(x, load_x, load_y, sums, guided, dx);
 }
 
 inline void PackEngine::evaluate_waves(const double* x, double* dx) const {

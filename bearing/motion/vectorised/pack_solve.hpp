@@ -116,7 +116,15 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
     }
   }
 
-  const auto ring_rhs = [&](int i) { return -sum(sums[i]); };
+  // Both shares of the rollers, each force over the mass that it moves.
+  const double on_pin_mass = g / c_.pin_mass, on_bore_mass = g / c_.bore_mass,
+               on_cage_mass = g / c_.cage_mass;
+  double of_rollers[kRingUnknowns];
+  sums_of({on_pin_mass * loads.pin.x - sums[0], on_pin_mass * loads.pin.y - sums[1],
+           on_bore_mass * loads.bore.x - sums[2], on_bore_mass * loads.bore.y - sums[3],
+           on_cage_mass * loads.cage.x - sums[4], on_cage_mass * loads.cage.y - sums[5],
+           (g / c_.cage_inertia) * loads.cage_moment - sums[6]},
+          of_rollers);
   const double turn = c_.centrifugal, late = c_.euler;
   double land[3]{};
   const double* guide = c_.land.on_bore ? bore : pin;
@@ -124,30 +132,23 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   for (int i = 0; i < 3 && c_.land.present; ++i)
     land[i] = force[i]->by(0) * (cage[0] - guide[0]) + force[i]->by(1) * (cage[1] - guide[1]);
   const double on_bore = c_.land.on_bore ? 1.0 : 0.0, on_pin = 1.0 - on_bore;
-  b[0] = ring_rhs(0) + pin[2] +
-         g * ((sum(loads.pin.x) - on_pin * land[0] - c_.support_stiffness * pin[0]) / c_.pin_mass +
-              turn * pin[0] + late * pin[1]);
-  b[1] = ring_rhs(1) + pin[3] +
-         g * ((sum(loads.pin.y) - on_pin * land[1] - c_.support_stiffness * pin[1]) / c_.pin_mass +
-              turn * pin[1] - late * pin[0]);
-  if constexpr (OpenBore) {
-    b[2] = ring_rhs(2) + g * (sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass;
-    b[3] = ring_rhs(3) + g * (sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass;
-  } else {
-    b[2] = ring_rhs(2) + bore[2] +
-           g * ((sum(loads.bore.x) - on_bore * land[0]) / c_.bore_mass + turn * bore[0] + late * bore[1]);
-    b[3] = ring_rhs(3) + bore[3] +
-           g * ((sum(loads.bore.y) - on_bore * land[1]) / c_.bore_mass + turn * bore[1] - late * bore[0]);
+  b[0] = of_rollers[0] + pin[2] - on_pin_mass * (on_pin * land[0] + c_.support_stiffness * pin[0]) +
+         g * (turn * pin[0] + late * pin[1]);
+  b[1] = of_rollers[1] + pin[3] - on_pin_mass * (on_pin * land[1] + c_.support_stiffness * pin[1]) +
+         g * (turn * pin[1] - late * pin[0]);
+  b[2] = of_rollers[2] - on_bore_mass * on_bore * land[0];
+  b[3] = of_rollers[3] - on_bore_mass * on_bore * land[1];
+  if constexpr (!OpenBore) {
+    b[2] += bore[2] + g * (turn * bore[0] + late * bore[1]);
+    b[3] += bore[3] + g * (turn * bore[1] - late * bore[0]);
   }
   if constexpr (!Caged) {
     b[4] = b[5] = b[6] = 0.0;
     return;
   }
-  b[4] = ring_rhs(4) + cage[3] +
-         g * ((sum(loads.cage.x) + land[0]) / c_.cage_mass + turn * cage[0] + late * cage[1]);
-  b[5] = ring_rhs(5) + cage[4] +
-         g * ((sum(loads.cage.y) + land[1]) / c_.cage_mass + turn * cage[1] - late * cage[0]);
-  b[6] = ring_rhs(6) + cage[5] + g * (sum(loads.cage_moment) + land[2]) / c_.cage_inertia;
+  b[4] = of_rollers[4] + cage[3] + on_cage_mass * land[0] + g * (turn * cage[0] + late * cage[1]);
+  b[5] = of_rollers[5] + cage[4] + on_cage_mass * land[1] + g * (turn * cage[1] - late * cage[0]);
+  b[6] = of_rollers[6] + cage[5] + (g / c_.cage_inertia) * land[2];
 }
 
 /// Rates of the tips, once those of roller and rings are known; `shift` is that of the rollers' radii. Where
@@ -166,13 +167,14 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
         entry(k, kTip, p));
 }
 
-/// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left out
-/// of J, since the rim gives way far less than the contacts; the order does not ask for it.
+/// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left
+/// out of J, since the rim gives way far less than the contacts; the order does not ask for it.
 inline void PackEngine::complete_waves(const double* rhs, double* k) const {
   const double *place = rhs + layout_.wave(), *speed = rhs + layout_.wave_speed();
   for (int i = 0; i < layout_.waves; ++i) {
     const double per_mass = g_ / c_.rim.mass[i], stiffness = per_mass * c_.rim.stiffness[i];
-    const double rate = (speed[i] - stiffness * place[i]) / (1.0 + per_mass * c_.rim.damping[i] + g_ * stiffness);
+    const double rate =
+        (speed[i] - stiffness * place[i]) / (1.0 + per_mass * c_.rim.damping[i] + g_ * stiffness);
     k[layout_.wave_speed() + i] = rate;
     k[layout_.wave() + i] = place[i] + g_ * rate;
   }
@@ -221,11 +223,11 @@ void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnkn
   double b[kRingUnknowns];
   if (c_.caged) {
     reduce_rollers<false, true>(rhs, k, b);
-    rings_.solve(b);
+    inverse_.times(b);
     complete_rollers<true>(rhs, b, k);
   } else {
     reduce_without_cage<false>(rhs, k, b);
-    rings_.solve(b);
+    inverse_.times(b);
     complete_rollers<false>(rhs, b, k);
   }
 }

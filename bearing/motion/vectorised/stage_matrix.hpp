@@ -225,7 +225,7 @@ void PackEngine::assemble(double g) {
     assemble<false, true>(g);
   else
     assemble_without_cage<false>(g);
-  return rings_.factor();
+  return inverse_.take(rings_);
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

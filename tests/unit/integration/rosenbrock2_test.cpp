@@ -1,5 +1,5 @@
-// The stepper on equations whose solutions are known.
-#include "coupling/integration/rosenbrock2.hpp"
+// The linearly implicit steppers on equations whose solutions are known.
+#include "coupling/integration/rosenbrock3.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,9 +51,10 @@ double error_of(const State& x, double t) {
   return worst;
 }
 
+template <class Stepper>
 double error_at_two(int steps) {
   Hyperbola system;
-  Rosenbrock2 stepper(State(kLanes, 0.0), 1.0);  // nothing is weighed: no step is refused
+  Stepper stepper(State(kLanes, 0.0), 1.0);  // nothing is weighed: no step is refused
   State x = starts();
   double t = 0.0;
   for (int i = 0; i < steps; ++i) {
@@ -66,13 +67,40 @@ double error_at_two(int steps) {
 TEST(Rosenbrock2, ConvergesAtOrderTwo) {
   constexpr double kMargin = 0.1;  // the term of next order, at steps of 1/100 and less
   for (int steps : {200, 400, 800})
-    EXPECT_NEAR(std::log2(error_at_two(steps) / error_at_two(2 * steps)), 2.0, kMargin) << steps;
+    EXPECT_NEAR(std::log2(error_at_two<Rosenbrock2>(steps) / error_at_two<Rosenbrock2>(2 * steps)), 2.0,
+                kMargin)
+        << steps;
 }
 
-TEST(Rosenbrock2, ControlledStepsKeepToTheAllowedError) {
+// Issue 17, Build 2: ROS3 of [Sandu1997].
+TEST(Rosenbrock3, ConvergesAtOrderThree) {
+  constexpr double kMargin = 0.1;
+  for (int steps : {200, 400, 800})
+    EXPECT_NEAR(std::log2(error_at_two<Rosenbrock3>(steps) / error_at_two<Rosenbrock3>(2 * steps)), 3.0,
+                kMargin)
+        << steps;
+}
+
+// Its estimate is the error of a step of order 2, that is of third power in the step.
+TEST(Rosenbrock3, EstimatesTheErrorOfAStepOfOrderTwo) {
+  const auto estimate = [](double h) {
+    Hyperbola system;
+    Rosenbrock3 stepper(State(kLanes, 1.0), 1.0);
+    const State x = starts();
+    stepper.begin(system, x, 0.3);
+    return stepper.attempt(system, x, 0.3, h);
+  };
+  constexpr double kMargin = 0.1;
+  for (const double h : {0.02, 0.01, 0.005})
+    EXPECT_NEAR(std::log2(estimate(h) / estimate(0.5 * h)), 3.0, kMargin) << h;
+}
+
+// Steps that reach the allowed error at `order`, from a first one that is too long on purpose.
+template <class Stepper>
+void expect_controlled_steps(double order) {
   for (const double allowed : {1e-4, 1e-6, 1e-8}) {
     Hyperbola system;
-    Rosenbrock2 stepper(State(kLanes, allowed), 0.5);
+    Stepper stepper(State(kLanes, allowed), 0.5);
     State x = starts();
     double t = 0.0, h = 0.4;
     int steps = 0, refused = 0;
@@ -84,8 +112,17 @@ TEST(Rosenbrock2, ControlledStepsKeepToTheAllowedError) {
     // Errors die out along this solution: they cannot add up to more than their number.
     EXPECT_LT(error_of(x, 2.0), steps * allowed);
     EXPECT_GT(refused, 0) << "the first step is too long on purpose";
-    EXPECT_LT(steps, 10.0 / std::sqrt(allowed)) << "steps as long as the estimate of order 1 allows";
+    EXPECT_LT(steps, 10.0 * std::pow(allowed, -1.0 / order)) << "steps as long as the estimate allows";
   }
+}
+
+TEST(Rosenbrock2, ControlledStepsKeepToTheAllowedError) {
+  expect_controlled_steps<Rosenbrock2>(2.0);
+}
+
+// Issue 17, Build 2.
+TEST(Rosenbrock3, ControlledStepsKeepToTheAllowedError) {
+  expect_controlled_steps<Rosenbrock3>(3.0);
 }
 
 // x' = -L (x - cos t) - sin t keeps to cos t however large L is.
@@ -121,6 +158,21 @@ TEST(Rosenbrock2, DampsWhatIsStiffInOneStep) {
     double t = 0.0, step = h;
     stepper.try_step(system, x, t, step);
     EXPECT_NEAR(x[0], std::cos(h), 4.83 / (h * decay) + h * h) << decay;  // h^2: the bend of the curve
+  }
+}
+
+// Issue 17, Build 2: of what lies off the curve ROS3 leaves, with z = -h L and its gamma,
+//   (1 + (1 - 3 gamma) z + (1/2 - 3 gamma + 3 gamma^2) z^2) / (1 - gamma z)^3, which for large -z is
+//   below 2.9 / -z.
+TEST(Rosenbrock3, DampsWhatIsStiffInOneStep) {
+  const double h = 0.01;
+  for (const double decay : {1e6, 1e9}) {
+    StiffCosine system{decay};
+    Rosenbrock3 stepper(State(kLanes, 0.0), 1.0);
+    State x(kLanes, 2.0);  // one off the curve
+    double t = 0.0, step = h;
+    stepper.try_step(system, x, t, step);
+    EXPECT_NEAR(x[0], std::cos(h), 2.9 / (h * decay) + h * h) << decay;
   }
 }
 

@@ -17,6 +17,13 @@ TEST(StepControl, AStepOfOrderTwoJustPasses) {
   EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.81), 0.85 / 0.9 * kStep);
 }
 
+// Issue 17, Build 2.
+TEST(StepControl, AStepOfOrderThreeJustPasses) {
+  StepControl control(1.0, 3);
+  EXPECT_DOUBLE_EQ(control.after_refusal(kStep, 8.0), 0.85 / 2.0 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.729), 0.85 / 0.9 * kStep);
+}
+
 TEST(StepControl, StepsDoNotGrowAfterARefusal) {
   StepControl control(1.0);
   control.after_refusal(kStep, 2.0);
