@@ -35,7 +35,7 @@ double largest_share(double h, const double* k1, const double* k2, const double*
 /// Controlled stepper in the sense of Odeint. `System` offers
 ///   linearise(t, x, dx)   rate dx at x, and keeps the Jacobian J there
 ///   derivative(t, x, dx)
-///   time_slope(t, dx)     slope of the rate by time alone
+///   time_slope(t, dx)     slope of the rate by time alone; none: it is left out, the order does not ask for it
 ///   bool factor(g), solve(rhs, k)   k = (1 - g J)^-1 rhs
 /// on plain arrays, whose length is a multiple of eight. `allowed` holds the allowed error of each variable
 /// in one step.
@@ -92,13 +92,21 @@ class Rosenbrock2 {
   double attempt(System& system, const state_type& x, double t, double h) {
     const double g = kGamma * h;
     const std::size_t n = x.size();
+    constexpr bool has_time_slope = requires { system.time_slope(t, time_slope_.data()); };
     if (!system.factor(g)) return INFINITY;
-    system.time_slope(t, time_slope_.data());
-    detail::add_scaled(slope_.data(), g, time_slope_.data(), rhs_.data(), n);
-    system.solve(rhs_.data(), k1_.data());
+    if constexpr (has_time_slope) {
+      system.time_slope(t, time_slope_.data());
+      detail::add_scaled(slope_.data(), g, time_slope_.data(), rhs_.data(), n);
+      system.solve(rhs_.data(), k1_.data());
+    } else {
+      system.solve(slope_.data(), k1_.data());
+    }
     detail::add_scaled(x.data(), h, k1_.data(), next_.data(), n);
     system.derivative(t + h, next_.data(), rhs_.data());
-    detail::second_stage(k1_.data(), g, time_slope_.data(), rhs_.data(), n);
+    if constexpr (has_time_slope)
+      detail::second_stage(k1_.data(), g, time_slope_.data(), rhs_.data(), n);
+    else
+      detail::add_scaled(rhs_.data(), -2.0, k1_.data(), rhs_.data(), n);
     system.solve(rhs_.data(), k2_.data());
     return detail::finish(x.data(), h, k1_.data(), k2_.data(), weight_.data(), next_.data(), n);
   }
@@ -107,6 +115,8 @@ class Rosenbrock2 {
     x.swap(next_);
     linear_ = false;
   }
+  /// Rate where the last linearisation is.
+  const state_type& slope() const { return slope_; }
   /// The state that accept() took away.
   const state_type& taken_away() const { return next_; }
   /// Largest share of the allowed errors 1 / `weight` in the last attempt, among `n` variables from `first`.
