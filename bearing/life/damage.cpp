@@ -10,10 +10,22 @@ namespace orbearing::bearing::motion {
 
 using boost::math::double_constants::two_pi;
 
+namespace {
+
+// place_of() where a call would cost more than what it does. Whole turns by truncation, since the library's
+// floor() is a call, too: the same number.
+inline Eigen::Index place_at(double angle, double places) {
+  const double turns = angle / two_pi + 0.5 / places;
+  double whole = static_cast<double>(static_cast<long long>(turns));
+  if (whole > turns) whole -= 1.0;
+  const double place = (turns - whole) * places;
+  return static_cast<Eigen::Index>(std::min(place, places - 1.0));
+}
+
+}  // namespace
+
 Eigen::Index place_of(double angle, Eigen::Index places) {
-  const double turns = angle / two_pi + 0.5 / static_cast<double>(places);
-  const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(places));
-  return std::min(place, places - 1);
+  return place_at(angle, static_cast<double>(places));
 }
 
 RaceSpeeds race_speeds(const BearingGeometry& geometry, double inner, double outer) {
@@ -30,13 +42,6 @@ RacePassages::RacePassages(Eigen::Index places, Eigen::Index laminae, DamagePowe
       power(way),
       lamina_fourth_power(Eigen::ArrayXXd::Zero(laminae, laminae > 0 ? places : 0)),
       damage_power_(damage_power) {}
-
-void RacePassages::add(Eigen::Index place, double passed, double force) {
-  const double square = force * force;
-  way[place] += passed;
-  load[place] += passed * force;
-  power[place] += passed * square * (damage_power_ == DamagePower::of_points ? force : square);
-}
 
 void RacePassages::add_laminae(Eigen::Index place, double passed, double force,
                                const Eigen::Ref<const Eigen::ArrayXd>& forces) {
@@ -73,32 +78,49 @@ namespace {
 
 // Of one roller, where it is loaded.
 void add_laminae_of(const RollerLoads& loads, Eigen::Index j, Race race, Eigen::Index place, double passed,
-                    Eigen::ArrayXd& forces, RacePassages& sums) {
+                    Eigen::ArrayXd& forces, RacePassages& sums, RacePassages* others) {
   const double force = (race == Race::inner ? loads.inner : loads.outer)[j];
   if (!(force > 0.0)) return;
   loads.laminae->put_loads(race, {loads.inner_approach[j], loads.outer_approach[j], loads.tip[j]},
                            direction(loads.angle[j]), forces.data());
   sums.add_laminae(place, passed, force, forces);
+  if (others) others->add_laminae(place, passed, force, forces);
 }
 
 }  // namespace
 
-void DamageSums::add(double time, Eigen::Index rollers, const RollerLoads& loads) {
+void DamageSums::add(double time, Eigen::Index rollers, const RollerLoads& loads, DamageSums* other) {
+  if (other && !(other->inner.is_counted_as(inner))) {
+    other->add(time, rollers, loads);
+    other = nullptr;
+  }
   const RaceSpeeds& races = loads.races;
   const bool cut = inner.lamina_fourth_power.rows() > 0;
+  const double places = static_cast<double>(inner.way.size());
   for (Eigen::Index j = 0; j < rollers; ++j) {
-    const Eigen::Index place = place_of(loads.angle[j], inner.way.size());
+    const Eigen::Index place = place_at(loads.angle[j], places);
     const double on_inner = time * std::abs(loads.orbital_speed[j] - races.inner);
     const double on_outer = time * std::abs(loads.orbital_speed[j] - races.outer);
-    inner.add(place, on_inner, loads.inner[j]);
-    outer.add(place, on_outer, loads.outer[j]);
+    const RacePassages::Share to_inner = inner.share_of(on_inner, loads.inner[j]),
+                              to_outer = outer.share_of(on_outer, loads.outer[j]);
+    inner.add(place, to_inner);
+    outer.add(place, to_outer);
+    if (other) {
+      other->inner.add(place, to_inner);
+      other->outer.add(place, to_outer);
+    }
     if (!cut) continue;
-    add_laminae_of(loads, j, Race::inner, place, on_inner, lamina_forces_, inner);
-    add_laminae_of(loads, j, Race::outer, place, on_outer, lamina_forces_, outer);
+    add_laminae_of(loads, j, Race::inner, place, on_inner, lamina_forces_, inner,
+                   other ? &other->inner : nullptr);
+    add_laminae_of(loads, j, Race::outer, place, on_outer, lamina_forces_, outer,
+                   other ? &other->outer : nullptr);
   }
   const double all = time * static_cast<double>(rollers);
-  inner.rolling += all * std::abs(races.cage - races.inner);
-  outer.rolling += all * std::abs(races.cage - races.outer);
+  for (DamageSums* sums : {this, other}) {
+    if (!sums) continue;
+    sums->inner.rolling += all * std::abs(races.cage - races.inner);
+    sums->outer.rolling += all * std::abs(races.cage - races.outer);
+  }
 }
 
 BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamage& inner,

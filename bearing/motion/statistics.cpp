@@ -46,7 +46,7 @@ void StatisticsCollector::begin(double time, const Snapshot& at_start) {
   begin_orbit_angle_ = end_orbit_angle_ = at_start.orbit_angle;
 }
 
-void StatisticsCollector::add_loads(double weight, const RollerLoads& loads) {
+void StatisticsCollector::add_loads(double weight, const RollerLoads& loads, DamageSums* other) {
   const auto add_race = [&](const double* load, RaceSums& sums) {
     for (Eigen::Index j = 0; j < rollers_; ++j) {
       sums.roller_square[j] += weight * load[j] * load[j];
@@ -55,7 +55,7 @@ void StatisticsCollector::add_loads(double weight, const RollerLoads& loads) {
   };
   add_race(loads.inner, inner_);
   add_race(loads.outer, outer_);
-  damage_.add(weight, rollers_, loads);
+  damage_.add(weight, rollers_, loads, other);
   weight_ += weight;
 }
 

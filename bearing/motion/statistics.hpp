@@ -52,8 +52,8 @@ class StatisticsCollector {
   /// `at_start` is the snapshot at the beginning of the window.
   void begin(double time, const Snapshot& at_start);
   void add(double time, const Snapshot& sample);
-  /// As add(), in two parts: loads that count for `weight` (any unit), and all the rest.
-  void add_loads(double weight, const RollerLoads& loads);
+  /// As add(), in two parts: loads that count for `weight` (any unit), also in `other`, and all the rest.
+  void add_loads(double weight, const RollerLoads& loads, DamageSums* other = nullptr);
   void add_state(double time, const Snapshot& sample);
   /// Means over all samples since begin(); at least one sample.
   WindowStatistics means() const;

@@ -58,10 +58,16 @@ struct StageArrays {
   std::array<Array, kStages> k;
 };
 
+/// Whether a system says how its rate changes by time alone.
+template <class System>
+concept kHasTimeSlope = requires(System& system, double* rate) {
+  system.time_slope(0.0, rate);
+};
+
 /// Controlled stepper in the sense of Odeint, by `Formula`. `System` offers
 ///   linearise(t, x, dx)   rate dx at x, and keeps the Jacobian J there
 ///   derivative(t, x, dx)
-///   time_slope(t, dx)     slope of the rate by time alone
+///   time_slope(t, dx)     slope of the rate by time alone; none: it is left out, order 2 does not ask for it
 ///   bool factor(g), solve(rhs, k)   k = (1 - g J)^-1 rhs
 /// on plain arrays, whose length is a multiple of eight. `allowed` holds the allowed error of each variable
 /// in one step.
@@ -111,7 +117,7 @@ class Rosenbrock {
   template <class System>
   double attempt(System& system, const state_type& x, double t, double h) {
     if (!system.factor(Formula::kGamma * h)) return INFINITY;
-    system.time_slope(t, stages_.time_slope.data());
+    if constexpr (kHasTimeSlope<System>) system.time_slope(t, stages_.time_slope.data());
     return Formula::attempt(system, x, t, h, weight_.data(), stages_);
   }
   /// Exchanges `x` for the state after the last attempt.
@@ -119,6 +125,8 @@ class Rosenbrock {
     x.swap(stages_.next);
     linear_ = false;
   }
+  /// Rate where the last linearisation is.
+  const state_type& slope() const { return stages_.slope; }
   /// The state that accept() took away.
   const state_type& taken_away() const { return stages_.next; }
   /// Largest share of the allowed errors 1 / `weight` in the last attempt, among `n` variables from `first`.
@@ -145,11 +153,18 @@ struct SecondOrder {
     const std::size_t n = x.size();
     const double g = kGamma * h;
     double *k1 = s.k[0].data(), *k2 = s.k[1].data(), *rhs = s.rhs.data();
-    detail::add_scaled(s.slope.data(), g, s.time_slope.data(), rhs, n);
-    system.solve(rhs, k1);
+    if constexpr (kHasTimeSlope<System>) {
+      detail::add_scaled(s.slope.data(), g, s.time_slope.data(), rhs, n);
+      system.solve(rhs, k1);
+    } else {
+      system.solve(s.slope.data(), k1);
+    }
     detail::add_scaled(x.data(), h, k1, s.next.data(), n);
     system.derivative(t + h, s.next.data(), rhs);
-    detail::second_stage(k1, g, s.time_slope.data(), rhs, n);
+    if constexpr (kHasTimeSlope<System>)
+      detail::second_stage(k1, g, s.time_slope.data(), rhs, n);
+    else
+      detail::add_scaled(rhs, -2.0, k1, rhs, n);
     system.solve(rhs, k2);
     return detail::finish(x.data(), h, k1, k2, weight, s.next.data(), n);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "bearing/defect/scratch.hpp"
@@ -26,7 +27,8 @@ struct CoupledSetup {
   DrivenGearsSetup gears;
   DrivenBearingSetup bearing;  // of each; first_roller is that of the first bearing of a planet
   int bearings_per_planet = 2;
-  int most_refined = 2;  // [-]  bearings that may take shorter steps than all others at a time
+  /// Bearings that may take shorter steps than all others at a time; how many do is decided by what it costs.
+  int most_refined = std::numeric_limits<int>::max();  // [-]
   std::vector<Eigen::Vector2d> bore_tilts = {};  // [rad]  (planets) where unlike; empty: bearing.bore_tilt
   std::vector<ScratchedPlanet> scratched = {};  // all others are sound
 };

@@ -15,6 +15,8 @@ using bearing::motion::BoreMotion;
 // Error of a step, over what is allowed, up to which a bearing is gone over again by itself: beyond it the
 // bearing's force in the step of all is not to be trusted.
 constexpr double kLargestRefined = 30.0;
+// What it takes to begin going over a bearing again, in steps of one bearing.
+constexpr double kRefiningBegins = 1.5;
 
 std::vector<double> gears_alone(const CoupledSystem& system, const std::vector<double>& gears) {
   std::vector<double> allowed(system.size(), 0.0);
@@ -62,41 +64,87 @@ CoupledSteps::CoupledSteps(const CoupledSystem& system, const CoupledStepOptions
                  [](double allowed) { return allowed > 0.0 ? 1.0 / allowed : 0.0; });
 }
 
-// The largest error of the gears and of all bearings but those that will be gone over again.
-double CoupledSteps::decisive_error(const CoupledSystem& system, double h, double gears) {
+void CoupledSteps::take_errors(const CoupledSystem& system, double h) {
   for (int b = 0; b < system.bearings(); ++b) {
     const auto first = static_cast<std::size_t>(system.offset(b));
     errors_[static_cast<std::size_t>(b)] = all_.share(h, first, weight_.data(), weight_.size());
   }
   sorted_ = errors_;
   std::sort(sorted_.begin(), sorted_.end(), std::greater<>());
-  const auto refined = std::min(sorted_.size(), static_cast<std::size_t>(options_.most_refined));
-  double error = gears;
-  if (refined < sorted_.size()) error = std::max(error, sorted_[refined]);
-  if (refined > 0) error = std::max(error, sorted_[0] / kLargestRefined);
-  return error;
+}
+
+bool CoupledSteps::is_kept(double gears) const {
+  if (!(gears <= 1.0 && sorted_.front() <= kLargestRefined)) return false;
+  const auto refined =
+      std::count_if(sorted_.begin(), sorted_.end(), [](double error) { return error > 1.0; });
+  return refined <= options_.most_refined;
+}
+
+// The error that decides on the next step. With the k worst bearings gone over again and errors that grow as the
+// square of the step, a step costs all bearings once and these again; the k is taken that costs least over the
+// time passed.
+double CoupledSteps::cheapest_error(double gears) const {
+  using integration::StepControl;
+  const double all = static_cast<double>(sorted_.size());
+  const double least = std::max(gears, sorted_.front() / kLargestRefined);
+  double cheapest = std::max(least, sorted_.front());
+  double cost = all / StepControl::share(cheapest);
+  const std::size_t most = std::min(sorted_.size(), static_cast<std::size_t>(options_.most_refined));
+  for (std::size_t k = 1; k <= most; ++k) {
+    const double error = k < sorted_.size() ? std::max(least, sorted_[k]) : least;
+    const double share = StepControl::share(error);
+    double work = all;
+    for (std::size_t i = 0; i < k; ++i)
+      work += kRefiningBegins + 1.0 / StepControl::share(sorted_[i] * share * share);
+    if (work / share >= cost) continue;
+    cost = work / share;
+    cheapest = error;
+  }
+  return cheapest;
 }
 
 integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vector<double>& x, double& t,
                                                double& dt) {
   const double h = dt;
   const double gears = all_.attempt(system, x, t, h);
-  const double error = std::isfinite(gears) ? decisive_error(system, h, gears) : gears;
-  if (!(error <= 1.0)) {
+  if (std::isfinite(gears)) take_errors(system, h);
+  if (!std::isfinite(gears) || !is_kept(gears)) {
     ++rejected_;
-    dt = control_.after_refusal(h, error);
+    dt = control_.after_refusal(h, std::isfinite(gears) ? std::max(1.0, cheapest_error(gears)) : gears);
     return integration::kRefused;
   }
   all_.accept(x);
-  for (int b = 0; b < system.bearings(); ++b)
-    if (errors_[static_cast<std::size_t>(b)] > 1.0) refine(system, b, all_.taken_away(), t, h, x);
+  refine_all(system, all_.taken_away(), t, h, x);
   t += h;
-  dt = control_.after_acceptance(h, error);
+  dt = control_.after_acceptance(h, cheapest_error(gears));
   return integration::kAccepted;
 }
 
-void CoupledSteps::refine(CoupledSystem& system, int b, const std::vector<double>& before, double t, double h,
-                          std::vector<double>& x) {
+// Bearings gone over again do to the gears what the step of all did not know: the gears take up the difference
+// of the impulses at the end of the step, so that momentum is kept.
+void CoupledSteps::refine_all(CoupledSystem& system, const std::vector<double>& before, double t, double h,
+                              std::vector<double>& x) {
+  bool any = false;
+  for (int b = 0; b < system.bearings(); ++b) {
+    if (!(errors_[static_cast<std::size_t>(b)] > 1.0)) continue;
+    if (!any) {
+      missed_.force.setZero(2, system.model().gears.layout.planets);
+      missed_.moment.setZero(system.model().gears.layout.planets);
+      any = true;
+    }
+    const bearing::motion::BoreReaction mean = system.mean_reaction(b);
+    const bearing::motion::BoreReaction impulse = refine(system, b, before, t, h, x);
+    const Eigen::Index planet = b / system.model().per_planet;
+    missed_.force.col(planet) += impulse.force - h * mean.force;
+    missed_.moment[planet] += impulse.moment - h * mean.moment;
+  }
+  if (any) system.push(missed_, x.data());
+}
+
+// Returns what it did to the bore over the step [N s], [N m s].
+bearing::motion::BoreReaction CoupledSteps::refine(CoupledSystem& system, int b,
+                                                   const std::vector<double>& before, double t, double h,
+                                                   std::vector<double>& x) {
   const CoupledModel& model = system.model();
   const auto motion_at = [&](const std::vector<double>& state, double time) {
     return bore_motion(model, model.port_of(b), system.true_time(time), system.part(state.data(), 0),
@@ -107,11 +155,13 @@ void CoupledSteps::refine(CoupledSystem& system, int b, const std::vector<double
   const auto place = static_cast<std::size_t>(b);
   DrivenSystem driven(system.bearing(b), polynomial, from.angle, system.loads[place], system.sums[place]);
   std::copy_n(system.of_bearing(before.data(), b), bearing_.size(), bearing_.begin());
+  driven.resume(all_.slope().data() + system.offset(b), system.begin_reaction(b));
   double step = h * integration::StepControl::share(errors_[place]);
   integration::through_window(within_, driven, bearing_, h, {.most_steps = options_.most_steps}, step);
   std::copy(bearing_.begin(), bearing_.end(), system.of_bearing(x.data(), b));
   system.counted[place] = true;
   ++refined_;
+  return driven.impulse();
 }
 
 }  // namespace orbearing::system

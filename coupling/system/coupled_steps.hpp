@@ -1,6 +1,6 @@
-// Steps of gears and bearings with one length for all, but for the few bearings in which rollers strike their
-// cage: those are gone over again in steps of their own, with the motion of their bores from the step of all.
-// The strategy of [Savcenco2007], there for ROS2 too.
+// Steps of gears and bearings with one length for all, but for those bearings whose rollers are in impact: they are
+// gone over again in steps of their own, with the motion of their bores from the step of all. The strategy of
+// [Savcenco2007], there for ROS2 too; momentum is kept, eq. (3) of coupling/system/README.md.
 #pragma once
 
 #include <vector>
@@ -32,9 +32,13 @@ class CoupledSteps {
   long refined() const { return refined_; }    // [-]  bearings gone over again
 
  private:
-  double decisive_error(const CoupledSystem& system, double h, double gears);
-  void refine(CoupledSystem& system, int b, const std::vector<double>& before, double t, double h,
-              std::vector<double>& x);
+  void take_errors(const CoupledSystem& system, double h);
+  bool is_kept(double gears) const;
+  double cheapest_error(double gears) const;
+  void refine_all(CoupledSystem& system, const std::vector<double>& before, double t, double h,
+                  std::vector<double>& x);
+  bearing::motion::BoreReaction refine(CoupledSystem& system, int b, const std::vector<double>& before, double t,
+                                       double h, std::vector<double>& x);
 
   CoupledStepOptions options_;
   integration::Rosenbrock2 all_;         // weighs the gears alone
@@ -43,6 +47,7 @@ class CoupledSteps {
   std::vector<double> weight_;           // of one bearing
   std::vector<double> errors_, sorted_;  // (bearings)  shares of what is allowed
   std::vector<double> bearing_;          // state of one
+  gearset::dynamics::PortLoads missed_;  // impulses [N s], [N m s] that the step of all did not know
   long rejected_ = 0;
   long refined_ = 0;
 };

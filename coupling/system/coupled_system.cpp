@@ -26,8 +26,11 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
       equations_(model.gears),
-      reactions_(static_cast<std::size_t>(model.bearings())),
-      bore_speed_(reactions_.size(), 0.0) {
+      begin_reactions_(static_cast<std::size_t>(model.bearings())),
+      stages_(begin_reactions_.size()),
+      port_matrices_(begin_reactions_.size()),
+      reduced_(begin_reactions_.size()),
+      bore_speed_(begin_reactions_.size(), 0.0) {
   for (int b = 0; b < model.bearings(); ++b) bearings_.emplace_back(model.bearing_of(b));
   gear_size_ = (model.gears.layout.size() + kEight - 1) / kEight * kEight;
   bearing_size_ = bearings_.front().layout().size();
@@ -71,7 +74,10 @@ void CoupledSystem::evaluate(double time, const double* x, double* dx) {
     const auto reaction = bearing.reaction();
     port_loads_.force.col(b / model_.per_planet) += reaction.force;
     port_loads_.moment[b / model_.per_planet] += reaction.moment;
-    reactions_[static_cast<std::size_t>(b)] = reaction;
+    if constexpr (WithSlopes)
+      begin_reactions_[static_cast<std::size_t>(b)] = reaction;
+    else
+      stages_[static_cast<std::size_t>(b)].evaluated(reaction);
   }
   Eigen::Map<Eigen::VectorXd> gears(dx, 2 * n);
   equations_.derivative(now, Vector(x, 2 * n), port_loads_, gears);
@@ -93,45 +99,27 @@ void CoupledSystem::linearise(double time, const double* x, double* dx) {
   force_slopes(model_.gears, true_time(time), Vector(x, 2 * freedoms()), slopes_);
 }
 
-// What the meshes do by time alone is left out: the order does not ask for it.
-void CoupledSystem::time_slope(double, double* rate) const {
-  std::fill_n(rate, size(), 0.0);
-}
-
-void CoupledSystem::add_port(const PlanetPort& port, const Eigen::Matrix2d& matrix) {
-  const Eigen::Index carrier = SetLayout::carrier(), planet = port.place;
-  const Eigen::Matrix<double, 2, 3> by_carrier = matrix * port.of_carrier,
-                                    by_planet = matrix * port.of_planet;
-  matrix_.block<3, 3>(carrier, carrier) += port.of_carrier.transpose() * by_carrier;
-  matrix_.block<3, 3>(carrier, planet) += port.of_carrier.transpose() * by_planet;
-  matrix_.block<3, 3>(planet, carrier) += port.of_planet.transpose() * by_carrier;
-  matrix_.block<3, 3>(planet, planet) += port.of_planet.transpose() * by_planet;
-}
-
 bool CoupledSystem::factor(double g) {
   g_ = g;
-  matrix_ = -g * slopes_.by_velocity - (g * g) * slopes_.by_position;
-  matrix_.diagonal() += model_.gears.mass;
+  matrix_.assemble(model_.gears, slopes_, g);
   for (int b = 0; b < bearings(); ++b) {
-    bearing::vectorised::PortMatrix port;
-    if (!bearings_[static_cast<std::size_t>(b)].factor_open(g, port)) return false;
+    const auto place = static_cast<std::size_t>(b);
+    bearing::vectorised::PortMatrix& port = port_matrices_[place];
+    if (!bearings_[place].factor_open(g, port)) return false;
+    stages_[place].begin(begin_reactions_[place]);
     Eigen::Matrix2d matrix;
     matrix << port.a[0][0], port.a[0][1], port.a[1][0], port.a[1][1];
-    add_port(model_.port_of(b), matrix);
+    const PlanetPort& planet = model_.port_of(b);
+    matrix_.add_port(b / model_.per_planet, planet.of_carrier, planet.of_planet, matrix);
   }
-  for (Eigen::Index i = 0; i < freedoms(); ++i) {
-    if (model_.gears.mobility[i] != 0.0) continue;
-    matrix_.row(i).setZero();
-    matrix_(i, i) = 1.0;
-  }
-  return factors_.factor(matrix_);
+  return matrix_.factor(model_.gears);
 }
 
 void CoupledSystem::solve(const double* rhs, double* k) {
   const Eigen::Index n = freedoms();
   right_ = model_.gears.mass.cwiseProduct(part(rhs, n)) + g_ * (slopes_.by_position * part(rhs, 0));
   for (int b = 0; b < bearings(); ++b) {
-    double force[2];
+    double(&force)[2] = reduced_[static_cast<std::size_t>(b)].force;
     bearings_[static_cast<std::size_t>(b)].reduce(of_bearing(rhs, b), of_bearing(k, b), force);
     const PlanetPort& port = model_.port_of(b);
     const Eigen::Vector2d on_planet(force[0], force[1]);
@@ -139,14 +127,16 @@ void CoupledSystem::solve(const double* rhs, double* k) {
     right_.segment<3>(port.place) += port.of_planet.transpose() * on_planet;
   }
   rate_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
-  factors_.solve(rate_);
+  matrix_.solve(rate_);
   Eigen::Map<Eigen::VectorXd>(k + n, n) = rate_;
   Eigen::Map<Eigen::VectorXd>(k, n) = part(rhs, 0) + g_ * rate_;
   std::fill(k + 2 * n, k + gear_size_, 0.0);
   for (int b = 0; b < bearings(); ++b) {
     const Eigen::Vector2d bore = model_.port_of(b).along(rate_);
     const double rate[2] = {bore.x(), bore.y()};
-    bearings_[static_cast<std::size_t>(b)].complete(of_bearing(rhs, b), rate, of_bearing(k, b));
+    const auto place = static_cast<std::size_t>(b);
+    bearings_[place].complete(of_bearing(rhs, b), rate, of_bearing(k, b));
+    stages_[place].solved(reduced_[place].force, rate, port_matrices_[place]);
   }
 }
 
@@ -164,6 +154,13 @@ void CoupledSystem::stepped(double, double length) {
     if (!counted[b]) loads[b].count(length, &sums[b]);
     counted[b] = false;
   }
+}
+
+void CoupledSystem::push(const gearset::dynamics::PortLoads& impulses, double* x) {
+  right_.setZero();
+  add_port_loads(model_.gears, impulses, right_);
+  rate_ = model_.gears.mobility.cwiseProduct(right_);
+  Eigen::Map<Eigen::VectorXd>(x + freedoms(), freedoms()) += rate_;
 }
 
 // The bores are where the gear set has them but for round-off, which shall not gather.

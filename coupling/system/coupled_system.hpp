@@ -1,5 +1,5 @@
 // Gear set and vectorised bearings as one system for the linearly implicit stepper: each bearing is reduced
-// to two freedoms at its bore, the gear set with these is solved as one dense matrix, and the bearings
+// to two freedoms at its bore, the gear set with these is solved as one matrix, and the bearings
 // follow.
 #pragma once
 
@@ -9,8 +9,9 @@
 #include "bearing/motion/vectorised/vector_bearing.hpp"
 #include "coupling/system/coupled_model.hpp"
 #include "coupling/system/driven_system.hpp"
+#include "coupling/system/stage_reactions.hpp"
 #include "gearset/dynamics/slopes.hpp"
-#include "mechanics/dense_lu.hpp"
+#include "gearset/dynamics/stage_matrix.hpp"
 
 namespace orbearing::system {
 
@@ -47,7 +48,6 @@ class CoupledSystem {
 
   void linearise(double time, const double* x, double* dx);
   void derivative(double time, const double* x, double* dx);
-  void time_slope(double time, double* rate) const;
   bool factor(double g);
   void solve(const double* rhs, double* k);
   void begun(const std::vector<double>& x);
@@ -62,23 +62,36 @@ class CoupledSystem {
   std::vector<bool> counted;  // (bearings)  their loads of this step are in the sums already
   long steps = 0;             // [-]  accepted since construction
 
-  /// What the bearings did to their planets at the last evaluation, one entry a bearing.
-  const std::vector<bearing::motion::BoreReaction>& reactions() const { return reactions_; }
+  /// What bearing `b` does to its planet at the last linearisation.
+  const bearing::motion::BoreReaction& begin_reaction(int b) const {
+    return begin_reactions_[static_cast<std::size_t>(b)];
+  }
+  /// What bearing `b` did to its planet in the last attempt, mean over the step.
+  bearing::motion::BoreReaction mean_reaction(int b) const {
+    return stages_[static_cast<std::size_t>(b)].mean();
+  }
+  /// What impulses [N s], [N m s] on the planets, on top of all else, do to the velocities of the gears in
+  /// `x`.
+  void push(const gearset::dynamics::PortLoads& impulses, double* x);
 
  private:
   template <bool WithSlopes>
   void evaluate(double time, const double* x, double* dx);
-  void add_port(const PlanetPort& port, const Eigen::Matrix2d& matrix);
 
   const CoupledModel& model_;
   gearset::dynamics::PlanetarySetEquations equations_;
   std::vector<bearing::vectorised::VectorBearing> bearings_;
-  std::vector<bearing::motion::BoreReaction> reactions_;
+  std::vector<bearing::motion::BoreReaction> begin_reactions_;  // (bearings)  at the last linearisation
+  std::vector<StageReactions> stages_;                          // (bearings)
+  std::vector<bearing::vectorised::PortMatrix> port_matrices_;  // (bearings)
+  struct Reduced {
+    double force[2]{};  // [N]
+  };
+  std::vector<Reduced> reduced_;     // (bearings)  of the stage that is being solved
   std::vector<double> bore_speed_;  // [rad/s]  (bearings)  at the last linearisation
   gearset::dynamics::PortLoads port_loads_;
   gearset::dynamics::ForceSlopes slopes_;
-  mechanics::DenseLu::Matrix matrix_;
-  mechanics::DenseLu factors_;
+  gearset::dynamics::StageMatrix matrix_;
   Eigen::VectorXd right_, rate_;
   std::ptrdiff_t gear_size_ = 0;
   std::ptrdiff_t bearing_size_ = 0;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "coupling/system/input_polynomial.hpp"
 #include "coupling/system/loads_at_step.hpp"
+#include "coupling/system/stage_reactions.hpp"
 
 namespace orbearing::system {
 
@@ -27,12 +29,28 @@ class DrivenSystem {
     return motion;
   }
 
+  /// The bearing is linearised where the window begins: its `rate` (padded) and `reaction` there are known, and
+  /// so are its loads.
+  void resume(const double* rate, const bearing::motion::BoreReaction& reaction) {
+    known_ = rate;
+    begin_ = reaction;
+  }
+
   void linearise(double time, const double* x, double* dx) {
     const bearing::motion::BoreMotion motion = at(time);
     bore_speed_ = motion.speed;
+    if (known_) {
+      std::copy_n(known_, bearing_.layout().size(), dx);
+      std::copy_n(motion.acceleration.data(), 2, dx + bearing_.layout().bore() + 2);
+      return;
+    }
     bearing_.linearise(motion, x, dx);
+    begin_ = bearing_.reaction();
   }
-  void derivative(double time, const double* x, double* dx) { bearing_.derivative(at(time), x, dx); }
+  void derivative(double time, const double* x, double* dx) {
+    bearing_.derivative(at(time), x, dx);
+    reactions_.evaluated(bearing_.reaction());
+  }
   /// That of the bore's acceleration; speeds and frame change little in a step, and the order does not ask
   /// for theirs.
   void time_slope(double time, double* rate) const {
@@ -41,21 +59,33 @@ class DrivenSystem {
     rate[bore + 2] = second_slope(inputs_.v_x, time);
     rate[bore + 3] = second_slope(inputs_.v_y, time);
   }
-  bool factor(double g) { return bearing_.factor_open(g, port_); }
+  bool factor(double g) {
+    reactions_.begin(begin_);
+    return bearing_.factor_open(g, port_);
+  }
   void solve(const double* rhs, double* k) {
     const int bore = bearing_.layout().bore();
     const double rate[2] = {rhs[bore + 2], rhs[bore + 3]};
     double force[2];
     bearing_.reduce(rhs, k, force);
     bearing_.complete(rhs, rate, k);
+    reactions_.solved(force, rate, port_);
   }
 
   void begun(const std::vector<double>& x) {
+    if (std::exchange(known_, nullptr)) return;
     loads_.take(bearing_, x.data(),
                 bearing::motion::race_speeds(bearing_.model().geometry, 0.0, bore_speed_));
   }
-  void stepped(double, double length) { loads_.count(length, &sums_); }
+  void stepped(double, double length) {
+    loads_.count(length, &sums_);
+    impulse_.force += length * reactions_.mean().force;
+    impulse_.moment += length * reactions_.mean().moment;
+  }
   void settle(double time, std::vector<double>& x) const { put(at(time), x); }
+
+  /// What the bearing did to the bore in all steps so far [N s], [N m s].
+  const bearing::motion::BoreReaction& impulse() const { return impulse_; }
 
   /// Puts the bore where `motion` says.
   void put(const bearing::motion::BoreMotion& motion, std::vector<double>& x) const {
@@ -76,6 +106,10 @@ class DrivenSystem {
   bearing::motion::DamageSums& sums_;
   double bore_speed_ = 0.0;  // [rad/s]  at the last linearisation
   bearing::vectorised::PortMatrix port_;
+  bearing::motion::BoreReaction begin_;  // at the last linearisation
+  const double* known_ = nullptr;        // rate at the beginning, where it need not be asked for
+  StageReactions reactions_;
+  bearing::motion::BoreReaction impulse_;
 };
 
 }  // namespace orbearing::system

@@ -52,8 +52,10 @@ struct LoadsAtStep {
   double count(double length, bearing::motion::DamageSums* sums) {
     const double time = 0.5 * (step_before + length);
     step_before = length;
-    if (sums) sums->add(time, static_cast<Eigen::Index>(angle.size()), loads());
-    if (collector) collector->add_loads(time, loads());
+    if (collector)
+      collector->add_loads(time, loads(), sums);
+    else if (sums)
+      sums->add(time, static_cast<Eigen::Index>(angle.size()), loads());
     return time;
   }
 };

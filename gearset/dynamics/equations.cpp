@@ -96,6 +96,15 @@ void add_forces(const SetModel& model, double time, const Positions& x, Forces f
   if (speed.rate != 0.0) add_run_up_forces(model, speed, force);
 }
 
+void add_port_loads(const SetModel& model, const PortLoads& loads, Forces force) {
+  for (Eigen::Index i = 0; i < model.layout.planets; ++i) {
+    const PlanetBearing& bearing = model.bearings[static_cast<std::size_t>(i)];
+    add_bearing(bearing, loads.force.col(i), force);
+    add_moment(bearing, loads.moment[i], force);
+  }
+  if (model.load_place >= 0) force[model.load_place] += model.load_share * loads.moment.sum();
+}
+
 void PlanetarySetEquations::derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                                        Eigen::Ref<Eigen::VectorXd> dx) const {
   const Eigen::Index n = model_.layout.freedoms();
@@ -113,12 +122,7 @@ void PlanetarySetEquations::derivative(double time, const Eigen::Ref<const Eigen
   auto force = dx.tail(n);
   force.setZero();
   add_forces(model_, time, x, force);
-  for (Eigen::Index i = 0; i < model_.layout.planets; ++i) {
-    const PlanetBearing& bearing = model_.bearings[static_cast<std::size_t>(i)];
-    add_bearing(bearing, loads.force.col(i), force);
-    add_moment(bearing, loads.moment[i], force);
-  }
-  if (model_.load_place >= 0) force[model_.load_place] += model_.load_share * loads.moment.sum();
+  add_port_loads(model_, loads, force);
   force.array() *= model_.mobility.array();
 }
 

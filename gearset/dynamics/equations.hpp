@@ -52,6 +52,10 @@ class PlanetarySetEquations {
 void add_forces(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x,
                 Eigen::Ref<Eigen::VectorXd> force);
 
+/// Generalised forces [N] of coupled bearings, added.
+/// @param force (freedoms)
+void add_port_loads(const SetModel& model, const PortLoads& loads, Eigen::Ref<Eigen::VectorXd> force);
+
 /// Force [N] of the driving and the delivering side on the u of each central member: (sun, ring, carrier).
 /// Eq. (10).
 /// @param speed [m/s] of the u of the driven member, beyond the nominal rotation

@@ -146,6 +146,27 @@ struct StiffCosine {
   }
 };
 
+// The same equations, which leave what time does by itself out.
+struct WithoutTimeSlope : private Hyperbola {
+  using Hyperbola::derivative, Hyperbola::linearise, Hyperbola::factor, Hyperbola::solve;
+};
+struct WithZeroTimeSlope : Hyperbola {
+  void time_slope(double, double* dx) const { std::fill_n(dx, kLanes, 0.0); }
+};
+
+// Issue 17, Build 5: a system need not say a slope by time that it leaves out: the same steps to the last bit.
+TEST(Rosenbrock2, TakesNoTimeSlopeForZero) {
+  const auto end = [](auto system) {
+    Rosenbrock2 stepper(State(kLanes, 1e-5), 1.0);
+    State x = starts();
+    double t = 0.0, h = 0.01;
+    while (t < 1.0) stepper.try_step(system, x, t, h);
+    return x;
+  };
+  EXPECT_EQ(end(WithoutTimeSlope{}), end(WithZeroTimeSlope{}));
+  EXPECT_NE(end(WithoutTimeSlope{}), end(Hyperbola{}));
+}
+
 // L-stable: one step, however long, takes away what is stiff. Of what lies off the curve it leaves, with z =
 // -h L,
 //   (1 + (1 - 2 gamma) z) / (1 - gamma z)^2, which for large -z is below 4.83 / -z.

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
+#include <random>
+#include <vector>
 
 #include "bearing/life/capacities.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
@@ -54,6 +57,41 @@ TEST(Place, BinsAreCentredOnTheirAngles) {
     EXPECT_EQ(place_of(turn + 0.51 * kBin, kPlaces), 1);
     EXPECT_EQ(place_of(turn - 0.49 * kBin, kPlaces), 0);
     EXPECT_EQ(place_of(turn - 0.51 * kBin, kPlaces), kPlaces - 1);
+  }
+}
+
+// Issue 17, Build 5: whole turns are taken off without the library's floor(): the same places to the last one.
+TEST(Place, IsThatOfFloor) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> angles(-400.0, 400.0);
+  for (int i = 0; i < 200'000; ++i) {
+    const double angle = i % 2 == 0 ? angles(random) : 2.0 * M_PI * std::round(angles(random)) / kPlaces;
+    const double turns = angle / (2.0 * M_PI) + 0.5 / static_cast<double>(kPlaces);
+    const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(kPlaces));
+    EXPECT_EQ(place_of(angle, kPlaces), std::min(place, kPlaces - 1)) << angle;
+  }
+}
+
+// Issue 17, Build 5: what counts for two sums is worked out once. Sums of other places get theirs all the same.
+TEST(Damage, CountsForTwoSumsAsForEach) {
+  const std::vector<double> angle{0.1, 2.0, -3.0}, speed{-300.0, -310.0, -320.0}, inner{900.0, 10.0, 0.0},
+      outer{950.0, 0.0, 30.0};
+  const RollerLoads loads{angle.data(), speed.data(), inner.data(), outer.data(),
+                          race_speeds(geometry(), 0.0, kBoreSpeed)};
+  for (const Eigen::Index places : {kPlaces, Eigen::Index{36}}) {
+    DamageSums one(kPlaces), other(places), alone(kPlaces), other_alone(places);
+    for (const double time : {1e-6, 3e-6}) {
+      one.add(time, 3, loads, &other);
+      alone.add(time, 3, loads);
+      other_alone.add(time, 3, loads);
+    }
+    const auto equal = [](const RacePassages& a, const RacePassages& b) {
+      return (a.way == b.way).all() && (a.load == b.load).all() && (a.power == b.power).all() &&
+             a.rolling == b.rolling;
+    };
+    EXPECT_GT(one.outer.power.sum(), 0.0);
+    EXPECT_TRUE(equal(one.inner, alone.inner) && equal(one.outer, alone.outer));
+    EXPECT_TRUE(equal(other.inner, other_alone.inner) && equal(other.outer, other_alone.outer));
   }
 }
 

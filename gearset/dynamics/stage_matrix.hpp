@@ -1,0 +1,44 @@
+// M - g C - g^2 K of a set, for the stages of a linearly implicit method: planets meet the central members and no
+// other planet, so they are eliminated one by one.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gearset/dynamics/model.hpp"
+#include "gearset/dynamics/slopes.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+/// The matrix with its factors, without pivoting: it is close to the masses, which are positive. Nothing is
+/// allocated after the first use.
+class StageMatrix {
+ public:
+  /// Of the slopes of all forces, with `g` [s] the implicit share of the step.
+  void assemble(const SetModel& model, const ForceSlopes& slopes, double g);
+  /// Adds to the rows of a planet and of the carrier: `matrix` [kg] acts on the motion of the port, `of_carrier`
+  /// and `of_planet` times theirs, and pushes along it.
+  void add_port(Eigen::Index planet, const Eigen::Matrix<double, 2, 3>& of_carrier,
+                const Eigen::Matrix<double, 2, 3>& of_planet, const Eigen::Matrix2d& matrix);
+  /// Replaces the matrix by its factors, in which freedoms that the housing holds answer with their right-hand
+  /// side; false where a pivot vanishes.
+  bool factor(const SetModel& model);
+  /// `b` (freedoms) becomes the solution.
+  void solve(Eigen::Ref<Eigen::VectorXd> b) const;
+
+ private:
+  static constexpr int kCentre = 9;  // sun, ring, carrier
+  using Centre = Eigen::Matrix<double, kCentre, kCentre, Eigen::RowMajor>;
+
+  struct Planet {
+    Eigen::Matrix3d own;  // after factor() its inverse
+    Eigen::Matrix<double, 3, kCentre> by_centre;  // after factor() `own` times it
+    Eigen::Matrix<double, kCentre, 3> centre_by;
+  };
+  bool factor_centre();
+
+  Centre centre_;  // after factor() its factors, with the inverse of each pivot
+  std::vector<Planet> planets_;
+};
+
+}  // namespace orbearing::gearset::dynamics
