@@ -1,6 +1,8 @@
 // Small kernels, timed by Google Benchmark: medians of CPU time.
 #pragma once
 
+#include <map>
+
 #include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::bench {
@@ -15,6 +17,7 @@ struct KernelTimes {
   double solve = 0.0;         // with the factors
   double step = 0.0;          // all of a step of the stepper
   double exponent = 0.0;      // of the step's cost over the number of rollers, fitted to 15, 30, 60, 120
+  std::map<int, double> step_by_rollers;  // the same four
   double plain_static = 0.0;  // a quasi-static point, one cage angle, readable
   double fast_static = 0.0;   // the same in a batch over speeds, loads and cage angles, one core
   double lamina = 0.0;        // one lamina of one contact of 40, with load, moment and their slopes

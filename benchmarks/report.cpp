@@ -13,6 +13,7 @@
 #include "benchmarks/clocks.hpp"
 #include "benchmarks/frozen/constants.hpp"
 #include "benchmarks/kernels.hpp"
+#include "benchmarks/points.hpp"
 #include "benchmarks/speed.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "mechanics/packs/instruction_set.hpp"
@@ -54,6 +55,7 @@ void put_kernels(const KernelTimes& times, Json& out) {
   out["plain_rhs_ns"] = times.plain_rhs;
   out["frozen_rhs_ns"] = times.frozen_rhs;
   out["rollers_exponent"] = times.exponent;
+  for (const auto& [rollers, step] : times.step_by_rollers) out["rollers_step_ns"][std::to_string(rollers)] = step;
   out["static_points_per_s"] = 1e9 / times.fast_static;
   out["plain_static_points_per_s"] = 1e9 / times.plain_static;
   out["laminae_per_s"] = 1e9 / times.lamina;
@@ -64,7 +66,13 @@ void put_kernels(const KernelTimes& times, Json& out) {
 void put_speedup(Trial& trial, const std::string& name, Method searched, Method timed, Json& out) {
   say("tolerance and time of " + name);
   const Fit fit = loosest(trial, searched, kTolerances);
-  out["speedup_over_" + name] = fit.found ? Json(speedup(trial, timed, fit.tolerance)) : Json();
+  const std::string key = "speedup_over_" + name;
+  out[key] = nullptr;
+  if (fit.found) {
+    const Quartiles ratio = speedup(trial, timed, fit.tolerance);
+    out[key] = ratio.median;
+    out["spreads"][key] = {ratio.lower, ratio.upper};
+  }
   out["references"][name] = {{"allowed_length_error_m", fit.found ? Json(fit.tolerance) : Json()},
                              {"errors", errors_json(fit.errors)}};
 }
@@ -142,6 +150,10 @@ Json measure() {
   put_balances(out);
   say("balls");
   put_balls(out["real_time_factor"][point_name(kMiddleSpeed, 0.0)], drivetrain.bearing.rollers().count, out);
+  say("operating points");
+  put_points(out);
+  say("laminae");
+  put_laminae(out);
   say("sweeps");
   out["sweep12_s"] = sweep_seconds(drivetrain, 0.0);
   out["sweep12_37um_s"] = sweep_seconds(drivetrain, 37.0);

@@ -48,7 +48,18 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double speedup(Trial& trial, Method method, double tolerance) {
+Quartiles quartiles(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    const double position = share * static_cast<double>(values.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const auto above = std::min(below + 1, values.size() - 1);
+    return values[below] + (position - static_cast<double>(below)) * (values[above] - values[below]);
+  };
+  return {at(0.25), at(0.5), at(0.75)};
+}
+
+Quartiles speedup(Trial& trial, Method method, double tolerance) {
   const Span one{trial.span.duration / kRevolutions};
   std::vector<double> ratios;
   for (int pair = 0; pair < kPairs; ++pair) {
@@ -58,7 +69,7 @@ double speedup(Trial& trial, Method method, double tolerance) {
     const double other = trial.contest.run(method, trial.start, one, tolerance).cpu_seconds;
     ratios.push_back(other / fast);
   }
-  return median(ratios);
+  return quartiles(ratios);
 }
 
 double real_time(const Duty& duty) {

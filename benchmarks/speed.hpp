@@ -7,9 +7,16 @@
 
 namespace orbearing::bench {
 
-/// How many times faster the fast path is than `method` at its tolerance: median over pairs of runs taken in
-/// turn, CPU time of this thread.
-double speedup(Trial& trial, Method method, double tolerance);
+/// Where the middle half of some values lies.
+struct Quartiles {
+  double lower = 0.0, median = 0.0, upper = 0.0;
+};
+/// By linear interpolation between the ordered values, of which there is at least one.
+Quartiles quartiles(std::vector<double> values);
+
+/// How many times faster the fast path is than `method` at its tolerance: over pairs of runs taken in turn, CPU
+/// time of this thread.
+Quartiles speedup(Trial& trial, Method method, double tolerance);
 
 /// Simulated over computing time: the fast path, loads watched, over at least one cage revolution from the
 /// settled state; median of three.
