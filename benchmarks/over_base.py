@@ -38,8 +38,7 @@ class Pace:
         return float(self.ask(request)[0])
 
     def close(self):
-        self.process.stdin.close()
-        self.process.wait()
+        self.process.communicate()
 
 
 def ratios(ours, base, pairs, time_of):
@@ -77,12 +76,14 @@ def bearings(ours, base, pairs, meshes, figures):
 
 
 class Program:
-    """A version's command line and its case."""
+    """A version's command line and its case. `grid_only`: what keeps a sweep from adding points about its peak."""
 
-    def __init__(self, folder, root, extra):
+    def __init__(self, folder, root, extra, grid_only):
         self.program = os.path.join(folder, "orbearing")
         self.case = os.path.join(root, "cases/reducer_150kW/case.yaml")
         self.extra = extra
+        self.grid_only = grid_only
+        self.seconds = []
 
     def run(self, command, *values):
         return Run(self.program, [command, self.case, "--fidelity", "monolithic", *settings(self.extra), *values])
@@ -93,8 +94,10 @@ class Program:
         return many - few
 
     def twelve(self):
-        """Wall time [s] of twelve points on two threads."""
-        return self.run("sweep", "--jobs", "2").wall
+        """CPU time [s] of twelve points on two threads; `seconds` keeps the wall times."""
+        run = self.run("sweep", "--jobs", "2", *self.grid_only)
+        self.seconds.append(run.wall)
+        return run.cpu
 
 
 def main():
@@ -115,13 +118,14 @@ def main():
     put(figures, "sweep12_gain_over_base", ratios(ours, base, few, lambda version: version.number("sweep 0")))
     ours.close()
     base.close()
-    own = Program(options.ours, here, COMPLETE + COMPLETE_SINCE)
-    old = Program(options.base, options.base_root, COMPLETE)
+    own = Program(options.ours, here, COMPLETE + COMPLETE_SINCE, ["--grid-only"])
+    old = Program(options.base, options.base_root, COMPLETE, [])  # which adds none
     say("one system over base")
     put(figures, "system_gain_over_base", ratios(own, old, max(1, options.pairs // 3), Program.revolutions))
     if options.system_sweeps > 0:
         say("twelve points of one system over base")
         put(figures, "system_sweep12_gain_over_base", ratios(own, old, options.system_sweeps, Program.twelve))
+        figures["system_sweep12_s"] = {"ours": middle(own.seconds)[0], "base": middle(old.seconds)[0]}
     print(json.dumps(figures, indent=2))
 
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -113,6 +114,14 @@ Json to_json(const Count& count) {
   return {{"steps", count.steps}, {"refused", count.refused()}};
 }
 
+// What a common step costs is told only by the same steps.
+void check_lockstep(std::vector<Variant>& variants, const Count& alone) {
+  const Count together = run_together(variants, 1);
+  if (together.steps != alone.steps || together.attempts != alone.attempts)
+    throw std::runtime_error(fmt::format("one variant in lockstep takes {} of {} attempts; required: {} of {} as alone",
+                                         together.steps, together.attempts, alone.steps, alone.attempts));
+}
+
 // Attempts of `lanes` variants in one lockstep over the mean of those that each needs alone, with a common
 // step, and with steps of their own where lanes wait for the last one (`waiting`); lanes that are refilled
 // wait for none.
@@ -120,6 +129,7 @@ Json neighbours(const std::vector<Duty>& duties) {
   std::vector<Variant> variants = variants_of(duties);
   std::vector<double> attempts;
   Json out;
+  check_lockstep(variants, run_alone(variants.front()));
   for (Variant& one : variants) {
     const Count count = run_alone(one);
     attempts.push_back(static_cast<double>(count.attempts));
