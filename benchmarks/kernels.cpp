@@ -167,7 +167,8 @@ double fitted_exponent(const std::map<std::string, double>& times) {
 
 std::map<int, double> steps_by_rollers(const std::map<std::string, double>& times, int rollers) {
   std::map<int, double> steps;
-  for (const int factor : kRollerFactors) steps[factor * rollers] = times.at("step_" + std::to_string(factor));
+  for (const int factor : kRollerFactors)
+    steps[factor * rollers] = times.at("step_" + std::to_string(factor));
   return steps;
 }
 

@@ -1,6 +1,5 @@
-// orbearing_bench [--json] [--with FILE]...: all figures of benchmarks/README.md, those in the JSON files with them.
-// Started by tools/bench.
-// orbearing_bench --variants: what lanes of variants could save, as JSON.
+// orbearing_bench [--json] [--with FILE]...: all figures of benchmarks/README.md, those in the JSON files
+// with them. Started by tools/bench. orbearing_bench --variants: what lanes of variants could save, as JSON.
 #include <fmt/core.h>
 
 #include <cstdio>

@@ -1,13 +1,15 @@
-// orbearing_pace: one bearing's computing time on request, so that two versions of the program can be timed in turn.
-// Compiled beside the benchmarks of this version and beside those of the base (over_base.cmake), by their own
-// headers: only what both have is used.
+// orbearing_pace: one bearing's computing time on request, so that two versions of the program can be timed
+// in turn. Compiled beside the benchmarks of this version and beside those of the base (over_base.cmake), by
+// their own headers: only what both have is used.
 //
 // Requests on standard input, each with one line of answer on standard output:
 //   bearing RPM CLEARANCE_UM constant|varying   settles it over three cage revolutions      "ready"
-//   run                                         two cage revolutions from there, loads gathered, CPU time of the
-//                                               thread                                      "SECONDS SIMULATED_SECONDS STEPS"
-//   errors                                      of its means against RK4                    "RMS LARGEST CAGE_SPEED"
-//   sweep CLEARANCE_UM                          twelve speeds on two threads                "WALL_SECONDS"
+//   run                                         two cage revolutions from there, loads gathered, CPU time of
+//   the
+//                                               thread                                      "SECONDS
+//                                               SIMULATED_SECONDS STEPS"
+//   errors                                      of its means against RK4                    "RMS LARGEST
+//   CAGE_SPEED" sweep CLEARANCE_UM                          twelve speeds on two threads "WALL_SECONDS"
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -22,9 +24,9 @@ namespace {
 
 using namespace orbearing::bench;
 
-constexpr int kSettling = 3;          // [-]  cage revolutions
-constexpr int kWatched = 2;           // [-]
-constexpr double kShortest = 20e-3;   // [s]  of each
+constexpr int kSettling = 3;         // [-]  cage revolutions
+constexpr int kWatched = 2;          // [-]
+constexpr double kShortest = 20e-3;  // [s]  of each
 constexpr double kMicro = 1e-6;
 
 // A settled bearing at the standard settings of its version.
@@ -61,8 +63,8 @@ int serve() {
       double rpm = 0.0, clearance = 0.0;
       std::string meshes;
       std::cin >> rpm >> clearance >> meshes;
-      paced = std::make_unique<Paced>(
-          duty_at(shipped_reducer(meshes == "varying" ? MeshForces::varying : MeshForces::constant), rpm, clearance));
+      paced = std::make_unique<Paced>(duty_at(
+          shipped_reducer(meshes == "varying" ? MeshForces::varying : MeshForces::constant), rpm, clearance));
       std::puts("ready");
     } else if (request == "sweep") {
       double clearance = 0.0;
@@ -73,7 +75,8 @@ int serve() {
     } else if (request == "errors" && paced) {
       print_errors(paced->duty());
     } else {
-      std::fprintf(stderr, "orbearing_pace: \"%s\" is no request that can be answered here\n", request.c_str());
+      std::fprintf(stderr, "orbearing_pace: \"%s\" is no request that can be answered here\n",
+                   request.c_str());
       return 2;
     }
     std::fflush(stdout);

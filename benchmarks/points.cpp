@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using boost::math::double_constants::two_pi;
 
-constexpr double kMiddle = 6000.0;          // [1/min]
+constexpr double kMiddle = 6000.0;  // [1/min]
 constexpr int kNeighbours = 9;
 constexpr double kBetweenNeighbours = 2e-3;  // [-]  of the speed
 constexpr int kSpeeds = 12;                  // thousands of revolutions per minute

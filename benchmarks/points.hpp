@@ -5,11 +5,12 @@
 
 namespace orbearing::bench {
 
-/// Dynamic operating points per second and core, for neighbouring speeds and for the twelve of the case, driven by
-/// the gears in motion; quartiles into out["spreads"].
+/// Dynamic operating points per second and core, for neighbouring speeds and for the twelve of the case,
+/// driven by the gears in motion; quartiles into out["spreads"].
 void put_points(nlohmann::ordered_json& out);
 
-/// Computing time of a millisecond of motion by the number of laminae in a contact; quartiles into out["spreads"].
+/// Computing time of a millisecond of motion by the number of laminae in a contact; quartiles into
+/// out["spreads"].
 void put_laminae(nlohmann::ordered_json& out);
 
 }  // namespace orbearing::bench

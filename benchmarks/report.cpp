@@ -55,9 +55,10 @@ void put_kernels(const KernelTimes& times, Json& out) {
   out["plain_rhs_ns"] = times.plain_rhs;
   out["frozen_rhs_ns"] = times.frozen_rhs;
   out["rollers_exponent"] = times.exponent;
-  for (const auto& [rollers, step] : times.step_by_rollers) out["rollers_step_ns"][std::to_string(rollers)] = step;
-  // Variants in lanes are not built (bearing/motion/vectorised/README.md): they could gain no more than a bearing of
-  // so many rollers does by roller, whose scalar work serves eight packs.
+  for (const auto& [rollers, step] : times.step_by_rollers)
+    out["rollers_step_ns"][std::to_string(rollers)] = step;
+  // Variants in lanes are not built (bearing/motion/vectorised/README.md): they could gain no more than a
+  // bearing of so many rollers does by roller, whose scalar work serves eight packs.
   const auto &few = *times.step_by_rollers.begin(), &many = *times.step_by_rollers.rbegin();
   out["lanes_gain"] = nullptr;
   out["lanes_gain_bound"] = few.second / few.first / (many.second / many.first);

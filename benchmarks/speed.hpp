@@ -6,8 +6,8 @@
 
 namespace orbearing::bench {
 
-/// How many times faster the fast path is than `method` at its tolerance: over pairs of runs taken in turn, CPU
-/// time of this thread.
+/// How many times faster the fast path is than `method` at its tolerance: over pairs of runs taken in turn,
+/// CPU time of this thread.
 Quartiles speedup(Trial& trial, Method method, double tolerance);
 
 /// Simulated over computing time: the fast path, loads watched, over at least one cage revolution from the

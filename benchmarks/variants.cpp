@@ -23,10 +23,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVariants = 8;            // doubles in a register of 512 bits
-constexpr double kSettled = 10e-3;      // [s]  from the quasi-static start
-constexpr double kWatched = 20e-3;      // [s]
-constexpr double kFirstTrial = 1e-6;    // [s]
+constexpr int kVariants = 8;          // doubles in a register of 512 bits
+constexpr double kSettled = 10e-3;    // [s]  from the quasi-static start
+constexpr double kWatched = 20e-3;    // [s]
+constexpr double kFirstTrial = 1e-6;  // [s]
 constexpr int kPackFactors[] = {1, 2, 4, 8};
 constexpr int kTimings = 9;
 constexpr long kTimedSteps = 400;
@@ -44,8 +44,9 @@ struct Variant {
       : contest(std::make_unique<Contest>(duty)),
         state(contest->fast().padded(contest->settled(kSettled))),
         longest(system::longest_step(contest->duty().model())),
-        stepper(system::linearly_implicit_errors(contest->fast(), contest->allowed(duty.allowed_length_error)),
-                longest) {}
+        stepper(
+            system::linearly_implicit_errors(contest->fast(), contest->allowed(duty.allowed_length_error)),
+            longest) {}
 
   std::unique_ptr<Contest> contest;
   std::vector<double> state;
@@ -65,7 +66,8 @@ Count run_alone(Variant& variant) {
   std::vector<double> x = variant.state;
   while (time < kWatched) {
     ++count.attempts;
-    if (variant.stepper.try_step(variant.contest->fast(), x, time, step) == integration::kAccepted) ++count.steps;
+    if (variant.stepper.try_step(variant.contest->fast(), x, time, step) == integration::kAccepted)
+      ++count.steps;
   }
   return count;
 }
@@ -118,8 +120,9 @@ Json to_json(const Count& count) {
 void check_lockstep(std::vector<Variant>& variants, const Count& alone) {
   const Count together = run_together(variants, 1);
   if (together.steps != alone.steps || together.attempts != alone.attempts)
-    throw std::runtime_error(fmt::format("one variant in lockstep takes {} of {} attempts; required: {} of {} as alone",
-                                         together.steps, together.attempts, alone.steps, alone.attempts));
+    throw std::runtime_error(
+        fmt::format("one variant in lockstep takes {} of {} attempts; required: {} of {} as alone",
+                    together.steps, together.attempts, alone.steps, alone.attempts));
 }
 
 // Attempts of `lanes` variants in one lockstep over the mean of those that each needs alone, with a common

@@ -1,4 +1,5 @@
-// What many variants side by side, one in each lane of a vector register, could save over one after the other.
+// What many variants side by side, one in each lane of a vector register, could save over one after the
+// other.
 #pragma once
 
 #include <nlohmann/json.hpp>
