@@ -43,14 +43,14 @@ double sweep_once(const study::PlanetaryDrivetrain& drivetrain, double clearance
 
 }  // namespace
 
-Quartiles speedup(Trial& trial, Method method, double tolerance) {
+Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance) {
   const Span one{trial.span.duration / kRevolutions};
   std::vector<double> ratios;
   for (int pair = 0; pair < kPairs; ++pair) {
     const double fast =
         trial.contest.run(Method::fast, trial.start, one, trial.contest.duty().allowed_length_error)
             .cpu_seconds;
-    const double other = trial.contest.run(method, trial.start, one, tolerance).cpu_seconds;
+    const double other = theirs.contest.run(method, theirs.start, one, tolerance).cpu_seconds;
     ratios.push_back(other / fast);
   }
   return quartiles(ratios);

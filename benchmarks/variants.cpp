@@ -149,11 +149,11 @@ Json neighbours(const std::vector<Duty>& duties) {
   return out;
 }
 
-Json step_sequences() {
+Json step_sequences(Squeeze squeeze) {
   Json out;
   for (const bool shaken : {false, true}) {
     const study::PlanetaryDrivetrain drivetrain =
-        shipped_reducer(shaken ? MeshForces::varying : MeshForces::constant);
+        shipped_reducer(shaken ? MeshForces::varying : MeshForces::constant, squeeze);
     for (const auto& [rpm, clearance] : {std::pair{6000.0, 0.0}, std::pair{12000.0, 37.0}}) {
       std::vector<Duty> speeds, clearances;
       for (int i = 0; i < kVariants; ++i) {
@@ -204,7 +204,8 @@ Json measure_variants() {
   Json out;
   fmt::print(stderr, "bench: cost of a step over packs of rollers\n");
   out["step"] = step_shares(shipped_reducer());
-  out["neighbours"] = step_sequences();
+  out["neighbours"] = step_sequences(Squeeze::on);
+  out["neighbours_without_squeeze"] = step_sequences(Squeeze::off);
   return out;
 }
 
