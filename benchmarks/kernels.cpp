@@ -165,6 +165,13 @@ double fitted_exponent(const std::map<std::string, double>& times) {
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
+std::map<int, double> steps_by_rollers(const std::map<std::string, double>& times, int rollers) {
+  std::map<int, double> steps;
+  for (const int factor : kRollerFactors)
+    steps[factor * rollers] = times.at("step_" + std::to_string(factor));
+  return steps;
+}
+
 }  // namespace
 
 KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
@@ -189,6 +196,7 @@ KernelTimes time_kernels(const study::PlanetaryDrivetrain& drivetrain) {
           .solve = ns.at("solve"),
           .step = ns.at("step_1"),
           .exponent = fitted_exponent(ns),
+          .step_by_rollers = steps_by_rollers(ns, duty.bearing.rollers().count),
           .plain_static = ns.at("plain_static") / kPlainStaticPoints,
           .fast_static = ns.at("fast_static") / kStaticPoints,
           .lamina = ns.at("lamina_contacts") / (kLaminaContacts * kLaminae),

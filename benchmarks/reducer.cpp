@@ -17,12 +17,13 @@ double Duty::cage_revolution() const {
   return two_pi / std::abs(speed);
 }
 
-study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes) {
+study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes, Squeeze squeeze) {
   const std::string file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml";
   const std::string varying = meshes == MeshForces::varying ? "true" : "false";
-  return app::drivetrain_of(
-      app::read_case(file, {"film.enabled=true", "gearset.mesh_variation=" + varying,
-                            "traction.rolling_law=goksem-hargreaves"}));  // that of the frozen equations
+  const std::string squeezed = squeeze == Squeeze::on ? "true" : "false";
+  return app::drivetrain_of(app::read_case(
+      file, {"film.enabled=true", "contact.squeeze=" + squeezed, "gearset.mesh_variation=" + varying,
+             "traction.rolling_law=goksem-hargreaves"}));  // that of the frozen equations
 }
 
 Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance) {

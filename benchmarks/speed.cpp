@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <thread>
+#include <vector>
 
 #include "benchmarks/clocks.hpp"
 
@@ -42,23 +43,17 @@ double sweep_once(const study::PlanetaryDrivetrain& drivetrain, double clearance
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double speedup(Trial& trial, Method method, double tolerance) {
+Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance) {
   const Span one{trial.span.duration / kRevolutions};
   std::vector<double> ratios;
   for (int pair = 0; pair < kPairs; ++pair) {
     const double fast =
         trial.contest.run(Method::fast, trial.start, one, trial.contest.duty().allowed_length_error)
             .cpu_seconds;
-    const double other = trial.contest.run(method, trial.start, one, tolerance).cpu_seconds;
+    const double other = theirs.contest.run(method, theirs.start, one, tolerance).cpu_seconds;
     ratios.push_back(other / fast);
   }
-  return median(ratios);
+  return quartiles(ratios);
 }
 
 double real_time(const Duty& duty) {

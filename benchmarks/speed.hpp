@@ -1,15 +1,15 @@
 // Ratios of time between integrators, and of simulated to computing time.
 #pragma once
 
-#include <vector>
-
 #include "benchmarks/accuracy.hpp"
+#include "benchmarks/quartiles.hpp"
 
 namespace orbearing::bench {
 
-/// How many times faster the fast path is than `method` at its tolerance: median over pairs of runs taken in
-/// turn, CPU time of this thread.
-double speedup(Trial& trial, Method method, double tolerance);
+/// How many times faster the fast path is in `trial` than `method` at its tolerance in `theirs`, which
+/// differs from it by what the equations of that method do not know: over pairs of runs taken in turn, CPU
+/// time of this thread.
+Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance);
 
 /// Simulated over computing time: the fast path, loads watched, over at least one cage revolution from the
 /// settled state; median of three.
@@ -18,7 +18,5 @@ double real_time(const Duty& duty);
 /// Wall time [s] of twelve speeds, 0.13 s simulated each from the quasi-static state, on two threads; median
 /// of five.
 double sweep_seconds(const study::PlanetaryDrivetrain& drivetrain, double clearance);
-
-double median(std::vector<double> values);
 
 }  // namespace orbearing::bench

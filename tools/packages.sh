@@ -43,6 +43,8 @@ python3-venv: FMI tools of others, installed below the build folder
 bench_packages='
 libbenchmark-dev: times of small kernels
 libsundials-dev: CVODE, the general-purpose integrator to compare with
+python3: runs of the program that are timed in turn
+python3-venv: Exudyn, the multibody code to compare with, installed below the build folder
 '
 
 full_packages='
