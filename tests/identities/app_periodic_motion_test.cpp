@@ -31,6 +31,7 @@ struct PassageDuty {
   double clearance = 0.0;       // [um]
   double error = 1.0;           // [-]  share of the case's allowed error of a step
   double pocket_damping = 1.0;  // [s/m]  that of the case
+  bool oil_in_pockets = false;
 
   friend void PrintTo(const PassageDuty& d, std::ostream* out) {
     *out << d.speed << " rpm, " << d.clearance << " um, error x " << d.error << ", pockets "
@@ -126,6 +127,7 @@ class Passages {
     drivetrain.drive.speed = duty.speed * two_pi / 60.0;
     drivetrain.bearing.radial_clearance = 1e-6 * duty.clearance;
     drivetrain.dynamics.cage.pocket_damping = duty.pocket_damping;
+    if (duty.oil_in_pockets) drivetrain.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
     return drivetrain;
   }
   Passages(const study::PlanetaryDrivetrain& drivetrain, double error)
@@ -260,6 +262,13 @@ TEST(PeriodicMotion, NearlyPeriodicMotionRepels) {
 TEST(PeriodicMotion, IsWhatDampedPocketsMake) {
   Passages motion = settled_passages({.speed = 12000.0, .error = 0.1, .pocket_damping = 100.0});
   EXPECT_LT(deviation_of_cage(motion), 0.02);
+  EXPECT_NEAR(growth_of_distance(motion), 1.0, 0.05);
+}
+
+// Issue 17, Build 4: so does oil that is pressed out of the pockets, for one that attracts.
+TEST(PeriodicMotion, IsWhatOilInPocketsMakes) {
+  Passages motion = settled_passages({.speed = 3000.0, .error = 0.1, .oil_in_pockets = true});
+  EXPECT_LT(deviation_of_cage(motion), 1e-4);
   EXPECT_NEAR(growth_of_distance(motion), 1.0, 0.05);
 }
 
