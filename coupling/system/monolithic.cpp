@@ -23,7 +23,7 @@ using bearing::motion::Snapshot;
 constexpr double kFirstStep = 1e-6;  // [s]
 constexpr double kSavedSystemKind = 30002.0;
 // Errors that linearly implicit steps may make in the gears, over those of dopri5.
-constexpr double kGearErrorFactor = 1000.0;
+constexpr double kGearErrorFactor = 100.0;
 constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
 
 CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& model,
