@@ -37,7 +37,7 @@ void describe(Visitor& visit, CoupledOptions& m) {
              {.models = planetary_drivetrain,
               .dimension = dimension::time,
               .range = positive(1e-3),
-              .reason = "a fraction of the stability limit: means as of one system within half a per cent",
+              .reason = "a fraction of the stability limit: life as of one system within 2 % (reducer)",
               .written = "us"}),
        field(m.extrapolation, "simulation.exchange.extrapolation", Felt::exchange,
              "degree of the polynomial by which forces and velocities go on in a window",

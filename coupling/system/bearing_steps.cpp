@@ -14,7 +14,29 @@ double roller_frequency(const bearing::motion::BearingModel& model) {
   return std::sqrt(std::max(stiffness, 1.0) / model.roller.mass);
 }
 
+// Resistance of the oil between `race` and an unloaded roller of `mass` [kg] over the critical one, where the
+// race runs past the contact at `speed` [m/s].
+double damping_of_impact(const bearing::motion::RaceModel& race, double speed, double mass) {
+  constexpr double kLoad = 1.0, kSlow = 1e-9;  // [N], [m/s]
+  if (!race.squeeze) return 0.0;
+  const auto& [law, film] = *race.squeeze;
+  const double u = bearing::motion::entrainment_speed(speed, race.entrainment_scale);
+  const double gap = std::max(std::exp(film.log_unloaded(std::log(u))), law.least);
+  const double resistance = law.load(0.0, 0.0, gap, u, kSlow) / kSlow;
+  const double elastic = std::pow(kLoad / race.load.elastic().constant(), bearing::kLineApproachExponent);
+  return resistance / (2.0 * std::sqrt(mass * kLoad / (bearing::kLineApproachExponent * elastic)));
+}
+
 }  // namespace
+
+bool impacts_are_damped(const bearing::motion::BearingModel& model) {
+  const double cage =
+      bearing::kinematic_cage_speed(model.geometry, model.point.inner_speed, model.point.outer_speed);
+  const auto damped = [&](const bearing::motion::RaceModel& race, double speed) {
+    return damping_of_impact(race, (speed - cage) * race.side.radius, model.roller.mass) >= kDampedImpact;
+  };
+  return damped(model.inner, model.point.inner_speed) && damped(model.outer, model.point.outer_speed);
+}
 
 Eigen::VectorXd allowed_errors(const bearing::motion::StateLayout& layout, double length, double radius,
                                double frequency) {
@@ -38,7 +60,7 @@ std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBe
                                              const Eigen::VectorXd& allowed_error) {
   std::vector<double> allowed = bearing.padded(kLinearlyImplicitErrorFactor * allowed_error);
   const bearing::vectorised::PaddedLayout& layout = bearing.layout();
-  if (!bearing.model().inner.squeeze) {
+  if (!impacts_are_damped(bearing.model())) {
     const auto radial_speeds = allowed.begin() + 2 * layout.lanes();
     std::for_each(radial_speeds, radial_speeds + layout.rollers,
                   [](double& error) { error *= kRadialSpeedShare; });

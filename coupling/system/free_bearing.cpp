@@ -80,7 +80,7 @@ bool of_order_three(const BearingModel& model) {
            std::any_of(race.form.begin(), race.form.end(),
                        [](const bearing::RaceHarmonic& wave) { return wave.turning; });
   };
-  return model.inner.squeeze && !model.layout.tilting && model.layout.waves == 0 &&
+  return impacts_are_damped(model) && !model.layout.tilting && model.layout.waves == 0 &&
          model.layout.followed == 0 && !turns(model.inner) && !turns(model.outer);
 }
 

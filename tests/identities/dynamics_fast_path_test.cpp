@@ -310,5 +310,24 @@ INSTANTIATE_TEST_SUITE_P(Rims, FastPath, testing::Bool(), [](const testing::Test
   return rim.param ? "elastic" : "rigid";
 });
 
+// Issue 17, Build 2: steps of order 3 and radial speeds without a weight of their own are for impacts that
+// lose their energy, which oil that is thin, or far off, does not take.
+TEST(ImpactsAreDamped, ByOilThatIsThickAndNear) {
+  const auto damped = [](double rpm, double viscosity, double roughness, bool squeeze) {
+    DynamicsParameters parameters = test::reducer_parameters();
+    parameters.race.squeeze = squeeze;
+    parameters.race.roughness = roughness;
+    parameters.lubricant.viscosity = viscosity;
+    return system::impacts_are_damped(
+        bearing_model(test::reducer_bearing(), test::reducer_point(rpm), parameters));
+  };
+  for (const double rpm : {1000.0, 6000.0, 12000.0}) {
+    EXPECT_TRUE(damped(rpm, 0.01, 0.2e-6, true)) << rpm;
+    EXPECT_FALSE(damped(rpm, 0.01, 0.2e-6, false)) << rpm;
+    EXPECT_FALSE(damped(rpm, 1e-5, 0.2e-6, true)) << rpm;
+    EXPECT_FALSE(damped(rpm, 0.01, 100e-6, true)) << rpm;
+  }
+}
+
 }  // namespace
 }  // namespace orbearing::bearing::motion::dynamics_fast_path_test
