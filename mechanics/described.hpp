@@ -142,7 +142,7 @@ enum class InFmu {
 };
 
 /// A parameter counts only where that of `path` is `value`, or one of several with | between; without a
-/// value, where it is given and not zero.
+/// value, where it is given and not zero. Of several paths with | between one has to be so.
 struct Where {
   std::string_view path{};
   std::string_view value{};

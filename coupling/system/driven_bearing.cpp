@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
