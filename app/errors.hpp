@@ -30,4 +30,9 @@ struct ComputationFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Stopped by a signal: what was finished is kept where there is a folder.
+struct Interrupted : ComputationFailed {
+  using ComputationFailed::ComputationFailed;
+};
+
 }  // namespace orbearing::app

@@ -19,6 +19,8 @@ nlohmann-json3-dev: JSON output
 libnetcdf-dev: result files
 libzip-dev: archives of FMUs
 libpugixml-dev: model descriptions of FMUs
+pybind11-dev: compiled part of the Python package
+python3-dev: the same
 g++-mingw-w64-x86-64-posix: Windows library inside FMUs
 '
 

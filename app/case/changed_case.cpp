@@ -1,4 +1,9 @@
 // Copies of a case with other values: what is derived is derived anew, what must fit is checked again.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+
 #include "app/case/consistency.hpp"
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
@@ -9,16 +14,19 @@ namespace orbearing::app {
 
 namespace {
 
-void replace(CaseData& data, unsigned model, const Setting& setting, Place place,
-             std::vector<Mistake>& mistakes) {
-  const auto& [path, text] = setting;
+// The field at a path that may be set; else null, and why.
+const Field* settable_field(const CaseData& data, unsigned model, const std::string& path, Place place,
+                            std::vector<Mistake>& mistakes) {
   const Field* field = find_field(path);
-  if (field == nullptr || (field->models & model) == 0 || path == "model" || !belongs(data.shape, path)) {
-    mistakes.push_back(
-        {place, path, {"a path that cannot be set here", "the path of a value of this case is required"}});
-    return;
-  }
-  FieldReading reading = read_field_text(*field, text);
+  if (field != nullptr && (field->models & model) != 0 && path != "model" && belongs(data.shape, path))
+    return field;
+  mistakes.push_back(
+      {place, path, {"a path that cannot be set here", "the path of a value of this case is required"}});
+  return nullptr;
+}
+
+void put(CaseData& data, const std::string& path, FieldReading reading, Place place,
+         std::vector<Mistake>& mistakes) {
   if (!reading.good) {
     mistakes.push_back({place, path, reading.complaint});
     return;
@@ -27,23 +35,87 @@ void replace(CaseData& data, unsigned model, const Setting& setting, Place place
   data.assumed.erase(path);
 }
 
+void replace(CaseData& data, unsigned model, const Setting& setting, Place place,
+             std::vector<Mistake>& mistakes) {
+  const auto& [path, text] = setting;
+  if (const Field* field = settable_field(data, model, path, place, mistakes))
+    put(data, path, read_field_text(*field, text), place, mistakes);
+}
+
+// "gearset.pin_errors[2]" as path and element; nothing where it has no such end.
+std::optional<std::pair<std::string, std::size_t>> element_of(const std::string& path) {
+  const std::size_t bracket = path.find('[');
+  if (bracket == std::string::npos || !path.ends_with(']')) return std::nullopt;
+  std::size_t element = 0;
+  const char* const last = path.data() + path.size() - 1;
+  const auto [end, error] = std::from_chars(path.data() + bracket + 1, last, element);
+  if (end != last || error != std::errc{}) return std::nullopt;
+  return std::pair{path.substr(0, bracket), element};
+}
+
+// One number of a list, which is read anew as a whole.
+void replace_element(CaseData& data, const Field& field, const std::string& path, std::size_t element,
+                     double value, Place place, std::vector<Mistake>& mistakes) {
+  const auto stored = data.values.find(path);
+  const std::size_t count = stored == data.values.end() ? 0 : stored->second.value.list.size();
+  if (field.kind != Kind::list || !field.columns.empty() || element >= count) {
+    mistakes.push_back(
+        {place,
+         path,
+         {fmt::format("element {} of {}", element, count),
+          "an element of a list of numbers that the case states, counted from 0, is required"}});
+    return;
+  }
+  std::vector<double> list = stored->second.value.list;
+  list[element] = value;
+  std::vector<std::string> texts;
+  for (const double one : list) texts.push_back(fmt::format("{} {}", one, field.dimension.si));
+  put(data, path, read_field_text(field, fmt::format("[{}]", fmt::join(texts, ", "))), place, mistakes);
+}
+
+void replace(CaseData& data, unsigned model, const NumberSetting& setting, Place place,
+             std::vector<Mistake>& mistakes) {
+  const auto element = element_of(setting.first);
+  const std::string& path = element ? element->first : setting.first;
+  const Field* field = settable_field(data, model, path, place, mistakes);
+  if (field == nullptr) return;
+  if (element)
+    replace_element(data, *field, path, element->second, setting.second, place, mistakes);
+  else if (is_numeric(*field))
+    put(data, path, read_field_number(*field, setting.second), place, mistakes);
+  else
+    mistakes.push_back({place, path, {"a number", requirement(*field) + " is required"}});
+}
+
+template <class Settings>
+ResolvedCase changed(CaseData data, unsigned model, const Settings& settings,
+                     std::vector<Mistake>& mistakes) {
+  int number = 0;
+  for (const auto& setting : settings) replace(data, model, setting, {true, ++number, 1}, mistakes);
+  fill_derived_defaults(data);
+  ResolvedCase result(std::move(data));
+  check_consistency(result, mistakes);
+  return result;
+}
+
 }  // namespace
 
 ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings) const {
   std::vector<Mistake> mistakes;
-  ResolvedCase changed = with(settings, mistakes);
-  if (!mistakes.empty()) throw_mistakes(changed.file(), std::move(mistakes));
-  return changed;
+  ResolvedCase result = with(settings, mistakes);
+  if (!mistakes.empty()) throw_mistakes(result.file(), std::move(mistakes));
+  return result;
 }
 
 ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const {
-  CaseData data = data_;
-  int number = 0;
-  for (const Setting& setting : settings) replace(data, model(), setting, {true, ++number, 1}, mistakes);
-  fill_derived_defaults(data);
-  ResolvedCase changed(std::move(data));
-  check_consistency(changed, mistakes);
-  return changed;
+  return changed(data_, model(), settings, mistakes);
+}
+
+ResolvedCase ResolvedCase::with_numbers(const std::vector<NumberSetting>& settings) const {
+  std::vector<Mistake> mistakes;
+  ResolvedCase result = changed(data_, model(), settings, mistakes);
+  if (!mistakes.empty()) throw_mistakes(file(), std::move(mistakes));
+  return result;
 }
 
 ResolvedCase ResolvedCase::with(const std::string& path, const std::string& text) const {

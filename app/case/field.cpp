@@ -331,6 +331,17 @@ std::string column_key(const ListColumn& column) {
   return key;
 }
 
+FieldReading read_field_number(const Field& field, double value) {
+  assert(is_numeric(field));
+  std::string text = fmt::format("{}", value);
+  if (field.kind == Kind::quantity) text += " " + std::string(field.dimension.si);
+  if (!std::isfinite(value)) return bad(quote(text) + " is not a number", field);
+  if (field.kind == Kind::integer && value != std::round(value))
+    return bad(quote(text) + " is not a whole number", field);
+  if (!in_range(value, field)) return bad(quote(text) + " is out of range", field);
+  return good({std::move(text), value, {}});
+}
+
 FieldReading read_field(const Field& field, const Entry& entry) {
   if (field.kind == Kind::list) return read_list(field, entry);
   if (entry.shape != Entry::Shape::scalar) return bad(describe(entry) + " found", field);

@@ -34,6 +34,9 @@ struct SweepAxis {
 /// Replacement of one independent value: field path and text as in a case.
 using Setting = std::pair<std::string, std::string>;
 
+/// The same by a number [SI]; of a list of numbers, "PATH[i]" is its element i, counted from 0.
+using NumberSetting = std::pair<std::string, double>;
+
 /// A checked value with its place; the table's default where `from_default`.
 struct StoredValue {
   FieldValue value;
@@ -93,7 +96,8 @@ class ResolvedCase {
   /// Copy with independent values replaced, checked singly and together. Throws BadInput.
   ResolvedCase with(const std::vector<Setting>& settings) const;
   ResolvedCase with(const std::string& path, const std::string& text) const;
-  /// The same, with what is wrong told to `mistakes` instead; what could not be set keeps its value.
+  ResolvedCase with_numbers(const std::vector<NumberSetting>& settings) const;
+  /// As with(), with what is wrong told to `mistakes` instead; what could not be set keeps its value.
   ResolvedCase with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const;
 
   /// One of several sets as a case of its own, without sweep: its fields at the top, with what all share.

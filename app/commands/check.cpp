@@ -4,11 +4,10 @@
 #include <optional>
 
 #include "app/case/bought_case.hpp"
-#include "app/case/case_file.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/defect_case.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"
@@ -51,7 +50,7 @@ Checked check(const ResolvedCase& resolved) {
 }  // namespace
 
 int check_command(const Options& options) {
-  const ResolvedCase resolved = read_case(options.case_file, options.settings);
+  const ResolvedCase resolved = case_of(options);
   Checked checked = check(resolved);
   if (resolved.model() == planetary_drivetrain) {
     for (std::string& warning : overturning_warnings(resolved.without_sweep()))
@@ -65,13 +64,13 @@ int check_command(const Options& options) {
     nlohmann::json object = check_json(resolved, checked.derived);
     object["warnings"] = checked.warnings;
     if (checked.power) object.update(power_json(*checked.power));
-    fmt::print("{}\n", object.dump(2));
+    print_object(object, options);
     return 0;
   }
   if (options.quiet) return 0;
   fmt::print("{}", check_table(resolved, checked.derived));
   if (checked.power) fmt::print("\n{}", power_text(*checked.power));
-  for (const std::string& warning : checked.warnings) fmt::print("warning: {}\n", warning);
+  print_warnings(checked.warnings);
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
@@ -220,6 +221,12 @@ struct CommandTable {
   }
 };
 
+// Named here so that the help lists them; what follows their names is theirs to read.
+void add_python_commands(CLI::App& program) {
+  for (const PythonCommand& command : python_commands())
+    program.add_subcommand(command.name, command.purpose)->prefix_command();
+}
+
 void add_commands(CommandTable table) {
   Options& options = table.options;
   add_case(table.add("check", "resolve and print every input of a case", check_command), options);
@@ -290,7 +297,7 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(
       fmt::format("orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
-                  "stiffness, fmu, signals, spectrum, validate or report",
+                  "stiffness, fmu, signals, spectrum, study, uncertainty, validate or report",
                   word));
 }
 
@@ -302,7 +309,9 @@ int parse_and_run(int argc, char** argv) {
   program.require_subcommand(1);
   CommandTable table{program, options, chosen};
   add_commands(table);
+  add_python_commands(program);
   require_known_command(program, argc, argv);
+  if (const std::optional<int> code = hand_over(argc, argv)) return *code;
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

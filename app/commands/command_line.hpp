@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/case/resolved_case.hpp"
 #include "app/study/crown/crown_options.hpp"
 
 namespace orbearing::app {
@@ -37,6 +40,12 @@ struct Options {
   bool resume = false;
   bool json = false;
   bool quiet = false;
+
+  /// Of a caller in the same process: the case in place of file and settings, and who takes the result and the
+  /// line about points that failed in place of the standard streams.
+  std::optional<ResolvedCase> given{};
+  std::function<void(const nlohmann::ordered_json& object)> take_result{};
+  std::function<void(const std::string& line)> take_failures{};
 };
 
 /// Each prints its result on standard output. Throws BadInput and ComputationFailed; returns the exit code.

@@ -4,10 +4,9 @@
 #include <filesystem>
 #include <mutex>
 
-#include "app/case/case_file.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/progress.hpp"
@@ -81,7 +80,7 @@ ResultRow done_row(const TableHead& head) {
 
 int crown_command(const Options& options) {
   require_place_of_results(options);
-  const auto [resolved, noted] = crown_case(read_case(options.case_file, options.settings), options.crown);
+  const auto [resolved, noted] = crown_case(case_of(options), options.crown);
   const CrownRequest request = crown_request(resolved, options.crown);
   require_crown_uses(resolved, options.crown);
   const ManifestHeader header = manifest_header(resolved, options_text(options.crown));
@@ -98,13 +97,13 @@ int crown_command(const Options& options) {
     folder.keep({{0, netcdf_of(header, study), done_row(folder.head())}});
   }
   if (options.json)
-    fmt::print("{}\n", result.object.dump(2));
+    print_object(result.object, options);
   else if (!options.quiet)
     fmt::print("{}", result.text);
   for (const auto& warning : result.object["warnings"])
     if (!options.json && !options.quiet) fmt::print("warning: {}\n", warning.get<std::string>());
   if (result.failed == 0) return 0;
-  fmt::print(stderr, "crown: {} points found no balance; their status says why\n", result.failed);
+  print_failures(fmt::format("crown: {} points found no balance; their status says why", result.failed), options);
   return 1;
 }
 

@@ -3,10 +3,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/case/case_file.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/study/fmu_file.hpp"
@@ -64,14 +63,14 @@ void present(const ResolvedCase& resolved, const Options& options, const Outcome
                                         {"assumptions", assumptions_json(resolved)},
                                         {"warnings", outcome.warnings},
                                         {"versions", versions_json()}};
-    fmt::print("{}\n", object.dump(2));
+    print_object(object, options);
     return;
   }
   if (options.quiet) return;
   fmt::print("{}: FMI {}.0, model {}, {} inputs, {} outputs, {} parameters, for {}\n", options.output,
              options.fmi, options.model, outcome.inputs, outcome.outputs, outcome.parameters,
              fmt::join(outcome.platforms, " and "));
-  for (const std::string& warning : outcome.warnings) fmt::print("warning: {}\n", warning);
+  print_warnings(outcome.warnings);
 }
 
 }  // namespace
@@ -102,7 +101,7 @@ void write_fmu(const fs::path& file, const std::string& content) {
 int fmu_command(const Options& options) {
   const fs::path file = options.output;
   require_file_name(file);
-  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  const ResolvedCase resolved = point_of(options);
   const std::vector<std::string> unused =
       require_used(resolved, options.model == "gearset" ? use::fmu_gearset : use::fmu_bearing);
   const fmu::NumberTable numbers =

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/presentation.hpp"
 #include "app/results/point_file.hpp"
 #include "app/study/sweep_study.hpp"
 
@@ -31,7 +32,7 @@ nlohmann::ordered_json lone_result_json(const ResolvedCase& resolved, const nloh
 void present_lone_result(const nlohmann::ordered_json& object, const std::string& text,
                          const Options& options) {
   if (options.json) {
-    fmt::print("{}\n", object.dump(2));
+    print_object(object, options);
   } else if (!options.quiet) {
     fmt::print("{}", text);
     for (const nlohmann::ordered_json& warning : object.at("warnings"))

@@ -1,5 +1,5 @@
 #include "app/case/case_file.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/peak_refinement.hpp"
 #include "app/study/sweep_study.hpp"
@@ -35,14 +35,14 @@ int merge_command(const Options& options) {
   if (!options.grid_only) require_able_to_refine(shards);
   const SweepOutcome grid = merge_shards(shards, options.output, options.grid_only);
   const ResolvedCase resolved = read_case(options.output + "/case.resolved.yaml");
-  if (!grid.header.refined) return present_sweep(resolved, grid, options.json, options.quiet);
+  if (!grid.header.refined) return present_sweep(resolved, grid, options);
   SweepRequest request = sweep_request(resolved, grid.header.fidelity);
   refine_peak_of(resolved, request);
   request.folder = options.output;
   request.jobs = options.jobs;
   request.resume = true;
   request.quiet = options.quiet;
-  return present_sweep(resolved, run_sweep(request), options.json, options.quiet);
+  return present_sweep(resolved, run_sweep(request), options);
 }
 
 }  // namespace orbearing::app

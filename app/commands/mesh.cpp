@@ -1,16 +1,15 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "app/case/case_file.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/results/terminal_chart.hpp"
 #include "app/study/mesh_output.hpp"
 
 namespace orbearing::app {
 
 int mesh_command(const Options& options) {
-  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  const ResolvedCase resolved = point_of(options);
   MeshStudy study = mesh_study(resolved);
   const std::vector<std::string> unused = require_used(resolved, use::mesh);
   study.warnings.insert(study.warnings.end(), unused.begin(), unused.end());
@@ -19,12 +18,12 @@ int mesh_command(const Options& options) {
     if (study.axial) object["axial"] = axial_json(study);
     if (study.planet_rim) object["planet_rim"] = planet_rim_json(study);
     object["warnings"] = study.warnings;
-    fmt::print("{}\n", object.dump(2));
+    print_object(object, options);
     return 0;
   }
   if (options.quiet) return 0;
   fmt::print("{}", mesh_text(study, glyphs_of_locale()));
-  for (const std::string& warning : study.warnings) fmt::print("warning: {}\n", warning);
+  print_warnings(study.warnings);
   return 0;
 }
 

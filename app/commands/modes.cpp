@@ -1,10 +1,9 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "app/case/case_file.hpp"
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/commands/duplex_run.hpp"
 #include "app/errors.hpp"
 #include "app/study/duplex_study.hpp"
@@ -48,7 +47,7 @@ gearset::dynamics::SetModel model_at(const ResolvedCase& resolved, const Options
 }  // namespace
 
 int modes_command(const Options& options) {
-  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  const ResolvedCase resolved = point_of(options);
   if (is_duplex(resolved))
     return duplex_modes(
         options.speed ? with_speed(resolved, "operation.shaft_speed", *options.speed) : resolved, options);
@@ -64,12 +63,12 @@ int modes_command(const Options& options) {
     nlohmann::ordered_json object{{"case", resolved.text("name")}, {"modes", modes_json(modes)}};
     if (speed > 0.0) object["campbell"] = campbell_json(model, speed);
     object["warnings"] = warnings;
-    fmt::print("{}\n", object.dump(2));
+    print_object(object, options);
     return 0;
   }
   if (options.quiet) return 0;
   fmt::print("{}", modes_text(modes));
-  for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+  print_warnings(warnings);
   return 0;
 }
 

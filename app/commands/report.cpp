@@ -1,15 +1,15 @@
 #include <fmt/core.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
 
 #include "app/case/case_file.hpp"
 #include "app/commands/bearing_run.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
+#include "app/commands/python_part.hpp"
 #include "app/commands/defect_run.hpp"
 #include "app/errors.hpp"
+#include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/ball_study.hpp"
@@ -18,7 +18,6 @@
 #include "app/study/crown/crown_files.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/report_data.hpp"
-#include "app/version.hpp"
 
 namespace orbearing::app {
 
@@ -29,14 +28,6 @@ namespace fs = std::filesystem;
 constexpr const char* data_name = "report.json";
 constexpr const char* page_name = "report.html";
 
-// The Python package: of the source tree this program was built from, or beside an installed program.
-fs::path python_package() {
-  const fs::path in_tree = fs::path(source_folder) / "python";
-  if (fs::is_directory(in_tree)) return in_tree;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  return program.parent_path().parent_path() / "share" / "orbearing" / "python";
-}
 
 void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
   try {
@@ -46,35 +37,15 @@ void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
   }
 }
 
-constexpr const char* python_program = "/usr/bin/python3";
-constexpr int kNotStarted = 127;
-
-// Runs Debian's own interpreter, which has the packages that the page needs, without a shell in between.
-int draw(const fs::path& folder) {
-  const pid_t child = fork();
-  if (child == 0) {
-    setenv("PYTHONPATH", python_package().c_str(), 1);
-    const std::string target = folder.string();
-    // By its first argument Python finds its packages: a bare name would lead to another on the PATH, as that
-    // of a virtual environment.
-    unsetenv("PYTHONHOME");
-    execl(python_program, python_program, "-m", "orbearing.report", target.c_str(), nullptr);
-    _exit(kNotStarted);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
 // Numbers whose page could not be drawn are taken back.
 void draw_page(const fs::path& folder) {
-  const int code = draw(folder);
+  const int code = run_python("orbearing.report", {folder.string()});
   if (code == 0) return;
   std::error_code ignored;
   fs::remove(folder / data_name, ignored);
   throw ComputationFailed((folder / page_name).string() + ": was not drawn; " +
-                          (code == kNotStarted
-                               ? std::string(python_program) +
+                          (code == not_started
+                               ? resources().interpreter.string() +
                                      " is required, with matplotlib and netCDF4 (Debian: python3-matplotlib "
                                      "python3-netcdf4)"
                                : std::string("the message above says why")));
@@ -143,7 +114,7 @@ int report_command(const Options& options) {
   write_data(folder / data_name, data);
   draw_page(folder);
   if (options.json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"report", page.string()}}.dump(2));
+    print_object(nlohmann::ordered_json{{"report", page.string()}}, options);
   else if (!options.quiet)
     fmt::print("{}\n", page.string());
   return 0;

@@ -1,8 +1,7 @@
 #include <fmt/core.h>
 
-#include "app/case/case_file.hpp"
 #include "app/case/defect_case.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/commands/defect_run.hpp"
 #include "app/commands/duplex_run.hpp"
 #include "app/commands/film_run.hpp"
@@ -22,7 +21,7 @@ namespace orbearing::app {
 
 int run_command(const Options& options) {
   require_place_of_results(options);
-  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  const ResolvedCase resolved = point_of(options);
   if (is_static_bearing(resolved) && !options.gears) return run_static_case(resolved, options);
   if (is_ball_run(resolved) && !options.gears) return run_ball_case(resolved, options);
   if (is_defect(resolved) && !options.gears) return run_defect_case(resolved, options);
@@ -36,7 +35,7 @@ int run_command(const Options& options) {
   request.jobs = 1;
   request.resume = options.resume;
   request.quiet = options.quiet;
-  return present_sweep(resolved, run_sweep(request), options.json, options.quiet);
+  return present_sweep(resolved, run_sweep(request), options);
 }
 
 }  // namespace orbearing::app

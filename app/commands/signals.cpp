@@ -5,10 +5,9 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
-#include "app/case/case_file.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/commands/defect_run.hpp"
 #include "app/errors.hpp"
 #include "app/results/interruption.hpp"
@@ -76,7 +75,7 @@ class SignalSet {
       progress.show(++done);
     });
     if (Interruption::requested())
-      throw ComputationFailed("signals: interrupted; what is done stays, --resume goes on");
+      throw Interrupted("signals: interrupted; what is done stays, --resume goes on");
   }
 
   const std::vector<Json>& labels() const { return labels_; }
@@ -123,7 +122,7 @@ void print_labels(const std::vector<Json>& labels) {
 
 int signals_command(const Options& options) {
   require_place_of_results(options);
-  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  const ResolvedCase resolved = point_of(options);
   if (!is_defect(resolved))
     throw BadInput(fmt::format("signals: found a case of the model {}; required: raceway-defect",
                                resolved.choice("model")));
@@ -146,10 +145,10 @@ int signals_command(const Options& options) {
                       {"assumptions", assumptions_json(resolved)},
                       {"warnings", warnings},
                       {"versions", versions_json()}};
-    fmt::print("{}\n", object.dump(2));
+    print_object(object, options);
   } else if (!options.quiet) {
     print_labels(set.labels());
-    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+    print_warnings(warnings);
   }
   return 0;
 }

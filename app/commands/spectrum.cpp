@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/durable_file.hpp"
 #include "app/results/result_row.hpp"
@@ -76,10 +76,10 @@ int spectrum_command(const Options& options) {
                                         {"bins", bins_json(found.spectrum)},
                                         {"warnings", warnings},
                                         {"versions", versions_json()}};
-    fmt::print("{}\n", object.dump(2));
+    print_object(object, options);
   } else if (!options.quiet) {
     print_bins(found.spectrum);
-    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
+    print_warnings(warnings);
   }
   return 0;
 }

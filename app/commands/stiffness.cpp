@@ -2,10 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/case/case_file.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/commands/lone_result.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_folder.hpp"
@@ -31,7 +30,7 @@ void write_tables(const StiffnessStudy& study, const std::filesystem::path& fold
 
 int stiffness_command(const Options& options) {
   require_place_of_results(options);
-  const ResolvedCase resolved = read_case(options.case_file, options.settings);
+  const ResolvedCase resolved = case_of(options);
   const bool planet = resolved.model() == planetary_drivetrain;
   const std::vector<std::string> unused =
       require_used(resolved, planet ? use::planet_stiffness : use::stiffness, Axes::all);

@@ -1,5 +1,4 @@
-#include "app/case/case_file.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/computable.hpp"
 #include "app/study/peak_refinement.hpp"
@@ -26,7 +25,7 @@ void require_sequential(const Options& options) {
 
 int sweep_command(const Options& options) {
   require_place_of_results(options);
-  const ResolvedCase resolved = read_case(options.case_file, options.settings);
+  const ResolvedCase resolved = case_of(options);
   require_computable(resolved, options.fidelity, true);
   SweepRequest request = sweep_request(resolved, options.fidelity);
   if (options.shard) request.header.shard = parse_shard(*options.shard);
@@ -40,7 +39,7 @@ int sweep_command(const Options& options) {
   request.jobs = options.jobs;
   request.resume = options.resume;
   request.quiet = options.quiet;
-  return present_sweep(resolved, run_sweep(request), options.json, options.quiet);
+  return present_sweep(resolved, run_sweep(request), options);
 }
 
 }  // namespace orbearing::app

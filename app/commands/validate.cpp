@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "app/case/case_file.hpp"
-#include "app/commands/command_line.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/study/sensitivity.hpp"
 #include "app/study/stage_validation.hpp"
@@ -47,7 +47,7 @@ int validate_motion(const Options& options) {
   if (list.empty())
     throw BadInput(
         "--motion: found no expected.yaml with a block 'motion' beside the cases; required: at least one");
-  if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"motion", list}}.dump(2));
+  if (options.json) print_object(nlohmann::ordered_json{{"motion", list}}, options);
   return 0;
 }
 
@@ -66,7 +66,7 @@ int validate_command(const Options& options) {
                             options.jobs));
   if (options.cases.empty()) add(stage_validation());
   if (text) fmt::print("{}", count_text(tables));
-  if (options.json) fmt::print("{}\n", validation_json(tables).dump(2));
+  if (options.json) print_object(validation_json(tables), options);
   return 0;
 }
 

@@ -1,7 +1,10 @@
 #include "app/results/interruption.hpp"
 
+#include <array>
 #include <atomic>
+#include <csignal>
 #include <cstddef>
+#include <mutex>
 
 namespace orbearing::app {
 namespace {
@@ -11,22 +14,30 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touc
 
 constexpr std::array<int, 2> signals = {SIGINT, SIGTERM};
 
+std::mutex counting;
+int living = 0;
+std::array<struct sigaction, signals.size()> former;
+
 }  // namespace
 
 Interruption::Interruption() {
+  const std::scoped_lock lock(counting);
+  if (living++ > 0) return;
   wished = false;
   for (std::size_t i = 0; i < signals.size(); ++i) {
     struct sigaction action {};
     action.sa_handler = [](int) { wished = true; };
     action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-    sigaction(signals[i], nullptr, &former_[i]);
+    sigaction(signals[i], nullptr, &former[i]);
     // A parent that ignores SIGINT, as nohup and shells do for work in the background, is respected.
-    if (former_[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
+    if (former[i].sa_handler != SIG_IGN) sigaction(signals[i], &action, nullptr);
   }
 }
 
 Interruption::~Interruption() {
-  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &former_[i], nullptr);
+  const std::scoped_lock lock(counting);
+  if (--living > 0) return;
+  for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &former[i], nullptr);
 }
 
 bool Interruption::requested() {

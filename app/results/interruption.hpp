@@ -1,13 +1,10 @@
 // SIGINT and SIGTERM as a wish to stop, for as long as results are being written.
 #pragma once
 
-#include <array>
-#include <csignal>
-
 namespace orbearing::app {
 
-/// While it lives the first SIGINT or SIGTERM sets a flag; a second one ends the program at once. One object
-/// at a time.
+/// While any lives the first SIGINT or SIGTERM sets a flag; a second one ends the program at once. The first of
+/// several clears the flag, the last gives the signals back.
 class Interruption {
  public:
   Interruption();
@@ -17,9 +14,6 @@ class Interruption {
 
   /// From any thread.
   static bool requested();
-
- private:
-  std::array<struct sigaction, 2> former_{};
 };
 
 }  // namespace orbearing::app

@@ -19,7 +19,17 @@ std::string clock_text(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+thread_local ProgressObserver observer_of_thread;
+
 }  // namespace
+
+ObservedProgress::ObservedProgress(ProgressObserver observer) {
+  observer_of_thread = std::move(observer);
+}
+
+ObservedProgress::~ObservedProgress() {
+  observer_of_thread = nullptr;
+}
 
 std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds) {
   std::string text = fmt::format("{} of {} points done, {} left", done, all, all - done);
@@ -30,7 +40,8 @@ std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, d
 }
 
 Progress::Progress(std::size_t kept, std::size_t all, bool shown, std::string doing)
-    : kept_(kept), all_(all), shown_(shown && ::isatty(STDERR_FILENO) == 1), doing_(std::move(doing)) {
+    : kept_(kept), all_(all), shown_(shown && ::isatty(STDERR_FILENO) == 1), doing_(std::move(doing)),
+      observer_(observer_of_thread) {
   show(kept);
 }
 
@@ -40,8 +51,9 @@ Progress::~Progress() {
 
 void Progress::show(std::size_t done) {
   const Clock::time_point now = Clock::now();
-  if (!shown_ || now - last_ < least_pause) return;
+  if ((!shown_ && !observer_) || now - last_ < least_pause) return;
   last_ = now;
+  if (observer_) return observer_(done, all_, doing_);
   const double seconds = std::chrono::duration<double>(now - start_).count();
   fmt::print(stderr, "{}{}{}", wiped_line, doing_, progress_text(done, kept_, all_, seconds));
   std::fflush(stderr);

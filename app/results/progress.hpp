@@ -3,12 +3,25 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace orbearing::app {
 
 /// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] went by for the `done` less `kept` points.
 std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds);
+
+/// A caller in the same process who is told in place of standard error; from any thread, one call at a time.
+using ProgressObserver = std::function<void(std::size_t done, std::size_t all, const std::string& doing)>;
+
+/// While it lives, what this thread begins is told to the observer, if there is one.
+class ObservedProgress {
+ public:
+  explicit ObservedProgress(ProgressObserver observer);
+  ObservedProgress(const ObservedProgress&) = delete;
+  ObservedProgress& operator=(const ObservedProgress&) = delete;
+  ~ObservedProgress();
+};
 
 /// Shows nothing unless `shown` and standard error is a terminal. Wipes its line at the end of its life.
 class Progress {
@@ -27,6 +40,7 @@ class Progress {
   std::size_t all_;
   bool shown_;
   std::string doing_;
+  ProgressObserver observer_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_{};
 };

@@ -44,12 +44,13 @@ FinishedPoint finished_point(const SweepRequest& request, const SweepPoint& aske
       computed.index, {}, result_row(computed.result, asked.axis_values, request.header.sets)};
   point.row.refined = refined;
   computed.result.status = point.row.status;
-  PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
   std::optional<Resonance> resonance;
   if (request.header.resonances) {
     resonance = request.resonance_of(asked);
     add_resonance(resonance, point.row);
   }
+  if (request.folder.empty()) return point;  // a file that nobody keeps costs more than a quasi-static point
+  PointContent content = point_content(request.header, computed.index, asked.axis_values, computed.result);
   add_place_in_sweep(refined, resonance, content);
   point.content = netcdf_bytes(content);
   return point;
@@ -224,11 +225,11 @@ SweepOutcome run_sweep(const SweepRequest& request) {
   else
     compute_missing(request, folder);
   if (const std::size_t missing = missing_points(request, folder).size(); missing > 0)
-    throw ComputationFailed(interrupted(
+    throw Interrupted(interrupted(
         request, fmt::format("interrupted with {} of {} points done", request.header.own_points() - missing,
                              request.header.own_points())));
   if (request.refinement && request.header.refined && !request.header.shard && !refine_peak(request, folder))
-    throw ComputationFailed(interrupted(
+    throw Interrupted(interrupted(
         request,
         fmt::format("interrupted while the peak was refined, with {} points added to the {} of the grid",
                     folder.finished().size() - request.header.points, request.header.points)));

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "app/errors.hpp"
+#include "app/resources.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
 
@@ -55,9 +56,7 @@ MotionPlan motion_plan(const YAML::Node& node) {
 fs::path shipped_cases() {
   const fs::path in_tree = fs::path(source_folder) / "cases";
   if (fs::is_directory(in_tree)) return in_tree;
-  std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  return program.parent_path().parent_path() / "share" / "orbearing" / "cases";
+  return resources().folder / "share" / "orbearing" / "cases";
 }
 
 }  // namespace

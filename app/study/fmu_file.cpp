@@ -7,6 +7,7 @@
 
 #include "app/errors.hpp"
 #include "app/license.hpp"
+#include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
 #include "coupling/fmu/export/archive.hpp"
 #include "coupling/fmu/model_file.hpp"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 // "build/release/bin/orbearing" or "<prefix>/bin/orbearing": the libraries stand beside bin in both.
 fs::path libraries_folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" / "orbearing" / "fmu";
+  return resources().folder / "lib" / "orbearing" / "fmu";
 }
 
 struct Platform {

@@ -12,16 +12,9 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/case/sweep_axes.hpp"
 #include "app/errors.hpp"
-#include "app/results/terminal_chart.hpp"
-#include "app/results/terminal_table.hpp"
 #include "app/study/fidelity.hpp"
-#include "app/study/life_peak.hpp"
 #include "app/study/planetary_case.hpp"
-#include "app/study/power_table.hpp"
 #include "app/study/resonance_lines.hpp"
-#include "app/study/stiffness_output.hpp"
-#include "app/study/stiffness_study.hpp"
-#include "app/study/sweep_warnings.hpp"
 #include "app/version.hpp"
 
 namespace orbearing::app {
@@ -212,60 +205,6 @@ nlohmann::ordered_json versions_json() {
           {"compiler", compiler},
           {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"boost", BOOST_LIB_VERSION}};
-}
-
-namespace {
-
-std::string first_failure(const SweepOutcome& outcome) {
-  for (const ResultRow& row : outcome.rows)
-    if (!row.ok()) return row.status;
-  for (const SpectrumResult& result : outcome.spectra)
-    for (const SpectrumBin& bin : result.bins)
-      if (bin.row && !bin.row->ok()) return bin.row->status;
-  return "of a spectrum that is not whole";
-}
-
-std::size_t points_of(const SweepOutcome& outcome) {
-  return outcome.rows.size() + outcome.header.spectrum.points();
-}
-
-// Of one planet bearing at the operating point; of several sets, by set; none where planets find their tilt,
-// at which no stiffness is computed (`orbearing stiffness` refuses such a case).
-nlohmann::ordered_json stiffness_of_run(const ResolvedCase& resolved) {
-  if (resolved.has("bearing.tilt_state") && resolved.choice("bearing.tilt_state") == "computed")
-    return nullptr;
-  const StiffnessStudy study = stiffness_study(resolved);
-  const auto matrix = [](const StiffnessPoint& point) {
-    return point.stiffness ? stiffness_json(*point.stiffness) : nlohmann::ordered_json(nullptr);
-  };
-  if (study.points.size() == 1) return matrix(study.points.front());
-  nlohmann::ordered_json by_set;
-  for (const StiffnessPoint& point : study.points) by_set[point.set] = matrix(point);
-  return by_set;
-}
-
-}  // namespace
-
-int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, bool json, bool quiet) {
-  const FoundPeak found = find_peak(outcome);
-  const std::vector<std::string> warnings = sweep_warnings(resolved, outcome, found);
-  if (json) {
-    nlohmann::ordered_json object =
-        sweep_json(outcome, found.peak, assumptions_json(resolved), warnings, versions_json());
-    if (resolved.axes().empty()) object.update(power_json(power_table(resolved)));
-    if (resolved.axes().empty() && outcome.failed == 0 && outcome.header.fidelity == "quasi-static")
-      object["stiffness"] = stiffness_of_run(resolved);
-    fmt::print("{}\n", object.dump(2));
-  } else if (!quiet) {
-    fmt::print("{}\n{}{}", sweep_table(outcome.head, outcome.rows),
-               life_chart(outcome.head, outcome.rows, found.peak, glyphs_of_locale()),
-               spectrum_text(outcome.header, outcome.spectra));
-    for (const std::string& warning : warnings) fmt::print("warning: {}\n", warning);
-  }
-  if (outcome.failed == 0) return 0;
-  fmt::print(stderr, "{} of {} points failed; their rows say why, the first: {}\n", outcome.failed,
-             points_of(outcome), first_failure(outcome));
-  return 1;
 }
 
 }  // namespace orbearing::app

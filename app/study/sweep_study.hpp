@@ -40,8 +40,4 @@ void continue_from_neighbours(const ResolvedCase& resolved, Direction direction,
 nlohmann::ordered_json assumptions_json(const ResolvedCase& resolved);
 nlohmann::ordered_json versions_json();
 
-/// Prints what a finished sweep found: JSON, or the table, the chart and the peak;
-/// points that failed are told on standard error in any case. Returns the exit code.
-int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, bool json, bool quiet);
-
 }  // namespace orbearing::app

@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
-from orbearing.errors import BadInput
+from orbearing.errors import CaseError
 
 COLUMNS = {"time": {"time_s": 1.0, "time_h": 3600.0}, "speed": {"speed_rpm": 1.0}, "load": {"load_N": 1.0, "load_kN": 1e3}}
 MOST_SAMPLES = 20000  # even ones, that are clustered
@@ -37,20 +37,20 @@ class Condition:
 
 
 def read_record(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Times [s], speeds [rpm] and loads [N]; raises BadInput with the line."""
+    """Times [s], speeds [rpm] and loads [N]; raises CaseError with the line."""
     try:
         with open(path, newline="", encoding="utf-8") as stream:
             rows = csv.DictReader(stream)
             names = [_column(path, rows.fieldnames or [], quantity) for quantity in COLUMNS]
             values = [_numbers(path, line, row, names) for line, row in enumerate(rows, start=2)]
     except (OSError, UnicodeDecodeError) as error:
-        raise BadInput(f"{path}: cannot be read ({error}); a CSV file is required") from error
+        raise CaseError(f"{path}: cannot be read ({error}); a CSV file is required") from error
     if len(values) < 2:
-        raise BadInput(f"{path}: {len(values)} samples found; at least 2 are required")
+        raise CaseError(f"{path}: {len(values)} samples found; at least 2 are required")
     time, speed, load = np.array(values).T
     falling = np.flatnonzero(np.diff(time) <= 0)
     if len(falling):
-        raise BadInput(f"{path}:{falling[0] + 3}: a time that is not later than the one before; rising times are required")
+        raise CaseError(f"{path}:{falling[0] + 3}: a time that is not later than the one before; rising times are required")
     return time, speed, load
 
 
@@ -58,16 +58,16 @@ def _column(path: Path, found: list[str], quantity: str) -> tuple[str, float]:
     for name, factor in COLUMNS[quantity].items():
         if name in found:
             return name, factor
-    raise BadInput(f"{path}:1: no column for the {quantity} found; {' or '.join(COLUMNS[quantity])} is required")
+    raise CaseError(f"{path}:1: no column for the {quantity} found; {' or '.join(COLUMNS[quantity])} is required")
 
 
 def _numbers(path: Path, line: int, row: dict, names: list[tuple[str, float]]) -> list[float]:
     try:
         numbers = [factor * float(row[name]) for name, factor in names]
     except (TypeError, ValueError) as error:
-        raise BadInput(f"{path}:{line}: {error}; a number in each column is required") from error
+        raise CaseError(f"{path}:{line}: {error}; a number in each column is required") from error
     if not np.isfinite(numbers).all():
-        raise BadInput(f"{path}:{line}: a number that is not finite found; finite ones are required")
+        raise CaseError(f"{path}:{line}: a number that is not finite found; finite ones are required")
     return numbers
 
 
@@ -113,9 +113,9 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     try:
         if options.conditions < 1:
-            raise BadInput(f"--conditions: found {options.conditions}; at least 1 is required")
+            raise CaseError(f"--conditions: found {options.conditions}; at least 1 is required")
         found = typical_conditions(*read_record(options.record), options.conditions)
-    except BadInput as error:
+    except CaseError as error:
         print(error, file=sys.stderr)
         return 2
     except ImportError as error:

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from orbearing.blocks import is_number
-from orbearing.errors import BadInput
+from orbearing.errors import CaseError
 from orbearing.figures.ablation import REFERENCE
 from orbearing.result_folder import read_report, record, records, slip_of_set
 
@@ -39,7 +39,7 @@ def _row(speed: float, name: str, point: dict, base) -> tuple[str, ...]:
 def main(folder: str) -> int:
     try:
         report = read_report(Path(folder))
-    except BadInput as error:
+    except CaseError as error:
         print(error, file=sys.stderr)
         return 2
     lines = rows(records(record(report.record("dynamic")).get("ablation")))

@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from orbearing.errors import BadInput
+from orbearing.errors import CaseError
 
 USAGE = "usage: python3 -m orbearing.report DIR"
 
@@ -114,7 +114,7 @@ def main(arguments: list[str]) -> int:
     except ImportError as error:
         print(f"report: {error}; numpy and matplotlib are required; on Debian install python3-matplotlib", file=sys.stderr)
         return 1
-    except BadInput as error:
+    except CaseError as error:
         print(f"report: {error}", file=sys.stderr)
         return 2
     except OSError as error:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from orbearing.blocks import is_number
-from orbearing.errors import BadInput
+from orbearing.errors import CaseError
 
 
 SAME_VALUE = 1e-9  # relative; far above round-off, far below any step of a sweep
@@ -131,15 +131,15 @@ class Report:
 
 
 def read_report(folder: Path) -> Report:
-    """Read DIR/report.json; raises BadInput with the remedy where that cannot be done."""
+    """Read DIR/report.json; raises CaseError with the remedy where that cannot be done."""
     path = folder / "report.json"
     remedy = f"run `orbearing report {folder}`, which writes it from the results of a sweep"
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise BadInput(f"{path}: cannot be read ({error.strerror}); a readable file is required; {remedy}") from error
+        raise CaseError(f"{path}: cannot be read ({error.strerror}); a readable file is required; {remedy}") from error
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise BadInput(f"{path}: is not JSON ({error}); one JSON object is required; {remedy}") from error
+        raise CaseError(f"{path}: is not JSON ({error}); one JSON object is required; {remedy}") from error
     if not isinstance(content, dict):
-        raise BadInput(f"{path}: found {type(content).__name__}; one JSON object is required; {remedy}")
+        raise CaseError(f"{path}: found {type(content).__name__}; one JSON object is required; {remedy}")
     return Report(content, folder)

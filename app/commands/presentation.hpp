@@ -1,0 +1,29 @@
+// What commands have in common around their work: where the case comes from and where the result goes.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/results/sweep_run.hpp"
+
+namespace orbearing::app {
+
+/// The case of `options`: that of the caller, or the file with its settings. Throws BadInput as read_case().
+ResolvedCase case_of(const Options& options);
+/// The same for a command that computes one operating point: without the sweep. Throws as read_point().
+ResolvedCase point_of(const Options& options);
+
+/// A result as JSON: to the caller who takes it, else on standard output.
+void print_object(const nlohmann::ordered_json& object, const Options& options);
+void print_warnings(const std::vector<std::string>& warnings);
+/// Points that failed, in one line: to the caller who takes it, else on standard error.
+void print_failures(const std::string& line, const Options& options);
+
+/// Prints what a finished sweep found: JSON, or the table, the chart and the peak; points that failed are
+/// told in any case. Returns the exit code.
+int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options);
+
+}  // namespace orbearing::app

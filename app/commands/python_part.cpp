@@ -1,0 +1,84 @@
+#include "app/commands/python_part.hpp"
+
+#include <fmt/core.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "app/errors.hpp"
+#include "app/resources.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// Signals from the terminal reach both; the child says what became of its work.
+class LeftToTheChild {
+ public:
+  LeftToTheChild() : interrupt_(std::signal(SIGINT, SIG_IGN)), terminate_(std::signal(SIGTERM, SIG_IGN)) {}
+  LeftToTheChild(const LeftToTheChild&) = delete;
+  LeftToTheChild& operator=(const LeftToTheChild&) = delete;
+  ~LeftToTheChild() { give_back(); }
+  void give_back() const {
+    std::signal(SIGINT, interrupt_);
+    std::signal(SIGTERM, terminate_);
+  }
+
+ private:
+  void (*interrupt_)(int);
+  void (*terminate_)(int);
+};
+
+}  // namespace
+
+int run_python(const std::string& module, const std::vector<std::string>& arguments) {
+  const std::string interpreter = resources().interpreter.string(), package = resources().package.string();
+  // By its first argument Python finds its packages: a bare name would lead to another on the PATH, as that
+  // of a virtual environment.
+  std::vector<std::string> words{interpreter, "-m", module};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const LeftToTheChild signals;
+  const pid_t child = fork();
+  if (child == 0) {
+    signals.give_back();
+    setenv("PYTHONPATH", package.c_str(), 1);
+    unsetenv("PYTHONHOME");
+    execv(interpreter.c_str(), pointers.data());
+    _exit(not_started);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : 1;
+}
+
+const std::vector<PythonCommand>& python_commands() {
+  static const std::vector<PythonCommand> all{
+      {"study", "many variants of a case, in parallel and over many machines, in one store",
+       "orbearing.study"},
+      {"uncertainty", "how far the life is known: its band, and which input to measure first",
+       "orbearing.uncertainty"}};
+  return all;
+}
+
+std::optional<int> hand_over(int argc, char** argv) {
+  if (argc < 2) return std::nullopt;
+  for (const PythonCommand& command : python_commands())
+    if (command.name == std::string(argv[1])) {
+      const int code = run_python(command.module, {argv + 2, argv + argc});
+      if (code == not_started)
+        throw ComputationFailed(fmt::format(
+            "{}: {} is required, with numpy, xarray and netCDF4 (Debian: python3-numpy python3-xarray "
+            "python3-netcdf4)",
+            command.name, resources().interpreter.string()));
+      return code;
+    }
+  return std::nullopt;
+}
+
+}  // namespace orbearing::app

@@ -1,0 +1,24 @@
+// The parts of the extension module orbearing._core; each adds its functions and classes.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <utility>
+#include <vector>
+
+#include "app/case/resolved_case.hpp"
+
+namespace orbearing::python {
+
+/// A case as Python holds it; immutable, so that threads may share it.
+struct CoreCase {
+  app::ResolvedCase resolved;
+};
+
+void add_errors(pybind11::module_& module);
+void add_case(pybind11::module_& module);
+void add_command(pybind11::module_& module);
+void add_variants(pybind11::module_& module);
+void add_machine(pybind11::module_& module);
+
+}  // namespace orbearing::python

@@ -1,0 +1,182 @@
+// A case: read, changed, asked for its values.
+#include <pybind11/stl.h>
+
+#include <fmt/format.h>
+
+#include "app/case/case_file.hpp"
+#include "app/case/field_table.hpp"
+#include "app/case/resolved_writer.hpp"
+#include "app/case/settings.hpp"
+#include "app/errors.hpp"
+#include "python/bindings/bindings.hpp"
+
+namespace orbearing::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using Settings = std::vector<app::Setting>;
+
+std::vector<std::string> as_options(const Settings& settings) {
+  std::vector<std::string> texts;
+  for (const auto& [path, text] : settings) texts.push_back(path + "=" + text);
+  return texts;
+}
+
+const app::Field& field_at(const CoreCase& core, const std::string& path) {
+  for (const app::Input& input : core.resolved.inputs())
+    if (input.path == path) return *input.field;
+  std::vector<std::string> known;
+  for (const app::Input& input : core.resolved.inputs()) known.push_back(input.path);
+  const std::string near = app::nearest_word(path, known);
+  throw app::BadInput(
+      fmt::format("{}: {}: found a path that this case does not know{}; required: the path of a value "
+                  "of the case",
+                  core.resolved.file(), path, near.empty() ? "" : " (did you mean '" + near + "'?)"));
+}
+
+py::object value_of(const CoreCase& core, const std::string& path) {
+  const app::Field& field = field_at(core, path);
+  if (!core.resolved.has(path)) return py::none();
+  switch (field.kind) {
+    case app::Kind::quantity:
+      return py::float_(core.resolved.quantity(path));
+    case app::Kind::number:
+      return py::float_(core.resolved.number(path));
+    case app::Kind::integer:
+      return py::int_(core.resolved.integer(path));
+    case app::Kind::flag:
+      return py::bool_(core.resolved.flag(path));
+    case app::Kind::choice:
+      return py::str(core.resolved.choice(path));
+    case app::Kind::text:
+      return py::str(core.resolved.text(path));
+    case app::Kind::list:
+      if (field.element == app::Kind::text) return py::cast(core.resolved.texts(path));
+      return py::cast(core.resolved.list(path));
+  }
+  return py::none();
+}
+
+double in_si(const CoreCase& core, const std::string& path, const std::string& text) {
+  const app::Field& field = field_at(core, path);
+  const app::FieldReading reading = app::read_field_text(field, text);
+  if (!reading.good)
+    throw app::BadInput(
+        fmt::format("{}: found {}; required: {}", path, reading.complaint.found, app::requirement(field)));
+  return reading.value.number;
+}
+
+const char* kind_name(app::Kind kind) {
+  switch (kind) {
+    case app::Kind::quantity:
+      return "quantity";
+    case app::Kind::integer:
+      return "integer";
+    case app::Kind::number:
+      return "number";
+    case app::Kind::flag:
+      return "flag";
+    case app::Kind::choice:
+      return "choice";
+    case app::Kind::text:
+      return "text";
+    case app::Kind::list:
+      return "list";
+  }
+  return "";
+}
+
+py::dict described(const CoreCase& core, const app::Input& input) {
+  const auto& [path, field] = input;
+  py::dict row;
+  row["path"] = path;
+  row["kind"] = kind_name(field->kind);
+  row["unit"] = std::string(field->dimension.customary);
+  row["si_unit"] = std::string(field->dimension.si);
+  row["meaning"] = field->meaning;
+  const bool given = core.resolved.has(path);
+  row["given"] = given ? py::object(py::str(core.resolved.given(path))) : py::none();
+  const auto& assumed = core.resolved.assumed();
+  const auto reason = assumed.find(path);
+  const bool is_default = given && core.resolved.origin(path) == "default";
+  row["source"] = !given ? "absent" : is_default ? "default" : reason != assumed.end() ? "assumed" : "given";
+  row["reason"] = reason == assumed.end() ? "" : reason->second;
+  return row;
+}
+
+py::list inputs_of(const CoreCase& core) {
+  py::list rows;
+  for (const app::Input& input : core.resolved.inputs()) rows.append(described(core, input));
+  return rows;
+}
+
+py::dict axes_of(const CoreCase& core) {
+  py::dict axes;
+  for (const app::SweepAxis& axis : core.resolved.axes()) axes[py::str(axis.path)] = py::cast(axis.values);
+  return axes;
+}
+
+}  // namespace
+
+void add_case(py::module_& module) {
+  py::class_<CoreCase>(module, "CoreCase", "A case with every value checked; it never changes.")
+      .def(
+          "with_settings",
+          [](const CoreCase& core, const Settings& settings) {
+            return CoreCase{core.resolved.with(settings)};
+          },
+          py::arg("settings"), py::call_guard<py::gil_scoped_release>(),
+          "A copy with values replaced, by (path, text as in a case file); what follows from them is derived "
+          "anew.")
+      .def(
+          "with_numbers",
+          [](const CoreCase& core, const std::vector<app::NumberSetting>& settings) {
+            return CoreCase{core.resolved.with_numbers(settings)};
+          },
+          py::arg("settings"), "The same by (path, number in SI).")
+      .def(
+          "without_sweep", [](const CoreCase& core) { return CoreCase{core.resolved.without_sweep()}; },
+          "The one operating point that the values state.")
+      .def("si", &in_si, py::arg("path"), py::arg("text"),
+           "What the case's reader makes of a text for that input, in SI.")
+      .def("value", &value_of, py::arg("path"), "The present value, in SI; None where there is none.")
+      .def(
+          "given",
+          [](const CoreCase& core, const std::string& path) -> py::object {
+            field_at(core, path);
+            if (!core.resolved.has(path)) return py::none();
+            return py::str(core.resolved.given(path));
+          },
+          py::arg("path"), "The present value as written, with its unit; None where there is none.")
+      .def("inputs", &inputs_of,
+           "All that may stand in this case: dicts of path, kind, unit (customary), si_unit, meaning, given, "
+           "source "
+           "(given, assumed, default or absent) and reason.")
+      .def("axes", &axes_of, "Swept inputs and their values as written.")
+      .def(
+          "resolved", [](const CoreCase& core) { return app::write_resolved(core.resolved); },
+          "The resolved case as YAML, from which the same numbers follow.")
+      .def("hash", [](const CoreCase& core) { return app::case_hash(core.resolved); })
+      .def("file", [](const CoreCase& core) { return core.resolved.file(); })
+      .def("name", [](const CoreCase& core) { return core.resolved.text("name"); })
+      .def("model", [](const CoreCase& core) { return core.resolved.choice("model"); });
+  module.def(
+      "load",
+      [](const std::string& file, const Settings& settings) {
+        return CoreCase{app::read_case(file, as_options(settings))};
+      },
+      py::arg("file"), py::arg("settings") = Settings{}, py::call_guard<py::gil_scoped_release>(),
+      "Reads and checks a case file.");
+  module.def(
+      "parse",
+      [](const std::string& text, const std::string& name, const Settings& settings) {
+        return CoreCase{app::parse_case(text, name, as_options(settings))};
+      },
+      py::arg("text"), py::arg("name") = "case", py::arg("settings") = Settings{},
+      py::call_guard<py::gil_scoped_release>(),
+      "The same of a text; `name` stands for the file in messages.");
+}
+
+}  // namespace orbearing::python
