@@ -1,1 +1,50 @@
-"""Plots and reports made from the results of Orbearing."""
+"""Orbearing: planet bearings inside planetary drivetrains and ball bearings: loads, roller dynamics, fatigue life.
+
+    import orbearing
+    case = orbearing.load("cases/reducer_150kW/case.yaml")
+    case["bearing.radial_clearance"] = "10 um"
+    sweep = case.sweep(fidelity="quasi-static")
+    print(sweep.peak["refined_speed_rpm"], sweep.peak["refined_life_h"])
+    sweep.to_xarray()
+
+Attributes are read when they are first asked for, so that a page can be drawn where the compiled part is missing.
+"""
+
+from __future__ import annotations
+
+import importlib
+
+# Name: module that has it.
+_PARTS = {
+    "Case": "case",
+    "load": "case",
+    "parse": "case",
+    "cases": "case",
+    "evaluate": "case",
+    "Bearing": "machine",
+    "Gears": "machine",
+    "Result": "results",
+    "SweepResult": "results",
+    "CaseError": "errors",
+    "ComputationError": "errors",
+    "study": "study",
+    "uncertainty": "uncertainty",
+}
+__all__ = sorted([*_PARTS, "__version__"])
+
+
+def __getattr__(name: str):
+    if name == "__version__":
+        value = importlib.import_module("orbearing._core").version
+    elif name in _PARTS:
+        module = importlib.import_module(f"orbearing.{_PARTS[name]}")
+        # The function of a part that has its name is what is called: orbearing.study(...).
+        value = getattr(module, name)
+    else:
+        raise AttributeError(f"module 'orbearing' has no attribute {name!r}")
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return __all__

@@ -1,0 +1,282 @@
+"""A case: read, changed, computed."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+import warnings as python_warnings
+from pathlib import Path
+from typing import Any, Callable, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from orbearing import _core
+from orbearing.errors import CaseError
+from orbearing.results import CheckResult, CrownResult, MeshResult, ModesResult, Result, StiffnessResult, SweepResult
+
+PathLike = Union[str, "os.PathLike[str]"]
+Progress = Union[None, bool, Callable[[int, int, str], None]]
+
+
+def load(path: PathLike, settings: Optional[Mapping[str, Any]] = None) -> "Case":
+    """Reads and checks a case file, or the case.yaml of a folder.
+
+    settings: values in place of the file's, by path, as with case[path] = value.
+    Raises CaseError with every mistake, each with file, line, column and key.
+    """
+    file = Path(path)
+    file = file / "case.yaml" if file.is_dir() else file
+    return Case(file=str(file), settings=settings)
+
+
+def parse(text: str, name: str = "case", settings: Optional[Mapping[str, Any]] = None) -> "Case":
+    """The same of a text; `name` stands for the file in messages."""
+    return Case(file=name, text=text, settings=settings)
+
+
+def cases() -> dict[str, Path]:
+    """Cases that ship with the package, by name."""
+    for folder in (Path(__file__).parent / "share" / "cases", _source_folder() / "cases"):
+        if folder.is_dir():
+            return {file.parent.name: file for file in sorted(folder.glob("*/case.yaml"))}
+    return {}
+
+
+def evaluate(case: "Case", paths: Sequence[str], values, fidelity: str = "quasi-static", jobs: int = 0,
+             progress: Progress = None) -> tuple[list[str], np.ndarray, list[str]]:
+    """Operating points of a case with numbers replaced, all in one call and without files.
+
+    paths: inputs of the case, input.speed as any other; "path[i]" is element i of a list of numbers.
+    values: (variants, paths), in SI.
+    Returns the names of a sweep's columns, their numbers (variants, columns) with NaN where there is none, and each
+    variant's status. The numbers are those of a sweep to the last bit, whatever `jobs`.
+    """
+    table = np.ascontiguousarray(values, dtype=float)
+    with _told(progress, len(table)) as told:
+        return _core.evaluate(case.core, list(paths), table, fidelity, jobs, told)
+
+
+class Case:
+    """A case with its changes. Reading an input gives its value in SI; what is written is text as in a case file."""
+
+    def __init__(self, file: str, text: Optional[str] = None, settings: Optional[Mapping[str, Any]] = None):
+        self._file = file
+        self._text = text
+        self._settings: list[tuple[str, str]] = []
+        for path, value in (settings or {}).items():
+            self._replace_setting(path, value)
+        self._core = self._read(self._settings)
+
+    def __getstate__(self):
+        # Another process may not see the file.
+        return {"file": self._file, "text": self.resolved}
+
+    def __setstate__(self, state):
+        self.__init__(state["file"], state["text"])
+
+    @property
+    def core(self) -> "_core.CoreCase":
+        """The checked case; it never changes, a change of an input makes another."""
+        return self._core
+
+    @property
+    def name(self) -> str:
+        return self._core.name()
+
+    @property
+    def model(self) -> str:
+        return self._core.model()
+
+    @property
+    def resolved(self) -> str:
+        """The resolved case as YAML, from which the same numbers follow."""
+        return self._core.resolved()
+
+    @property
+    def inputs(self) -> list[dict]:
+        """All that may stand in this case: path, kind, unit, si_unit, meaning, given, source and reason of each."""
+        return self._core.inputs()
+
+    def __getitem__(self, path: str):
+        """The value at a path: a number in SI, a text, a switch or a list; None where it has none."""
+        return self._core.value(path)
+
+    def given(self, path: str) -> Optional[str]:
+        """The value as written, with its unit: "10 um"."""
+        return self._core.given(path)
+
+    def __setitem__(self, path: str, value) -> None:
+        """Replaces an independent value, and all that follows from it: a text with its unit, a plain number, a switch, a
+        list, or a block as a dict. Raises CaseError, and leaves the case as it was, where it does not fit."""
+        before = list(self._settings)
+        self._replace_setting(path, value)
+        try:
+            self._core = self._read(self._settings)
+        except BaseException:
+            self._settings = before
+            raise
+
+    def copy(self, settings: Optional[Mapping[str, Any]] = None) -> "Case":
+        """A case of its own, with further values replaced."""
+        other = Case.__new__(Case)
+        other._file, other._text, other._settings, other._core = self._file, self._text, list(self._settings), self._core
+        if settings:
+            for path, value in settings.items():
+                other._replace_setting(path, value)
+            other._core = other._read(other._settings)
+        return other
+
+    def check(self) -> CheckResult:
+        """Every input and what follows from it."""
+        return self._compute("check", CheckResult)
+
+    def run(self, fidelity: Optional[str] = None, output: Optional[PathLike] = None, gears: bool = False,
+            progress: Progress = None) -> Result:
+        """The case's own analysis at its operating point; `gears`: the vibration of the gears alone."""
+        kind = SweepResult if self.model == "planetary-drivetrain" and not gears else Result
+        return self._compute("run", kind, output=output, progress=progress, fidelity=fidelity, gears=gears or None)
+
+    def sweep(self, fidelity: str = "quasi-static", jobs: int = 0, grid_only: bool = False, direction: Optional[str] = None,
+              output: Optional[PathLike] = None, resume: bool = False, progress: Progress = None) -> SweepResult:
+        """All operating points of the case, and those that refine the peak of life unless `grid_only`.
+
+        fidelity: quasi-static, dynamic, co-simulated or monolithic.
+        direction: "up" or "down": each point from the final state of its neighbour in speed.
+        output: folder of the results, as of the command line. In motion a temporary one is kept with the result where
+        none is given, so that its points and its report need no second computation.
+        """
+        return self._compute("sweep", SweepResult, output=output, progress=progress, fidelity=fidelity, jobs=jobs,
+                             grid_only=grid_only, direction=direction, resume=resume or None)
+
+    def crown(self, output: Optional[PathLike] = None, progress: Progress = None, jobs: int = 0, **options) -> CrownResult:
+        """Trade study of the rollers' profile; options are those of `orbearing crown`, with _ for -: tilts, drops, ..."""
+        return self._compute("crown", CrownResult, output=output, progress=progress, jobs=jobs, **options)
+
+    def modes(self, speed: Optional[str] = None) -> ModesResult:
+        """Natural frequencies and what each mode is; at rest unless a speed such as "6000 rpm" is given."""
+        return self._compute("modes", ModesResult, speed=speed)
+
+    def mesh(self) -> MeshResult:
+        """Mesh stiffness over a mesh period, contact ratio and phases."""
+        return self._compute("mesh", MeshResult)
+
+    def stiffness(self, output: Optional[PathLike] = None) -> StiffnessResult:
+        """5 x 5 stiffness of a bearing over speed and load."""
+        return self._compute("stiffness", StiffnessResult, output=output)
+
+    def signals(self, vary: Sequence[str] = (), output: Optional[PathLike] = None, fidelity: Optional[str] = None,
+                noise: float = 0.0, seed: int = 1, progress: Progress = None) -> Result:
+        """Labelled vibration signals of a scratched bearing; `vary` as "path=[value, value]"."""
+        return self._compute("signals", Result, output=output, progress=progress, fidelity=fidelity, vary=list(vary), noise=noise,
+                             seed=seed)
+
+    def fmu(self, path: PathLike, fmi: int = 2, model: str = "bearing") -> Result:
+        """Writes an FMU: one bearing of one planet, or the gear set."""
+        return self._compute("fmu", Result, output=path, fmi=str(fmi), model=model)
+
+    def bearing(self) -> "Bearing":
+        """A planet bearing of this case that the caller moves, as the FMU would be moved, in this process."""
+        from orbearing.machine import Bearing
+
+        return Bearing(self)
+
+    def gears(self) -> "Gears":
+        """The gear set without its planet bearings, to which the caller brings their forces."""
+        from orbearing.machine import Gears
+
+        return Gears(self)
+
+    def evaluate(self, paths: Sequence[str], values, fidelity: str = "quasi-static", jobs: int = 0, progress: Progress = None):
+        """See orbearing.evaluate()."""
+        return evaluate(self, paths, values, fidelity, jobs, progress)
+
+    def __repr__(self) -> str:
+        changed = "".join(f", {path}={text}" for path, text in self._settings)
+        return f"<orbearing.Case {self.name} ({self.model}){changed}>"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        rows = "".join(
+            f"<tr><td><code>{row['path']}</code></td><td>{html.escape(row['given'])}</td><td>{row['source']}</td>"
+            f"<td>{html.escape(row['reason'] or row['meaning'])}</td></tr>"
+            for row in self.inputs if row["given"] is not None and row["source"] in ("given", "assumed"))
+        return (f"<b>{html.escape(self.name)}</b> ({self.model})<table><tr><th>input</th><th>value</th><th></th>"
+                f"<th>reason or meaning</th></tr>{rows}</table>")
+
+    def _replace_setting(self, path: str, value) -> None:
+        text = _as_text(value)
+        # What stood within a block that is replaced would be put into the new one otherwise.
+        kept = [one for one in self._settings if one[0] != path and not one[0].startswith(path + ".")]
+        self._settings = [*kept, (path, text)]
+
+    def _read(self, settings: list[tuple[str, str]]) -> "_core.CoreCase":
+        if self._text is None:
+            return _core.load(self._file, settings)
+        return _core.parse(self._text, self._file, settings)
+
+    def _compute(self, command: str, kind, output: Optional[PathLike] = None, progress: Progress = None, **options):
+        given = {name: value for name, value in options.items() if value is not None}
+        kept = None
+        if output is not None:
+            given["output"] = os.fspath(output)
+        elif command in ("run", "sweep") and given.get("fidelity", "quasi-static") != "quasi-static" and kind is SweepResult:
+            kept = tempfile.TemporaryDirectory(prefix="orbearing-")
+            given["output"] = str(Path(kept.name) / "results")
+        with _told(progress, None) as told:
+            text, failures = _core.compute(self._core, command, given, told)
+        for line in failures:
+            python_warnings.warn(line, RuntimeWarning, stacklevel=3)
+        return kind(json.loads(text), command=command, case=self.copy(), options=given, folder=given.get("output"), kept=kept)
+
+
+def _as_text(value) -> str:
+    """A value as it would stand in a case."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
+    if isinstance(value, (bool, int, float, list, tuple, dict)):
+        return json.dumps(value)
+    raise CaseError(f"found a value of type {type(value).__name__}; required: a text with its unit, a number, a switch, a list or a dict")
+
+
+class _told:
+    """What the program tells of its progress: to nobody, to a function, or to tqdm where that is installed."""
+
+    def __init__(self, progress: Progress, total: Optional[int]):
+        self._progress, self._total, self._bar = progress, total, None
+
+    def __enter__(self):
+        if self._progress is None or self._progress is False:
+            return None
+        if callable(self._progress):
+            return self._progress if self._total is None else (lambda done: self._progress(done, self._total, ""))
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            return self._plain
+        self._bar = tqdm(total=self._total, file=sys.stderr, leave=False)
+        return self._advance
+
+    def __exit__(self, *_):
+        if self._bar is not None:
+            self._bar.close()
+
+    def _advance(self, done: int, total: Optional[int] = None, doing: str = "") -> None:
+        if total is not None and (self._bar.total != total or self._bar.desc != doing):
+            self._bar.reset(total)
+            self._bar.set_description_str(doing)
+        self._bar.update(done - self._bar.n)
+
+    def _plain(self, done: int, total: Optional[int] = None, doing: str = "") -> None:
+        print(f"\r{doing}{done} of {total or self._total} done", end="", file=sys.stderr, flush=True)
+
+
+def _source_folder() -> Path:
+    """The source tree of a package that is used from there."""
+    return Path(__file__).resolve().parents[2]

@@ -1,0 +1,416 @@
+"""Results as frozen objects: the command line's JSON, its numbers as arrays, xarray datasets, plots and reports."""
+
+from __future__ import annotations
+
+import html
+import tempfile
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import xarray
+    from orbearing.case import Case
+
+# Ends of names -> units as udunits and pint read them; the longest end counts.
+_UNITS = {
+    "_N_s_per_m": "N s m-1", "_N_per_m": "N m-1", "_N_per_mm_um": "N mm-1 um-1", "_N_m": "N m", "_per_s": "s-1", "_m_s2": "m s-2",
+    "_rpm": "rpm", "_Mrev": "megarevolution", "_mrad": "mrad", "_MPa": "MPa", "_Hz": "Hz", "_um": "um", "_mm": "mm", "_us": "us",
+    "_deg": "degree", "_N": "N", "_W": "W", "_h": "h", "_s": "s", "_m_s": "m s-1", "_rad_s": "rad s-1", "_K": "K", "_m": "m",
+    "_rad": "rad", "L10mh": "h",
+}
+# Numbers whose names have no unit and are no ratios.
+_PLAIN = "1"
+
+
+def units_of(name: str) -> str:
+    """The unit that a name's end states; "1" where it states none."""
+    fitting = [end for end in _UNITS if name.endswith(end)]
+    return _UNITS[max(fitting, key=len)] if fitting else _PLAIN
+
+
+def number_array(values) -> np.ndarray:
+    """Numbers with NaN in place of None, not to be written to."""
+    array = np.array([np.nan if value is None else value for value in values], dtype=float)
+    array.flags.writeable = False
+    return array
+
+
+def _frozen(value):
+    if isinstance(value, dict):
+        return MappingProxyType({key: _frozen(one) for key, one in value.items()})
+    return tuple(_frozen(one) for one in value) if isinstance(value, list) else value
+
+
+class Result(Mapping):
+    """What a command found. A mapping of the keys of its JSON; arrays are read-only.
+
+    case: the case it was computed from. folder: where its files are, if anywhere.
+    """
+
+    def __init__(self, data: dict, command: str, case: "Case", options: Optional[dict] = None, folder: Optional[str] = None,
+                 kept: Optional[tempfile.TemporaryDirectory] = None):
+        self._data = _frozen(data)
+        self._command, self._case, self._options = command, case, MappingProxyType(dict(options or {}))
+        self._folder, self._kept = folder, kept
+
+    @property
+    def data(self) -> Mapping[str, Any]:
+        """The JSON object of the command line."""
+        return self._data
+
+    @property
+    def case(self) -> "Case":
+        return self._case.copy()
+
+    @property
+    def folder(self) -> Optional[Path]:
+        return Path(self._folder) if self._folder else None
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        return tuple(self._data.get("warnings", ()))
+
+    def __getitem__(self, key: str):
+        return self._data[key]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._data)
+
+    def __len__(self) -> int:
+        return len(self._data)
+
+    def __setattr__(self, name: str, value) -> None:
+        if "_kept" in self.__dict__:
+            raise AttributeError(f"{type(self).__name__} is a result and does not change")
+        super().__setattr__(name, value)
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """Tables of the result along a dimension each, single numbers as scalars; units in `attrs["units"]`."""
+        import xarray
+
+        variables: dict = {}
+        for key, value in self._data.items():
+            if isinstance(value, bool) or isinstance(value, str) or value is None:
+                continue
+            if isinstance(value, (int, float)):
+                variables[key] = ((), value, {"units": units_of(key)})
+            elif isinstance(value, tuple) and value and all(isinstance(one, (int, float)) for one in value):
+                variables[key] = ((key.split("_")[0],), number_array(value), {"units": units_of(key)})
+            elif isinstance(value, tuple) and value and all(isinstance(one, Mapping) for one in value) and key not in _REMARKS:
+                # Names of several tables may be the same: those of the first are kept as they are.
+                for name, column in _table(value, key).items():
+                    variables[name if name not in variables else f"{column[0][0]}_{name}"] = column
+        return xarray.Dataset(variables, attrs=self._attributes())
+
+    def plot(self, axes=None):
+        """Draws the result with matplotlib and returns the axes."""
+        raise NotImplementedError(f"a result of {self._command} has no plot of its own; see to_xarray() and report()")
+
+    def report(self, path) -> Path:
+        """Writes the report, one self-contained page, to the file `path` and returns it."""
+        from orbearing.case import _core
+
+        with tempfile.TemporaryDirectory(prefix="orbearing-") as spare:
+            folder = self._folder
+            if folder is None:
+                folder = str(Path(spare) / "results")
+                _core.compute(self._case.core, self._command, {**self._options, "output": folder})
+            _core.compute(None, "report", {"folders": [folder]})
+            target = Path(path)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes((Path(folder) / "report.html").read_bytes())
+            animations = Path(folder) / "animations"
+            if animations.is_dir():
+                import shutil
+
+                shutil.copytree(animations, target.parent / "animations", dirs_exist_ok=True)
+        return target
+
+    def __repr__(self) -> str:
+        return f"<orbearing.{type(self).__name__} of {self._case.name}: {', '.join(self._data)}>"
+
+    def _repr_html_(self) -> str:
+        single = {key: value for key, value in self._data.items() if isinstance(value, (int, float, str))}
+        return _html_table(["", ""], [[key, _shown(value)] for key, value in single.items()], f"{self._command} of {self._case.name}",
+                           self.warnings)
+
+    def _attributes(self) -> dict:
+        from orbearing import _core
+
+        return {"Conventions": "CF-1.10", "title": f"{self._command} of {self._case.name}", "source": f"Orbearing {_core.version}",
+                "case_hash": self._case.core.hash()}
+
+
+# Lists of records that are no results.
+_REMARKS = ("assumptions", "inputs", "derived")
+
+
+def _table(rows, key: str) -> dict:
+    """Columns of records of numbers and texts, along a dimension called as the list, in the singular."""
+    dimension = {"meshes": "mesh", "envelope_peaks": "envelope_peak"}.get(key, key[:-1] if key.endswith("s") else key)
+    columns: dict = {}
+    names = dict.fromkeys(name for row in rows for name in row)
+    for name in names:
+        values = [row.get(name) for row in rows]
+        shown = name if name not in ("case",) else f"{dimension}_{name}"
+        if all(value is None or isinstance(value, (int, float)) for value in values):
+            columns[shown] = ((dimension,), number_array(values), {"units": units_of(name)})
+        elif all(value is None or isinstance(value, str) for value in values):
+            columns[shown] = ((dimension,), np.array([value or "" for value in values], dtype=object))
+    return columns
+
+
+def _shown(value) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else html.escape(str(value))
+
+
+def _html_table(heads, rows, title: str, warnings=()) -> str:
+    head = "".join(f"<th>{one}</th>" for one in heads)
+    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
+    remarks = "".join(f"<p>⚠ {html.escape(one)}</p>" for one in warnings)
+    return f"<b>{html.escape(title)}</b><table><tr>{head}</tr>{body}</table>{remarks}"
+
+
+class SweepResult(Result):
+    """Operating points. Columns of sweep.csv are attributes: result.life_h, result.input_speed_rpm, ... (points).
+
+    peak: speed and life of the grid's best point and of the best of all, as in the JSON.
+    """
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        return tuple(self._data["points"][0])
+
+    @property
+    def peak(self) -> Mapping[str, Optional[float]]:
+        return self._data["peak"]
+
+    @property
+    def refined(self) -> np.ndarray:
+        """Which points were added around the peak."""
+        return np.array([point.get("refined") is True for point in self._data["points"]])
+
+    def column(self, name: str) -> np.ndarray:
+        values = [point[name] for point in self._data["points"]]
+        if all(value is None or isinstance(value, (int, float)) for value in values):
+            return number_array(values)
+        return np.array([value or "" for value in values], dtype=object)
+
+    def __getattr__(self, name: str):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        if name in self._data["points"][0]:
+            return self.column(name)
+        raise AttributeError(f"a sweep has no column {name!r}; its columns: {', '.join(self._data['points'][0])}")
+
+    def to_xarray(self, points: bool = False) -> "xarray.Dataset":
+        """The grid with its axes as dimensions, the first of them input_speed_rpm; with `points`, all of them in a row,
+        those that were added around the peak too."""
+        import xarray
+
+        attributes = {**self._attributes(), **{f"peak_{key}": value for key, value in self.peak.items()
+                                                if isinstance(value, (int, float))}}
+        names = [name for name in self.columns if name != "refined"]
+        chosen = np.arange(len(self["points"])) if points else np.flatnonzero(~self.refined)
+        flat = xarray.Dataset({name: (("point",), self.column(name)[chosen], {"units": units_of(name)} if name != "status" else {})
+                               for name in names if self.column(name).dtype == float or name == "status"}, attrs=attributes)
+        if points:
+            return flat.assign(refined=(("point",), self.refined)).set_coords("input_speed_rpm")
+        axes = ["input_speed_rpm"] + [name for name in names if "." in name and not name.startswith("sets.")]
+        axes = [name for name in axes if len(np.unique(flat[name])) > 1 or name == "input_speed_rpm"]
+        if np.prod([len(np.unique(flat[name])) for name in axes]) != len(chosen):
+            return flat.set_coords(axes)  # no grid, as with the bins of a load spectrum
+        if len(axes) == 1:
+            return flat.swap_dims(point=axes[0]).set_coords(axes)
+        import pandas
+
+        units = {name: dict(flat[name].attrs) for name in axes}
+        index = pandas.MultiIndex.from_arrays([flat[name].values for name in axes], names=axes)
+        grid = flat.drop_vars(axes).assign_coords(point=index).unstack("point")
+        for name in axes:
+            grid[name].attrs.update(units[name])
+        return grid
+
+    def series(self, point: int = 0) -> "xarray.Dataset":
+        """What the file of a point holds: loads by place, and in motion all that was kept over time. Needs a result with a
+        folder, as of one in motion."""
+        import xarray
+
+        if self._folder is None:
+            raise ValueError("found a result without files; required: one in motion, or output=FOLDER")
+        return xarray.load_dataset(sorted((Path(self._folder) / "points").glob("*.nc"))[point])
+
+    def plot(self, axes=None):
+        """Life over speed, with the peak."""
+        from matplotlib import pyplot
+
+        from orbearing import style
+
+        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        speed, life = self.input_speed_rpm, self.life_h
+        order = np.argsort(speed, kind="stable")
+        grid = ~self.refined[order]
+        axes.plot(speed[order], np.where(life[order] > 0, life[order], np.nan), color=style.BLUE, linewidth=1.0)
+        axes.plot(speed[order][grid], life[order][grid], "o", color=style.BLUE, markerfacecolor="white", label="points of the sweep")
+        best, longest = self.peak.get("refined_speed_rpm"), self.peak.get("refined_life_h")
+        if best and longest:
+            axes.plot([best], [longest], "*", color=style.ORANGE, markersize=12, markeredgecolor=style.BLACK,
+                      label=f"peak: {best:,.0f} rpm, {longest:,.0f} h")
+        style.speed_axis(axes)
+        style.life_axis(axes)
+        axes.set_title(self._case.name, loc="left")
+        axes.legend()
+        return axes
+
+    def _repr_html_(self) -> str:
+        shown = ["input_speed_rpm", "planet_load_N", "inner_load_max_N", "outer_load_max_N", "life_h", "system_life_h", "status"]
+        rows = [[_shown(point[name]) for name in shown] for point in self["points"] if not point.get("refined")]
+        best = self.peak.get("refined_speed_rpm")
+        title = f"{self._case.name}, {self._options.get('fidelity', 'quasi-static')}" + (
+            f": life peaks at {best:,.0f} rpm with {self.peak['refined_life_h']:,.0f} h" if best else "")
+        return _html_table(shown, rows, title, self.warnings)
+
+
+class CheckResult(Result):
+    """Inputs and what follows from them."""
+
+    def _repr_html_(self) -> str:
+        rows = [[row["path"], _shown(row["given"]), row["standing"], _shown(row["reason"])] for row in self["inputs"]]
+        return _html_table(["input", "value", "", "reason"], rows, f"check of {self._case.name}", self.warnings)
+
+
+class ModesResult(Result):
+    """Natural frequencies: arrays frequency_Hz and multiplicity, texts kind (modes)."""
+
+    @property
+    def frequency_Hz(self) -> np.ndarray:
+        return number_array([mode["frequency_Hz"] for mode in self["modes"]])
+
+    @property
+    def kind(self) -> tuple[str, ...]:
+        return tuple(mode["kind"] for mode in self["modes"])
+
+    @property
+    def multiplicity(self) -> np.ndarray:
+        return number_array([mode["multiplicity"] for mode in self["modes"]])
+
+    def plot(self, axes=None):
+        """Frequencies, coloured by kind."""
+        from matplotlib import pyplot
+
+        from orbearing import style
+
+        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        kinds = list(dict.fromkeys(self.kind))
+        for kind, colour in zip(kinds, style.SERIES[1:] + style.SERIES[:1]):
+            places = [i for i, one in enumerate(self.kind) if one == kind]
+            axes.bar(places, self.frequency_Hz[places], color=colour, label=kind)
+        axes.set_xlabel("mode")
+        axes.set_ylabel("natural frequency (Hz)")
+        style.thousands(axes.yaxis)
+        axes.legend()
+        return axes
+
+
+class MeshResult(Result):
+    """Stiffness of each mesh over a mesh period."""
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """stiffness_N_per_m (mesh, fraction) and the scalars of each mesh."""
+        import xarray
+
+        meshes = self["meshes"]
+        fraction = number_array([point[0] for point in meshes[0]["curve"]])
+        curves = np.array([[point[1] for point in mesh["curve"]] for mesh in meshes], dtype=float)
+        variables = _table(meshes, "meshes")
+        variables["stiffness_N_per_m"] = (("mesh", "fraction"), curves, {"units": "N m-1", "long_name": "mesh stiffness"})
+        names = variables.pop("name")[1]
+        return xarray.Dataset(variables, attrs=self._attributes(), coords={
+            "mesh": names, "fraction": ("fraction", fraction, {"units": "1", "long_name": "share of the mesh period"})})
+
+    def plot(self, axes=None):
+        """Stiffness over the mesh period."""
+        from matplotlib import pyplot
+
+        from orbearing import style
+
+        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        data = self.to_xarray()
+        for name, colour, dash in zip(data.mesh.values, style.SERIES * 4, style.DASHES * 4):
+            axes.plot(data.fraction, 1e-6 * data.stiffness_N_per_m.sel(mesh=name), color=colour, linestyle=dash, label=name)
+        axes.set_xlabel("share of the mesh period")
+        axes.set_ylabel("mesh stiffness (N/µm)")
+        axes.set_ylim(bottom=0)
+        axes.legend(fontsize=7)
+        return axes
+
+
+class CrownResult(Result):
+    """Lives and pressures over drop and tilt; `optimum`, `straight` and `recommended` as in the JSON."""
+
+    @property
+    def optimum(self) -> Mapping[str, Any]:
+        return self["optimum"]
+
+    @property
+    def straight(self) -> Mapping[str, Any]:
+        return self["straight"]
+
+    def plot(self, axes=None):
+        """Life over the drop, a line for each tilt."""
+        from matplotlib import pyplot
+
+        from orbearing import style
+
+        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        series: dict = {}
+        stated = self["tilt"] == "stated"  # else each drop has a tilt of its own
+        for point in self["points"]:
+            series.setdefault((point.get("profile"), point.get("tilt_mrad") if stated else None), []).append(point)
+        for ((profile, tilt), points), colour, dash in zip(series.items(), style.SERIES * 8, style.DASHES * 8):
+            label = style.tilt_text(tilt) if profile is None else f"{profile}, {style.tilt_text(tilt)}"
+            axes.plot([p["drop_um"] for p in points], [p["life_h"] for p in points], "o", color=colour, linestyle=dash, markersize=3.5,
+                      label=label)
+        axes.plot([self.optimum["drop_um"]], [self.optimum["life_h"]], "*", color=style.ORANGE, markeredgecolor=style.BLACK,
+                  markersize=12, label="optimum")
+        axes.set_xlabel("drop of one roller (µm)")
+        axes.set_ylabel("life of one bearing (h)")
+        style.thousands(axes.yaxis)
+        axes.legend()
+        return axes
+
+
+class StiffnessResult(Result):
+    """5 x 5 stiffness over speed and load."""
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """stiffness (point, force, displacement) in N/m, N/rad, N m/m and N m/rad, with speed and loads of each point."""
+        import xarray
+
+        points = self["points"]
+        matrices = np.array([[[np.nan if value is None else value for value in row] for row in point["stiffness"]]
+                             if point["stiffness"] is not None else np.full((5, 5), np.nan) for point in points], dtype=float)
+        freedoms = ["x", "y", "z", "tilt_x", "tilt_y"]
+        loads = {f"load_{key}": (("point",), number_array([point["load"].get(key) for point in points]), {"units": units_of(key)})
+                 for key in points[0].get("load", {})}
+        speed = number_array([point.get("speed_rpm") for point in points])
+        return xarray.Dataset({"stiffness": (("point", "force", "displacement"), matrices), "speed_rpm": (("point",), speed, {"units": "rpm"}),
+                               **loads}, coords={"force": freedoms, "displacement": freedoms}, attrs=self._attributes())
+
+    def plot(self, axes=None):
+        """Diagonal terms in translation over the points."""
+        from matplotlib import pyplot
+
+        from orbearing import style
+
+        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        data = self.to_xarray()
+        for name, colour in zip("xyz", style.SERIES):
+            axes.plot(data.speed_rpm, 1e-6 * data.stiffness.sel(force=name, displacement=name), "o-", color=colour, label=f"{name}{name}")
+        axes.set_xlabel("speed (rpm)")
+        axes.set_ylabel("stiffness (N/µm)")
+        axes.legend()
+        return axes
