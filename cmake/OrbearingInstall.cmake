@@ -29,16 +29,32 @@ if(TARGET orbearing)
   # Beside bin, where the command fmu looks for them. An installation has nothing to build the one for Windows with.
   set(build_win64 "${PROJECT_BINARY_DIR}/lib/orbearing/fmu/build_win64")
   if(EXISTS "${build_win64}")
-    install(CODE "execute_process(COMMAND [[${build_win64}]] OUTPUT_VARIABLE reason RESULT_VARIABLE failed)
+    set(build_or_warn "execute_process(COMMAND [[${build_win64}]] OUTPUT_VARIABLE reason RESULT_VARIABLE failed)
 if(failed)
   message(WARNING \"FMUs of this installation are for Linux alone: \${reason}\")
 endif()")
+    install(CODE "${build_or_warn}")
+    install(CODE "${build_or_warn}" COMPONENT wheel EXCLUDE_FROM_ALL)
   endif()
   install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION lib/orbearing
           FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION "${orbearing_data_dir}")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/python/orbearing" DESTINATION "${orbearing_data_dir}/python"
-          FILES_MATCHING PATTERN "*.py" PATTERN "*.css" PATTERN "*.js")
+          FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "*.css" PATTERN "*.js")
+endif()
+if(TARGET orbearing_python)
+  install(TARGETS orbearing_python LIBRARY DESTINATION "${orbearing_data_dir}/python/orbearing")
+  # A wheel holds all that is needed within the package; pyproject.toml asks for this component alone.
+  install(TARGETS orbearing_python LIBRARY DESTINATION orbearing COMPONENT wheel EXCLUDE_FROM_ALL)
+  install(DIRECTORY "${PROJECT_BINARY_DIR}/lib/orbearing/fmu" DESTINATION orbearing/lib/orbearing
+          COMPONENT wheel EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "orbearing.so" PATTERN "orbearing.dll")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/cases" DESTINATION orbearing/share/orbearing
+          COMPONENT wheel EXCLUDE_FROM_ALL)
+  find_path(UDUNITS2_DATABASE udunits2.xml PATHS /usr/share/xml/udunits /usr/local/share/udunits /usr/share/udunits)
+  if(UDUNITS2_DATABASE)
+    install(DIRECTORY "${UDUNITS2_DATABASE}/" DESTINATION orbearing/share/udunits COMPONENT wheel EXCLUDE_FROM_ALL
+            FILES_MATCHING PATTERN "*.xml")
+  endif()
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/REFERENCES.md"
         DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -57,3 +57,7 @@ gcovr: line coverage
 wine64: runs the Windows library of the FMUs
 libsundials-dev: CVODE, whose runs the tests compare with ours
 '
+
+wheel_packages='
+python3-venv: environments in which the wheel is packed and checked
+'

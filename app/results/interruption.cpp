@@ -37,6 +37,7 @@ Interruption::Interruption() {
 Interruption::~Interruption() {
   const std::scoped_lock lock(counting);
   if (--living > 0) return;
+  wished = false;
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &former[i], nullptr);
 }
 

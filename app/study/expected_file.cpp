@@ -52,11 +52,11 @@ MotionPlan motion_plan(const YAML::Node& node) {
   return plan;
 }
 
-// The folder of cases: of the source tree this program was built from, or beside an installed program.
+// The folder of cases: of a wheel or of the source tree this program was built from, or beside an installed program.
 fs::path shipped_cases() {
+  const fs::path own = resources().folder / "share" / "orbearing" / "cases";
   const fs::path in_tree = fs::path(source_folder) / "cases";
-  if (fs::is_directory(in_tree)) return in_tree;
-  return resources().folder / "share" / "orbearing" / "cases";
+  return !fs::is_directory(own) && fs::is_directory(in_tree) ? in_tree : own;
 }
 
 }  // namespace

@@ -1,14 +1,18 @@
 // The commands of the command line, their results as JSON; and the command line itself.
 #include <pybind11/stl.h>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command_line.hpp"
 #include "app/errors.hpp"
-#include "app/resources.hpp"
 #include "app/results/interruption.hpp"
 #include "app/results/progress.hpp"
+#include "app/study/fidelity.hpp"
 #include "python/bindings/bindings.hpp"
 
 namespace orbearing::python {
@@ -77,6 +81,10 @@ Options options_from(const py::dict& given) {
     if (found == kTaken.end()) throw app::BadInput(name + ": found an option that no command knows");
     found->second(options, value);
   }
+  const std::vector<std::string>& rungs = app::fidelity_names();
+  if (std::find(rungs.begin(), rungs.end(), options.fidelity) == rungs.end())
+    throw app::BadInput(
+        fmt::format("fidelity: found {}; required: one of {}", options.fidelity, fmt::join(rungs, ", ")));
   return options;
 }
 
@@ -123,13 +131,6 @@ void add_command(py::module_& module) {
       "command line with _ for -; `progress(done, all, doing)` is told how far it is.");
   module.def("command_line", &command_line, py::arg("arguments"), py::call_guard<py::gil_scoped_release>(),
              "The command line in this process; returns its exit code.");
-  module.def(
-      "use_resources",
-      [](const std::string& folder, const std::string& package, const std::string& interpreter) {
-        app::use_resources({folder, package, interpreter});
-      },
-      py::arg("folder"), py::arg("package"), py::arg("interpreter"),
-      "Where libraries of FMUs and shipped cases stand, where this package, and who runs it.");
 }
 
 }  // namespace orbearing::python

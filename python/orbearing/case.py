@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import sys
 import tempfile
 import warnings as python_warnings
@@ -38,7 +39,8 @@ def parse(text: str, name: str = "case", settings: Optional[Mapping[str, Any]] =
 
 def cases() -> dict[str, Path]:
     """Cases that ship with the package, by name."""
-    for folder in (Path(__file__).parent / "share" / "cases", _source_folder() / "cases"):
+    here = Path(__file__)
+    for folder in (here.parent / "share" / "orbearing" / "cases", here.resolve().parents[2] / "cases", here.parents[2] / "cases"):
         if folder.is_dir():
             return {file.parent.name: file for file in sorted(folder.glob("*/case.yaml"))}
     return {}
@@ -223,10 +225,15 @@ class Case:
         if output is not None:
             given["output"] = os.fspath(output)
         elif command in ("run", "sweep") and given.get("fidelity", "quasi-static") != "quasi-static" and kind is SweepResult:
-            kept = tempfile.TemporaryDirectory(prefix="orbearing-")
-            given["output"] = str(Path(kept.name) / "results")
-        with _told(progress, None) as told:
-            text, failures = _core.compute(self._core, command, given, told)
+            kept = tempfile.mkdtemp(prefix="orbearing-")
+            given["output"] = str(Path(kept) / "results")
+        try:
+            with _told(progress, None) as told:
+                text, failures = _core.compute(self._core, command, given, told)
+        except BaseException:
+            if kept:
+                shutil.rmtree(kept, ignore_errors=True)
+            raise
         for line in failures:
             python_warnings.warn(line, RuntimeWarning, stacklevel=3)
         return kind(json.loads(text), command=command, case=self.copy(), options=given, folder=given.get("output"), kept=kept)
@@ -276,7 +283,3 @@ class _told:
     def _plain(self, done: int, total: Optional[int] = None, doing: str = "") -> None:
         print(f"\r{doing}{done} of {total or self._total} done", end="", file=sys.stderr, flush=True)
 
-
-def _source_folder() -> Path:
-    """The source tree of a package that is used from there."""
-    return Path(__file__).resolve().parents[2]

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import html
+import shutil
 import tempfile
+import weakref
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, Optional
@@ -44,22 +46,32 @@ def _frozen(value):
     return tuple(_frozen(one) for one in value) if isinstance(value, list) else value
 
 
+def _thawed(value):
+    if isinstance(value, Mapping):
+        return {key: _thawed(one) for key, one in value.items()}
+    return [_thawed(one) for one in value] if isinstance(value, tuple) else value
+
+
 class Result(Mapping):
     """What a command found. A mapping of the keys of its JSON; arrays are read-only.
 
-    case: the case it was computed from. folder: where its files are, if anywhere.
+    case: the case it was computed from. folder: where its files are, if anywhere; `kept`, a folder around it, goes with
+    the result.
     """
 
     def __init__(self, data: dict, command: str, case: "Case", options: Optional[dict] = None, folder: Optional[str] = None,
-                 kept: Optional[tempfile.TemporaryDirectory] = None):
+                 kept: Optional[str] = None):
         self._data = _frozen(data)
         self._command, self._case, self._options = command, case, MappingProxyType(dict(options or {}))
-        self._folder, self._kept = folder, kept
+        self._folder = folder
+        if kept:
+            weakref.finalize(self, shutil.rmtree, kept, ignore_errors=True)
+        self._whole = True
 
     @property
-    def data(self) -> Mapping[str, Any]:
-        """The JSON object of the command line."""
-        return self._data
+    def data(self) -> dict:
+        """The JSON object of the command line, as plain dicts and lists of its own."""
+        return _thawed(self._data)
 
     @property
     def case(self) -> "Case":
@@ -83,7 +95,7 @@ class Result(Mapping):
         return len(self._data)
 
     def __setattr__(self, name: str, value) -> None:
-        if "_kept" in self.__dict__:
+        if "_whole" in self.__dict__:
             raise AttributeError(f"{type(self).__name__} is a result and does not change")
         super().__setattr__(name, value)
 
@@ -124,8 +136,6 @@ class Result(Mapping):
             target.write_bytes((Path(folder) / "report.html").read_bytes())
             animations = Path(folder) / "animations"
             if animations.is_dir():
-                import shutil
-
                 shutil.copytree(animations, target.parent / "animations", dirs_exist_ok=True)
         return target
 

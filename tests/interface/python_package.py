@@ -1,0 +1,266 @@
+"""The Python package beside the command line: the same numbers, errors with file, line and key, results that do not
+change, a bearing that a script moves, Ctrl-C."""
+
+# Issue 18, Build 1: the package `orbearing`.
+import json
+import os
+import pathlib
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+
+import program
+
+sys.path.insert(0, str(pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "python"))
+sys.modules.pop("orbearing", None)
+import orbearing  # noqa: E402  of the build folder, with its compiled part
+
+CASES = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "cases"
+REDUCER = CASES / "reducer_150kW" / "case.yaml"
+COMMAND = os.environ["ORBEARING"]
+
+
+def printed(*arguments):
+    done = subprocess.run([COMMAND, *map(str, arguments), "--json"], capture_output=True, text=True)
+    return json.loads(done.stdout)
+
+
+class TheSameNumbers(unittest.TestCase):
+    def test_sweep_to_the_last_digit(self):
+        case = orbearing.load(REDUCER)
+        case["bearing.radial_clearance"] = "10 um"
+        self.assertEqual(case.sweep().data, printed("sweep", REDUCER, "--set", "bearing.radial_clearance=10 um"))
+
+    def test_every_command(self):
+        case = orbearing.load(REDUCER)
+        for name in ("check", "modes", "mesh"):
+            with self.subTest(name):
+                self.assertEqual(getattr(case, name)().data, printed(name, REDUCER))
+        self.assertEqual(case.crown(drops="0 um, 10 um").data, printed("crown", REDUCER, "--drops", "0 um, 10 um"))
+        self.assertEqual(case.modes(speed="6000 rpm").data, printed("modes", REDUCER, "--speed", "6000 rpm"))
+
+    def test_every_case_runs_as_by_the_command_line(self):
+        for file in sorted(CASES.glob("*_iso16281/case.yaml")) + [CASES / "harris_209" / "case.yaml", CASES / "duplex_7020" / "case.yaml"]:
+            with self.subTest(file.parent.name):
+                result = orbearing.load(file).run()
+                self.assertEqual(result.data, printed("run", file))
+                result.to_xarray()
+
+    def test_variants_are_points_of_a_sweep(self):
+        case = orbearing.load(REDUCER)
+        points = case.sweep(grid_only=True)
+        speeds = [case.core.si("input.speed", f"{speed} rpm") for speed in points.input_speed_rpm]
+        columns, table, status = case.evaluate(["input.speed"], np.array(speeds)[:, None], jobs=1)
+        for name in ("life_h", "inner_load_max_N", "film_outer_um", "system_life_h"):
+            np.testing.assert_array_equal(table[:, columns.index(name)], points.column(name), name)
+        again = case.evaluate(["input.speed"], np.array(speeds)[::-1, None], jobs=2)[1]
+        np.testing.assert_array_equal(again[::-1], table)  # whatever order and threads
+        self.assertEqual(set(status), {"ok"})
+
+    def test_200_sweeps_in_one_call(self):
+        case = orbearing.load(REDUCER)
+        speeds = np.tile(np.linspace(1000, 12000, 12) * np.pi / 30, 200)
+        clearances = np.repeat(np.linspace(0, 40e-6, 200), 12)
+        begin = time.perf_counter()
+        columns, table, status = case.evaluate(["input.speed", "bearing.radial_clearance"], np.c_[speeds, clearances])
+        seconds = time.perf_counter() - begin
+        print(f"200 sweeps of 12 speeds: {seconds:.2f} s")
+        self.assertEqual(set(status), {"ok"})
+        life = table[:, columns.index("life_h")].reshape(200, 12)
+        self.assertTrue((np.diff(life[:, 5]) < 0).all())  # less life by more clearance
+
+
+class ErrorsSayWhere(unittest.TestCase):
+    def test_unknown_key(self):
+        case = orbearing.load(REDUCER)
+        with self.assertRaises(orbearing.CaseError) as caught:
+            case["bearing.radial_clearence"] = "10 um"
+        self.assertEqual(caught.exception.mistakes[0].key, "bearing.radial_clearence")
+        self.assertIn("did you mean 'bearing.radial_clearance'", str(caught.exception))
+        self.assertEqual(case["bearing.radial_clearance"], 0.0)  # the case is as it was
+        with self.assertRaises(orbearing.CaseError):
+            case["bearing.radial_clearence"]
+
+    def test_file_line_and_column_of_every_mistake(self):
+        text = REDUCER.read_text().replace("150 kW", "150 kN").replace("planets: 4", "planets: four")
+        with self.assertRaises(orbearing.CaseError) as caught:
+            orbearing.parse(text, "my.yaml")
+        found = {mistake.key: mistake for mistake in caught.exception.mistakes}
+        self.assertEqual(set(found), {"input.power", "gearset.planets"})
+        line = found["input.power"].line
+        self.assertEqual(found["input.power"].file, "my.yaml")
+        self.assertIn("150 kN", text.splitlines()[line - 1])
+
+    def test_a_failed_variant_is_a_status(self):
+        case = orbearing.load(REDUCER)
+        columns, table, status = case.evaluate(["bearing.pitch_diameter"], [[case["bearing.pitch_diameter"]], [1e-3]])
+        self.assertEqual(status[0], "ok")
+        self.assertNotEqual(status[1], "ok")
+        self.assertTrue(np.isnan(table[1, columns.index("life_h")]))
+
+    def test_wrong_options(self):
+        case = orbearing.load(REDUCER)
+        for call in (lambda: case.sweep(fidelity="exact"), lambda: case.evaluate(["input.spead"], [[1.0]]),
+                     lambda: case.evaluate(["input.speed", "input.speed"], [[1.0, 1.0]]), lambda: case.crown(dropz="1 um"),
+                     lambda: orbearing.load(CASES / "missing" / "case.yaml"), lambda: case.__setitem__("name", object())):
+            with self.assertRaises(orbearing.CaseError):
+                call()
+
+
+class Results(unittest.TestCase):
+    def test_do_not_change(self):
+        sweep = orbearing.load(REDUCER).sweep(grid_only=True)
+        with self.assertRaises(AttributeError):
+            sweep.peak = None
+        with self.assertRaises(TypeError):
+            sweep["points"][0]["life_h"] = 1.0
+        with self.assertRaises(ValueError):
+            sweep.life_h[0] = 1.0
+        before = sweep.case["bearing.radial_clearance"]
+        sweep.case["bearing.radial_clearance"] = "10 um"
+        self.assertEqual(sweep.case["bearing.radial_clearance"], before)
+
+    def test_datasets_have_axes_and_units(self):
+        case = orbearing.load(REDUCER, {"sweep.bearing.radial_clearance": ["0 um", "10 um", "20 um"]})
+        grid = case.sweep(grid_only=True).to_xarray()
+        self.assertEqual(dict(grid.sizes), {"input_speed_rpm": 12, "bearing.radial_clearance_um": 3})
+        self.assertEqual(grid.life_h.attrs["units"], "h")
+        self.assertEqual(grid["bearing.radial_clearance_um"].attrs["units"], "um")
+        alone = orbearing.load(REDUCER, {"bearing.radial_clearance": "10 um"}).sweep(grid_only=True)
+        np.testing.assert_array_equal(grid.life_h.sel({"bearing.radial_clearance_um": 10}), alone.life_h)
+        meshes = case.mesh().to_xarray()
+        self.assertEqual(meshes.stiffness_N_per_m.dims, ("mesh", "fraction"))
+
+    def test_motion_keeps_its_series_and_report(self):
+        case = orbearing.load(REDUCER, {"simulation.observed_revolutions": 2, "simulation.most_revolutions": 2})
+        result = case.run(fidelity="dynamic")
+        self.assertIn("time", " ".join(result.series().variables))
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertIn(b"<svg", result.report(pathlib.Path(folder) / "new" / "page.html").read_bytes())
+
+    def test_plots_and_notebook_displays(self):
+        import matplotlib
+
+        matplotlib.use("agg")
+        case = orbearing.load(REDUCER)
+        for result in (case.sweep(grid_only=True), case.modes(), case.mesh(), case.crown(drops="0 um, 5 um")):
+            axes = result.plot()
+            self.assertTrue(axes.get_xlabel() and axes.get_ylabel())
+            self.assertIn("<table>", result._repr_html_())
+        self.assertIn("bearing.rollers", case._repr_html_())
+        for result in (case.check(), orbearing.load(CASES / "ball_6305_iso16281").run()):
+            self.assertIn("<table>", result._repr_html_())
+
+    def test_a_case_travels_to_other_processes(self):
+        case = orbearing.load(REDUCER, {"bearing.radial_clearance": "10 um"})
+        twin = pickle.loads(pickle.dumps(case))
+        np.testing.assert_array_equal(twin.sweep(grid_only=True).life_h, case.sweep(grid_only=True).life_h)
+        self.assertEqual(twin.core.hash(), case.core.hash())
+
+    def test_progress_is_told(self):
+        told = []
+        orbearing.load(REDUCER).sweep(progress=lambda done, every, doing: told.append((done, every)))
+        self.assertTrue(told and told[0][1] == 12)
+
+
+class LiveMachine(unittest.TestCase):
+    """A bearing in this process: the participant of the co-simulation."""
+
+    def bearing(self):
+        planet = orbearing.load(REDUCER).bearing()
+        planet.set_input(planet_displacement_x=8e-6, planet_speed=300.0, carrier_speed=200.0)
+        planet.initialize()
+        return planet
+
+    def test_saved_states_repeat_to_the_bit(self):
+        planet = self.bearing()
+        for _ in range(20):
+            planet.advance(1e-5)
+        state = planet.save()
+        planet.advance(1e-4)
+        force = planet.force
+        planet.advance(1e-4)
+        planet.restore(state)
+        planet.advance(1e-4)
+        np.testing.assert_array_equal(planet.force, force)
+        other = self.bearing()
+        other.restore(state)
+        other.advance(1e-4)
+        np.testing.assert_array_equal(other.force, force)
+        self.assertAlmostEqual(other.time, 3e-4, 12)
+
+    def test_directional_derivatives_by_differences(self):
+        planet = self.bearing()
+        planet.advance(1e-4)
+        step = 1e-10
+        at = planet._machine.input("planet.displacement.x")
+        forces = []
+        for sign in (1, -1):
+            planet.set_input("planet.displacement.x", at + sign * step)
+            forces.append(planet.force)
+        planet.set_input("planet.displacement.x", at)
+        difference = (forces[0] - forces[1]) / (2 * step)
+        np.testing.assert_allclose(planet.stiffness[:, 0], difference, rtol=1e-5, atol=1e-6 * abs(difference).max())
+        np.testing.assert_allclose(planet.directional_derivative(["force.x", "force.y"], ["planet.displacement.x"], [2.0]),
+                                   2 * planet.stiffness[:, 0])
+
+    def test_what_is_not_known_is_refused(self):
+        planet = self.bearing()
+        with self.assertRaisesRegex(orbearing.CaseError, "planet.displacement.x"):
+            planet.set_input("planet.place", 0.0)
+        with self.assertRaises(orbearing.CaseError):
+            planet.advance(0.0)
+        with self.assertRaises((orbearing.CaseError, ValueError)):
+            planet.restore(np.zeros(3))
+
+    def test_gears(self):
+        gears = orbearing.load(REDUCER).gears()
+        gears.advance(1e-5)
+        self.assertTrue(all(np.isfinite(list(gears.all_outputs().values()))))
+
+
+ENDLESS = """
+import sys, time, numpy, orbearing
+case = orbearing.load(sys.argv[1])
+print("begun", flush=True)
+try:
+    {call}
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+case.mesh()  # and the program goes on
+print("alive", flush=True)
+"""
+
+
+class CtrlC(unittest.TestCase):
+    CALLS = {"variants": "case.evaluate(['input.speed'], numpy.full((10**6, 1), 600.0))",
+             "sweep": "case.copy({'sweep.input.speed': {'from': '1000 rpm', 'to': '12000 rpm', 'step': '0.2 rpm'}}).sweep()"}
+
+    def test_raises_within_a_second(self):
+        for name, call in self.CALLS.items():
+            with self.subTest(name):
+                child = subprocess.Popen([sys.executable, "-c", ENDLESS.format(call=call), str(REDUCER)], stdout=subprocess.PIPE,
+                                         text=True, env={**os.environ, "PYTHONPATH": sys.path[0]})
+                self.assertEqual(child.stdout.readline(), "begun\n")
+                time.sleep(1.0)
+                begin = time.perf_counter()
+                child.send_signal(signal.SIGINT)
+                self.assertEqual(child.stdout.readline(), "interrupted\n")
+                seconds = time.perf_counter() - begin
+                self.assertEqual(child.stdout.readline(), "alive\n")
+                child.stdout.close()
+                child.wait()
+                print(f"Ctrl-C in {name}: {seconds:.2f} s")
+                self.assertLess(seconds, 2.0)  # 1 s where the machine is idle
+
+
+if __name__ == "__main__":
+    if not (pathlib.Path(os.environ["ORBEARING"]).resolve().parents[1] / "python" / "orbearing").is_dir():
+        program.skip("the build has no compiled part of the Python package")
+    unittest.main()

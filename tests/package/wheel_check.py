@@ -1,0 +1,61 @@
+"""What a wheel must do by itself, in an environment that has nothing but it: sweep in two rungs, plot, report, FMU and
+command line, the table of the command line and that of the module equal to the last digit.
+
+    python wheel_check.py FOLDER      FOLDER is made and filled
+"""
+
+# Issue 18, Build 1 and "Done when": the wheel alone.
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+import zipfile
+
+SHORT_MOTION = {"simulation.observed_revolutions": 2, "simulation.most_revolutions": 2}
+
+
+def command_line(*arguments):
+    program = pathlib.Path(sys.executable).with_name("orbearing")
+    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def main(folder):
+    begin = time.perf_counter()
+    import orbearing
+
+    print(f"import: {time.perf_counter() - begin:.2f} s")
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    file = orbearing.cases()["reducer_150kW"]
+    case = orbearing.load(file)
+    sweep = case.sweep()
+    assert json.loads(command_line("sweep", file, "--json")) == sweep.data
+    print(f"quasi-static sweep: {len(sweep.life_h)} points, peak at {sweep.peak['refined_speed_rpm']} rpm, as by the command line")
+    moving = case.copy({"sweep.input.speed": ["5000 rpm", "6000 rpm"], **SHORT_MOTION})
+    motion = moving.sweep(fidelity="dynamic", grid_only=True)
+    settings = [word for path, value in SHORT_MOTION.items() for word in ("--set", f"{path}={value}")]
+    printed = command_line("sweep", file, "--json", "--fidelity", "dynamic", "--grid-only", "--set",
+                           "sweep.input.speed=[5000 rpm, 6000 rpm]", *settings)
+    assert json.loads(printed)["points"] == motion.data["points"]
+    print(f"dynamic sweep: lives {motion.life_h}, as by the command line; series: {dict(motion.series(0).sizes)}")
+    import matplotlib
+
+    matplotlib.use("agg")
+    sweep.plot().figure.savefig(folder / "life.png")
+    page = sweep.report(folder / "report.html")
+    assert b"<svg" in page.read_bytes()
+    case.fmu(folder / "planet.fmu")
+    with zipfile.ZipFile(folder / "planet.fmu") as archive:
+        libraries = [name for name in archive.namelist() if name.startswith("binaries/") and name.endswith((".so", ".dll"))]
+    assert libraries, "the FMU holds no library"
+    print(f"plot, report ({page.stat().st_size} bytes), FMU with {', '.join(libraries)}")
+    assert orbearing._core.__file__.startswith(sys.prefix), "another package was imported"
+    print(command_line("check", file).splitlines()[0])
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]))
