@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
-"""exudyn_planet.py BEARING.fmu CHECK.json: the planet of planet_bearing.py in Exudyn, an implicit multibody code, on the FMU.
+"""The planet of planet_bearing.py in Exudyn, an implicit multibody code, on the FMU or on the bearing in this process.
 
-Needs numpy, FMPy and Exudyn (PyPI). Prints, for exchanges half a step and a step ahead, the error of the planet's place
-over 0.3 ms against a fine run of planet_bearing.py, which knows nothing of Exudyn.
+    exudyn_planet.py BEARING.fmu CHECK.json     needs numpy, FMPy and Exudyn (PyPI)
+    exudyn_planet.py CASE.yaml                  needs numpy, Exudyn and the Python package orbearing
+
+Prints, for exchanges half a step and a step ahead, the error of the planet's place over 0.3 ms against a fine run of
+planet_bearing.py, which knows nothing of Exudyn.
 """
 
 import sys
@@ -10,7 +13,7 @@ import sys
 import exudyn as exu
 import numpy as np
 from exudyn.utilities import LoadForceVector, MarkerNodePosition, NodePoint2D, ObjectMassPoint2D
-from planet_bearing import LOST, Bearing, duty_of, run_bearing
+from planet_bearing import LOST, Bearing, LiveBearing, duty_of, run_bearing
 
 SIZES = (2e-6, 5e-6, 10e-6, 20e-6)  # [s]
 SHORT, FINE = 3e-4, 1e-7  # [s]
@@ -81,11 +84,20 @@ def errors(bearing, duty, sizes=SIZES):
     return found
 
 
+def bearing_and_duty(file, check=None):
+    if file.endswith(".fmu"):
+        return Bearing(file), duty_of(check)
+    import orbearing
+
+    case = orbearing.load(file)
+    return LiveBearing(case), duty_of(case.check())
+
+
 def main():
-    bearing = Bearing(sys.argv[1])
+    bearing, duty = bearing_and_duty(*sys.argv[1:])
     try:
         print("error in um at", *(f"{1e6 * size:g}" for size in SIZES), "us")
-        for (solver, share, slopes), row in errors(bearing, duty_of(sys.argv[2])).items():
+        for (solver, share, slopes), row in errors(bearing, duty).items():
             name = ("half a step ahead" if share < 1.0 else "a step ahead") + (", slopes" if slopes else "")
             print(f"{solver:20s} {name:28s}", *(f"{1e6 * error:.4f}" for error in row))
     finally:

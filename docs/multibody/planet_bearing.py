@@ -1,4 +1,5 @@
-"""A planet of a multibody model on its bearing: a bushing, or the bearing FMU of Orbearing through FMPy.
+"""A planet of a multibody model on its bearing: a bushing, the bearing FMU of Orbearing through FMPy, or the same
+bearing in this process.
 
 The planet moves in the frame of its carrier, x outward and y in the sense of carrier rotation. All in SI units.
 """
@@ -9,8 +10,6 @@ import pathlib
 import shutil
 from dataclasses import dataclass
 
-import fmpy
-import fmpy.fmi2
 import numpy as np
 
 RIPPLE = np.array([0.0, 100.0])  # [N]  of the meshes: an example's
@@ -29,9 +28,9 @@ class Duty:
         return self.static + RIPPLE * math.sin(2.0 * math.pi * self.mesh * time)
 
 
-def duty_of(check_file):
-    """From what `orbearing check CASE --json` prints."""
-    check = json.loads(pathlib.Path(check_file).read_text(encoding="utf-8"))
+def duty_of(check):
+    """From what `orbearing check CASE --json` prints into a file, or from case.check() of the Python package."""
+    check = check if hasattr(check, "keys") else json.loads(pathlib.Path(check).read_text(encoding="utf-8"))
     value = {row["path"]: float(row["value"]) for row in check["derived"] if row["unit"] in ("kg", "N", "Hz")}
     bearings = next(int(row["value"]) for row in check["inputs"] if row["path"] == "bearing.per_planet")
     return Duty(value["gearset.dynamics.planet.mass"] / bearings,
@@ -50,10 +49,39 @@ class Bushing:
         return self.rest - self.stiffness @ (displacement - self.place) - self.damping @ velocity
 
 
-class Bearing:
+class Placed:
+    """What both bearings below have in common."""
+
+    def force_at(self, place):
+        """Of rollers in balance under `place`."""
+        self.begin(place)
+        return self.force()
+
+    def stiffness_at(self, place, change=1e-8):
+        """[N/m] (2, 2), rollers and pin in balance: what a bushing stands for. The FMU's directional derivatives
+        are those with rollers and pin held, which is stiffer: what a solver wants inside a step."""
+        force = self.force_at(place)
+        moved = [self.force_at(np.add(place, change * axis)) for axis in np.eye(2)]
+        return -np.array([(f - force) / change for f in moved]).T
+
+    def place_under(self, load):
+        """Where the planet rests [m] while `load` [N] and the rollers balance, by Newton."""
+        place = 1e-6 * np.sign(load)
+        for _ in range(50):
+            missing = self.force_at(place) + load
+            if np.abs(missing).max() < 1e-6 * np.abs(load).max():
+                return place
+            place = place + np.clip(np.linalg.solve(self.stiffness_at(place), missing), -5e-6, 5e-6)
+        raise RuntimeError(f"no place under {load} N")
+
+
+class Bearing(Placed):
     """The FMU: motion of the planet in, force on the planet out."""
 
     def __init__(self, file):
+        import fmpy
+        import fmpy.fmi2
+
         self.folder = fmpy.extract(str(file))
         about = fmpy.read_model_description(self.folder)
         self.reference = {v.name: v.valueReference for v in about.modelVariables}
@@ -98,32 +126,42 @@ class Bearing:
     def get(self, *names):
         return self.fmu.getReal(self._references(*names))
 
-    def force_at(self, place):
-        """Of rollers in balance under `place`."""
-        self.begin(place)
-        return self.force()
-
-    def stiffness_at(self, place, change=1e-8):
-        """[N/m] (2, 2), rollers and pin in balance: what a bushing stands for. The FMU's directional derivatives
-        are those with rollers and pin held, which is stiffer: what a solver wants inside a step."""
-        force = self.force_at(place)
-        moved = [self.force_at(np.add(place, change * axis)) for axis in np.eye(2)]
-        return -np.array([(f - force) / change for f in moved]).T
-
     def damping(self):
         """[N s/m] (2, 2) at the present time, rollers and pin held."""
         columns = [self.fmu.getDirectionalDerivative(self.forces, [reference], [1.0]) for reference in self.motion[2:]]
         return -np.array(columns).T
 
-    def place_under(self, load):
-        """Where the planet rests [m] while `load` [N] and the rollers balance, by Newton."""
-        place = 1e-6 * np.sign(load)
-        for _ in range(50):
-            missing = self.force_at(place) + load
-            if np.abs(missing).max() < 1e-6 * np.abs(load).max():
-                return place
-            place = place + np.clip(np.linalg.solve(self.stiffness_at(place), missing), -5e-6, 5e-6)
-        raise RuntimeError(f"no place under {load} N")
+
+class LiveBearing(Placed):
+    """The same bearing in this process, through the Python package: no file, no FMPy."""
+
+    def __init__(self, case):
+        self.machine = case.bearing()
+
+    def close(self):
+        pass
+
+    def begin(self, displacement, velocity=(0.0, 0.0)):
+        self._move(displacement, velocity)
+        self.machine.initialize()
+
+    def step(self, time, size, displacement, velocity, acceleration=None):
+        self._move(displacement, velocity, acceleration)
+        self.machine.advance(size)
+
+    def _move(self, displacement, velocity, acceleration=None):
+        for axis, place, speed, slope in zip("xy", displacement, velocity, acceleration if acceleration is not None else (None, None)):
+            self.machine.set_input(f"planet.displacement.{axis}", place)
+            self.machine.set_input(f"planet.velocity.{axis}", speed, slope)
+
+    def force(self):
+        return self.machine.force
+
+    def get(self, *names):
+        return [self.machine.output(name) for name in names]
+
+    def damping(self):
+        return -self.machine.damping
 
 
 class Held:
