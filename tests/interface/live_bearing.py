@@ -15,14 +15,14 @@ import unittest
 
 import numpy as np
 
+import program
 from virtual_environment import build_folder, environment
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
 CASE = SOURCE / "cases" / "reducer_150kW" / "case.yaml"
 PACKAGE = build_folder() / "python"
-sys.path[:0] = [str(PACKAGE), str(SOURCE / "docs" / "multibody")]
-sys.modules.pop("orbearing", None)
-import orbearing  # noqa: E402
+orbearing = program.package()
+sys.path.insert(0, str(SOURCE / "docs" / "multibody"))
 from live_planet import run  # noqa: E402
 
 QUIET = 3e-6  # [m]  the planet sways by less than 1 um
