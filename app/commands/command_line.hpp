@@ -28,6 +28,7 @@ struct Options {
   bool grid_only = false;                // sweep, merge: no points are added around the peak
   int jobs = 0;                          // 0: one for each core
   bool every_effect = false;             // report: all effects of the motion in time
+  bool data_only = false;                // report: what its page is made of is the result, and no page is drawn
   bool motion = false;                   // validate: what assumptions are worth in motion, alone
   bool gears = false;                    // run: without the dynamics of bearings
   std::string fmi = "2";                 // fmu: version of the interface

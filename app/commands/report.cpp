@@ -111,6 +111,10 @@ int report_command(const Options& options) {
                                       : is_ball_run(resolved) ? printed_data(folder / ball_file_name, "balls")
                                       : holds_crown(folder)   ? crown_data(resolved, folder)
                                                               : sweep_data(resolved, manifest, options);
+  if (options.data_only) {
+    print_object(data, options);
+    return 0;
+  }
   write_data(folder / data_name, data);
   draw_page(folder);
   if (options.json)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import math
 from dataclasses import dataclass, field
 from typing import Any, Sequence
@@ -32,6 +33,11 @@ class FigureBlock:
     summary: Table | None = None
     data: Table | None = None
     missing: str = ""
+
+    def _repr_html_(self) -> str:
+        """Title, pictures and caption, as a notebook shows them."""
+        body = "".join(f"<div>{picture}</div>" for picture in self.pictures) or f"<p>{html.escape(self.missing)}</p>"
+        return f"<h4>{html.escape(self.title)}</h4>{body}<p>{html.escape(self.caption)}</p>"
 
 
 def is_number(value: Any) -> bool:

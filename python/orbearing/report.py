@@ -24,50 +24,34 @@ def build(folder: Path) -> str:
 
 def build_all(folder: Path) -> dict[str, str]:
     """Every page by its name below the result folder; the report itself comes last."""
-    from orbearing import animation, style
-    from orbearing.figures import blocks_of
+    from orbearing import animation, ball_page, crown_page, defect_page, style
     from orbearing.page import page
     from orbearing.result_folder import read_report
 
     report = read_report(folder)
-    if report.record("crown"):
-        return _crown_pages(report)
-    if report.record("defect"):
-        return _defect_pages(report)
-    if report.record("balls"):
-        return _ball_pages(report)
-    pages = dict(animation.pages(report.along_speed()))
+    blocks = blocks_of(report)
     with style.context():
-        return {**pages, "report.html": page(report, blocks_of(report), tuple(pages))}
+        for kind, draw in (("crown", crown_page.page), ("defect", defect_page.page), ("balls", ball_page.page)):
+            if report.record(kind):
+                return {"report.html": draw(report, blocks)}
+        pages = dict(animation.pages(report.along_speed()))
+        return {**pages, "report.html": page(report, blocks, tuple(pages))}
 
 
-def _crown_pages(report) -> dict[str, str]:
-    """The page of a crowning study."""
-    from orbearing import crown_page, style
-    from orbearing.figures import crown
-
-    with style.context():
-        return {"report.html": crown_page.page(report, crown.blocks(report))}
-
-
-def _ball_pages(report) -> dict[str, str]:
-    """The page of a ball bearing in time."""
-    from orbearing import ball_page, style
-    from orbearing.figures import ball_motion
+def blocks_of(report) -> list:
+    """The figures of a result of any kind, in the order of its page."""
+    from orbearing import figures, style
+    from orbearing.figures import ball_motion, crown, defect
     from orbearing.point_file import read_only_point
 
     with style.context():
-        return {"report.html": ball_page.page(report, ball_motion.blocks(report, read_only_point(report.folder)))}
-
-
-def _defect_pages(report) -> dict[str, str]:
-    """The page of a bearing with scratches."""
-    from orbearing import defect_page, style
-    from orbearing.figures import defect
-    from orbearing.point_file import read_only_point
-
-    with style.context():
-        return {"report.html": defect_page.page(report, defect.blocks(report, read_only_point(report.folder)))}
+        if report.record("crown"):
+            return list(crown.blocks(report))
+        if report.record("defect"):
+            return list(defect.blocks(report, read_only_point(report.folder)))
+        if report.record("balls"):
+            return list(ball_motion.blocks(report, read_only_point(report.folder)))
+        return figures.blocks_of(report)
 
 
 def write_all(folder: Path, pages: dict[str, str]) -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import html
+import json
 import shutil
 import tempfile
 import weakref
@@ -14,6 +16,7 @@ import numpy as np
 
 if TYPE_CHECKING:
     import xarray
+    from orbearing.blocks import FigureBlock
     from orbearing.case import Case
 
 # Ends of names -> units as udunits and pint read them; the longest end counts.
@@ -123,13 +126,9 @@ class Result(Mapping):
 
     def report(self, path) -> Path:
         """Writes the report, one self-contained page, to the file `path` and returns it."""
-        from orbearing.case import _core
+        from orbearing import _core
 
-        with tempfile.TemporaryDirectory(prefix="orbearing-") as spare:
-            folder = self._folder
-            if folder is None:
-                folder = str(Path(spare) / "results")
-                _core.compute(self._case.core, self._command, {**self._options, "output": folder})
+        with self._written() as folder:
             _core.compute(None, "report", {"folders": [folder]})
             target = Path(path)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -138,6 +137,29 @@ class Result(Mapping):
             if animations.is_dir():
                 shutil.copytree(animations, target.parent / "animations", dirs_exist_ok=True)
         return target
+
+    def figures(self) -> dict[str, "FigureBlock"]:
+        """The figures of the report by name, each with its pictures (SVG), caption and numbers; notebooks show them."""
+        from orbearing import _core
+        from orbearing.report import blocks_of
+        from orbearing.result_folder import Report
+
+        with self._written() as folder:
+            text, _ = _core.compute(None, "report", {"folders": [folder], "data_only": True})
+            return {block.slug: block for block in blocks_of(Report(json.loads(text), Path(folder)))}
+
+    @contextlib.contextmanager
+    def _written(self):
+        """The folder of the results; one of a result without is computed again into a folder that goes."""
+        from orbearing import _core
+
+        if self._folder is not None:
+            yield self._folder
+            return
+        with tempfile.TemporaryDirectory(prefix="orbearing-") as spare:
+            folder = str(Path(spare) / "results")
+            _core.compute(self._case.core, self._command, {**self._options, "output": folder})
+            yield folder
 
     def __repr__(self) -> str:
         return f"<orbearing.{type(self).__name__} of {self._case.name}: {', '.join(self._data)}>"

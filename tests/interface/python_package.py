@@ -142,6 +142,12 @@ class Results(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             self.assertIn(b"<svg", result.report(pathlib.Path(folder) / "new" / "page.html").read_bytes())
 
+    def test_figures_of_the_report_are_functions_of_results(self):
+        figures = orbearing.load(REDUCER).sweep(grid_only=True).figures()
+        self.assertEqual(len(figures["life"].pictures), 2)
+        self.assertIn("<svg", figures["polar"]._repr_html_())
+        self.assertIn("crown-drop", orbearing.load(REDUCER).crown(drops="0 um, 5 um").figures())
+
     def test_plots_and_notebook_displays(self):
         import matplotlib
 
