@@ -432,6 +432,20 @@ class StiffnessResult(Result):
         return xarray.Dataset({"stiffness": (("point", "force", "displacement"), matrices), "speed_rpm": (("point",), speed, {"units": "rpm"}),
                                **loads}, coords={"force": freedoms, "displacement": freedoms}, attrs=self._attributes())
 
+    def ross_element(self, n: int, load: int = 0):
+        """A bearing for a rotor in ROSS (ross-rotordynamics) at node `n`, undamped: radial stiffness over speed under the
+        load of that number, in the order in which the table has them."""
+        import ross
+
+        keys = [tuple(round(value, 6) for value in point["load"].values()) for point in self["points"]]  # moments of 0 are round-off
+        chosen = list(dict.fromkeys(keys))[load]
+        points = [point for point, key in zip(self["points"], keys) if key == chosen]
+        terms = {f"k{a}{b}": [point["stiffness"][i][j] for point in points] for i, a in enumerate("xy") for j, b in enumerate("xy")}
+        speeds = [point["speed_rpm"] * np.pi / 30 for point in points]
+        if len(points) == 1:
+            return ross.BearingElement(n=n, cxx=0.0, **{name: values[0] for name, values in terms.items()})
+        return ross.BearingElement(n=n, cxx=[0.0] * len(points), frequency=speeds, **terms)
+
     def plot(self, axes=None):
         """Diagonal terms in translation over the points."""
         from matplotlib import pyplot

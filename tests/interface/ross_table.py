@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-from virtual_environment import interpreter_with
+from virtual_environment import build_folder, interpreter_with
 
 CASE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"]) / "cases" / "spin_bearing_7210" / "case.yaml"
 PACKAGES = ("ross-rotordynamics==2.3.0", "plotly<6")
@@ -22,7 +22,7 @@ ROTOR = """
 import json, math, sys
 import numpy as np
 import ross
-table, balls, diameter, load, angle = sys.argv[1], *map(float, sys.argv[2:])
+table, balls, diameter, load, angle = sys.argv[1], *map(float, sys.argv[2:6])
 steel = ross.Material("steel", rho=7810, E=211e9, G_s=81.2e9)
 def rotor(bearings):
     shaft = [ross.ShaftElement(L=0.05, idl=0, odl=0.045, material=steel, n=n) for n in range(12)]
@@ -41,13 +41,17 @@ def criticals(bearings):
             found.append(speeds[i[0]] + share * (speeds[1] - speeds[0]))
     return found
 ours = [ross.BearingElement.from_table(n=n, file=table) for n in (0, 12)]
+import orbearing
+case = orbearing.load(sys.argv[6], dict(word.split("=", 1) for word in sys.argv[7:]))
+live = case.stiffness().ross_element(0)
 at = [0.0, 300.0, 800.0]
 read = [[float(np.asarray(ours[0].K(w))[0, 0]) for w in at], [float(np.asarray(ours[0].K(w))[1, 1]) for w in at]]
 theirs = [ross.BallBearingElement(n=n, n_balls=balls, d_balls=diameter, fs=load, alpha=math.radians(angle)) for n in (0, 12)]
 stiff = [ross.BearingElement(n=n, kxx=1e15, cxx=0) for n in (0, 12)]
 k = np.asarray(theirs[0].K(0))
 print(json.dumps({"read": read, "ours": criticals(ours), "theirs": criticals(theirs), "rigid": criticals(stiff),
-                  "ross": [float(k[0, 0]), float(k[1, 1])]}))
+                  "ross": [float(k[0, 0]), float(k[1, 1])],
+                  "live": max(abs(float(np.asarray(live.K(w))[i, i]) / read[i][j] - 1) for i in (0, 1) for j, w in enumerate(at))}))
 """
 
 
@@ -59,11 +63,13 @@ class Ross(unittest.TestCase):
     def test_a_rotor_on_our_table(self):
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place) / "out"
-            result = call("stiffness", CASE, "-o", folder, "--json", "--set", f"load.axial={AXIAL} N", "--set",
-                          "operation.speeds=[0 rad/s, 100 rad/s, 300 rad/s, 550 rad/s, 800 rad/s, 1100 rad/s, 1500 rad/s]")
+            settings = [f"load.axial={AXIAL} N",
+                        "operation.speeds=[0 rad/s, 100 rad/s, 300 rad/s, 550 rad/s, 800 rad/s, 1100 rad/s, 1500 rad/s]"]
+            result = call("stiffness", CASE, "-o", folder, "--json", *(word for one in settings for word in ("--set", one)))
             points = {round(point["speed_rpm"] * 0.10471975511965977): point["stiffness"] for point in json.loads(result.stdout)["points"]}
-            done = subprocess.run([INTERPRETER, "-c", ROTOR, folder / "ross.xls", str(BALLS), str(DIAMETER), str(AXIAL), str(ANGLE)],
-                                  capture_output=True, text=True, timeout=280, cwd=place)
+            done = subprocess.run([INTERPRETER, "-c", ROTOR, folder / "ross.xls", str(BALLS), str(DIAMETER), str(AXIAL), str(ANGLE), CASE, *settings],
+                                  capture_output=True, text=True, timeout=280, cwd=place,
+                                  env={**os.environ, "PYTHONPATH": str(build_folder() / "python")})
             self.assertEqual(done.returncode, 0, done.stderr[-2000:])
             found = json.loads(done.stdout.splitlines()[-1])
         print(f"critical speeds [rad/s]: our table {found['ours']}, BallBearingElement {found['theirs']}, "
@@ -71,6 +77,7 @@ class Ross(unittest.TestCase):
         for axis in (0, 1):
             for speed, read in zip((0, 300, 800), found["read"][axis]):
                 self.assertAlmostEqual(read / points[speed][axis][axis], 1, delta=1e-4)
+        self.assertLess(found["live"], 1e-4)  # the package's own element has the same stiffness (Issue 18, Build 1)
         # Both directions stand alike under thrust, but for what gyroscopes part: two critical speeds of the first bending.
         self.assertEqual(len(found["ours"]), 2)
         rigid = sum(found["rigid"]) / 2
