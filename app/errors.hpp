@@ -25,12 +25,13 @@ struct BadInput : std::runtime_error {
 };
 
 /// The input was sound, yet the work could not be completed: no convergence, no room on the disk,
-/// interrupted by a signal. Exit code 1.
+/// interrupted. Exit code 1.
 struct ComputationFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Stopped by a signal: what was finished is kept where there is a folder.
+/// It was asked to stop (mechanics/cancellation.hpp); says what is kept and how to go on. Where nothing is kept,
+/// Cancelled comes through as it is.
 struct Interrupted : ComputationFailed {
   using ComputationFailed::ComputationFailed;
 };

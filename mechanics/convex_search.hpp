@@ -13,6 +13,8 @@
 #include <cmath>
 #include <utility>
 
+#include "mechanics/cancellation.hpp"
+
 namespace orbearing::mechanics {
 
 /// Forces out of balance at one place of N coordinates, and how stiffly they resist. All coordinates are
@@ -101,6 +103,7 @@ SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, cons
   SearchReport report;
   now = imbalance_at(place);
   for (; report.iterations < limits.most_iterations; ++report.iterations) {
+    throw_if_stopped();
     if (!(now.force.norm() > limits.tolerance * now.scale)) break;
     const Eigen::Vector<double, N> step = within<N>(limits.reach, lengths(now.force, now.stiffness));
     if (step.norm() <= limits.resolution * (place.norm() + limits.size)) break;
@@ -123,7 +126,7 @@ SearchReport damped_search(Function&& imbalance_at, const Lengths& lengths, cons
 }  // namespace detail
 
 /// Follows `imbalance_at(place)`, an Imbalance<N>, to where the force vanishes. `place` holds the start and
-/// then the balance, `now` the imbalance there.
+/// then the balance, `now` the imbalance there. Throws Cancelled.
 template <int N, class Function>
 SearchReport find_balance(Function&& imbalance_at, const SearchLimits& limits,
                           Eigen::Vector<double, N>& place, Imbalance<N>& now) {

@@ -9,6 +9,7 @@
 #include "app/case/field_table.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/case/settings.hpp"
+#include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
 
@@ -90,6 +91,7 @@ void replace(CaseData& data, unsigned model, const NumberSetting& setting, Place
 template <class Settings>
 ResolvedCase changed(CaseData data, unsigned model, const Settings& settings,
                      std::vector<Mistake>& mistakes) {
+  throw_if_stopped();  // sweeps ask for their points by the ten thousand
   int number = 0;
   for (const auto& setting : settings) replace(data, model, setting, {true, ++number, 1}, mistakes);
   fill_derived_defaults(data);

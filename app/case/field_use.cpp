@@ -95,8 +95,6 @@ constexpr unsigned other_rungs = use::co_simulated | use::monolithic;
 constexpr unsigned no_tilt = (use::rollers_in_motion & ~use::dynamic) | use::planet_stiffness;
 constexpr Exception exceptions[] = {
     {"input.acceleration", use::quasi_static | other_rungs, 0, use::gears | use::fmu_gearset},
-    {"input.power", 0, use::fmu_bearing},
-    {"gearset.planets", 0, use::fmu_bearing},
     {"gearset.planet_rim", use::gears | use::fmu_gearset | use::fmu_bearing},
     // Coupled gears start on it; --fidelity dynamic fits a law of its own.
     {"gearset.dynamics.planet.bearing_stiffness", 0, 0, use::dynamic},

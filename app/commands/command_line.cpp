@@ -8,8 +8,10 @@
 
 #include "app/commands/python_part.hpp"
 #include "app/errors.hpp"
+#include "app/results/interruption.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/version.hpp"
+#include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
 
@@ -331,6 +333,7 @@ void require_place_of_results(const Options& options) {
 }
 
 int run_command_line(int argc, char** argv) {
+  const Interruption interruption;
   // A file grown beyond the user's limit is an error of the write then, which cleans up, not the end.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -343,6 +346,9 @@ int run_command_line(int argc, char** argv) {
     return kFailed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "orbearing: {}\n", error.what());
+    return kFailed;
+  } catch (const Cancelled& wish) {
+    fmt::print(stderr, "orbearing: {}\n", wish.what());
     return kFailed;
   }
 }

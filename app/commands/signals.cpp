@@ -10,13 +10,13 @@
 #include "app/commands/presentation.hpp"
 #include "app/commands/defect_run.hpp"
 #include "app/errors.hpp"
-#include "app/results/interruption.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/defect_output.hpp"
 #include "app/study/signal_grid.hpp"
 #include "app/study/sweep_study.hpp"
 #include "coupling/study/parallel.hpp"
+#include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
 
@@ -48,7 +48,7 @@ class SignalSet {
         variants_(std::move(variants)),
         labels_(variants_.size()) {}
 
-  // Those of an earlier run are read back; an interrupted one ends between two signals.
+  // Those of an earlier run are read back.
   void compute() {
     std::vector<std::size_t> missing;
     for (std::size_t number = 0; number < variants_.size(); ++number)
@@ -57,12 +57,10 @@ class SignalSet {
       else
         missing.push_back(number);
     if (!folder_.path().empty()) std::filesystem::create_directories(folder_.path() / "signals");
-    Interruption interruption;
     Progress progress(variants_.size() - missing.size(), variants_.size(), !options_.quiet, "signals: ");
     std::size_t done = variants_.size() - missing.size();
     std::mutex one_writer;
-    study::in_parallel(missing.size(), options_.jobs, [&](std::size_t place) {
-      if (Interruption::requested()) return;
+    const auto one = [&](std::size_t place) {
       const std::size_t number = missing[place];
       const ResolvedCase changed = resolved_.with(variants_[number].settings);
       const SignalNoise noise{options_.noise, options_.seed};
@@ -73,9 +71,14 @@ class SignalSet {
       labels_[number] = labelled(number, changed, study, noise);
       if (!folder_.path().empty()) keep(number, study);
       progress.show(++done);
-    });
-    if (Interruption::requested())
-      throw Interrupted("signals: interrupted; what is done stays, --resume goes on");
+    };
+    try {
+      study::in_parallel(missing.size(), options_.jobs, one);
+    } catch (const Cancelled&) {
+      throw Interrupted(fmt::format("signals: interrupted with {} of {} signals done; {}", done, variants_.size(),
+                                    folder_.path().empty() ? "nothing of it is kept without --output"
+                                                           : "go on with --resume"));
+    }
   }
 
   const std::vector<Json>& labels() const { return labels_; }

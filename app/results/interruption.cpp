@@ -1,16 +1,14 @@
 #include "app/results/interruption.hpp"
 
 #include <array>
-#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <mutex>
 
+#include "mechanics/cancellation.hpp"
+
 namespace orbearing::app {
 namespace {
-
-std::atomic<bool> wished = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing that locks");
 
 constexpr std::array<int, 2> signals = {SIGINT, SIGTERM};
 
@@ -23,10 +21,10 @@ std::array<struct sigaction, signals.size()> former;
 Interruption::Interruption() {
   const std::scoped_lock lock(counting);
   if (living++ > 0) return;
-  wished = false;
+  clear_stop();
   for (std::size_t i = 0; i < signals.size(); ++i) {
     struct sigaction action {};
-    action.sa_handler = [](int) { wished = true; };
+    action.sa_handler = [](int) { request_stop(); };
     action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
     sigaction(signals[i], nullptr, &former[i]);
     // A parent that ignores SIGINT, as nohup and shells do for work in the background, is respected.
@@ -37,12 +35,8 @@ Interruption::Interruption() {
 Interruption::~Interruption() {
   const std::scoped_lock lock(counting);
   if (--living > 0) return;
-  wished = false;
+  clear_stop();
   for (std::size_t i = 0; i < signals.size(); ++i) sigaction(signals[i], &former[i], nullptr);
-}
-
-bool Interruption::requested() {
-  return wished;
 }
 
 }  // namespace orbearing::app

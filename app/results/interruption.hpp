@@ -1,19 +1,17 @@
-// SIGINT and SIGTERM as a wish to stop, for as long as results are being written.
+// SIGINT and SIGTERM ask computations to stop.
 #pragma once
 
 namespace orbearing::app {
 
-/// While any lives the first SIGINT or SIGTERM sets a flag; a second one ends the program at once. The first of
-/// several clears the flag, the last gives the signals back.
+/// While any lives the first SIGINT or SIGTERM is request_stop() (mechanics/cancellation.hpp); a second one ends
+/// the program at once. The first of several begins without a wish, the last takes it back and gives the signals
+/// back. Made by whoever calls: the libraries and the commands do not touch signals.
 class Interruption {
  public:
   Interruption();
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
-
-  /// From any thread.
-  static bool requested();
 };
 
 }  // namespace orbearing::app

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "app/errors.hpp"
-#include "app/results/interruption.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/sweep_run.hpp"
+#include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -118,9 +118,9 @@ void copy_points(const ShardResults& shard, bool grid_only, ResultFolder& folder
     if (grid_only && !shard.manifest.header->holds(point)) continue;
     points.push_back({point, read_file(shard.folder / entry.file), entry.row});
     if (points.size() < points_at_once) continue;
-    if (Interruption::requested())
-      throw ComputationFailed(folder.path().string() +
-                              ": interrupted; nothing of the merge is kept: merge again");
+    if (stop_requested())
+      throw Interrupted(folder.path().string() +
+                        ": interrupted; nothing of the merge is kept: merge again");
     folder.keep(std::exchange(points, {}));
   }
   folder.keep(std::move(points));
@@ -152,7 +152,6 @@ SweepOutcome write_merged(const std::vector<ShardResults>& shards, const fs::pat
   header.shard.reset();
   if (grid_only) header.refined = false;
   const std::string resolved = read_file(resolved_file(shards.front()));
-  const Interruption interruption;
   ResultFolder merged(folder, header, resolved, OpenMode::fresh);
   return fill(merged, header, shards);
 }

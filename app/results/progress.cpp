@@ -39,23 +39,44 @@ std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, d
   return text;
 }
 
+std::string motion_text(double time, double most) {
+  return fmt::format("a point at {:.3g} s of motion, at most {:.3g} s", time, most);
+}
+
 Progress::Progress(std::size_t kept, std::size_t all, bool shown, std::string doing)
     : kept_(kept), all_(all), shown_(shown && ::isatty(STDERR_FILENO) == 1), doing_(std::move(doing)),
-      observer_(observer_of_thread) {
+      observer_(observer_of_thread),
+      done_(kept) {
   show(kept);
+  if (shown_ && !observer_) motions_.emplace([this](double time, double most) { show_motion(time, most); });
 }
 
 Progress::~Progress() {
+  motions_.reset();
   if (shown_) fmt::print(stderr, "{}", wiped_line);
 }
 
 void Progress::show(std::size_t done) {
+  const std::scoped_lock lock(printing_);
+  done_ = done;
   const Clock::time_point now = Clock::now();
   if ((!shown_ && !observer_) || now - last_ < least_pause) return;
   last_ = now;
   if (observer_) return observer_(done, all_, doing_);
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "{}{}{}", wiped_line, doing_, progress_text(done, kept_, all_, seconds));
+  print({});
+}
+
+void Progress::show_motion(double time, double most) {
+  const std::scoped_lock lock(printing_);
+  const Clock::time_point now = Clock::now();
+  if (now - last_ < least_pause) return;
+  last_ = now;
+  print("; " + motion_text(time, most));
+}
+
+void Progress::print(const std::string& behind) {
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  fmt::print(stderr, "{}{}{}{}", wiped_line, doing_, progress_text(done_, kept_, all_, seconds), behind);
   std::fflush(stderr);
 }
 

@@ -4,7 +4,11 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <string>
+
+#include "coupling/system/motion_progress.hpp"
 
 namespace orbearing::app {
 
@@ -23,6 +27,9 @@ class ObservedProgress {
   ~ObservedProgress();
 };
 
+/// "a point at 0.12 s of motion, at most 0.35 s": bearings that are steady sooner end sooner.
+std::string motion_text(double time, double most);
+
 /// Shows nothing unless `shown` and standard error is a terminal. Wipes its line at the end of its life.
 class Progress {
  public:
@@ -35,6 +42,9 @@ class Progress {
   void show(std::size_t done);
 
  private:
+  void show_motion(double time, double most);
+  void print(const std::string& behind);
+
   using Clock = std::chrono::steady_clock;
   std::size_t kept_;
   std::size_t all_;
@@ -43,6 +53,9 @@ class Progress {
   ProgressObserver observer_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_{};
+  std::size_t done_;
+  std::mutex printing_;  // motions are told of by those who compute
+  std::optional<system::ObservedMotions> motions_;
 };
 
 }  // namespace orbearing::app

@@ -9,10 +9,10 @@
 
 #include "app/errors.hpp"
 #include "app/results/continuation_paths.hpp"
-#include "app/results/interruption.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/progress.hpp"
 #include "coupling/study/parallel.hpp"
+#include "mechanics/cancellation.hpp"
 
 namespace orbearing::app {
 namespace {
@@ -24,7 +24,7 @@ std::vector<std::size_t> missing_points(const SweepRequest& request, const Resul
   return missing;
 }
 
-/// A failed point keeps the speed it was asked for and nothing else.
+/// A failed point keeps the speed it was asked for and nothing else. One that was asked to stop has not failed.
 study::PointResult evaluate_with_speed(const SweepPoint& point,
                                        const std::function<study::PointResult()>& evaluate) {
   study::PointResult result;
@@ -64,6 +64,7 @@ struct Work {
   std::string doing;  // begins the line of progress; empty: the grid
 };
 
+/// What was asked to stop leaves the points finished so far in the folder.
 void compute(const SweepRequest& request, const Work& work, ResultFolder& folder) {
   const std::size_t before = folder.finished().size();
   Progress progress(before, before + work.missing.size(), !request.quiet, work.doing);
@@ -74,13 +75,15 @@ void compute(const SweepRequest& request, const Work& work, ResultFolder& folder
     folder.keep(std::move(points));
     progress.show(folder.finished().size());
   };
-  study::compute_points(
-      work.missing, request.jobs,
-      [&](std::size_t index) {
-        const SweepPoint& point = work.point_of(index);
-        return evaluate_with_speed(point, [&] { return work.evaluate(index, point); });
-      },
-      deliver, [] { return Interruption::requested(); });
+  const auto evaluate = [&](std::size_t index) {
+    const SweepPoint& point = work.point_of(index);
+    return evaluate_with_speed(point, [&] { return work.evaluate(index, point); });
+  };
+  try {
+    study::compute_points(work.missing, request.jobs, evaluate, deliver);
+  } catch (const Cancelled&) {
+    // Points are missing then, which run_sweep() tells.
+  }
 }
 
 void compute_missing(const SweepRequest& request, ResultFolder& folder) {
@@ -186,11 +189,13 @@ void compute_paths(const SweepRequest& request, ResultFolder& folder) {
   for (const std::vector<std::size_t>& points :
        continuation_paths(request.points, *request.header.continued)) {
     ContinuationPath path(request, folder);
-    for (const std::size_t point : points) {
-      if (Interruption::requested()) return;
-      path.take(point);
-      progress.show(folder.finished().size());
-    }
+    for (const std::size_t point : points) try {
+        throw_if_stopped();
+        path.take(point);
+        progress.show(folder.finished().size());
+      } catch (const Cancelled&) {
+        return;
+      }
   }
 }
 
@@ -216,7 +221,6 @@ SweepOutcome outcome_of(const ManifestHeader& header, const std::map<std::size_t
 
 SweepOutcome run_sweep(const SweepRequest& request) {
   assert(request.header.points == request.points.size());
-  const Interruption interruption;
   ResultFolder folder =
       open_results(request.folder, request.header, request.resolved_case, request.resume, request.quiet);
   const std::size_t kept = folder.finished().size();

@@ -86,12 +86,20 @@ constexpr const char* kPage = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>{0}</title></head><body>
 <h1>{0}</h1>
 <p>{1}. Made by Orbearing {2} for co-simulation.</p>
-<p>Axes x and y turn with the carrier: x outward, y in the sense of carrier rotation. Forces and moments are those
+{4}<p>Axes x and y turn with the carrier: x outward, y in the sense of carrier rotation. Forces and moments are those
 on the planet; reverse them on the carrier. The planet's inertia is not in the bearing, pin ring and pin support
 are. All communication steps greater than 0 are legal; inside a step a displacement goes on with the velocity given
-beside it, unless its own derivative by time was set, and it stands there afterwards until it is set again.</p>
+beside it, unless its own derivative by time was set, and it stands there afterwards until it is set again. A step
+over which the inputs leave what the model can follow is discarded; the log then says &quot;step too long&quot; and which
+length would be accepted.</p>
 <table><tr><th>name</th><th>unit</th><th>meaning</th></tr>
 {3}</table></body></html>
+)";
+
+constexpr const char* kStart = R"(<p>The bearing begins in balance under <code>start_load</code>, the load of the planet
+on it, by default that of the case at its operating point: until somebody sets <code>planet.displacement</code>, it is the place
+where the bearing carries that load, and the outputs <code>planet.start_displacement</code> say where that is under the parameters
+and speeds that were set. Begin with the planet there, and nothing has to settle but the rollers.</p>
 )";
 
 std::string page(const fmu::NumberTable& numbers, const std::string& name) {
@@ -100,7 +108,8 @@ std::string page(const fmu::NumberTable& numbers, const std::string& name) {
   for (const fmu::Variable& one : fmu::variables_of(facts))
     rows +=
         fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name, one.unit, escaped(one.meaning));
-  return fmt::format(fmt::runtime(kPage), escaped(name), facts.meaning, fmu::program_version(), rows);
+  return fmt::format(fmt::runtime(kPage), escaped(name), facts.meaning, fmu::program_version(), rows,
+                     numbers.model == "bearing" ? kStart : "");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "app/study/planetary_case.hpp"
 #include "coupling/fmu/model.hpp"
 #include "coupling/study/driven_setups.hpp"
+#include "coupling/system/driven_bearing.hpp"
 
 namespace orbearing::app {
 
@@ -28,6 +29,7 @@ system::DrivenBearingSetup bearing_setup(const ResolvedCase& in) {
   system::DrivenBearingSetup setup = study::driven_bearing_setup(drivetrain, geometry);
   setup.planet_speed = duty.point.outer_speed;
   setup.carrier_speed = duty.point.carrier.speed;
+  setup.start_load = duty.point.bore_load;
   return setup;
 }
 
@@ -61,9 +63,11 @@ std::vector<double> start_forces(const system::DrivenGearsSetup& setup) {
 fmu::NumberTable bearing_numbers(const ResolvedCase& in) {
   require_drivable_set(in);
   require(in.shape().bearing, in, "bearing", "no bearing", "a planet bearing, or --model gearset");
-  const system::DrivenBearingSetup setup = bearing_setup(in);
+  system::DrivenBearingSetup setup = bearing_setup(in);
   try {
-    system::driven_model(setup);
+    const system::DrivenBearing driven(setup);
+    setup.start_displacement = driven.place_under(
+        setup.start_load, {.speed = setup.planet_speed, .carrier_speed = setup.carrier_speed});
   } catch (const std::invalid_argument& unfit) {
     throw BadInput(in.file() + ": " + unfit.what());
   }

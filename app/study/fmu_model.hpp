@@ -6,7 +6,7 @@
 
 namespace orbearing::app {
 
-/// One bearing of one planet, its speeds at the start those of the case's operating point. Throws BadInput
+/// One bearing of one planet, its speeds and its load at the start those of the case's operating point. Throws BadInput
 /// for a case of another model, of several sets, without bearing or with what has no place in a driven
 /// bearing.
 fmu::NumberTable bearing_numbers(const ResolvedCase& resolved);

@@ -83,8 +83,7 @@ std::vector<SpeedPoint> computed_points(const ResolvedCase& resolved, const std:
         for (const study::ComputedPoint& one : done)
           if (!one.result.status.empty() && one.result.status != study::PointResult{}.status)
             points[one.index].status = one.result.status;
-      },
-      [] { return false; });
+      });
   return points;
 }
 

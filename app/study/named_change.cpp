@@ -86,8 +86,7 @@ std::vector<ChangeResult> results_of(const ResolvedCase& resolved, const std::ve
           ++whole;
           if (done) done(results, whole);
         }
-      },
-      [] { return false; });
+      });
   return results;
 }
 

@@ -12,7 +12,6 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/case/sweep_axes.hpp"
 #include "app/errors.hpp"
-#include "app/results/interruption.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/resonance_lines.hpp"
@@ -140,10 +139,8 @@ SweepRequest sweep_request(const ResolvedCase& resolved, const std::string& fide
     throw BadInput(resolved.file() +
                    ": sets: found no set with a bearing; required: at least one, for its life");
   SweepRequest request;
-  for (std::size_t i = 0; i < sweep_size(resolved); ++i) {
-    if (Interruption::requested()) throw Interrupted("interrupted before the first point");
+  for (std::size_t i = 0; i < sweep_size(resolved); ++i)
     request.points.push_back(point_of(resolved, sweep_point(resolved, i)));
-  }
   const std::size_t grid = request.points.size();
   LoadSpectrum spectrum = load_spectrum(resolved).value_or(LoadSpectrum{});
   if (!spectrum.bins.empty()) add_spectrum(resolved, spectrum, request.points);

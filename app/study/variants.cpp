@@ -7,7 +7,6 @@
 
 #include "app/case/field_table.hpp"
 #include "app/errors.hpp"
-#include "app/results/interruption.hpp"
 #include "app/study/computable.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/planetary_case.hpp"
@@ -73,11 +72,9 @@ VariantRows evaluate_variants(const ResolvedCase& resolved, const Variants& vari
   const study::Fidelity level = fidelity_of(fidelity);
   const std::vector<std::string> sets = bearing_set_names(point);
   VariantRows table{table_head({}, sets), std::vector<ResultRow>(variants.count())};
-  const Interruption interruption;
   std::mutex telling;
   std::size_t finished = 0;
   study::in_parallel(table.rows.size(), jobs, [&](std::size_t index) {
-    if (Interruption::requested()) throw Interrupted("interrupted");
     table.rows[index] = result_row(evaluate(point, settings_of(variants, index), level), {}, sets);
     if (!done) return;
     const std::scoped_lock lock(telling);

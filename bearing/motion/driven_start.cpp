@@ -1,6 +1,7 @@
 #include "bearing/motion/driven_start.hpp"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -14,8 +15,8 @@ namespace {
 
 constexpr double kLeastForce = 1e-12;  // [N]  a bearing that nothing loads is in balance
 
-// Coordinates: the place of the pin ring, and the waves of an elastic outer race. N = 2 where it is rigid, else
-// Eigen::Dynamic.
+// Coordinates: the place of the pin ring, the waves of an elastic outer race, and the place of the bore where a
+// load moves it. N = 2 where there are none but the first, else Eigen::Dynamic.
 struct PinProblem {
   RaceEquilibrium races;
   Vector2 bore;
@@ -23,18 +24,28 @@ struct PinProblem {
   double stiffness_support;        // [N/m]
   Eigen::VectorXd wave_stiffness;  // [N/m]  (waves)
   Eigen::VectorXd wave_at_rest;    // [m]
+  std::optional<Vector2> bore_load = {};  // [N]  under which the bore moves; none: it is held
 
   Eigen::Index waves() const { return wave_stiffness.size(); }
+  Eigen::Index size() const { return 2 + waves() + (bore_load ? 2 : 0); }
+
+  template <class Place>
+  Vector2 bore_at(const Place& place) const {
+    if constexpr (Place::SizeAtCompileTime == Eigen::Dynamic)
+      if (bore_load) return place.template tail<2>();
+    return bore;
+  }
 
   template <class Place>
   RollerBalance roller(Eigen::Index j, const Place& place) const {
-    double approach = races.approach(j, bore - place.template head<2>());
+    double approach = races.approach(j, bore_at(place) - place.template head<2>());
     if constexpr (Place::SizeAtCompileTime == Eigen::Dynamic)
-      approach -= place.tail(waves()).dot(wave_shapes(races.outer_race, races.angle[j]));
+      if (waves() > 0)
+        approach -= place.segment(2, waves()).dot(wave_shapes(races.outer_race, races.angle[j]));
     return balance_roller(races.contacts.inner, races.contacts.outer, races.inertial_load[j], approach);
   }
 
-  // Forces on the pin ring, and on the waves.
+  // Forces on the pin ring, on the waves and on a bore that is free.
   template <int N>
   mechanics::Imbalance<N> at(const Eigen::Vector<double, N>& place) const {
     const Vector2 pin = place.template head<2>();
@@ -45,18 +56,21 @@ struct PinProblem {
     sum.force.template head<2>() = own_load - stiffness_support * pin;
     sum.stiffness.diagonal().template head<2>().setConstant(stiffness_support);
     if constexpr (N == Eigen::Dynamic) {
-      sum.force.tail(waves()) -= wave_stiffness.cwiseProduct(place.tail(waves()) - wave_at_rest);
-      sum.stiffness.diagonal().tail(waves()) += wave_stiffness;
+      sum.force.segment(2, waves()) -= wave_stiffness.cwiseProduct(place.segment(2, waves()) - wave_at_rest);
+      sum.stiffness.diagonal().segment(2, waves()) += wave_stiffness;
+      if (bore_load) sum.force.template tail<2>() += *bore_load;
     }
     sum.scale = own_load.norm() + stiffness_support * pin.norm() + kLeastForce;
+    if (bore_load) sum.scale += bore_load->norm();
     Eigen::Vector<double, N> closes(size);  // the approach by each coordinate
     for (Eigen::Index j = 0; j < races.angle.size(); ++j) {
       closes.template head<2>() = direction(races.angle[j]);
       const RollerBalance one = roller(j, place);
       sum.force.template head<2>() -= one.inner_load * closes.template head<2>();
       if constexpr (N == Eigen::Dynamic) {
-        closes.tail(waves()) = -wave_shapes(races.outer_race, races.angle[j]);
-        sum.force.tail(waves()) -= one.outer_load * closes.tail(waves());
+        if (waves() > 0) closes.segment(2, waves()) = -wave_shapes(races.outer_race, races.angle[j]);
+        if (bore_load) closes.template tail<2>() = -direction(races.angle[j]);
+        sum.force.tail(size - 2) -= one.outer_load * closes.tail(size - 2);
       }
       sum.stiffness += one.stiffness * closes * closes.transpose();
       sum.scale += one.inner_load;
@@ -69,6 +83,7 @@ struct PinProblem {
     mechanics::SearchLimits limits = search_limits(races);
     limits.size += bore.norm();
     limits.reach += bore.norm() + own_load.norm() / stiffness_support;
+    if (bore_load) limits.reach += bore_load->norm() / stiffness_support;
     return limits;
   }
 };
@@ -91,16 +106,17 @@ PinProblem pin_problem(const Bearing& bearing, const BearingModel& model,
 
 template <int N>
 void solve_in(const PinProblem& problem, PinBalance& balance) {
-  Eigen::Vector<double, N> place = Eigen::Vector<double, N>::Zero(2 + problem.waves());
-  if constexpr (N == Eigen::Dynamic) place.tail(problem.waves()) = problem.wave_at_rest;
+  Eigen::Vector<double, N> place = Eigen::Vector<double, N>::Zero(problem.size());
+  if constexpr (N == Eigen::Dynamic) place.segment(2, problem.waves()) = problem.wave_at_rest;
   mechanics::Imbalance<N> now;
   balance.rollers.report = {mechanics::find_balance<N>(
       [&](const Eigen::Vector<double, N>& at) { return problem.at<N>(at); }, problem.limits(), place, now)};
   const Eigen::Index rollers = problem.races.angle.size();
   balance.pin = place.template head<2>();
-  if constexpr (N == Eigen::Dynamic) balance.rollers.waves = place.tail(problem.waves());
+  if constexpr (N == Eigen::Dynamic) balance.rollers.waves = place.segment(2, problem.waves());
   balance.rollers.angle = problem.races.angle;
-  balance.rollers.displacement = problem.bore - balance.pin;
+  balance.bore = problem.bore_at(place);
+  balance.rollers.displacement = balance.bore - balance.pin;
   balance.rollers.inner_load.resize(rollers);
   balance.rollers.outer_load.resize(rollers);
   for (Eigen::Index j = 0; j < rollers; ++j) {
@@ -120,6 +136,17 @@ PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
     solve_in<2>(problem, balance);
   else
     solve_in<Eigen::Dynamic>(problem, balance);
+  return balance;
+}
+
+PinBalance balance_pin_and_bore(const Bearing& bearing, const BearingModel& model,
+                                const DynamicsParameters& parameters, const BoreMotion& motion,
+                                double first_roller, const Vector2& load) {
+  PinProblem problem = pin_problem(bearing, model, parameters, motion, first_roller);
+  problem.bore.setZero();
+  problem.bore_load = load;
+  PinBalance balance;
+  solve_in<Eigen::Dynamic>(problem, balance);
   return balance;
 }
 

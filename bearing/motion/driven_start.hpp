@@ -6,9 +6,9 @@
 
 namespace orbearing::bearing::motion {
 
-/// Balance of the pin ring on its support between rollers, each in balance by itself, at a given place of the
-/// bore.
+/// Balance of the pin ring on its support between rollers, each in balance by itself.
 struct PinBalance {
+  Vector2 bore = Vector2::Zero();  // [m]
   Vector2 pin = Vector2::Zero();  // [m]
   QuasiStaticState rollers;       // displacement: bore less pin
 };
@@ -17,6 +17,12 @@ struct PinBalance {
 /// whose forces are the slope of a convex energy. The report of `rollers` says whether it converged.
 PinBalance balance_pin(const Bearing& bearing, const BearingModel& model,
                        const DynamicsParameters& parameters, const BoreMotion& motion, double first_roller);
+
+/// The same with the bore too in balance, under `load` [N] of the planet on it; its position in `motion` is not
+/// asked for. The energy is convex in all coordinates. Without load it stays where it is free to move.
+PinBalance balance_pin_and_bore(const Bearing& bearing, const BearingModel& model,
+                                const DynamicsParameters& parameters, const BoreMotion& motion,
+                                double first_roller, const Vector2& load);
 
 /// The state from which a driven bearing of `model` begins under `motion`: pin ring and rollers as
 /// balance_pin() has them, the first roller at `first_roller` [rad], rollers and cage at pure rolling, the

@@ -8,6 +8,7 @@
 
 #include "bearing/pressure/elasticity.hpp"
 #include "bearing/pressure/pressure_measures.hpp"
+#include "mechanics/cancellation.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::half_space {
@@ -86,6 +87,7 @@ RollerContactPressure StripContact::solve(const ArrayXd& relief, double tilt, It
   }
   double change = 0.0;
   for (int k = 0; k < settings_.most_iterations; ++k) {
+    throw_if_stopped();
     influence_.evaluate(iteration.square.sqrt(), iteration.matrices);
     balance(iteration);
     const bool same_contact = update_contact(iteration);

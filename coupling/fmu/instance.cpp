@@ -118,6 +118,7 @@ void Instance::reset() {
   InstanceState fresh;
   for (const ShownField& field : facts_.shown.parameters) fresh.parameters.push_back(field.start);
   fresh.inputs = starts(facts_);
+  fresh.given.assign(fresh.inputs.size(), false);
   state_ = std::move(fresh);
   clear_derivatives();
   participant_.reset();
@@ -131,6 +132,7 @@ system::Participant& Instance::participant() {
 
 void Instance::compute_start() {
   if (state_.computed) return;
+  participant().complete(state_.inputs, state_.given);
   participant().initialize(state_.time, state_.inputs);
   state_.computed = true;
 }
@@ -212,6 +214,7 @@ void Instance::set(References references, const double* values) {
   for (std::size_t i = 0; i < references.number; ++i) {
     const Variable& one = variables_[references.list[i]];
     if (one.role == Role::parameter) participant_.reset();
+    if (one.role == Role::input) state_.given[one.index] = true;
     (one.role == Role::parameter ? state_.parameters : state_.inputs)[one.index] = values[i];
   }
   if (references.number == 0) return;

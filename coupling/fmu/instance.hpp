@@ -80,6 +80,9 @@ class Instance {
   void require_settable(const Variable& variable, double value) const;
   void require_known(const InstanceState* state) const;
   void require_step(double point, double size) const;
+  double accepted_length(double length, const std::vector<system::InputPolynomial>& inputs);
+  [[noreturn]] void refuse_step(double length, const std::vector<system::InputPolynomial>& inputs,
+                                const std::string& reason);
   system::Participant& participant();
   void compute_start();
   const std::vector<double>& outputs();

@@ -14,7 +14,7 @@ namespace {
 
 struct Header {
   std::array<char, 8> magic{'O', 'R', 'B', 'F', 'M', 'U', 'S', 'T'};
-  std::uint64_t format = 1;
+  std::uint64_t format = 2;
   std::uint64_t model = 0;     // hash
   std::uint64_t numbers = 0;   // doubles that follow
   std::uint64_t checksum = 0;  // of their bytes
@@ -33,6 +33,7 @@ std::vector<double> numbers_of(const InstanceState& s) {
   add(s.first);
   add(s.second);
   for (const bool has : s.has_first) numbers.push_back(has ? 1.0 : 0.0);
+  for (const bool was : s.given) numbers.push_back(was ? 1.0 : 0.0);
   add(s.participant);
   return numbers;
 }
@@ -40,7 +41,7 @@ std::vector<double> numbers_of(const InstanceState& s) {
 constexpr std::size_t kFixed = 6;  // numbers before the lists
 
 std::size_t count_of(const StateSizes& sizes) {
-  return kFixed + sizes.parameters + 4 * sizes.inputs;
+  return kFixed + sizes.parameters + 5 * sizes.inputs;
 }
 
 // The numbers of the participant are its own business; all before must be finite.
@@ -68,6 +69,7 @@ InstanceState state_of(const std::vector<double>& numbers, const StateSizes& siz
   s.first = take(sizes.inputs);
   s.second = take(sizes.inputs);
   for (const double has : take(sizes.inputs)) s.has_first.push_back(has != 0.0);
+  for (const double was : take(sizes.inputs)) s.given.push_back(was != 0.0);
   s.participant.assign(from, numbers.end());
   return s;
 }
@@ -79,7 +81,7 @@ void require(bool good, const std::string& found, const std::string& required) {
 }  // namespace
 
 std::size_t byte_number(const InstanceState& s) {
-  const std::size_t lists = s.parameters.size() + 4 * s.inputs.size() + s.participant.size();
+  const std::size_t lists = s.parameters.size() + 5 * s.inputs.size() + s.participant.size();
   return sizeof(Header) + (kFixed + lists) * sizeof(double);
 }
 
@@ -98,7 +100,8 @@ InstanceState state_from(const char* bytes, std::size_t size, std::uint64_t mode
   Header header;
   std::memcpy(&header, bytes, sizeof(Header));
   require(header.magic == Header{}.magic, "other bytes", "a state of an FMU of Orbearing");
-  require(header.format == Header{}.format, "format " + std::to_string(header.format), "1");
+  require(header.format == Header{}.format, "format " + std::to_string(header.format),
+          std::to_string(Header{}.format));
   require(header.model == model, "that of another model or version of Orbearing", "one of this very model");
   const std::string_view body(bytes + sizeof(Header), size - sizeof(Header));
   require(header.numbers == body.size() / sizeof(double) && body.size() % sizeof(double) == 0,

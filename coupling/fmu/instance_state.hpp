@@ -20,6 +20,7 @@ struct InstanceState {
   double stop = 0.0;      // [s]
   std::vector<double> parameters;
   std::vector<double> inputs;
+  std::vector<bool> given;     // inputs that the importer set
   std::vector<double> first;   // [unit/s]    derivatives of the inputs for the next step
   std::vector<double> second;  // [unit/s^2]
   std::vector<bool> has_first;

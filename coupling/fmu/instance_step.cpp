@@ -1,6 +1,7 @@
 // Steps of an instance: inputs over a step, derivatives of inputs and of outputs.
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "coupling/fmu/instance.hpp"
 
@@ -16,7 +17,9 @@ double slack(double time, double size) {
 }
 
 std::string seconds(double value) {
-  return std::to_string(value) + " s";
+  std::ostringstream text;
+  text << value << " s";
+  return text.str();
 }
 
 }  // namespace
@@ -84,15 +87,47 @@ void Instance::require_step(double point, double size) const {
                   "; required: not beyond the stop time, " + seconds(state_.stop));
 }
 
+// Of half the length, half of that and so on; what a trial costs halves too. None: 0.
+double Instance::accepted_length(double length, const std::vector<system::InputPolynomial>& inputs) {
+  constexpr int kHalvings = 20;
+  system::SavedState before;
+  participant().save(before);
+  for (int i = 0; i < kHalvings; ++i) {
+    length *= 0.5;
+    if (!(state_.time + length > state_.time)) break;
+    try {
+      participant().advance({state_.time, state_.time + length}, inputs);
+      const std::vector<double> values =
+          participant().values(input_values(inputs, length), facts_.outputs.size());
+      participant().restore(before);
+      if (std::all_of(values.begin(), values.end(), [](double one) { return std::isfinite(one); }))
+        return length;
+    } catch (const std::exception&) {  // it stands at `before` then
+    }
+  }
+  return 0.0;
+}
+
+void Instance::refuse_step(double length, const std::vector<system::InputPolynomial>& inputs,
+                           const std::string& reason) {
+  const double accepted = accepted_length(length, inputs);
+  if (accepted > 0.0)
+    throw Refused(Status::discard, "step too long: found " + seconds(length) + ", in which " + reason +
+                                       "; required under these inputs: at most about " + seconds(accepted));
+  throw Refused(Status::discard, "step: found " + seconds(length) + ", in which " + reason +
+                                     "; no shorter one was accepted under these inputs either");
+}
+
 void Instance::step(double point, double size) {
   require_step(point, size);
   const system::Window window{state_.time, point + size};
   const std::vector<system::InputPolynomial> inputs = polynomials();
-  std::vector<double> ends = input_values(inputs, window.length());
+  std::vector<double> ends;
   try {
+    ends = input_values(inputs, window.length());
     participant().advance(window, inputs);
   } catch (const std::exception& failure) {
-    throw Refused(Status::discard, std::string("step: ") + failure.what());
+    refuse_step(window.length(), inputs, failure.what());
   }
   state_.time = window.end;
   state_.inputs = std::move(ends);

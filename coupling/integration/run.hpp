@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "coupling/integration/integration_options.hpp"
+#include "mechanics/cancellation.hpp"
 
 namespace orbearing::integration {
 
@@ -15,8 +16,9 @@ class Run {
   Run(const IntegrationOptions& options, IntegrationReport& report)
       : options_(options), report_(report), begin_(Clock::now()) {}
 
-  /// Books an accepted step that ended at `time`; false where the budget is used up.
+  /// Books an accepted step that ended at `time`; false where the budget is used up. Throws Cancelled.
   bool accept(double time, double step) {
+    throw_if_stopped();
     ++report_.steps;
     report_.reached = time;
     report_.smallest_step = std::min(report_.smallest_step, step);

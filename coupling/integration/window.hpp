@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "mechanics/cancellation.hpp"
+
 namespace orbearing::integration {
 
 /// How far a window may be cut.
@@ -23,7 +25,7 @@ struct WindowLimits {
 ///   stepped(t, h)  after a step of length h from t
 ///   settle(t, x)   then: puts into x what is known exactly
 /// @throws std::runtime_error where no step is small enough, where the state is not finite, or where the
-/// attempts are used up
+/// attempts are used up; Cancelled
 template <class Stepper, class System>
 void step_within_window(Stepper& stepper, System& system, std::vector<double>& x, double& time, double end,
                         const WindowLimits& limits, double& step, long& attempts) {
@@ -32,6 +34,7 @@ void step_within_window(Stepper& stepper, System& system, std::vector<double>& x
     text << reason << " at t = " << time << " s of a window that ends at " << end << " s";
     throw std::runtime_error(text.str());
   };
+  throw_if_stopped();
   stepper.begin(system, x, time);
   system.begun(x);
   const double before = time;

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <thread>
 
+#include "mechanics/cancellation.hpp"
+
 namespace orbearing::study {
 namespace {
 
@@ -30,18 +32,25 @@ PointResult result_or_reason(const Evaluate& evaluate, std::size_t index) {
     return evaluate(index);
   } catch (const std::exception& error) {
     return failed_point(error.what());
+  } catch (const Cancelled&) {
+    throw;
   } catch (...) {
     return failed_point("failed for a reason that is not known");
   }
 }
 
-/// Points are taken in line, so that an interrupted sweep is done up to some point.
+/// Points are taken in line, so that an interrupted sweep is done up to some point; those that were broken off
+/// are dropped.
 void compute_all(const std::vector<std::size_t>& indices, int jobs, const Evaluate& evaluate, Queue& queue,
-                 const StopRequested& stop_requested) {
-  in_parallel(indices.size(), jobs, [&](std::size_t place) {
-    if (!stop_requested())
-      queue.push(ComputedPoint{indices[place], result_or_reason(evaluate, indices[place])});
-  });
+                 const std::atomic<bool>& stop, bool& cancelled) {
+  try {
+    in_parallel(indices.size(), jobs, [&](std::size_t place) {
+      if (!stop)
+        queue.push(ComputedPoint{indices[place], result_or_reason(evaluate, indices[place])});
+    });
+  } catch (const Cancelled&) {
+    cancelled = true;
+  }
   queue.push(std::nullopt);
 }
 
@@ -72,6 +81,7 @@ void in_parallel(std::size_t count, int jobs, const std::function<void(std::size
   std::exception_ptr failure;
   const auto take_in_line = [&] {
     for (std::size_t i; !failed && (i = next++) < count;) try {
+        throw_if_stopped();
         work(i);
       } catch (...) {
         if (!failed.exchange(true)) failure = std::current_exception();
@@ -89,14 +99,14 @@ void in_parallel(std::size_t count, int jobs, const std::function<void(std::size
 }
 
 void compute_points(const std::vector<std::size_t>& indices, int jobs, const Evaluate& evaluate,
-                    const Deliver& deliver, const StopRequested& stop_requested) {
+                    const Deliver& deliver) {
   Queue queue;
   queue.set_capacity(most_waiting);
   std::atomic<bool> delivery_failed = false;
+  bool cancelled = false;
   std::exception_ptr failure;
-  std::jthread computing([&] {
-    compute_all(indices, jobs, evaluate, queue, [&] { return delivery_failed || stop_requested(); });
-  });
+  std::jthread computing(
+      [&] { compute_all(indices, jobs, evaluate, queue, delivery_failed, cancelled); });
   for (bool ended = false; !ended;) {
     std::vector<ComputedPoint> points = next_points(queue, ended);
     if (points.empty() || failure) continue;
@@ -109,6 +119,7 @@ void compute_points(const std::vector<std::size_t>& indices, int jobs, const Eva
   }
   computing.join();
   if (failure) std::rethrow_exception(failure);
+  if (cancelled) throw Cancelled{};
 }
 
 }  // namespace orbearing::study

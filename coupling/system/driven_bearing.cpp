@@ -25,12 +25,13 @@ struct DrivenState {
   double angle = 0.0;        // [rad]  of the bore
   double turned = 0.0;       // [rad]  there and back
   double step_before = 0.0;  // [s]    half of it is not counted yet
+  double start_x = 0.0, start_y = 0.0;  // [m]  of the bore under the start load
   bearing::motion::DamageSums sums{0};
 
   // Every number in turn, for `visit(double* first, size)`.
   template <class Visit>
   void each(Visit visit) {
-    for (double* one : {&step, &angle, &turned, &step_before}) visit(one, 1);
+    for (double* one : {&step, &angle, &turned, &step_before, &start_x, &start_y}) visit(one, 1);
     visit(x.data(), static_cast<long>(x.size()));
     sums.each(visit);
   }
@@ -63,6 +64,7 @@ void check_numbers(const DrivenBearingSetup& setup) {
   require(std::isfinite(tilt), "tilt of the bore [rad]", tilt, "a finite number");
   require(tilt == 0.0 || setup.bearing.rollers().laminae > 0, "tilt of the bore [rad]", tilt,
           "0 without laminae, which alone feel it");
+  require(setup.start_load.allFinite(), "load at the start [N]", setup.start_load.norm(), "a finite number");
   require(setup.most_steps >= 1, "largest number of steps", static_cast<double>(setup.most_steps),
           "at least 1");
 }
@@ -119,8 +121,10 @@ std::vector<Input> bearing_inputs(const DrivenBearingSetup& setup) {
            goes_on + "planet.velocity." + axis;
   };
   return {
-      {"planet.displacement.x", "m", displacement("x", "outward"), 0.0, velocity_x},
-      {"planet.displacement.y", "m", displacement("y", "in the sense of carrier rotation"), 0.0, velocity_y},
+      {"planet.displacement.x", "m", displacement("x", "outward"), setup.start_displacement.x(),
+       velocity_x},
+      {"planet.displacement.y", "m", displacement("y", "in the sense of carrier rotation"),
+       setup.start_displacement.y(), velocity_y},
       {"planet.velocity.x", "m/s", "slope of planet.displacement.x by time"},
       {"planet.velocity.y", "m/s", "slope of planet.displacement.y by time"},
       {"planet.speed", "rad/s", "speed of the planet about its axis, relative to the carrier",
@@ -136,6 +140,7 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
   using Inputs = std::vector<std::size_t>;
   const Inputs none, turning{planet_speed}, bore{x, y, velocity_x, velocity_y, planet_speed};
   const Inputs all{x, y, velocity_x, velocity_y, planet_speed, carrier_speed, carrier_acceleration};
+  const Inputs speeds{planet_speed, carrier_speed, carrier_acceleration};
   std::vector<Output> outputs{
       {"force.x", "N", "force of the bearing on the planet, outward", bore, all},
       {"force.y", "N", "force of the bearing on the planet, in the sense of carrier rotation", bore, all},
@@ -149,7 +154,11 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
                      none, turning},
       {"revolutions", "1", "revolutions of the planet relative to the carrier since the start", none, none,
        false},
-      {"friction_loss", "W", "power lost to friction", bore, all}};
+      {"friction_loss", "W", "power lost to friction", bore, all},
+      {"planet.start_displacement.x", "m",
+       "displacement under which the bearing carries its start load: where to put the planet, outward", none,
+       speeds},
+      {"planet.start_displacement.y", "m", "the same in the sense of carrier rotation", none, speeds}};
   for (int i = 1; i <= rollers; ++i) {
     const std::string roller = "roller[" + std::to_string(i) + "].";
     outputs.push_back({roller + "inner_load", "N", "load between roller and pin", none, all});
@@ -160,7 +169,12 @@ std::vector<Output> bearing_outputs(int rollers, bool caged) {
   return outputs;
 }
 
-constexpr double kVersion = 4.0;
+constexpr double kVersion = 5.0;
+
+DrivenBearingSetup without_start(DrivenBearingSetup setup) {
+  setup.start_load.setZero();
+  return setup;
+}
 
 }  // namespace
 
@@ -295,9 +309,48 @@ void DrivenBearing::initialize(const BoreMotion& motion) {
   const Eigen::VectorXd start =
       driven_start(in.setup.bearing, in.model, in.setup.dynamics, motion, in.setup.first_roller);
   if (!start.allFinite()) throw std::runtime_error("driven bearing: the start is not finite");
+  const Eigen::Vector2d under_load = place_under(in.setup.start_load, motion);
   in.state = {};
+  in.state.start_x = under_load.x();
+  in.state.start_y = under_load.y();
   in.state.sums = in.no_damage();
   in.set(start);
+}
+
+// Rolling and traction add little to the forces of the balance: what they add is taken off the load asked for
+// until the bearing's own force is the load.
+Eigen::Vector2d DrivenBearing::place_under(const Eigen::Vector2d& load, const BoreMotion& motion) const {
+  constexpr int kMost = 30;
+  constexpr double kEnough = 1e-9;  // [-]  of the load
+  BoreMotion there = motion;
+  there.position.setZero();
+  there.velocity.setZero();
+  if (load.norm() == 0.0) return there.position;
+  DrivenBearing trial(without_start(inside_->setup));
+  Eigen::Vector2d asked = load, missing = load;
+  for (int i = 0; i < kMost && missing.norm() > kEnough * load.norm(); ++i) {
+    const bearing::motion::PinBalance balance = bearing::motion::balance_pin_and_bore(
+        inside_->setup.bearing, inside_->model, inside_->setup.dynamics, there, inside_->setup.first_roller,
+        asked);
+    if (!balance.rollers.report.converged) break;
+    there.position = balance.bore;
+    trial.initialize(there);
+    missing = load + trial.reaction(there).force;
+    asked += missing;
+  }
+  if (missing.norm() <= kEnough * load.norm()) return there.position;
+  std::ostringstream text;
+  text << "driven bearing: found no place of the bore under a load of (" << load.transpose()
+       << ") N at the start: " << missing.norm() << " N remain; required: a load that rollers and support stand";
+  throw std::runtime_error(text.str());
+}
+
+void DrivenBearing::complete(std::vector<double>& inputs, const std::vector<bool>& given) const {
+  using namespace bearing_input;
+  if (given[x] || given[y]) return;
+  const Eigen::Vector2d place = place_under(inside_->setup.start_load, motion_of(inputs));
+  inputs[x] = place.x();
+  inputs[y] = place.y();
 }
 
 void DrivenBearing::advance(const Window& window, const BoreInputs& inputs) {
@@ -395,7 +448,8 @@ std::vector<double> DrivenBearing::values(const std::vector<double>& inputs, std
   const DrivenBearingOutput now = output(motion);
   std::vector<double> values{now.reaction.force.x(), now.reaction.force.y(), now.reaction.moment,
                              now.life_used,          now.cage_slip,          now.cage_speed,
-                             now.revolutions,        now.friction_loss};
+                             now.revolutions,        now.friction_loss,
+                             inside_->state.start_x, inside_->state.start_y};
   for (std::size_t i = 0; i < now.inner_load.size(); ++i)
     values.insert(values.end(), {now.inner_load[i], now.outer_load[i], now.roller_angle[i]});
   return values;

@@ -32,6 +32,9 @@ struct DrivenBearingSetup {
   long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
   double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start where nobody says
   double carrier_speed = 0.0;  // [rad/s]  the same
+  Eigen::Vector2d start_load = Eigen::Vector2d::Zero();  // [N]  of the planet on the bearing, at the start
+  /// Start value of the bore's displacement [m]: where it stands under that load at these speeds.
+  Eigen::Vector2d start_displacement = Eigen::Vector2d::Zero();
 };
 
 /// Of a drivetrain too.
@@ -62,10 +65,18 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
                    angle),
           internal(m.bore_tilt.y(), "bearing.misalignment.y", "the same in the sense of carrier rotation",
                    angle)),
+      together(internal(m.start_load.x(), "start_load.x",
+                        "load of the planet on the bearing at the start, outward: where nobody sets "
+                        "planet.displacement, it begins in balance under this load",
+                        {.dimension = dimension::force, .fmu = InFmu::parameter}),
+               internal(m.start_load.y(), "start_load.y", "the same in the sense of carrier rotation",
+                        {.dimension = dimension::force, .fmu = InFmu::parameter})),
       apart(m.outer_race), lambda_row(m.lambda), system::length_error_row(m.allowed_length_error),
       internal(m.places, "simulation.places"), internal(m.most_steps, "simulation.most_steps"),
       internal(m.planet_speed, "operation.planet_speed"),
-      internal(m.carrier_speed, "operation.carrier_speed"));
+      internal(m.carrier_speed, "operation.carrier_speed"),
+      together(internal(m.start_displacement.x(), "operation.displacement.x"),
+               internal(m.start_displacement.y(), "operation.displacement.y")));
 }
 
 /// The model of a bearing that others drive. Throws std::invalid_argument, with what was found and what is
@@ -111,6 +122,8 @@ class DrivenBearing final : public Participant {
   DrivenBearing(DrivenBearing&&) noexcept;
   DrivenBearing& operator=(DrivenBearing&&) noexcept;
 
+  /// The displacement under the start load, where neither x nor y was given.
+  void complete(std::vector<double>& inputs, const std::vector<bool>& given) const override;
   void initialize(double time, const std::vector<double>& inputs) override;
   void advance(const Window& window, const std::vector<InputPolynomial>& inputs) override;
   /// Of the first three, which are the reaction, no more is computed.
@@ -122,6 +135,9 @@ class DrivenBearing final : public Participant {
   /// Rollers in balance under the displacement of the bore, all turning at pure rolling. All inputs may be
   /// zero.
   void initialize(const bearing::motion::BoreMotion& motion);
+  /// Where the bore stands with the force of a bearing that begins there being -`load` [N]; speeds of carrier and
+  /// bore are those of `motion`. Throws std::runtime_error where no balance is found.
+  Eigen::Vector2d place_under(const Eigen::Vector2d& load, const bearing::motion::BoreMotion& motion) const;
   /// From `window.begin` to its end with `inputs`, whose polynomials count from the beginning. On an error
   /// (std::runtime_error) the state is that at the beginning.
   void advance(const Window& window, const BoreInputs& inputs);

@@ -44,6 +44,10 @@ class Participant {
 
   /// To the state at `time` [s] under the inputs of that instant.
   virtual void initialize(double time, const std::vector<double>& inputs) = 0;
+  /// Before that: puts values that fit the parameters and the other inputs in place of those that nobody gave.
+  virtual void complete(std::vector<double>& inputs, const std::vector<bool>& given) const {
+    (void)inputs, (void)given;
+  }
   /// Then, before the first window, with the others' output: nearer to the state in which all are in
   /// balance.
   virtual void balance(double time, const std::vector<double>& inputs) { initialize(time, inputs); }

@@ -9,6 +9,7 @@
 #include "bearing/motion/driving.hpp"
 #include "bearing/motion/initial_state.hpp"
 #include "coupling/system/free_bearing.hpp"
+#include "coupling/system/motion_progress.hpp"
 
 namespace orbearing::system {
 
@@ -84,7 +85,9 @@ class Recorder {
 // Gathers what bearings in motion show.
 class Observation {
  public:
-  Observation(Motion& motion, const SteadyStateOptions& options) : motion_(motion), options_(options) {
+  /// `most` [s]: the latest time that it will come to.
+  Observation(Motion& motion, const SteadyStateOptions& options, double most)
+      : motion_(motion), options_(options), most_(most) {
     motion_.take_snapshot(0, snapshot_);
     for (int b = 0; b < motion_.bearings(); ++b)
       collectors_.emplace_back(snapshot_.angle.size(), options.places, uneven_laminae(snapshot_.laminae));
@@ -110,6 +113,7 @@ class Observation {
         if (counts) add(time, of(b));
       }
       recorder.next(time, snapshot_);
+      tell_of_motion(time, most_);
     });
     std::vector<WindowStatistics> means;
     for (const StatisticsCollector& collector : collectors_) means.push_back(collector.means());
@@ -127,6 +131,7 @@ class Observation {
 
   Motion& motion_;
   const SteadyStateOptions& options_;
+  double most_;  // [s]
   Snapshot snapshot_;
   std::vector<StatisticsCollector> collectors_;
 };
@@ -137,8 +142,8 @@ class Windows {
  public:
   Windows(Motion& motion, const RollingSpeeds& rolling, const SteadyStateOptions& options)
       : motion_(motion),
-        observation_(motion, options),
         revolution_(two_pi / std::abs(rolling.cage)),
+        observation_(motion, options, revolution_ * (options.most_windows + options.observed_windows)),
         per_window_(motion.shows_steps() ? options.series_samples : options.samples_per_window) {
     times_.interval = revolution_ / static_cast<double>(per_window_);
   }
@@ -160,8 +165,8 @@ class Windows {
 
  private:
   Motion& motion_;
-  Observation observation_;
   double revolution_;  // [s]  of the cage at its kinematic speed
+  Observation observation_;
   long per_window_;    // samples
   OutputTimes times_;
 };
@@ -328,7 +333,7 @@ SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::Operati
   const long samples = samples_of(model, options, duration);
   try {
     result.bearings =
-        Observation(motion, options)
+        Observation(motion, options, duration)
             .through({0.0, duration / static_cast<double>(samples), samples}, samples, &result.series);
     result.statistics = pooled(result.bearings);
   } catch (const std::runtime_error& error) {

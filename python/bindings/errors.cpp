@@ -1,8 +1,9 @@
-// BadInput -> orbearing.CaseError, Interrupted -> KeyboardInterrupt, ComputationFailed ->
+// BadInput -> orbearing.CaseError, Interrupted and Cancelled -> KeyboardInterrupt, ComputationFailed ->
 // orbearing.ComputationError.
 #include <pybind11/stl.h>
 
 #include "app/errors.hpp"
+#include "mechanics/cancellation.hpp"
 #include "python/bindings/bindings.hpp"
 
 namespace orbearing::python {
@@ -28,6 +29,8 @@ void add_errors(py::module_&) {
       raise("CaseError", error.messages);
     } catch (const app::Interrupted& error) {
       PyErr_SetString(PyExc_KeyboardInterrupt, error.what());
+    } catch (const Cancelled& wish) {
+      PyErr_SetString(PyExc_KeyboardInterrupt, wish.what());
     } catch (const app::ComputationFailed& error) {
       raise("ComputationError", std::string(error.what()));
     }

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "app/errors.hpp"
+#include "app/results/interruption.hpp"
 #include "app/study/variants.hpp"
 #include "python/bindings/bindings.hpp"
 
@@ -52,6 +53,7 @@ py::tuple evaluate(const CoreCase& core, const std::vector<std::string>& paths, 
   Told told(progress);
   const app::VariantRows found = [&] {
     const py::gil_scoped_release released;
+    const app::Interruption interruption;
     return app::evaluate_variants(core.resolved, variants, fidelity, jobs,
                                   progress.is_none() ? std::function<void(std::size_t)>{} : std::ref(told));
   }();

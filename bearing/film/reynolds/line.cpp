@@ -12,6 +12,7 @@
 #include <numbers>
 #include <vector>
 
+#include "mechanics/cancellation.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::bearing::film {
@@ -84,6 +85,7 @@ class LineFilmEquations {
   double solve(int most, double enough, int& iterations) {
     double change = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < most && change > enough; ++iteration, ++iterations) {
+      throw_if_stopped();
       update_film();
       properties();
       std::vector<Index> open;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/cancellation.hpp"
+
 namespace orbearing::bearing::film {
 
 namespace {
@@ -195,7 +197,10 @@ void PointFilmLevel::residual(Field& into) {
 void PointFilmLevel::relax(double rigid) {
   properties();
   Field dipoles = Field::Zero(domain_.nx + 1, domain_.ny + 1);
-  for (Index j = 1; j < domain_.ny; ++j) relax_line(j, dipoles);
+  for (Index j = 1; j < domain_.ny; ++j) {
+    throw_if_stopped();
+    relax_line(j, dipoles);
+  }
   pressure += dipoles;
   pressure = pressure.max(0.0);
   pressure.row(0) = 0.0;
@@ -281,6 +286,7 @@ double PointFilmLevel::solve(double& rigid, int most, double enough) {
   const Index nx = domain_.nx, ny = domain_.ny;
   double change = 0.0;
   for (int iteration = 0; iteration < most; ++iteration) {
+    throw_if_stopped();
     properties();
     std::vector<std::array<Index, 2>> open;
     std::vector<Row> rows;

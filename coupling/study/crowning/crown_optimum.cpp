@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "coupling/study/parallel.hpp"
+#include "mechanics/cancellation.hpp"
 
 namespace orbearing::study::crowning {
 
@@ -95,11 +96,21 @@ nlopt::opt programme(Search& search) {
   return programme;
 }
 
+// The library makes a failure of its own of Cancelled.
+nlopt::result optimised(nlopt::opt programme, std::vector<double>& x, double& value) {
+  try {
+    return programme.optimize(x, value);
+  } catch (const std::runtime_error&) {
+    throw_if_stopped();
+    throw;
+  }
+}
+
 // One run of the programme; false where it stopped without reason to.
 bool improve(Search& search, std::vector<double>& x) {
   double value = 0.0;
   try {
-    const nlopt::result result = programme(search).optimize(x, value);
+    const nlopt::result result = optimised(programme(search), x, value);
     return result > 0 && result != nlopt::MAXEVAL_REACHED;
   } catch (const nlopt::roundoff_limited&) {
     return true;  // no further step changes anything
@@ -150,7 +161,7 @@ SearchEnd search_freely(const Crown& start, Search search) {
   simplices.set_xtol_abs(relative_end);
   simplices.set_maxeval(kMostEvaluations);
   double reached = 0.0;
-  const nlopt::result result = simplices.optimize(x, reached);
+  const nlopt::result result = optimised(simplices, x, reached);
   end.converged = result > 0 && result != nlopt::MAXEVAL_REACHED;
   end.crown = search.crown(x.data());
   end.life_hours = std::exp(reached);

@@ -7,6 +7,7 @@
 
 #include "app/errors.hpp"
 #include "app/results/continuation_paths.hpp"
+#include "app/results/interruption.hpp"
 #include "app/results/point_file.hpp"
 #include "app/results/series_content.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
@@ -56,6 +57,7 @@ void run_until(SweepRequest request, std::size_t point) {
     if (now == point) std::raise(SIGINT);
     return evaluate(now, start);
   };
+  const Interruption interruption;
   EXPECT_THROW(run_sweep(request), ComputationFailed);
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "app/errors.hpp"
+#include "app/results/interruption.hpp"
 #include "app/results/row_text.hpp"
 #include "app/results/sweep_json.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
@@ -141,7 +142,7 @@ TEST(RefinedSweep, InterruptedAnywhereItResumesToTheSameTable) {
     const auto added = request.refinement->evaluate;
     request.evaluate = [&](std::size_t point) { return count(), grid(point); };
     request.refinement->evaluate = [&](const SweepPoint& point) { return count(), added(point); };
-    if (stop < grid_points + 3 * rounds) {
+    if (const Interruption interruption; stop < grid_points + 3 * rounds) {
       EXPECT_THROW(run_sweep(request), ComputationFailed) << stop;
       EXPECT_FALSE(fs::exists(request.folder / "sweep.csv"));
     } else {

@@ -9,7 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/errors.hpp"
+#include "app/results/interruption.hpp"
 #include "app/results/sweep_json.hpp"
+#include "mechanics/cancellation.hpp"
 #include "tests/unit/app_results/fake_sweep.hpp"
 
 namespace orbearing::app::sweep_run_test {
@@ -23,6 +25,7 @@ using ::testing::HasSubstr;
 constexpr std::size_t points = 60;
 
 std::string failure_of(const SweepRequest& request) {
+  const Interruption interruption;
   try {
     run_sweep(request);
   } catch (const ComputationFailed& error) {
@@ -98,6 +101,28 @@ TEST(Sweep, InterruptedKeepsWhatIsDoneAndResumes) {
   const SweepOutcome outcome = run_sweep(request);
   EXPECT_GE(outcome.kept, 29U);
   EXPECT_LT(outcome.kept, points);
+  EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
+}
+
+// Issue 18, Build 1: a point that a wish to stop breaks off is no failed point, and no later one is begun.
+TEST(Sweep, PointThatIsBrokenOffIsNotKept) {
+  const TemporaryFolder place;
+  const std::string table = fake_sweep::fake_table(place / "reference", points);
+  SweepRequest request = fake_request(place / "d", points);
+  request.jobs = 1;
+  request.evaluate = [](std::size_t point) {
+    if (point == 30) request_stop();
+    throw_if_stopped();
+    return fake_sweep::fake_result(point);
+  };
+  EXPECT_THROW(run_sweep(request), Interrupted);
+  clear_stop();
+  EXPECT_FALSE(fs::exists(place / "d/sweep.csv"));
+  EXPECT_TRUE(fs::exists(place / "d/points/00029.nc"));
+  EXPECT_FALSE(fs::exists(place / "d/points/00030.nc"));
+  SweepRequest again = fake_request(place / "d", points);
+  again.resume = true;
+  EXPECT_EQ(run_sweep(again).kept, 30U);
   EXPECT_EQ(read_file(place / "d/sweep.csv"), table);
 }
 

@@ -140,6 +140,8 @@ TEST(Progress, TellsDoneLeftAndTimeToGo) {
   EXPECT_EQ(progress_text(30, 10, 100, 40.0), "30 of 100 points done, 70 left, 2:20 to go");
   EXPECT_EQ(progress_text(10, 0, 1010, 40.0), "10 of 1010 points done, 1000 left, 1:06:40 to go");
   EXPECT_EQ(progress_text(10, 10, 100, 40.0), "10 of 100 points done, 90 left");
+  // Issue 18, Build 1: one system was silent for half a minute.
+  EXPECT_EQ(motion_text(0.12, 0.354), "a point at 0.12 s of motion, at most 0.354 s");
   EXPECT_EQ(progress_text(100, 10, 100, 40.0), "100 of 100 points done, 0 left");
 }
 

@@ -66,6 +66,21 @@ void press(Instance3& it) {
   it.set("planet.displacement.y", 25e-6);
 }
 
+// Issue 18, Build 6: start load and steps that are too long, as through FMI 2.0 (start_load_test.cpp).
+TEST(Fmi3Bearing, BeginsUnderItsStartLoadAndSaysWhichStepIsTooLong) {
+  Instance3 it;
+  it.set("start_load.x", 250.0);
+  it.set("start_load.y", 1060.0);
+  ASSERT_EQ(it.begin(), fmi3OK) << it.last;
+  EXPECT_NEAR(it.get("force.x"), -250.0, 1e-5);
+  EXPECT_NEAR(it.get("force.y"), -1060.0, 1e-5);
+  EXPECT_EQ(it.get("planet.displacement.y"), it.get("planet.start_displacement.y"));
+  it.set("planet.velocity.y", 5e5);  // [m/s]  metres in one step
+  EXPECT_EQ(it.step(0.0), fmi3Discard);
+  EXPECT_NE(it.last.find("step too long: found 1e-05 s"), std::string::npos) << it.last;
+  EXPECT_EQ(it.get("time"), 0.0);
+}
+
 TEST(Fmi3Bearing, RunsAsThroughFmi2) {
   Instance3 three;
   Instance2 two(resources());

@@ -152,6 +152,27 @@ TEST_P(DrivenBore, StartsWithThePinInBalance) {
   }
 }
 
+// Issue 18, Build 6: the bore too in balance. Where it is put there, the pin alone finds the same balance, and the
+// rollers press against the load.
+TEST_P(DrivenBore, FindsThePlaceUnderALoad) {
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  for (const Vector2& load : {Vector2(100.0, 1000.0), Vector2(-3000.0, 20.0), Vector2(0.0, -20000.0)}) {
+    BoreMotion motion;
+    motion.speed = point.outer_speed;
+    motion.carrier_speed = point.carrier.speed;
+    const PinBalance found = balance_pin_and_bore(bearing, model, parameters, motion, 0.3, load);
+    ASSERT_TRUE(found.rollers.report.converged) << load.transpose();
+    motion.position = found.bore;
+    const PinBalance held = balance_pin(bearing, model, parameters, motion, 0.3);
+    EXPECT_LT((held.pin - found.pin).norm(), 1e-6 * found.bore.norm());
+    Vector2 force = load;
+    for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
+      force += held.rollers.outer_load[j] *
+               Vector2(std::cos(held.rollers.angle[j]), std::sin(held.rollers.angle[j]));
+    EXPECT_LT(force.norm(), 1e-6 * load.norm()) << load.transpose();
+  }
+}
+
 TEST_P(DrivenBore, StartsWhereAllIsZero) {
   const BearingModel model = bearing_model(bearing, point, parameters);
   const Eigen::VectorXd x = driven_start(bearing, model, parameters, {}, 0.0);

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "mechanics/cancellation.hpp"
+
 namespace orbearing::study {
 namespace {
 
@@ -39,6 +41,29 @@ TEST(InParallel, WhatIsThrownIsPassedOn) {
                              if (i == 7) throw std::runtime_error("seven");
                            }),
                std::runtime_error);
+}
+
+// Issue 18, Build 1: what was asked to stop from any thread throws, delivers what is finished and nothing else,
+// and begins nothing until the wish is taken back.
+TEST(ComputePoints, AskedToStopTheyDeliverWhatIsFinished) {
+  std::vector<std::size_t> indices(100), delivered;
+  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = i;
+  const auto evaluate = [](std::size_t i) {
+    if (i == 40) std::thread(request_stop).join();
+    throw_if_stopped();
+    return PointResult{};
+  };
+  const auto deliver = [&](const std::vector<ComputedPoint>& points) {
+    for (const ComputedPoint& point : points) {
+      EXPECT_EQ(point.result.status, PointResult{}.status) << point.index;
+      delivered.push_back(point.index);
+    }
+  };
+  EXPECT_THROW(compute_points(indices, 1, evaluate, deliver), Cancelled);
+  EXPECT_EQ(delivered, std::vector<std::size_t>(indices.begin(), indices.begin() + 40));
+  EXPECT_THROW(in_parallel(1, 1, [](std::size_t) { FAIL() << "begun"; }), Cancelled);
+  clear_stop();
+  in_parallel(1, 1, [](std::size_t) { throw_if_stopped(); });
 }
 
 }  // namespace

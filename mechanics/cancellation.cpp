@@ -1,0 +1,7 @@
+#include "mechanics/cancellation.hpp"
+
+namespace orbearing::detail {
+
+std::atomic<bool> stop_wished = false;
+
+}  // namespace orbearing::detail

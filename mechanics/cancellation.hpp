@@ -1,0 +1,38 @@
+// A wish from outside to stop computing: one flag of the process, which every long computation of the libraries
+// looks at.
+#pragma once
+
+#include <atomic>
+
+namespace orbearing {
+
+/// Thrown by computations that were asked to stop. No std::exception on purpose: whoever turns errors of a
+/// computation into a status or a message would otherwise keep what was only broken off as if it had failed.
+class Cancelled {
+ public:
+  const char* what() const noexcept { return "interrupted"; }
+};
+
+namespace detail {
+extern std::atomic<bool> stop_wished;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing that locks");
+}  // namespace detail
+
+/// From any thread or signal handler: computations in progress, on all threads, throw Cancelled within a
+/// second, and so do those that are begun until clear_stop(). Nobody in the libraries asks for it by himself.
+inline void request_stop() noexcept {
+  detail::stop_wished.store(true, std::memory_order_relaxed);
+}
+/// Before computations that an earlier wish shall not end.
+inline void clear_stop() noexcept {
+  detail::stop_wished.store(false, std::memory_order_relaxed);
+}
+inline bool stop_requested() noexcept {
+  return detail::stop_wished.load(std::memory_order_relaxed);
+}
+/// In every loop that may last: costs one load.
+inline void throw_if_stopped() {
+  if (stop_requested()) throw Cancelled{};
+}
+
+}  // namespace orbearing
