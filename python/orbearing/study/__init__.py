@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import inspect
 import sys
 import types
 
@@ -15,9 +16,13 @@ __all__ = ["StudyResult", "open_study", "study"]
 
 
 class _Study(types.ModuleType):
-    """The module is the function too: `import orbearing.study` must not hide `orbearing.study(...)`."""
+    """The module is the function too: whichever of both `orbearing.study` names, orbearing.study(case, {...}) and orbearing.study.open_study work."""
 
     __call__ = staticmethod(study)
 
 
-sys.modules[__name__].__class__ = _Study
+_module = sys.modules[__name__]
+_module.__class__ = _Study
+__signature__ = inspect.signature(study)
+__doc__ = f"{__doc__}\n\n{study.__doc__}"
+study = _module

@@ -9,6 +9,7 @@ import argparse
 import csv
 import os
 import re
+import signal
 import sys
 import time
 from pathlib import Path
@@ -208,9 +209,11 @@ def run(options: argparse.Namespace) -> int:
     for reason, count in result.failures().items():
         print(f"{count} points: {reason}", file=sys.stderr)
     if options.json:
-        print(json_of(result, []))
+        print(json_of(result))
     elif not options.quiet:
         print_variants(result)
+        for warning in result.warnings:
+            print(f"warning: {warning}")
         if options.output:
             print(os.path.join(options.output, "study.nc"))
     return 1 if result.failed else 0
@@ -219,6 +222,7 @@ def run(options: argparse.Namespace) -> int:
 def main(arguments: list[str]) -> int:
     """Compute a study; messages go to standard error."""
     options = parser().parse_args(arguments)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # a wish to stop, as SIGINT
     stays = f"; what is done stays in {options.output}, --resume goes on" if options.output else ""
     try:
         return run(options)

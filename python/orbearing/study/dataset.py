@@ -9,16 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from orbearing.study.design import SPEED, Design
+from orbearing.results import units_of
+from orbearing.study.design import SPEED, Design, Parameter
 from orbearing.study.table import LIFE, SPEED_COLUMN, SYSTEM_LIFE, ResultTable
 
-CONVENTIONS = "CF-1.8"
+CONVENTIONS = "CF-1.10"
 ASIDE = ".tmp"
 
-# Units of columns by the ends of their names, the longest first.
-UNIT_ENDINGS = {"_N_s_per_m": "N s m-1", "_N_per_m": "N m-1", "_N_m": "N m", "_Mrev": "1e6 count", "_mrad": "mrad", "_MPa": "MPa", "_rpm": "rpm",
-                "_um": "um", "_us": "us", "_Hz": "Hz", "_kg": "kg", "_mm": "mm", "_N": "N", "_W": "W", "_h": "h", "_s": "s"}
-UNITS = {"L10mh": "h", "system_L10mh": "h"}
 MEANINGS = {
     LIFE: "life of one bearing, 90 % reliability",
     SYSTEM_LIFE: "life of all bearings together, 90 % reliability",
@@ -54,17 +51,20 @@ def cf_unit(unit: str) -> str:
     return unit.replace(".", " ").replace("*", " ")
 
 
-def unit_of(column: str) -> str:
-    """The unit of a result by the ending of its name; "1" for a plain number."""
-    if column in UNITS:
-        return UNITS[column]
-    return next((unit for ending, unit in UNIT_ENDINGS.items() if column.endswith(ending)), "1")
+def name_of(parameter: Parameter) -> str:
+    """A parameter's coordinate: its path, the speed as in the table of a sweep."""
+    return SPEED_COLUMN if parameter.path == SPEED else parameter.path
+
+
+def in_rpm(speed: Parameter) -> np.ndarray:
+    """[rpm] Values of the speed."""
+    return speed.values if speed.unit == "rpm" else speed.si * 60.0 / (2.0 * np.pi)
 
 
 def peaks(design: Design, table: ResultTable) -> tuple[np.ndarray, np.ndarray]:
     """Of each variant the number of the point with the longest life on the grid, -1 where none has one, and that life [h]."""
     life = table.column(LIFE).reshape(-1, design.shape[-1])
-    known = np.where(np.isfinite(life), life, -np.inf)
+    known = np.where(np.isfinite(life) & (life > 0.0), life, -np.inf)
     best = known.argmax(axis=1)
     longest = known[np.arange(len(known)), best]
     found = np.isfinite(longest)
@@ -74,39 +74,38 @@ def peaks(design: Design, table: ResultTable) -> tuple[np.ndarray, np.ndarray]:
 
 def content_of(design: Design, table: ResultTable, attributes: dict[str, Any]) -> Content:
     """Named arrays of a study, finished or not. Columns without a number at any point are left out."""
-    names = tuple(name for name, _ in design.dimensions)
+    lengths = tuple((SPEED_COLUMN if name == SPEED else name, length) for name, length in design.dimensions)
+    names = tuple(name for name, _ in lengths)
     coordinates = [Variable(name, (name,), np.arange(length), {"long_name": f"number of the {name}, from 0"})
-                   for name, length in design.dimensions if all(p.path != name for p in design.parameters)]
+                   for name, length in lengths if all(name_of(p) != name for p in design.parameters)]
     for p in design.parameters:
         attached = {"long_name": p.meaning, **({"units": cf_unit(p.unit)} if p.is_number else {})}
-        coordinates.append(Variable(p.path, (p.dimension,), p.values, attached))
+        along = SPEED_COLUMN if p.dimension == SPEED else p.dimension
+        coordinates.append(Variable(name_of(p), (along,), in_rpm(p) if p.path == SPEED else p.values, attached))
+    taken = {coordinate.name for coordinate in coordinates}
     variables = []
     for index, column in enumerate(table.columns):
-        if not np.isnan(table.rows[:, index]).all():
+        if column not in taken and not np.isnan(table.rows[:, index]).all():
             variables.append(_variable(column, names, table.rows[:, index].reshape(design.shape)))
     variables.append(Variable("status", names, table.status.reshape(design.shape), {"long_name": MEANINGS["status"]}))
     if design.over_speed and LIFE in table.columns:
         variables += _peak_variables(design, table, names[:-1])
-    return Content(design.dimensions, coordinates, variables, {"Conventions": CONVENTIONS, **attributes})
+    return Content(lengths, coordinates, variables, {"Conventions": CONVENTIONS, **attributes})
 
 
 def _variable(name: str, dimensions: tuple[str, ...], values: np.ndarray) -> Variable:
     meaning = MEANINGS.get(name, name.replace("_", " "))
-    return Variable(name, dimensions, values, {"units": unit_of(name), "long_name": meaning})
+    return Variable(name, dimensions, values, {"units": units_of(name), "long_name": meaning})
 
 
 def _peak_variables(design: Design, table: ResultTable, dimensions: tuple[str, ...]) -> list[Variable]:
     numbers, lives = peaks(design, table)
     speed = next(p for p in design.parameters if p.path == SPEED)
     found = numbers >= 0
-    speeds = np.where(found, speed.values[np.where(found, numbers % design.shape[-1], 0)], np.nan)
+    speeds = np.where(found, in_rpm(speed)[np.where(found, numbers % design.shape[-1], 0)], np.nan)
     shape = design.shape[:-1]
     point = Variable("peak_point", dimensions, numbers.reshape(shape), {"long_name": MEANINGS["peak_point"]})
-    return [_variable("peak_speed_rpm", dimensions, _in_rpm(speed, speeds).reshape(shape)), _variable("peak_life_h", dimensions, lives.reshape(shape)), point]
-
-
-def _in_rpm(speed, values: np.ndarray) -> np.ndarray:
-    return values if speed.unit in ("rpm", "1/min") else values * 60.0 / (2.0 * np.pi)
+    return [_variable("peak_speed_rpm", dimensions, speeds.reshape(shape)), _variable("peak_life_h", dimensions, lives.reshape(shape)), point]
 
 
 def to_xarray(content: Content):

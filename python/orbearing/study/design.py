@@ -7,6 +7,7 @@ then the axes of the case's own sweep, the input speed last and fastest.
 from __future__ import annotations
 
 import hashlib
+import json
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -185,12 +186,15 @@ def _require_possible(core, design: Design) -> None:
     """Refuses what cannot be before the first point is computed: each combination of choices, and the ends of each number beside the first of the
     others. Between them single points may fail, and say so."""
     point = core.without_sweep()
-    for _, ids in design.groups():
-        point.with_settings(list(design.settings(int(ids[0]), every=True)))
+    tried = [int(ids[0]) for _, ids in design.groups()]
     for parameter in design.numbers():
-        for place in sorted({int(parameter.si.argmin()), int(parameter.si.argmax())}):
-            ids = np.flatnonzero(design.along(parameter, np.arange(design.points)) == place)[:1]
-            point.with_settings(list(design.settings(int(ids[0]), every=True)))
+        along = design.along(parameter, np.arange(design.points))
+        tried += [int(np.argmax(along == place)) for place in (parameter.si.argmin(), parameter.si.argmax())]
+    for number in dict.fromkeys(tried):
+        try:
+            point.with_settings(list(design.settings(number, every=True)))
+        except CaseError as error:
+            raise CaseError([message.removeprefix("--set: ") for message in error.messages]) from error
 
 
 def case_axes(core) -> dict[str, list[str]]:
@@ -388,4 +392,4 @@ def _text(value: Any) -> str:
         return "true" if value else "false"
     if isinstance(value, (float, np.floating)):
         return _number_text(float(value), "")
-    return str(value)
+    return json.dumps(value) if isinstance(value, (list, tuple, dict)) else str(value)

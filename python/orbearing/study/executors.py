@@ -172,9 +172,9 @@ class Cluster:
         try:
             # A worker that is lost with its result in memory: the scheduler has it computed again meanwhile.
             chunk = future.result()
-        except (KilledWorker, WorkerStopped, concurrent.futures.CancelledError) as error:
-            if isinstance(error, concurrent.futures.CancelledError):
-                self._scheduler()
+        except (KilledWorker, WorkerStopped, OSError, concurrent.futures.CancelledError, concurrent.futures.TimeoutError) as error:
+            if not isinstance(error, (KilledWorker, WorkerStopped)):
+                self._scheduler()  # a connection that broke: to a worker, or to the scheduler itself
             if tries == TRIES:
                 raise Lost(f"{len(portion.ids)} points from number {portion.ids[0]} on lost their worker {TRIES} times") from error
             del waiting[future]

@@ -10,24 +10,28 @@ import numpy as np
 
 from orbearing import page, style
 from orbearing.blocks import FigureBlock, Table, format_number, format_quantity
+from orbearing.study.dataset import in_rpm
 from orbearing.study.design import SPEED
-from orbearing.study.result import MOST_CURVES, MOST_ROWS, StudyResult, to_rpm
+from orbearing.study.result import MOST_CURVES, MOST_ROWS, StudyResult
 from orbearing.study.table import LIFE
 
+PICTURE = (6.0, 4.0)  # [inch]
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
 
 
 def life_picture(result: StudyResult, axes=None):
     """Life over speed, or over the first parameter where the speed is no dimension; returns the axes."""
     if axes is None:
-        _, axes = style.panel((6.0, 4.0))
+        from matplotlib import pyplot
+
+        _, axes = pyplot.subplots(figsize=PICTURE, layout="constrained")
     life = result.table.column(LIFE)
     if not result.design.over_speed:
         parameter = next((p for p in result.design.parameters if p.is_number and p.path != SPEED), result.design.parameters[0])
         _over_parameter(axes, result, parameter, life)
         return axes
     curves = life.reshape(-1, result.design.shape[-1])
-    speed = to_rpm(next(p for p in result.design.parameters if p.path == SPEED))
+    speed = in_rpm(next(p for p in result.design.parameters if p.path == SPEED))
     order = np.argsort(speed)
     if len(curves) <= MOST_CURVES:
         _curves(axes, result, speed[order], curves[:, order])
@@ -100,7 +104,7 @@ def _peak_block(result: StudyResult) -> FigureBlock | None:
     if not found:
         return None
     along, speed, life = np.array(found, float).T
-    figure, axes = style.panel((6.0, 4.0))
+    figure, axes = style.panel(PICTURE)
     shown = axes.scatter(along, life, c=speed, cmap="viridis", s=14)
     bar = figure.colorbar(shown, ax=axes)
     bar.set_label("speed of the peak (rpm)")
@@ -139,7 +143,7 @@ def _variants_table(result: StudyResult) -> str:
 def page_of(result: StudyResult) -> str:
     """The whole document; the same results give the same bytes."""
     with style.context():
-        figure, axes = style.panel((6.0, 4.0))
+        figure, axes = style.panel(PICTURE)
         life_picture(result, axes)
         caption = "Life of one bearing of each variant." if result.design.variants <= MOST_CURVES else "Life of one bearing over all variants."
         blocks = [FigureBlock("lives", "Life", caption, (style.to_svg(figure, "lives", caption),)), _peak_block(result)]

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from orbearing.study.dataset import content_of, peaks, to_xarray
+from orbearing.study.dataset import content_of, in_rpm, peaks, to_xarray
 from orbearing.study.design import SPEED, Design
 from orbearing.study.folder import read_folder
 from orbearing.study.table import DONE, LIFE, NOT_COMPUTED, ResultTable
@@ -43,6 +43,11 @@ class StudyResult:
         return self.table.failed
 
     @property
+    def warnings(self) -> list[str]:
+        """What must be said of the results."""
+        return [line for line in self.attributes.get("warnings", "").split("\n") if line]
+
+    @property
     def parameters(self) -> tuple[str, ...]:
         """Paths of all that varies, the speed among them."""
         return tuple(parameter.path for parameter in self.design.parameters)
@@ -61,7 +66,7 @@ class StudyResult:
         columns = {p.path: p.values[design.along(p, first)].tolist() for p in own}
         if design.over_speed and LIFE in self.table.columns:
             numbers, lives = peaks(design, self.table)
-            speed = to_rpm(next(p for p in design.parameters if p.path == SPEED))
+            speed = in_rpm(next(p for p in design.parameters if p.path == SPEED))
             columns["peak_speed_rpm"] = [float(speed[number % speeds]) if number >= 0 else None for number in numbers]
             columns["peak_life_h"] = [float(life) if np.isfinite(life) else None for life in lives]
         elif LIFE in self.table.columns:
@@ -102,11 +107,6 @@ class StudyResult:
             return f"<pre>{self!r}</pre>"
 
 
-def to_rpm(speed) -> np.ndarray:
-    """[rpm] Values of the speed's parameter."""
-    return speed.values if speed.unit == "rpm" else speed.si * 60.0 / (2.0 * np.pi)
-
-
 def open_study(folder) -> StudyResult:
     """A study as its folder holds it, finished or not. Raises CaseError where there is none."""
     folder = Path(folder)
@@ -115,12 +115,12 @@ def open_study(folder) -> StudyResult:
     return StudyResult(header, design, table, attributes, folder)
 
 
-def json_of(result: StudyResult, warnings: list[str]) -> str:
+def json_of(result: StudyResult) -> str:
     """The result as one JSON object: what the command line prints with --json."""
     content = {"case": result.header["case"], "fidelity": result.header["fidelity"],
                "dimensions": [{"name": name, "length": length} for name, length in result.design.dimensions],
                "parameters": [{"path": p.path, "dimension": p.dimension, "unit": p.unit or None, "meaning": p.meaning} for p in result.design.parameters],
                "points": result.points, "failed_points": result.failed, "missing_points": result.missing, "failures": result.failures(),
-               "variants": result.variants(), "assumptions": json.loads(result.attributes.get("assumptions", "[]")), "warnings": warnings,
+               "variants": result.variants(), "assumptions": json.loads(result.attributes.get("assumptions", "[]")), "warnings": result.warnings,
                "versions": {"orbearing": result.header["program_version"], "instruction_set": result.header["instruction_set"]}}
     return json.dumps(content, indent=2, allow_nan=False)

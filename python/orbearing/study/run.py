@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import sys
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -55,14 +56,15 @@ def study(case, vary: Mapping[str, Any] | None = None, *, sampler: str = "grid",
     if points == "peak" and not design.over_speed:
         raise CaseError("points: found 'peak' where the speed is no dimension of the study; required: all or none")
     engine = CoreEngine(core.resolved(), [p.path for p in design.numbers()], fidelity)
-    return compute(core, design, engine, executor_of(executor, jobs), output=output, resume=resume, points=points, progress=progress)
+    return compute(core, design, engine, executor_of(executor, jobs), output=output, resume=resume, points=points, progress=progress,
+                   warnings=unfelt(core, design, fidelity))
 
 
 def compute(core, design: Design, engine, executor, *, output=None, resume: bool = False, points: str = "none",
-            progress: bool | Progress | None = None) -> StudyResult:
+            progress: bool | Progress | None = None, warnings: Sequence[str] = ()) -> StudyResult:
     """Computes what is missing of a design. `engine` has `program`, `fidelity` and `compute`, as CoreEngine."""
     header = header_of(core.name(), core.hash(), engine.program, engine.fidelity, design)
-    folder = StudyFolder(None if output is None else Path(output), header, design, attributes_of(core, design, engine), core.resolved(), resume)
+    folder = StudyFolder(None if output is None else Path(output), header, design, attributes_of(core, design, engine, warnings), core.resolved(), resume)
     try:
         plan = Plan(design, folder.table.missing(), getattr(executor, "jobs", 1))
         tell = _teller(progress, design.points)
@@ -88,14 +90,26 @@ def compute(core, design: Design, engine, executor, *, output=None, resume: bool
     return StudyResult(header, design, folder.table, folder.attributes, folder.folder)
 
 
-def attributes_of(core, design: Design, engine) -> dict[str, Any]:
+def unfelt(core, design: Design, fidelity: str) -> list[str]:
+    """A warning for each varied value that the results do not feel."""
+    from orbearing import _core
+
+    first = core.without_sweep().with_settings(list(design.settings(0, every=True)))
+    rung = f"--fidelity {fidelity}"
+    inputs = {entry["path"]: entry for entry in json.loads(_core.compute(first, "check", {})[0])["inputs"]}
+    unused = ["spectrum: found in the case, and not felt by a study: it computes the speeds of the sweep alone"] if "\nspectrum:" in core.resolved() else []
+    return unused + [f"{p.path}: varied, and not felt by {rung}: its results do not differ by it" for p in design.parameters
+                     if p.path in inputs and (rung not in inputs[p.path]["used_by"] or rung in inputs[p.path]["not_felt_by"])]
+
+
+def attributes_of(core, design: Design, engine, warnings: Sequence[str] = ()) -> dict[str, Any]:
     """What a study's file says of where its numbers come from."""
     varied = {parameter.path for parameter in design.parameters}
     assumed = [{"key": entry["path"], "value": entry["given"], "reason": entry["reason"]} for entry in core.inputs()
                if entry["source"] == "assumed" and entry["path"] not in varied]
     return {"title": f"study of {core.name()}", "case": core.name(), "case_hash": core.hash(), "fidelity": engine.fidelity,
             "source": f"Orbearing {engine.program['program_version']}, {engine.program['instruction_set']}",
-            "assumptions": json.dumps(assumed, ensure_ascii=False)}
+            "assumptions": json.dumps(assumed, ensure_ascii=False), "warnings": "\n".join(warnings)}
 
 
 def write_points(core, design: Design, folder: StudyFolder, fidelity: str, which: str) -> None:
@@ -129,8 +143,6 @@ def _core_of(case):
 
 
 def _say(line: str) -> None:
-    import sys
-
     print(line, file=sys.stderr)
 
 
