@@ -3,7 +3,7 @@
 
     ORBEARING=build/release/bin/orbearing benchmarks/dask_study.py [--static N] [--dynamic N] [--kills N] [--workers N]
 
-N points each; prints one line of JSON for each comparison: seconds, the ratio of throughputs (threads / Dask in time), seconds to the first result, workers
+N points each; prints one line of JSON for each comparison: seconds, the ratio of throughputs (threads / Dask in time, and in time of the processors), seconds to the first result, workers
 killed, how often each point stands in the journal, and whether both stores are the same to the last byte. Needs Dask (Debian: python3-distributed).
 Issue 18, Build 2 and 3.
 """
@@ -33,14 +33,19 @@ def said(**numbers):
     print(json.dumps({key: round(value, 3) if isinstance(value, float) else value for key, value in numbers.items()}), flush=True)
 
 
+def cpu_seconds(client=None):
+    """Of this process; with a client also of its workers. Work beside on the same machine blurs it less than the time on the clock."""
+    return time.process_time() + (sum(client.run(time.process_time).values()) if client else 0.0)
+
+
 def sweeps(count=200):
     """One call from a case to an xarray Dataset."""
     import orbearing
 
-    begin = time.monotonic()
+    begin, cpu = time.monotonic(), cpu_seconds()
     case = orbearing.load(CASE)
     table = orbearing.study(case, {"bearing.radial_clearance": {"from": "0 um", "to": "40 um", "count": count}}, progress=False).to_xarray()
-    said(what=f"{count} sweeps of {SPEEDS} quasi-static speeds into one Dataset", seconds=time.monotonic() - begin, points=int(table.life_h.size))
+    said(what=f"{count} sweeps of {SPEEDS} quasi-static speeds into one Dataset", seconds=time.monotonic() - begin, cpu_s=cpu_seconds() - cpu, points=int(table.life_h.size))
 
 
 class Killer(threading.Thread):
@@ -78,18 +83,23 @@ def beside_threads(points, fidelity, workers, kills):
 
     with tempfile.TemporaryDirectory() as name:
         place = pathlib.Path(name)
+        cpu = cpu_seconds()
         threads, _ = timed(place / "threads", "threads", jobs=THREADS)
+        threads_cpu = cpu_seconds() - cpu
         whole = (place / "threads" / DATASET).read_bytes()
         for killed_on_the_way in dict.fromkeys((0, kills)):
             with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+                cpu = cpu_seconds(client)
                 killer = Killer(cluster, killed_on_the_way, threads)
                 killer.start()
                 folder = place / f"workers{killed_on_the_way}"
                 seconds, first = timed(folder, client)
                 killer.ended.set()
                 killer.join()
+                # Killed ones take their count with them.
+                cpu_ratio = None if killer.killed else threads_cpu / (cpu_seconds(client) - cpu)
             counts = finished_counts(folder)
-            said(what=f"{len(counts)} {fidelity} points", threads=THREADS, threads_s=threads, workers=workers, workers_s=seconds, throughput_ratio=threads / seconds,
+            said(what=f"{len(counts)} {fidelity} points", threads=THREADS, threads_s=threads, workers=workers, workers_s=seconds, throughput_ratio=threads / seconds, cpu_ratio=cpu_ratio,
                  first_result_s=first, killed=killer.killed, times_in_journal=[int(counts.min()), int(counts.max())],
                  same_bytes=(folder / DATASET).read_bytes() == whole)
 
