@@ -16,25 +16,33 @@ import tempfile
 import time
 import unittest
 
-from study_package import CASE, PROGRAM, call, require_package, run
+import program
 
-require_package()
+orbearing = program.package()
 
 import numpy as np  # noqa: E402
 import xarray  # noqa: E402
 
-import orbearing  # noqa: E402
 from orbearing.study.folder import DATASET, finished_counts  # noqa: E402
 
+CASE, PROGRAM = str(program.REDUCER), os.environ["ORBEARING"]
 KILLS = int(os.environ.get("KILLS", "3"))
 SEED = int(os.environ.get("SEED", str(time.time_ns() % 1_000_000)))
 VARY = ("--vary", "bearing.radial_clearance=[0 um, 10 um, 0.02 mm]", "--vary", "film.enabled=[false, true]")
 MANY = ("--vary", "bearing.radial_clearance={from: 0 um, to: 40 um}", "--sampler", "sobol", "--samples", "256")
 
 
+def call(*options):
+    return [PROGRAM, "study", CASE, *map(str, options)]
+
+
+def run(*options):
+    return program.run("study", CASE, *options)
+
+
 def sweep(folder, *options):
     """Rows of the table of a sweep."""
-    subprocess.run([PROGRAM, "sweep", str(CASE), "-o", str(folder), "--quiet", "--grid-only", *options], check=True)
+    subprocess.run([PROGRAM, "sweep", CASE, "-o", str(folder), "--quiet", "--grid-only", *options], check=True)
     with open(folder / "sweep.csv", encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
@@ -79,7 +87,7 @@ class Study(unittest.TestCase):
         self.assertEqual([int(file.stem) for file in files], numbers)
         last = self.stored.sel({"bearing.radial_clearance": 20.0, "film.enabled": "true"})
         folder = self.place / "run"
-        subprocess.run([PROGRAM, "run", str(CASE), "-o", str(folder), "--quiet", "--set", "bearing.radial_clearance=0.02 mm", "--set", "film.enabled=true",
+        subprocess.run([PROGRAM, "run", CASE, "-o", str(folder), "--quiet", "--set", "bearing.radial_clearance=0.02 mm", "--set", "film.enabled=true",
                         "--set", f"input.speed={float(last.peak_speed_rpm):g} rpm"], check=True)
         with xarray.open_dataset(files[-1]) as ours, xarray.open_dataset(folder / "points" / "00000.nc") as theirs:
             self.assertTrue(ours.equals(theirs))
@@ -90,13 +98,13 @@ class Study(unittest.TestCase):
     def test_from_python_the_same_store(self):
         vary = {"bearing.radial_clearance": ["0 um", "10 um", "0.02 mm"], "film.enabled": [False, True]}
         for name, options in {"core": {}, "threads": {"executor": "threads", "jobs": 3}}.items():
-            result = orbearing.study(str(CASE), vary, output=self.place / name, progress=False, **options)
+            result = orbearing.study(CASE, vary, output=self.place / name, progress=False, **options)
             self.assertEqual((self.place / name / DATASET).read_bytes(), (self.place / "grid" / DATASET).read_bytes(), name)
         self.assertTrue(result.to_xarray().identical(self.stored))
         from orbearing import _core
-        self.assertTrue(orbearing.study(_core.load(str(CASE)), vary, progress=False).to_xarray().identical(self.stored))
+        self.assertTrue(orbearing.study(_core.load(CASE), vary, progress=False).to_xarray().identical(self.stored))
         with self.assertRaises(ValueError):
-            orbearing.study(str(CASE), vary, executor="processes")
+            orbearing.study(CASE, vary, executor="processes")
 
     def test_rows_of_a_table(self):
         (self.place / "rows.csv").write_text("bearing.rollers, bearing.roller_diameter (mm)\n15, 5.24\n14, 5.5\n")
@@ -141,7 +149,7 @@ class Study(unittest.TestCase):
             self.assertEqual(result.returncode, 2)
             self.assertIn(part, result.stderr)
         self.assertEqual(run("-o", self.place / "grid", *VARY).returncode, 2)
-        self.assertEqual(subprocess.run([PROGRAM, "sweep", str(CASE), "-o", str(self.place / "grid"), "--resume"], capture_output=True, check=False).returncode, 2)
+        self.assertEqual(subprocess.run([PROGRAM, "sweep", CASE, "-o", str(self.place / "grid"), "--resume"], capture_output=True, check=False).returncode, 2)
         self.assertEqual({file: file.read_bytes() for file in (self.place / "grid").rglob("*") if file.is_file()}, before)
 
 

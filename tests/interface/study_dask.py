@@ -17,19 +17,20 @@ import threading
 import time
 import unittest
 
-from study_package import CASE, require_package, run
+import program
 from virtual_environment import skip
 
-require_package()
+orbearing = program.package()
+os.environ["PYTHONPATH"] = sys.path[0]  # of the workers
 if importlib.util.find_spec("distributed") is None:
     skip("Dask is missing; on Debian install python3-distributed")
 
 from distributed import Client, LocalCluster  # noqa: E402
 
-import orbearing  # noqa: E402
 from orbearing.study.executors import Lost  # noqa: E402
 from orbearing.study.folder import DATASET, finished_counts  # noqa: E402
 
+CASE = str(program.REDUCER)
 FULL = os.environ.get("ORBEARING_FULL") == "yes"
 KILLS = int(os.environ.get("KILLS", "20" if FULL else "3"))
 SEED = int(os.environ.get("SEED", str(time.time_ns() % 1_000_000)))
@@ -39,7 +40,7 @@ PATIENCE = 3  # [s] of a client for its scheduler
 
 
 def study(folder, executor, **options):
-    return orbearing.study(str(CASE), RANGE, sampler="sobol", samples=SAMPLES, executor=executor, output=folder, **{"progress": False, **options})
+    return orbearing.study(CASE, RANGE, sampler="sobol", samples=SAMPLES, executor=executor, output=folder, **{"progress": False, **options})
 
 
 class Killer(threading.Thread):
@@ -131,7 +132,7 @@ class OnWorkers(unittest.TestCase):
         self.check(folder)
 
     def test_no_scheduler(self):
-        result = run("-o", self.place / "none", "--vary", "bearing.rollers=[14, 15]", "--scheduler", "tcp://127.0.0.1:9")
+        result = program.run("study", CASE, "-o", self.place / "none", "--vary", "bearing.rollers=[14, 15]", "--scheduler", "tcp://127.0.0.1:9")
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertIn("where no scheduler answers", result.stderr)
         self.assertFalse((self.place / "none").exists())
