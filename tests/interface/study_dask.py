@@ -44,7 +44,7 @@ def study(folder, executor, **options):
 
 
 class Killer(threading.Thread):
-    """Kills workers of a local cluster at random moments once the first points are there."""
+    """Kills workers of a local cluster at random moments once the first points are there, as a failing machine or as a queue whose time is over."""
 
     def __init__(self, cluster, seconds):
         super().__init__(daemon=True)
@@ -57,7 +57,7 @@ class Killer(threading.Thread):
             living = [nanny.process.process.pid for nanny in self._cluster.workers.values() if nanny.process and nanny.process.process]
             living = [pid for pid in living if pid]
             if living:
-                os.kill(self._chance.choice(living), signal.SIGKILL)
+                os.kill(self._chance.choice(living), self._chance.choice((signal.SIGKILL, signal.SIGTERM)))
                 self.killed += 1
 
 

@@ -6,6 +6,7 @@ effect on a result.
 
 from __future__ import annotations
 
+import asyncio
 import concurrent.futures
 import os
 import queue
@@ -126,7 +127,7 @@ class Cluster:
                 if self.client.status not in ("running", "connecting"):
                     raise Lost(f"the client's connection to the scheduler is {self.client.status}")
                 return self.client.sync(self.client.scheduler.identity, callback_timeout=PATIENCE_SECONDS)
-            except (OSError, TimeoutError, CommClosedError, AttributeError) as error:
+            except (OSError, asyncio.TimeoutError, CommClosedError, AttributeError) as error:
                 if time.monotonic() - begin > PATIENCE_SECONDS:
                     raise Lost(f"the scheduler does not answer ({error or type(error).__name__})") from error
                 time.sleep(LOOK_SECONDS)
@@ -158,7 +159,11 @@ class Cluster:
 
     def _submit(self, engine, portion: Portion, tries: int, waiting: dict, finished: queue.SimpleQueue) -> None:
         self._submitted += 1
-        future = self.client.submit(compute_portion, engine, portion, key=f"{self._name}-{self._submitted}", pure=False)
+        try:
+            future = self.client.submit(compute_portion, engine, portion, key=f"{self._name}-{self._submitted}", pure=False)
+        except Exception:
+            self._scheduler()  # that it is lost says more than where that was met
+            raise
         waiting[future] = portion, tries
         future.add_done_callback(finished.put)
 
@@ -172,7 +177,7 @@ class Cluster:
         try:
             # A worker that is lost with its result in memory: the scheduler has it computed again meanwhile.
             chunk = future.result()
-        except (KilledWorker, WorkerStopped, OSError, concurrent.futures.CancelledError, concurrent.futures.TimeoutError) as error:
+        except (KilledWorker, WorkerStopped, OSError, asyncio.TimeoutError, concurrent.futures.CancelledError) as error:
             if not isinstance(error, (KilledWorker, WorkerStopped)):
                 self._scheduler()  # a connection that broke: to a worker, or to the scheduler itself
             if tries == TRIES:

@@ -119,6 +119,7 @@ def headline(result: StudyResult) -> str:
     lives = [v for v in result.variants() if v.get("peak_life_h", v.get(LIFE)) is not None]
     if not lives:
         return f"None of {result.points} points has a life."
+
     def life(variant):
         return variant.get("peak_life_h", variant.get(LIFE))
 
@@ -140,6 +141,11 @@ def _variants_table(result: StudyResult) -> str:
     return f"<section>\n<h2>Variants</h2>\n{note}{page.table(Table(head, [tuple(row.values()) for row in rows[:MOST_ROWS]]))}\n</section>"
 
 
+def _warnings(result: StudyResult) -> str:
+    said = "<ul>" + "\n".join(f"<li>{escape(text)}</li>" for text in result.warnings) + "</ul>" if result.warnings else "<p>None.</p>"
+    return f"<section>\n<h2>Warnings</h2>\n{said}\n</section>"
+
+
 def page_of(result: StudyResult) -> str:
     """The whole document; the same results give the same bytes."""
     with style.context():
@@ -157,7 +163,7 @@ def page_of(result: StudyResult) -> str:
         "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">', '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>{name}: study</title>", f"<style>\n{page.STYLE_SHEET.read_text(encoding='utf-8')}</style>", "</head>", "<body>", "<main>",
         f'<header><p class="case">{name}</p>\n<h1>{escape(headline(result))}</h1></header>', page.table(Table(("study", ""), rows)), *figures,
-        _variants_table(result), "</main>", "</body>", "</html>", ""])
+        _variants_table(result), _warnings(result), "</main>", "</body>", "</html>", ""])
 
 
 def write_report(result: StudyResult, path: Path) -> Path:
