@@ -14,6 +14,7 @@ OFFSETS = {"degC": 273.15}
 FIELDS = {
     "input.speed": ("quantity", "rpm", "6000 rpm"),
     "bearing.radial_clearance": ("quantity", "um", "0 um"),
+    "bearing.bore": ("quantity", "mm", "25 mm"),
     "bearing.rollers": ("integer", "1", "15"),
     "lubricant.temperature": ("quantity", "degC", "80 degC"),
     "film.enabled": ("flag", "1", "false"),
@@ -46,7 +47,7 @@ class FakeCase:
         return self._given[path]
 
     def inputs(self):
-        return [{"path": path, "kind": kind, "unit": unit, "meaning": path.rpartition(".")[2], "given": self._given[path], "source": "assumed", "reason": "none"}
+        return [{"path": path, "kind": kind, "unit": unit, "si_unit": "", "meaning": path.rpartition(".")[2], "given": self._given[path], "source": "assumed", "reason": "none"}
                 for path, (kind, unit, _) in FIELDS.items()]
 
     def value(self, path):
@@ -54,9 +55,13 @@ class FakeCase:
             raise CaseError(f"{path}: found a path that this case does not know")
 
     def si(self, path, text):
+        if isinstance(text, list):
+            return [self.si(path, one) for one in text]
         number, _, unit = text.partition(" ")
         if (FIELDS[path][0] == "quantity") != bool(unit):
             raise CaseError(f"{path}: found '{text}'; required: a number with its unit")
+        if path == "bearing.bore" and not 5.0 <= float(number) * UNITS[unit] / UNITS["mm"] <= 500.0:
+            raise CaseError(f"{path}: found '{text}', which is out of range")
         return float(number) * UNITS.get(unit, 1.0) + OFFSETS.get(unit, 0.0)
 
     def without_sweep(self):

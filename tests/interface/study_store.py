@@ -77,6 +77,8 @@ class Designs(unittest.TestCase):
         self.assertEqual((clearance.unit, clearance.values.tolist()), ("um", [0.0, 10.0, 66.0, 30.0]))
         warm = design_of(FakeCase(), {"lubricant.temperature": ["353.15 K", "300 K"]}).parameters[0]
         np.testing.assert_allclose(warm.values, [80.0, 26.85], rtol=1e-12)
+        bore = design_of(FakeCase(), {"bearing.bore": ["25000 um", "30 mm"]}).parameters[0]
+        self.assertEqual((bore.unit, bore.values.tolist()), ("mm", [25.0, 30.0]), "1 mm is out of range")
 
     def test_values_in_every_form(self):
         def texts(stated):

@@ -320,7 +320,6 @@ class _Reader:
 
     def __init__(self, core, fields: Mapping[str, dict]):
         self.core, self.fields = core, fields
-        self._si: dict[tuple[str, str], float] = {}
 
     def require_known(self, paths: Iterable[str]) -> None:
         for path in paths:
@@ -366,24 +365,28 @@ class _Reader:
         texts = tuple(_text(value) for value in values)
         if field["kind"] not in NUMBERS:
             return Parameter(path, dimension, "", field["meaning"], texts, None, np.array(texts, object))
-        si = np.array([self.si(path, text) for text in texts])
+        si = np.array(self.core.si(path, list(texts)))
+        unit, values = self._customary(field, texts, si)
+        return Parameter(path, dimension, unit, field["meaning"], texts, si, values)
+
+    def _customary(self, field: Mapping[str, Any], texts: Sequence[str], si: np.ndarray) -> tuple[str, np.ndarray]:
+        """A unit and the values in it: as the user wrote them where all are in the customary unit, else converted."""
         unit = field["unit"] or "1"
-        return Parameter(path, dimension, unit, field["meaning"], texts, si, self._customary(path, unit, texts, si))
-
-    def si(self, path: str, text: str) -> float:
-        key = (path, text)
-        if key not in self._si:
-            self._si[key] = self.core.si(path, text)
-        return self._si[key]
-
-    def _customary(self, path: str, unit: str, texts: Sequence[str], si: np.ndarray) -> np.ndarray:
-        """[unit] Values as the user wrote them where the unit is the same, else converted."""
+        if unit == "1":
+            return unit, si
         split = [_split(text) for text in texts]
-        if unit == "1" or all(written in (unit, "") for _, written in split):
-            return np.array([number for number, _ in split])
-        # A unit is a factor and, of a temperature, an offset: two values of its own tell both.
-        one, two = self.si(path, f"1 {unit}"), self.si(path, f"2 {unit}")
-        return np.array([float(f"{1.0 + (value - one) / (two - one):.{DIGITS}g}") for value in si])
+        if all(written == unit for _, written in split):
+            return unit, np.array([number for number, _ in split])
+        # A unit is a factor and, of a temperature, an offset: two values of its own tell both, where the field's range has them.
+        for size in (f"e{power}" for power in (0, 1, 2, 3, -1, -2, -3, 4, 5, 6, -4, -5, -6)):
+            try:
+                one, two = self.core.si(field["path"], [f"1{size} {unit}", f"2{size} {unit}"])
+            except CaseError:
+                continue
+            step = two - one
+            offset = one - step if abs(one - step) > 1e-9 * abs(one) else 0.0
+            return unit, np.array([float(f"{float('1' + size) * ((value - offset) / step):.{DIGITS}g}") for value in si])
+        return field["si_unit"], si
 
 
 def _text(value: Any) -> str:
