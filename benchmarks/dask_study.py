@@ -54,7 +54,7 @@ class Killer(threading.Thread):
     def __init__(self, cluster, kills, seconds, seed=1):
         super().__init__(daemon=True)
         self.killed, self.ended = 0, threading.Event()
-        self._cluster, self._kills, self._mean, self._chance = cluster, kills, seconds / (kills + 1), random.Random(seed)
+        self._cluster, self._kills, self._mean, self._chance = cluster, kills, 0.6 * seconds / (kills + 1), random.Random(seed)
 
     def run(self):
         while self.killed < self._kills and not self.ended.wait(self._chance.uniform(0.0, 2.0 * self._mean)):
