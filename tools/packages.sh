@@ -29,7 +29,7 @@ python3: reports
 python3-numpy: reports
 python3-matplotlib: figures of the reports
 python3-netcdf4: reports, and tests that open result files as users do
-python3-scipy: typical conditions of an operating record
+python3-scipy: typical conditions of an operating record; samples of studies
 '
 
 test_packages='
@@ -38,6 +38,7 @@ libgmock-dev: matchers of the C++ tests
 python3-yaml: tests of the command line
 python3-jsonschema: test of the schema of case files
 python3-xarray: tests that open result files as users do
+python3-distributed: studies on the workers of a Dask cluster
 python3-getfem: finite elements of others, of a rim that bends
 python3-venv: FMI tools of others, installed below the build folder
 '

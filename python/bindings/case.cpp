@@ -59,8 +59,7 @@ py::object value_of(const CoreCase& core, const std::string& path) {
   return py::none();
 }
 
-double in_si(const CoreCase& core, const std::string& path, const std::string& text) {
-  const app::Field& field = field_at(core, path);
+double in_si(const app::Field& field, const std::string& path, const std::string& text) {
   const app::FieldReading reading = app::read_field_text(field, text);
   if (!reading.good)
     throw app::BadInput(
@@ -139,8 +138,21 @@ void add_case(py::module_& module) {
       .def(
           "without_sweep", [](const CoreCase& core) { return CoreCase{core.resolved.without_sweep()}; },
           "The one operating point that the values state.")
-      .def("si", &in_si, py::arg("path"), py::arg("text"),
-           "What the case's reader makes of a text for that input, in SI.")
+      .def(
+          "si",
+          [](const CoreCase& core, const std::string& path, const std::string& text) {
+            return in_si(field_at(core, path), path, text);
+          },
+          py::arg("path"), py::arg("text"), "What the case's reader makes of a text for that input, in SI.")
+      .def(
+          "si",
+          [](const CoreCase& core, const std::string& path, const std::vector<std::string>& texts) {
+            const app::Field& field = field_at(core, path);
+            std::vector<double> values;
+            for (const std::string& text : texts) values.push_back(in_si(field, path, text));
+            return values;
+          },
+          py::arg("path"), py::arg("texts"), "The same of many texts.")
       .def("value", &value_of, py::arg("path"), "The present value, in SI; None where there is none.")
       .def(
           "given",

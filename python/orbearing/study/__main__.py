@@ -1,0 +1,245 @@
+"""`orbearing study CASE -o DIR`: many variants of a case in one store; `python3 -m orbearing.study` is the same.
+
+Exit codes as of the command line: 0 done, 1 the computation failed, wholly or at some points, or a package is missing, 2 bad input or usage.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import os
+import re
+import signal
+import sys
+import time
+from pathlib import Path
+
+from orbearing.errors import CaseError, ComputationError
+
+MOST_ROWS = 40  # of variants on a terminal
+PAUSE_SECONDS = 0.1  # between two lines of progress
+WIPED = "\r\x1b[K"
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options; their names are those of the other commands where they mean the same."""
+    made = argparse.ArgumentParser(prog="orbearing study", allow_abbrev=False,
+                                   description="Many variants of a case, each over the speeds of its own sweep, in one store: DIR/study.nc.")
+    made.add_argument("case", metavar="CASE", help="case file")
+    made.add_argument("-o", "--output", metavar="DIR", help="folder of the study; made where it is missing. With --json it may be left out: then nothing is written")
+    made.add_argument("--vary", metavar="PATH=[...]", action="append", default=[],
+                      help="path=[value, value] or path={from: ..., to: ..., step: ...} (or count: ...); of a sample path={from: ..., to: ...}, or a list of "
+                           "which each is as likely; repeatable")
+    made.add_argument("--table", metavar="ROWS.csv", help="rows of values that go together, beside what --vary lists; the head names their paths: "
+                                                          "\"path\" over values with their units, or \"path (unit)\" over numbers")
+    made.add_argument("--sampler", choices=("grid", "sobol", "lhs"), default="grid", help="how --vary is read: all combinations (default), scrambled Sobol points, or a Latin hypercube")
+    made.add_argument("--samples", type=_count, help="of sobol (a power of two) and lhs")
+    made.add_argument("--seed", type=int, help="of sobol and lhs; default: 1")
+    made.add_argument("--points", choices=("none", "peak", "all"), default="none", help="which points get a file of their own, DIR/points/*.nc; default: none")
+    made.add_argument("--fidelity", choices=("quasi-static", "dynamic", "co-simulated", "monolithic"), default="quasi-static", help="as of a sweep; default: quasi-static")
+    made.add_argument("--jobs", type=_count, help="threads; default: one for each core")
+    made.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="Dask scheduler whose workers compute")
+    made.add_argument("--resume", action="store_true", help="go on in DIR with the points that are missing")
+    made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")
+    made.add_argument("--json", action="store_true", help="print the result as one JSON object and nothing else")
+    made.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    return made
+
+
+def _count(text: str) -> int:
+    count = int(text)
+    if count < 1:
+        raise argparse.ArgumentTypeError(f"found {text}; at least 1 is required")
+    return count
+
+
+def varied(options: list[str]) -> dict:
+    """Paths and values of --vary. Raises CaseError with every mistake."""
+    from orbearing.study.design import stated_values
+
+    found, mistakes = {}, []
+    for option in options:
+        path, equals, text = option.partition("=")
+        path = path.strip()
+        try:
+            if not path or not equals:
+                raise ValueError("a path and its values are required")
+            values = stated_values(text)
+        except ValueError as error:
+            mistakes.append(f"--vary: found '{option}'; required: path=[value, value] or path={{from: ..., to: ..., step: ...}} ({error}), e.g. --vary "
+                            "\"bearing.radial_clearance=[0 um, 10 um]\"")
+            continue
+        if path in found:
+            mistakes.append(f"--vary: {path}: found twice; required: once")
+        found[path] = values
+    if mistakes:
+        raise CaseError(mistakes)
+    return found
+
+
+def rows_of_table(file: Path) -> list[dict[str, str]]:
+    """Rows of --table, by path. Raises CaseError with the line."""
+    try:
+        with open(file, newline="", encoding="utf-8-sig") as stream:
+            lines = [(number, [cell.strip() for cell in row]) for number, row in enumerate(csv.reader(stream, skipinitialspace=True), start=1) if any(row)]
+    except (OSError, UnicodeDecodeError) as error:
+        raise CaseError(f"{file}: cannot be read ({error}); a CSV file is required") from error
+    if len(lines) < 2:
+        raise CaseError(f"{file}: found {max(len(lines) - 1, 0)} rows under a head; at least 1 is required")
+    heads = [re.fullmatch(r"([^\s()]+)(?:\s*\((.+)\))?", name) for name in lines[0][1]]
+    if not all(heads) or len({head[1] for head in heads if head}) < len(heads):
+        raise CaseError(f"{file}:{lines[0][0]}: found the head '{', '.join(lines[0][1])}'; required: each path once, as bearing.rollers or 'bearing.radial_clearance (um)'")
+    rows, mistakes = [], []
+    for number, cells in lines[1:]:
+        if len(cells) != len(heads) or not all(cells):
+            mistakes.append(f"{file}:{number}: found {sum(map(bool, cells))} values; required: {len(heads)}, one under each head")
+        rows.append({head[1]: f"{cell} {head[2]}" if head[2] else cell for head, cell in zip(heads, cells)})
+    if mistakes:
+        raise CaseError(mistakes)
+    return rows
+
+
+def _checked(options: argparse.Namespace) -> None:
+    """What contradicts itself. Raises CaseError with every mistake."""
+    mistakes = []
+    if options.output == "":
+        mistakes.append("--output: found an empty name; required: a folder")
+    elif options.output is None and not options.json:
+        mistakes.append("--output: missing; required: a folder for the results, or --json to print them alone")
+    for name, given in (("--resume", options.resume), ("--points", options.points != "none")):
+        if given and not options.output:
+            mistakes.append(f"{name}: found without --output; required: the folder of the study")
+    if options.scheduler and options.jobs:
+        mistakes.append("--jobs: found with --scheduler; required: one of both, since its workers have their own threads")
+    for name, given in (("--samples", options.samples), ("--seed", options.seed)):
+        if given is not None and options.sampler == "grid":
+            mistakes.append(f"{name}: found with the sampler grid; required: --sampler sobol or lhs")
+    if mistakes:
+        raise CaseError(mistakes)
+
+
+def _settings(options: list[str]) -> list[tuple[str, str]]:
+    pairs = [option.partition("=") for option in options]
+    wrong = [option for option, (path, equals, _) in zip(options, pairs) if not path.strip() or not equals]
+    if wrong:
+        raise CaseError([f"--set: found '{option}'; required: path=value" for option in wrong])
+    return [(path.strip(), value.strip()) for path, _, value in pairs]
+
+
+class _Line:
+    """How far a study is, on a terminal."""
+
+    def __init__(self, shown: bool):
+        self._shown = shown and sys.stderr.isatty()
+        self._begin = time.monotonic()
+        self._last = 0.0
+        self._kept: int | None = None
+
+    def __call__(self, done: int, points: int) -> None:
+        self._kept = done if self._kept is None else self._kept
+        now = time.monotonic()
+        if not self._shown or now - self._last < PAUSE_SECONDS:
+            return
+        self._last = now
+        text = f"{done} of {points} points done, {points - done} left"
+        if self._kept < done < points:
+            text += f", {_clock((now - self._begin) / (done - self._kept) * (points - done))} to go"
+        sys.stderr.write(f"{WIPED}study: {text}")
+        sys.stderr.flush()
+
+    def end(self) -> None:
+        if self._shown:
+            sys.stderr.write(WIPED)
+            sys.stderr.flush()
+
+
+def _clock(seconds: float) -> str:
+    whole = round(seconds)
+    return f"{whole // 60}:{whole % 60:02}" if whole < 3600 else f"{whole // 3600}:{whole // 60 % 60:02}:{whole % 60:02}"
+
+
+def _client(address: str):
+    """A client of the scheduler. Raises CaseError where there is none, ImportError without Dask."""
+    from distributed import Client
+
+    try:
+        return Client(address, timeout=10, set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        raise CaseError(f"--scheduler: found '{address}', where no scheduler answers ({error}); required: the address that dask scheduler prints, as tcp://host:8786") from error
+
+
+def print_variants(result) -> None:
+    """A table for people."""
+    variants = result.variants()
+    units = {p.path: p.unit for p in result.design.parameters if p.unit not in ("", "1")}
+    names = list(variants[0])
+    heads = [f"{name} [{units[name]}]" if name in units else name for name in names]
+    widths = [max(len(head), 10) for head in heads]
+    print("  ".join(head.rjust(width) for head, width in zip(heads, widths)))
+    for variant in variants[:MOST_ROWS]:
+        print("  ".join(_cell(variant[name]).rjust(width) for name, width in zip(names, widths)))
+    if len(variants) > MOST_ROWS:
+        print(f"{len(variants) - MOST_ROWS} more variants are in study.nc")
+
+
+def _cell(value) -> str:
+    return "none" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def run(options: argparse.Namespace) -> int:
+    """The study of the options; the exit code."""
+    from orbearing import _core
+    from orbearing.study.result import json_of
+    from orbearing.study.run import study
+
+    _checked(options)
+    core = _core.load(options.case, _settings(options.settings))
+    paired = rows_of_table(Path(options.table)) if options.table else []
+    values = varied(options.vary)
+    line = _Line(not options.quiet and not options.json)
+    client = _client(options.scheduler) if options.scheduler else None
+    try:
+        result = study(core, values, sampler=options.sampler, samples=options.samples, seed=1 if options.seed is None else options.seed, paired=paired,
+                       fidelity=options.fidelity, executor=client or "threads", jobs=options.jobs or 0, output=options.output, resume=options.resume,
+                       points=options.points, progress=line)
+    finally:
+        line.end()
+        if client is not None:
+            client.close(timeout=2)
+    for reason, count in result.failures().items():
+        print(f"{count} points: {reason}", file=sys.stderr)
+    if options.json:
+        print(json_of(result))
+    elif not options.quiet:
+        print_variants(result)
+        for warning in result.warnings:
+            print(f"warning: {warning}")
+        if options.output:
+            print(os.path.join(options.output, "study.nc"))
+    return 1 if result.failed else 0
+
+
+def main(arguments: list[str]) -> int:
+    """Compute a study; messages go to standard error."""
+    options = parser().parse_args(arguments)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # a wish to stop, as SIGINT
+    stays = f"; what is done stays in {options.output}, --resume goes on" if options.output else ""
+    try:
+        return run(options)
+    except CaseError as error:
+        print(error, file=sys.stderr)
+        return 2
+    except ImportError as error:
+        print(f"study: {error}; required: numpy, netCDF4, SciPy for samples, Dask for --scheduler; on Debian install python3-numpy python3-netcdf4 python3-scipy "
+              "python3-distributed", file=sys.stderr)
+    except KeyboardInterrupt:
+        print(f"study: interrupted{stays}", file=sys.stderr)
+    except ComputationError as error:
+        print(f"study: {error}{stays}", file=sys.stderr)
+    except OSError as error:
+        print(f"study: {error.filename or options.output}: {error.strerror}{stays}", file=sys.stderr)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

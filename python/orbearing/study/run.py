@@ -1,0 +1,166 @@
+"""A study from its design to its result."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from orbearing.errors import CaseError
+from orbearing.study.dataset import peaks
+from orbearing.study.design import Design, design_of
+from orbearing.study.engine import CoreEngine
+from orbearing.study.executors import executor_of
+from orbearing.study.folder import POINTS, StudyFolder, header_of, point_file_name
+from orbearing.study.plan import Plan
+from orbearing.study.result import StudyResult
+from orbearing.study.table import DONE
+
+POINT_FILES = ("none", "peak", "all")
+Progress = Callable[[int, int], None]
+
+
+def study(case, vary: Mapping[str, Any] | None = None, *, sampler: str = "grid", samples: int | None = None, seed: int = 1,
+          paired: Sequence[Mapping[str, Any]] = (), fidelity: str = "quasi-static", executor=None, jobs: int = 0, output=None, resume: bool = False,
+          points: str = "none", progress: bool | Progress | None = None) -> StudyResult:
+    """Computes many variants of a case, each over the speeds of its own sweep, into one table.
+
+    case      a Case, or the path of a case file
+    vary      {"bearing.radial_clearance": ["0 um", "10 um"], ...}: values as in a case file, {"from", "to", "step"} or {"from", "to", "count"}, or
+              numbers with their unit, (numpy.linspace(0, 40, 9), "um"). Of a sample: {"from", "to"}, or a list of which each is as likely.
+    sampler   "grid": all combinations; "sobol": scrambled Sobol points, a power of two of them; "lhs": a Latin hypercube
+    samples, seed   of a sample: how many, and which
+    paired    rows of a table, [{"bearing.rollers": 14, "bearing.roller_diameter": "6 mm"}, ...]: what stands in a row goes together, beside `vary`
+    fidelity  as of a sweep
+    executor  None: this process, on the threads of the core; "threads": portions on threads; a dask.distributed Client: its workers
+    jobs      threads of this process; 0: one for each core
+    output    folder for the store; None: memory alone
+    resume    go on with the points that `output` lacks; another case, program or design is refused
+    points    which points get a file of their own below `output`: "none", "peak" of each variant, or "all"
+    progress  True or None: by tqdm where it is installed; or a function of points done and points in all
+
+    The result does not depend on executor, jobs, order or interruptions to the last bit. Raises CaseError for what cannot be,
+    orbearing.study.executors.Lost where a cluster is lost: what is finished stands in `output` then.
+    """
+    core = _core_of(case)
+    if points not in POINT_FILES:
+        raise CaseError(f"points: found '{points}'; required: none, peak or all")
+    if output is None and (resume or points != "none"):
+        raise CaseError(f"{'resume' if resume else 'points'}: found without a folder; required: output, the folder of the study")
+    design = design_of(core, dict(vary or {}), sampler=sampler, samples=samples, seed=seed, paired=list(paired))
+    if points == "peak" and not design.over_speed:
+        raise CaseError("points: found 'peak' where the speed is no dimension of the study; required: all or none")
+    engine = CoreEngine(core.resolved(), [p.path for p in design.numbers()], fidelity)
+    return compute(core, design, engine, executor_of(executor, jobs), output=output, resume=resume, points=points, progress=progress,
+                   warnings=unfelt(core, design, fidelity))
+
+
+def compute(core, design: Design, engine, executor, *, output=None, resume: bool = False, points: str = "none",
+            progress: bool | Progress | None = None, warnings: Sequence[str] = ()) -> StudyResult:
+    """Computes what is missing of a design. `engine` has `program`, `fidelity` and `compute`, as CoreEngine."""
+    header = header_of(core.name(), core.hash(), engine.program, engine.fidelity, design)
+    folder = StudyFolder(None if output is None else Path(output), header, design, attributes_of(core, design, engine, warnings), core.resolved(), resume)
+    try:
+        plan = Plan(design, folder.table.missing(), getattr(executor, "jobs", 1))
+        tell = _teller(progress, design.points)
+        done = design.points - plan.left
+        tell(done, design.points)
+
+        def keep(chunk):
+            nonlocal done
+            done += folder.keep(chunk)
+            tell(done, design.points)
+
+        for line in folder.damaged:
+            _say(line)
+        try:
+            if plan.left:
+                executor.run(engine, plan, keep)
+        finally:
+            folder.write()
+        if points != "none":
+            write_points(core, design, folder, engine.fidelity, points)
+    finally:
+        folder.close()
+    return StudyResult(header, design, folder.table, folder.attributes, folder.folder)
+
+
+def unfelt(core, design: Design, fidelity: str) -> list[str]:
+    """A warning for each varied value that the results do not feel."""
+    from orbearing import _core
+
+    first = core.without_sweep().with_settings(list(design.settings(0, every=True)))
+    rung = f"--fidelity {fidelity}"
+    inputs = {entry["path"]: entry for entry in json.loads(_core.compute(first, "check", {})[0])["inputs"]}
+    unused = ["spectrum: found in the case, and not felt by a study: it computes the speeds of the sweep alone"] if "\nspectrum:" in core.resolved() else []
+    return unused + [f"{p.path}: varied, and not felt by {rung}: its results do not differ by it" for p in design.parameters
+                     if p.path in inputs and (rung not in inputs[p.path]["used_by"] or rung in inputs[p.path]["not_felt_by"])]
+
+
+def attributes_of(core, design: Design, engine, warnings: Sequence[str] = ()) -> dict[str, Any]:
+    """What a study's file says of where its numbers come from."""
+    varied = {parameter.path for parameter in design.parameters}
+    assumed = [{"key": entry["path"], "value": entry["given"], "reason": entry["reason"]} for entry in core.inputs()
+               if entry["source"] == "assumed" and entry["path"] not in varied]
+    return {"title": f"study of {core.name()}", "case": core.name(), "case_hash": core.hash(), "fidelity": engine.fidelity,
+            "source": f"Orbearing {engine.program['program_version']}, {engine.program['instruction_set']}",
+            "assumptions": json.dumps(assumed, ensure_ascii=False), "warnings": "\n".join(warnings)}
+
+
+def write_points(core, design: Design, folder: StudyFolder, fidelity: str, which: str) -> None:
+    """One file for each point that is asked for, as a sweep writes it; those that stand there are kept."""
+    from orbearing import _core
+
+    if which == "peak":
+        numbers = [int(number) for number in peaks(design, folder.table)[0] if number >= 0]
+    else:
+        numbers = [number for number in range(design.points) if folder.table.status[number] == DONE]
+    (folder.folder / POINTS).mkdir(exist_ok=True)
+    for number in numbers:
+        target = folder.folder / point_file_name(number)
+        if target.is_file():
+            continue
+        aside = Path(tempfile.mkdtemp(prefix=".point_", suffix=".tmp", dir=folder.folder / POINTS))
+        try:
+            point = core.without_sweep().with_settings(list(design.settings(number, every=True)))
+            _core.compute(point, "run", {"output": os.fspath(aside / "run"), "fidelity": fidelity})
+            os.replace(aside / "run" / "points" / "00000.nc", target)
+        finally:
+            shutil.rmtree(aside, ignore_errors=True)
+
+
+def _core_of(case):
+    if isinstance(case, (str, os.PathLike)):
+        from orbearing import _core
+
+        return _core.load(os.fspath(case))
+    return getattr(case, "core", case)
+
+
+def _say(line: str) -> None:
+    print(line, file=sys.stderr)
+
+
+def _teller(progress: bool | Progress | None, points: int) -> Progress:
+    """What is told of each finished portion."""
+    if callable(progress):
+        return progress
+    if progress is False:
+        return lambda done, all_points: None
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return lambda done, all_points: None
+    bar = tqdm(total=points, unit="point", disable=None)
+
+    def tell(done: int, all_points: int) -> None:
+        bar.update(done - bar.n)
+        if done == all_points:
+            bar.close()
+
+    return tell

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""A study on the workers of a Dask cluster (issue 18, Build 3): workers and scheduler killed at any moment, the same store as by one process.
+
+KILLS (default 3; 20 with ORBEARING_FULL=yes) sets how many workers are killed, SEED the moments.
+"""
+
+import importlib.util
+import logging
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+import program
+from virtual_environment import skip
+
+orbearing = program.package()
+os.environ["PYTHONPATH"] = sys.path[0]  # of the workers
+if importlib.util.find_spec("distributed") is None:
+    skip("Dask is missing; on Debian install python3-distributed")
+
+from distributed import Client, LocalCluster  # noqa: E402
+
+from orbearing.study.executors import Lost  # noqa: E402
+from orbearing.study.folder import DATASET, finished_counts  # noqa: E402
+
+CASE = str(program.REDUCER)
+FULL = os.environ.get("ORBEARING_FULL") == "yes"
+KILLS = int(os.environ.get("KILLS", "20" if FULL else "3"))
+SEED = int(os.environ.get("SEED", str(time.time_ns() % 1_000_000)))
+SAMPLES = 8192 if FULL else 512
+RANGE = {"bearing.radial_clearance": {"from": "0 um", "to": "40 um"}}
+PATIENCE = 3  # [s] of a client for its scheduler
+
+
+def study(folder, executor, **options):
+    return orbearing.study(CASE, RANGE, sampler="sobol", samples=SAMPLES, executor=executor, output=folder, **{"progress": False, **options})
+
+
+class Killer(threading.Thread):
+    """Kills workers of a local cluster at random moments once the first points are there, as a failing machine or as a queue whose time is over."""
+
+    def __init__(self, cluster, seconds):
+        super().__init__(daemon=True)
+        self.killed, self.begun, self.ended = 0, threading.Event(), threading.Event()
+        self._cluster, self._mean, self._chance = cluster, seconds / (KILLS + 1), random.Random(SEED)
+
+    def run(self):
+        self.begun.wait()
+        while self.killed < KILLS and not self.ended.wait(self._chance.uniform(0.0, 2.0 * self._mean)):
+            living = [nanny.process.process.pid for nanny in self._cluster.workers.values() if nanny.process and nanny.process.process]
+            living = [pid for pid in living if pid]
+            if living:
+                os.kill(self._chance.choice(living), self._chance.choice((signal.SIGKILL, signal.SIGTERM)))
+                self.killed += 1
+
+
+class OnWorkers(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        logging.getLogger("distributed").setLevel(logging.CRITICAL)
+        place = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(place.cleanup)
+        cls.place = pathlib.Path(place.name)
+        begin = time.monotonic()
+        study(cls.place / "here", "threads")
+        cls.seconds = time.monotonic() - begin
+        cls.whole = (cls.place / "here" / DATASET).read_bytes()
+
+    def check(self, folder):
+        self.assertEqual(set(finished_counts(folder)), {1}, "a point was lost or came twice")
+        self.assertTrue((folder / DATASET).read_bytes() == self.whole, f"another store, SEED={SEED}")
+
+    def test_workers_killed(self):
+        with LocalCluster(n_workers=4 if FULL else 2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+            killer = Killer(cluster, self.seconds)
+            killer.start()
+            begin, first = time.monotonic(), []
+
+            def told(done, points):
+                if done:
+                    first.append(time.monotonic() - begin)
+                    killer.begun.set()
+
+            study(self.place / "killed", client, progress=told)
+            killer.ended.set()
+            killer.join()
+        self.check(self.place / "killed")
+        self.assertGreater(killer.killed, 0)
+        print(f"{killer.killed} workers killed, SEED={SEED}; first result after {first[0]:.1f} s, all after {first[-1]:.1f} s, {self.seconds:.1f} s by threads",
+              file=sys.stderr)
+
+    def test_scheduler_killed(self):
+        log = open(self.place / "scheduler.log", "w")
+        self.addCleanup(log.close)
+        file = self.place / "scheduler.json"
+        module = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard", "--scheduler-file", str(file)]
+        scheduler = subprocess.Popen(module, stdout=log, stderr=log)
+        worker = subprocess.Popen([sys.executable, "-m", "distributed.cli.dask_worker", "--scheduler-file", str(file), "--nthreads", "2", "--no-dashboard",
+                                   "--no-nanny", "--death-timeout", "20"], stdout=log, stderr=log)
+        folder = self.place / "lost"
+        try:
+            # Of another moment each time: after the first, second or third portion that came.
+            after = random.Random(SEED).randint(1, 6)
+            seen = []
+
+            def told(done, points):
+                seen.append(done)
+                if len(seen) == after + 1:
+                    scheduler.kill()
+
+            with Client(scheduler_file=str(file), timeout=20) as client:
+                client._timeout = PATIENCE
+                with self.assertRaises(Lost):
+                    study(folder, client, progress=told)
+        finally:
+            for process in (scheduler, worker):
+                process.kill()
+                process.wait()
+        part = orbearing.study.open_study(folder)
+        self.assertTrue(0 < part.missing < part.points, part)
+        begun = part.points - part.missing
+        told_first = []
+        study(folder, "threads", resume=True, progress=lambda done, points: told_first.append(done))
+        self.assertEqual(told_first[0], begun, "what was finished is not computed again")
+        self.check(folder)
+
+    def test_no_scheduler(self):
+        result = program.run("study", CASE, "-o", self.place / "none", "--vary", "bearing.rollers=[14, 15]", "--scheduler", "tcp://127.0.0.1:9")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn("where no scheduler answers", result.stderr)
+        self.assertFalse((self.place / "none").exists())
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
