@@ -69,7 +69,7 @@ def beside_threads(points, fidelity, workers, kills):
     """The same study by threads and by workers, and by workers that are killed."""
     import orbearing
     from distributed import Client, LocalCluster
-    from orbearing.study.folder import DATASET, finished_counts
+    from orbearing.studies.folder import DATASET, finished_counts
 
     samples = max(1, round(points / SPEEDS))
     ranges = {"bearing.radial_clearance": {"from": "0 um", "to": "40 um"}}

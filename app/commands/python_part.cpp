@@ -60,7 +60,7 @@ int run_python(const std::string& module, const std::vector<std::string>& argume
 const std::vector<PythonCommand>& python_commands() {
   static const std::vector<PythonCommand> all{
       {"study", "many variants of a case, in parallel and over many machines, in one store",
-       "orbearing.study"},
+       "orbearing.studies"},
       {"uncertainty", "how far the life is known: its band, and which input to measure first",
        "orbearing.uncertainty"}};
   return all;

@@ -10,16 +10,15 @@ import sys
 
 import numpy as np
 import orbearing
-from planet_bearing import LiveBearing, duty_of
+from planet_bearing import duty_of
 
 
 def run(case, steps=2000, size=1e-6):
     """Places of the planet [m] (steps, 2), forces of the bearing on it [N] (steps, 2), and the bearing."""
     duty, planet = duty_of(case.check()), case.bearing()
-    place, velocity = LiveBearing(case).place_under(duty.static), np.zeros(2)
-    planet.set_input(planet_displacement_x=place[0], planet_displacement_y=place[1])
-    planet.initialize()
-    acceleration, places, forces = np.zeros(2), [], []
+    planet.initialize()  # in balance under the load of the case
+    place = np.array([planet.output("planet.start_displacement.x"), planet.output("planet.start_displacement.y")])
+    velocity, acceleration, places, forces = np.zeros(2), np.zeros(2), [], []
     for step in range(steps):
         time = step * size
         back = time - planet.time

@@ -3,8 +3,10 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <optional>
 
 #include "app/errors.hpp"
+#include "app/results/interruption.hpp"
 #include "app/study/fmu_model.hpp"
 #include "coupling/fmu/model.hpp"
 #include "python/bindings/bindings.hpp"
@@ -25,6 +27,7 @@ class Machine {
     for (const system::Input& input : facts_.inputs) inputs_.push_back(input.start);
     slopes_.assign(inputs_.size(), 0.0);
     has_slope_.assign(inputs_.size(), false);
+    given_.assign(inputs_.size(), false);
   }
 
   /// A slope by time that is given stands for the rate that otherwise goes with the input.
@@ -33,11 +36,14 @@ class Machine {
     inputs_[place] = value;
     slopes_[place] = slope.value_or(0.0);
     has_slope_[place] = slope.has_value();
+    given_[place] = true;
   }
 
   double input(const std::string& name) const { return inputs_[place_of(facts_.inputs, name, "input")]; }
 
+  /// What nobody set fits the rest: the displacement is that under the start load.
   void initialize(double time) {
+    participant_->complete(inputs_, given_);
     participant_->initialize(time, inputs_);
     time_ = time;
     begun_ = true;
@@ -47,6 +53,9 @@ class Machine {
     if (!(length > 0.0))
       throw app::BadInput("advance: found " + std::to_string(length) + " s; required: above 0");
     if (!begun_) initialize(time_);
+    constexpr double long_step = 1e-3;  // [s]  may take longer than anyone waits for Ctrl-C
+    std::optional<app::Interruption> interruption;
+    if (length > long_step) interruption.emplace();
     const std::vector<system::InputPolynomial> over = polynomials();
     participant_->advance({time_, time_ + length}, over);
     for (std::size_t i = 0; i < inputs_.size(); ++i) inputs_[i] = over[i].at(length);
@@ -126,6 +135,7 @@ class Machine {
   std::vector<double> inputs_;
   std::vector<double> slopes_;
   std::vector<bool> has_slope_;
+  std::vector<bool> given_;  // by the caller, at any time
   double time_ = 0.0;
   bool begun_ = false;
 };

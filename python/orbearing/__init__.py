@@ -27,7 +27,9 @@ _PARTS = {
     "SweepResult": "results",
     "CaseError": "errors",
     "ComputationError": "errors",
-    "study": "study",
+    "study": "studies",
+    "open_study": "studies",
+    "StudyResult": "studies",
     "uncertainty": "uncertainty",
 }
 __all__ = sorted([*_PARTS, "__version__"])
@@ -38,7 +40,6 @@ def __getattr__(name: str):
         value = importlib.import_module("orbearing._core").version
     elif name in _PARTS:
         module = importlib.import_module(f"orbearing.{_PARTS[name]}")
-        # The function of a part that has its name is what is called: orbearing.study(...).
         value = getattr(module, name)
     else:
         raise AttributeError(f"module 'orbearing' has no attribute {name!r}")

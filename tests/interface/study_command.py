@@ -23,7 +23,7 @@ orbearing = program.package()
 import numpy as np  # noqa: E402
 import xarray  # noqa: E402
 
-from orbearing.study.folder import DATASET, finished_counts  # noqa: E402
+from orbearing.studies.folder import DATASET, finished_counts  # noqa: E402
 
 CASE, PROGRAM = str(program.REDUCER), os.environ["ORBEARING"]
 KILLS = int(os.environ.get("KILLS", "3"))
@@ -193,7 +193,7 @@ class Killed(unittest.TestCase):
                 self.assertIn("study: interrupted; what is done stays", process.communicate()[1])
                 self.assertEqual(process.returncode, 1)
                 self.assertLess(time.monotonic() - begin, 10.0)
-                part = orbearing.study.open_study(folder)
+                part = orbearing.open_study(folder)
                 self.assertTrue(0 < part.missing < part.points)
 
     @staticmethod

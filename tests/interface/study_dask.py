@@ -27,8 +27,8 @@ if importlib.util.find_spec("distributed") is None:
 
 from distributed import Client, LocalCluster  # noqa: E402
 
-from orbearing.study.executors import Lost  # noqa: E402
-from orbearing.study.folder import DATASET, finished_counts  # noqa: E402
+from orbearing.studies.executors import Lost  # noqa: E402
+from orbearing.studies.folder import DATASET, finished_counts  # noqa: E402
 
 CASE = str(program.REDUCER)
 FULL = os.environ.get("ORBEARING_FULL") == "yes"
@@ -123,7 +123,7 @@ class OnWorkers(unittest.TestCase):
             for process in (scheduler, worker):
                 process.kill()
                 process.wait()
-        part = orbearing.study.open_study(folder)
+        part = orbearing.open_study(folder)
         self.assertTrue(0 < part.missing < part.points, part)
         begun = part.points - part.missing
         told_first = []

@@ -7,7 +7,7 @@ import threading
 import numpy as np
 
 from orbearing.errors import CaseError
-from orbearing.study.table import Chunk
+from orbearing.studies.table import Chunk
 
 UNITS = {"um": 1e-6, "mm": 1e-3, "rpm": 2 * math.pi / 60, "degC": 1.0, "K": 1.0}
 OFFSETS = {"degC": 273.15}

@@ -16,13 +16,13 @@ import numpy as np
 import xarray
 
 from orbearing.errors import CaseError
-from orbearing.study import journal, open_study
-from orbearing.study.design import design_of, from_content, stated_values
-from orbearing.study.executors import InProcess, Threads
-from orbearing.study.folder import DATASET, JOURNAL, finished_counts
-from orbearing.study.plan import LEAST_SECONDS, USUAL_SECONDS, Plan
-from orbearing.study.run import compute
-from orbearing.study.__main__ import rows_of_table, varied
+from orbearing.studies import journal, open_study
+from orbearing.studies.design import design_of, from_content, stated_values
+from orbearing.studies.executors import InProcess, Threads
+from orbearing.studies.folder import DATASET, JOURNAL, finished_counts
+from orbearing.studies.plan import LEAST_SECONDS, USUAL_SECONDS, Plan
+from orbearing.studies.run import compute
+from orbearing.studies.__main__ import rows_of_table, varied
 from study_fake import FakeCase, FakeEngine
 
 GRID = {"bearing.radial_clearance": ["0 um", "0.01 mm", "66 um", "30 um"], "bearing.profile.kind": ["straight", "iso16281"]}

@@ -16,8 +16,8 @@ import uuid
 from collections.abc import Callable
 
 from orbearing.errors import ComputationError
-from orbearing.study.plan import Plan, Portion
-from orbearing.study.table import Chunk
+from orbearing.studies.plan import Plan, Portion
+from orbearing.studies.table import Chunk
 
 Keep = Callable[[Chunk], None]
 

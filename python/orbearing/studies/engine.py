@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from orbearing.errors import ComputationError
-from orbearing.study.table import DONE, Chunk
+from orbearing.studies.table import DONE, Chunk
 
 
 class OtherProgram(ComputationError):

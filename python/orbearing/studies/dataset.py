@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from orbearing.results import units_of
-from orbearing.study.design import SPEED, Design, Parameter
-from orbearing.study.table import LIFE, SPEED_COLUMN, SYSTEM_LIFE, ResultTable
+from orbearing.studies.design import SPEED, Design, Parameter
+from orbearing.studies.table import LIFE, SPEED_COLUMN, SYSTEM_LIFE, ResultTable
 
 CONVENTIONS = "CF-1.10"
 ASIDE = ".tmp"

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from orbearing.study.journal import Record
+from orbearing.studies.journal import Record
 
 DONE = "ok"
 NOT_COMPUTED = "not computed"

@@ -18,10 +18,10 @@ from typing import Any
 import numpy as np
 
 from orbearing.errors import CaseError
-from orbearing.study import journal as journals
-from orbearing.study.dataset import ASIDE, content_of, write_netcdf
-from orbearing.study.design import Design, from_content
-from orbearing.study.table import CHUNK, Chunk, ResultTable, decode, encode
+from orbearing.studies import journal as journals
+from orbearing.studies.dataset import ASIDE, content_of, write_netcdf
+from orbearing.studies.design import Design, from_content
+from orbearing.studies.table import CHUNK, Chunk, ResultTable, decode, encode
 
 FORMAT = 1
 JOURNAL, RESOLVED, DATASET, POINTS = "study.journal", "case.resolved.yaml", "study.nc", "points"

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orbearing.study.design import Design
+from orbearing.studies.design import Design
 
 LEAST_SECONDS = 1.0  # of a portion: below it the exchange with a scheduler counts
 USUAL_SECONDS = 2.0

@@ -12,14 +12,14 @@ from pathlib import Path
 from typing import Any
 
 from orbearing.errors import CaseError
-from orbearing.study.dataset import peaks
-from orbearing.study.design import Design, design_of
-from orbearing.study.engine import CoreEngine
-from orbearing.study.executors import executor_of
-from orbearing.study.folder import POINTS, StudyFolder, header_of, point_file_name
-from orbearing.study.plan import Plan
-from orbearing.study.result import StudyResult
-from orbearing.study.table import DONE
+from orbearing.studies.dataset import peaks
+from orbearing.studies.design import Design, design_of
+from orbearing.studies.engine import CoreEngine
+from orbearing.studies.executors import executor_of
+from orbearing.studies.folder import POINTS, StudyFolder, header_of, point_file_name
+from orbearing.studies.plan import Plan
+from orbearing.studies.result import StudyResult
+from orbearing.studies.table import DONE
 
 POINT_FILES = ("none", "peak", "all")
 Progress = Callable[[int, int], None]
@@ -45,7 +45,7 @@ def study(case, vary: Mapping[str, Any] | None = None, *, sampler: str = "grid",
     progress  True or None: by tqdm where it is installed; or a function of points done and points in all
 
     The result does not depend on executor, jobs, order or interruptions to the last bit. Raises CaseError for what cannot be,
-    orbearing.study.executors.Lost where a cluster is lost: what is finished stands in `output` then.
+    orbearing.studies.executors.Lost where a cluster is lost: what is finished stands in `output` then.
     """
     core = _core_of(case)
     if points not in POINT_FILES:

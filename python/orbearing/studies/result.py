@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from orbearing.study.dataset import content_of, in_rpm, peaks, to_xarray
-from orbearing.study.design import SPEED, Design
-from orbearing.study.folder import read_folder
-from orbearing.study.table import DONE, LIFE, NOT_COMPUTED, ResultTable
+from orbearing.studies.dataset import content_of, in_rpm, peaks, to_xarray
+from orbearing.studies.design import SPEED, Design
+from orbearing.studies.folder import read_folder
+from orbearing.studies.table import DONE, LIFE, NOT_COMPUTED, ResultTable
 
 MOST_CURVES = 60  # that a picture shows one by one
 MOST_ROWS = 200  # of a table on a page
@@ -84,13 +84,13 @@ class StudyResult:
     def plot(self, axes=None):
         """Life over speed, a curve for each variant (of very many: median and quantiles), or life over the parameter where the speed is no dimension.
         Returns the matplotlib axes."""
-        from orbearing.study.pictures import life_picture
+        from orbearing.studies.pictures import life_picture
 
         return life_picture(self, axes)
 
     def report(self, path) -> Path:
         """Writes one self-contained page; returns its path."""
-        from orbearing.study.pictures import write_report
+        from orbearing.studies.pictures import write_report
 
         return write_report(self, Path(path))
 

@@ -10,10 +10,10 @@ import numpy as np
 
 from orbearing import page, style
 from orbearing.blocks import FigureBlock, Table, format_number, format_quantity
-from orbearing.study.dataset import in_rpm
-from orbearing.study.design import SPEED
-from orbearing.study.result import MOST_CURVES, MOST_ROWS, StudyResult
-from orbearing.study.table import LIFE
+from orbearing.studies.dataset import in_rpm
+from orbearing.studies.design import SPEED
+from orbearing.studies.result import MOST_CURVES, MOST_ROWS, StudyResult
+from orbearing.studies.table import LIFE
 
 PICTURE = (6.0, 4.0)  # [inch]
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)

@@ -1,4 +1,4 @@
-"""`orbearing study CASE -o DIR`: many variants of a case in one store; `python3 -m orbearing.study` is the same.
+"""`orbearing study CASE -o DIR`: many variants of a case in one store; `python3 -m orbearing.studies` is the same.
 
 Exit codes as of the command line: 0 done, 1 the computation failed, wholly or at some points, or a package is missing, 2 bad input or usage.
 """
@@ -55,7 +55,7 @@ def _count(text: str) -> int:
 
 def varied(options: list[str]) -> dict:
     """Paths and values of --vary. Raises CaseError with every mistake."""
-    from orbearing.study.design import stated_values
+    from orbearing.studies.design import stated_values
 
     found, mistakes = {}, []
     for option in options:
@@ -189,8 +189,8 @@ def _cell(value) -> str:
 def run(options: argparse.Namespace) -> int:
     """The study of the options; the exit code."""
     from orbearing import _core
-    from orbearing.study.result import json_of
-    from orbearing.study.run import study
+    from orbearing.studies.result import json_of
+    from orbearing.studies.run import study
 
     _checked(options)
     core = _core.load(options.case, _settings(options.settings))
