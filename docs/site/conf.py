@@ -21,11 +21,11 @@ myst_heading_anchors = 3
 suppress_warnings = ["myst.header"]  # READMEs have a title and sections of whatever level suits GitHub
 
 autodoc_member_order = "bysource"
-autodoc_typehints = "description"
-autodoc_typehints_description_target = "documented"
+autodoc_typehints = "signature"
+python_use_unqualified_type_names = True
 autodoc_default_options = {"members": True}
-# Types of other libraries and of the standard one have no pages here, nor has the compiled part.
-nitpick_ignore_regex = [("py:.*", r"(?!orbearing\.).*"), ("py:.*", r"orbearing\._core.*")]
+# Types of other libraries and of the standard one have no pages here, nor has the compiled part; ours are known by the shorter names.
+nitpick_ignore_regex = [("py:.*", r"(?!orbearing\.).*"), ("py:.*", r"orbearing\.(_core|case|results|machine|study|uncertainty)\..*")]
 
 html_theme = "alabaster"
 html_title = "Orbearing"

@@ -75,6 +75,18 @@ class Site(unittest.TestCase):
         for path in ("bearing.cage.pocket_clearance", "gearset.teeth.sun", "lubricant.grade"):
             self.assertIn(path, keys)
 
+    def test_every_public_name_of_the_package_is_described(self):
+        page = self.page("docs/guide/python.html")
+        orbearing = importlib.import_module("orbearing")
+        there = [name for name in orbearing.__all__ if name != "__version__" and importlib.util.find_spec(f"orbearing.{orbearing._PARTS[name]}")]
+        self.assertGreater(len(there), 8)
+        for name in there:
+            self.assertRegex(page, rf'id="orbearing\.(?:\w+\.)*{name}"')
+            value = getattr(orbearing, name)
+            ours = [one for one in getattr(value, "__mro__", ()) if one.__module__.startswith("orbearing.")]
+            for member in {member for one in ours for member in vars(one) if not member.startswith("_")}:
+                self.assertRegex(page, rf'id="orbearing\.(?:\w+\.)+{member}"', f"{name}.{member}")
+
     def test_documents_and_sources_that_a_text_names_are_links(self):
         page = self.page("cases/reducer_150kW/README.html")
         self.assertRegex(page, r'href="../../docs/elastic_rim.html"><code[^>]*><span class="pre">docs/elastic_rim.md')
