@@ -40,6 +40,8 @@ python3-jsonschema: test of the schema of case files
 python3-xarray: tests that open result files as users do
 python3-distributed: studies on the workers of a Dask cluster
 python3-getfem: finite elements of others, of a rim that bends
+python3-sphinx: documentation site (tools/site)
+python3-myst-parser: the same, its reader of Markdown
 python3-venv: FMI tools of others, installed below the build folder
 '
 

@@ -85,10 +85,12 @@ class Case:
 
     @property
     def name(self) -> str:
+        """The name that the case gives itself."""
         return self._core.name()
 
     @property
     def model(self) -> str:
+        """What is computed: planetary-drivetrain, ball-bearing, ..."""
         return self._core.model()
 
     @property

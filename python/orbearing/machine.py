@@ -60,6 +60,7 @@ class _Machine:
         return self._machine.output(name)
 
     def all_outputs(self) -> dict[str, float]:
+        """Every output by its name, at the present time."""
         return dict(zip((name for name, _, _ in self._machine.output_list), self._machine.outputs()))
 
     def directional_derivative(self, outputs: Sequence[str], inputs: Sequence[str], direction: Sequence[float]) -> np.ndarray:
@@ -71,6 +72,7 @@ class _Machine:
         return np.array(self._machine.save())
 
     def restore(self, state: np.ndarray) -> None:
+        """Back to a state that save() gave."""
         self._machine.restore(np.asarray(state, dtype=float).tolist())
 
 

@@ -78,14 +78,17 @@ class Result(Mapping):
 
     @property
     def case(self) -> "Case":
+        """The case it was computed from, a copy."""
         return self._case.copy()
 
     @property
     def folder(self) -> Optional[Path]:
+        """Where its files are, if anywhere."""
         return Path(self._folder) if self._folder else None
 
     @property
     def warnings(self) -> tuple[str, ...]:
+        """Formulas outside the range of their source, inputs that do not fit together, in words."""
         return tuple(self._data.get("warnings", ()))
 
     def __getitem__(self, key: str):
@@ -214,10 +217,13 @@ class SweepResult(Result):
 
     @property
     def columns(self) -> tuple[str, ...]:
+        """Names of the columns, with their units."""
         return tuple(self._data["points"][0])
 
     @property
     def peak(self) -> Mapping[str, Optional[float]]:
+        """speed_rpm and life_h of the grid's best point, refined_speed_rpm and refined_life_h of the best of all, and
+        between_rpm, the neighbours of that one."""
         return self._data["peak"]
 
     @property
@@ -226,6 +232,7 @@ class SweepResult(Result):
         return np.array([point.get("refined") is True for point in self._data["points"]])
 
     def column(self, name: str) -> np.ndarray:
+        """A column by its name: numbers with NaN where there is none, or texts."""
         values = [point[name] for point in self._data["points"]]
         if all(value is None or isinstance(value, (int, float)) for value in values):
             return number_array(values)
@@ -319,14 +326,17 @@ class ModesResult(Result):
 
     @property
     def frequency_Hz(self) -> np.ndarray:
+        """[Hz] (modes)"""
         return number_array([mode["frequency_Hz"] for mode in self["modes"]])
 
     @property
     def kind(self) -> tuple[str, ...]:
+        """rotational, translational or planet; of a pair of bearings tilt_x and so on (modes)"""
         return tuple(mode["kind"] for mode in self["modes"])
 
     @property
     def multiplicity(self) -> np.ndarray:
+        """How often each frequency occurs (modes)"""
         return number_array([mode["multiplicity"] for mode in self["modes"]])
 
     def plot(self, axes=None):
@@ -385,10 +395,12 @@ class CrownResult(Result):
 
     @property
     def optimum(self) -> Mapping[str, Any]:
+        """The profile and drop that live longest, the worst over the tilts studied."""
         return self["optimum"]
 
     @property
     def straight(self) -> Mapping[str, Any]:
+        """The same of straight rollers."""
         return self["straight"]
 
     def plot(self, axes=None):

@@ -1,0 +1,200 @@
+"""Sources of the documentation site: the repository's Markdown as it stands, with generated parts filled in.
+
+    stage.py FOLDER      needs ORBEARING (the program) and the package orbearing with its compiled part on PYTHONPATH
+
+Every document keeps its path, so that links between documents are those of the repository. A line
+`<!-- generated: NAME ARGUMENTS -->` is replaced by what the function of that name below writes; tutorials are run, and
+shown with their outputs. Files whose content did not change are not touched.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import tutorial
+
+ROOT = Path(__file__).resolve().parents[2]
+FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "python", "cases", "tests", "benchmarks", "docs")
+FRONT = ("README.md", "CHANGELOG.md", "REFERENCES.md", "CONTRIBUTING.md")
+PICTURES = (".png", ".svg")
+PYTHON_PARTS = {"study": "orbearing.study.run.study", "uncertainty": "orbearing.uncertainty.uncertainty"}
+_GENERATED = re.compile(r"^<!-- generated: (?P<name>[\w-]+) ?(?P<arguments>.*?) -->$", re.M)
+
+
+def documents() -> list[Path]:
+    """Markdown and pictures of the repository that belong to the site, relative to its root."""
+    found = [Path(name) for name in FRONT]
+    for folder in FOLDERS:
+        for name in ("*.md", *("*" + end for end in PICTURES)):
+            found += [file.relative_to(ROOT) for file in sorted((ROOT / folder).rglob(name))]
+    return found
+
+
+def program(*arguments: str) -> str:
+    return subprocess.run([os.environ["ORBEARING"], *arguments], check=True, capture_output=True, text=True).stdout.strip("\n")
+
+
+def code(text: str, language: str = "text") -> str:
+    return f"```{language}\n{text}\n```"
+
+
+def cell(text) -> str:
+    """A text within a table."""
+    return str(text).replace("\\", "\\\\").replace("|", "\\|").replace("*", "\\*").replace("<", "&lt;").replace("\n", " ")
+
+
+def table(heads: list[str], rows) -> str:
+    lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
+
+
+# What `<!-- generated: ... -->` can name: each takes the staged folder of the page and the words behind the name.
+
+def commands(_) -> str:
+    """Every command with its options, as the program prints them."""
+    front = program("--help")
+    names = re.findall(r"^  ([a-z]+) {2,}", front.split("Subcommands:")[1], re.M)
+    # Those that are Python need not be in every build.
+    names = [name for name in names if name not in PYTHON_PARTS or importlib.util.find_spec(f"orbearing.{name}")]
+    return "\n\n".join([code(front), *(f"## orbearing {name}\n\n{code(program(name, '--help'))}" for name in names)])
+
+
+def section(_, file: str, title: str) -> str:
+    """A section of another document, by its title, without the title."""
+    text = (ROOT / file).read_text(encoding="utf-8")
+    found = re.search(rf"^(#+) {re.escape(title)}$\n(?P<body>.*?)(?=^#+ |\Z)", text, re.S | re.M)
+    if not found:
+        raise SystemExit(f"{file} has no section '{title}'")
+    return found["body"].strip("\n")
+
+
+def file(_, path: str, language: str = "text") -> str:
+    """A file as it stands."""
+    return code((ROOT / path).read_text(encoding="utf-8").rstrip("\n"), language)
+
+
+def inputs(_) -> str:
+    """Every key of a case file, by the schema of case files."""
+    schema = json.loads((ROOT / "cases" / "case.schema.json").read_text(encoding="utf-8"))
+    parts = []
+    for model, described in schema["$defs"].items():
+        rows = [[f"`{path}`", cell(meaning), f"`{default}`" if default else ""] for path, meaning, default in _keys(described, "")]
+        parts.append(f"## {model}\n\n" + table(["key", "meaning, what it takes", "default"], rows))
+    return "\n\n".join(parts)
+
+
+def _keys(described: dict, before: str):
+    for name, one in described.get("properties", {}).items():
+        path = before + name
+        if path in ("model", "assumed"):
+            continue
+        one = {**one.get("oneOf", [{}])[0], **one} if "properties" not in one and "oneOf" in one else one
+        default = json.dumps(one["default"], ensure_ascii=False).strip('"') if "default" in one else ""
+        if "description" in one:
+            yield path, one["description"], default
+        if before + name != "sweep":
+            yield from _keys(one, path + ".")
+    for one in described.get("patternProperties", {}).values():
+        yield from _keys(one, before + "NAME.")
+
+
+def assumptions(_) -> str:
+    """What each case that ships assumes, with the reason."""
+    import orbearing
+
+    parts = []
+    for name, path in orbearing.cases().items():
+        case = orbearing.load(path)
+        rows = [[f"`{row['path']}`", cell(row["given"]), cell(row["reason"])] for row in case.inputs
+                if row["source"] == "assumed" and row["given"] is not None]
+        if rows:
+            parts.append(f"## {name}\n\n" + table(["input", "taken as", "reason"], rows))
+    return "\n\n".join(parts)
+
+
+def life_peak(folder: Path) -> str:
+    """Picture of life over speed of the reducer."""
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import orbearing
+    from matplotlib import pyplot
+
+    figure, axes = pyplot.subplots(figsize=(7.2, 4.0), layout="constrained")
+    sweep = orbearing.load(orbearing.cases()["reducer_150kW"]).sweep()
+    sweep.plot(axes)
+    figure.savefig(folder / "life_peak.png", dpi=110, metadata={"Software": None})
+    pyplot.close(figure)
+    peak = sweep.peak
+    return (f"![Life of one planet bearing over input speed, 150 kW held constant](life_peak.png)\n\n"
+            f"A planet bearing of the reducer of 150 kW lives longest, {peak['refined_life_h']:,.0f} h, at {peak['refined_speed_rpm']:,.0f} rpm.")
+
+
+def topics(_) -> str:
+    """A contents of the documents in docs/ that are no frame of the site."""
+    frame = {"README", "index", "theory"}
+    names = [f"../{name.stem}" for name in sorted((ROOT / "docs").glob("*.md")) if name.stem not in frame]
+    names += [f"../{name.parent.name}/{name.stem}" for name in sorted((ROOT / "docs").glob("*/*.md"))
+              if name.parent.name not in ("guide", "tutorials")]
+    return "```{toctree}\n:hidden:\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```"
+
+
+def python_studies(_) -> str:
+    """Reference of those parts that need not be there."""
+    return "\n\n".join(f"## orbearing.{module}\n\n```{{eval-rst}}\n.. autofunction:: {place}\n```"
+                       for module, place in PYTHON_PARTS.items() if importlib.util.find_spec(f"orbearing.{module}"))
+
+
+GENERATED = {"commands": commands, "section": section, "file": file, "inputs": inputs, "assumptions": assumptions,
+             "life-peak": life_peak, "topics": topics, "python-studies": python_studies}
+
+
+def filled(text: str, folder: Path) -> str:
+    return _GENERATED.sub(lambda found: GENERATED[found["name"]](folder, *shlex.split(found["arguments"])), text)
+
+
+def run_tutorial(path: Path, folder: Path) -> str:
+    """A tutorial's page with its outputs, and the notebook beside; without outputs where it cannot be run."""
+    missing = tutorial.missing_modules(path)
+    if missing:
+        text, note = path.read_text(encoding="utf-8"), f"*Shown without outputs: {', '.join(missing)} was missing where this site was built.*"
+    else:
+        done = tutorial.run(path)
+        (folder / f"{path.stem}.ipynb").write_text(done.notebook(), encoding="utf-8")
+        text, note = done.markdown(folder), f"{{download}}`Download as a notebook <{path.stem}.ipynb>`"
+    return re.sub(r"^# .*$", lambda title: f"{title[0]}\n\n{note}", text, count=1, flags=re.M)
+
+
+def stage(target: Path) -> None:
+    kept = set()
+    for name in documents():
+        out = target / name
+        out.parent.mkdir(parents=True, exist_ok=True)
+        if name.suffix in PICTURES:
+            _write(out, (ROOT / name).read_bytes())
+        elif name.parent == Path("docs/tutorials") and name.name != "index.md":
+            _write(out, run_tutorial(ROOT / name, out.parent).encode())
+        else:
+            _write(out, filled((ROOT / name).read_text(encoding="utf-8"), out.parent).encode())
+        kept.add(out)
+    for old in target.rglob("*.md"):
+        if old not in kept:
+            old.unlink()
+
+
+def _write(path: Path, content: bytes) -> None:
+    if not path.exists() or path.read_bytes() != content:
+        path.write_bytes(content)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        raise SystemExit(__doc__)
+    stage(Path(sys.argv[1]))
