@@ -1,0 +1,262 @@
+#include "app/study/life_derivatives.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <variant>
+
+#include "app/case/unused_inputs.hpp"
+#include "app/errors.hpp"
+#include "app/study/differentiated_life.hpp"
+#include "mechanics/explicit_slope.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+// One number of the case: that of an input, or an element of its list.
+struct CaseNumber {
+  const Input& input;
+  std::optional<std::size_t> item;
+
+  std::string path() const { return item ? fmt::format("{}[{}]", input.path, *item) : input.path; }
+  double value(const ResolvedCase& in) const {  // [SI]
+    return item ? in.value(input.path).list.at(*item) : in.value(input.path).number;
+  }
+  // As it would be written in a case with another value of this number.
+  std::string text(const ResolvedCase& in, double value) const {
+    const auto written = [&](double one) {
+      const std::string_view si = input.field->dimension.si;
+      return si.empty() ? fmt::format("{:.17g}", one) : fmt::format("{:.17g} {}", one, si);
+    };
+    if (!item) return written(value);
+    std::vector<std::string> all;
+    const std::vector<double>& list = in.value(input.path).list;
+    for (std::size_t i = 0; i < list.size(); ++i) all.push_back(written(i == *item ? value : list[i]));
+    return fmt::format("[{}]", fmt::join(all, ", "));
+  }
+};
+
+std::string_view customary(const Field& field) {
+  return field.dimension.customary.empty() ? "1" : field.dimension.customary;
+}
+
+// [SI/customary]
+double per_customary(const Field& field) {
+  return field.dimension.si.empty()
+             ? 1.0
+             : convert(1.0, field.dimension.customary, field.dimension.si).value.value_or(1.0);
+}
+
+// What the case says at another value. Throws BadInput where that is no case.
+class NumbersAt {
+ public:
+  NumbersAt(const ResolvedCase& in, const DifferentiatedLife& life, const CaseNumber& number)
+      : in_(in), life_(life), number_(number), value_(number.value(in)) {}
+
+  Eigen::VectorXd operator()(double offset) const {
+    const double wanted = value_ + offset;
+    const ResolvedCase changed = in_.with(number_.input.path, number_.text(in_, wanted));
+    constexpr double round_off = 1e-12;
+    if (std::abs(number_.value(changed) - wanted) > round_off * std::abs(wanted)) throw Follows();
+    return life_.numbers(changed);
+  }
+  double value() const { return value_; }
+
+  struct Follows {};  // another input decides the number
+
+ private:
+  const ResolvedCase& in_;
+  const DifferentiatedLife& life_;
+  const CaseNumber& number_;
+  double value_;
+};
+
+std::string one_line(const std::exception& error) {
+  const std::string text = error.what();
+  return text.substr(0, text.find('\n'));
+}
+
+// Of ln of the life by an offset over `scale` [-], with its estimated error.
+struct Slope {
+  double value = 0.0;
+  double error = 0.0;
+  int side = 0;
+  bool kink = false;
+};
+
+// Whether the map goes on at that offset, and why it does not.
+std::optional<std::string> stop_at(const NumbersAt& numbers, double offset) {
+  try {
+    (void)numbers(offset);
+    return std::nullopt;
+  } catch (const std::exception& error) {
+    return one_line(error);
+  }
+}
+
+class SlopeSearch {
+ public:
+  SlopeSearch(const NumbersAt& numbers, const DifferentiatedLife& life, const Eigen::VectorXd& here, double scale)
+      : numbers_(numbers), life_(life), here_(here), scale_(scale) {}
+
+  // A slope, or why there is none.
+  std::variant<Slope, std::string> operator()() const {
+    constexpr double kFirstStep = 1e-3, kShorter = 0.1, kGood = 1e-9, kFair = 1e-7;
+    constexpr int kTrials = 4;
+    std::optional<Slope> best;
+    double step = kFirstStep * scale_;
+    const auto ahead = stop_at(numbers_, step), behind = stop_at(numbers_, -step);
+    if (ahead && behind) return "the case allows no other value nearby: " + *ahead;
+    const int side = ahead ? -1 : behind ? 1 : 0;
+    for (int i = 0; i < kTrials; ++i, step *= kShorter) {
+      const Slope one = slope(step, side);
+      if (!best || one.error < best->error) best = one;
+      if (best->error <= kGood * std::max(1.0, std::abs(best->value))) break;
+    }
+    if (best->kink) return "the life has a kink here: its slopes to both sides differ";
+    if (!(best->error <= kFair * std::max(1.0, std::abs(best->value))))
+      return fmt::format("no smooth map leads from it to the balance: its slope is known to {:.1g} only", best->error);
+    return *best;
+  }
+
+ private:
+  Slope slope(double step, int side) const {
+    const mechanics::ExplicitSlope map =
+        side == 0 ? mechanics::central_slope(numbers_, here_, step)
+                  : mechanics::one_sided_slope(numbers_, here_, side * step);
+    if (side == 0 && map.slope.isZero(0.0) && map.bend.isZero(0.0)) return {};
+    const auto of_life = [&](const Eigen::VectorXd& change) { return scale_ * life_.slope(change); };
+    Slope result{of_life(map.slope), std::abs(of_life(map.last_change)), side};
+    if (side == 0) {
+      constexpr double kNothing = 1e-6;
+      const double far = std::abs(of_life(map.bend)), near = std::abs(of_life(map.bend_near));
+      result.kink = near > kNothing && near > 0.5 * far;
+    }
+    return result;
+  }
+
+  const NumbersAt& numbers_;
+  const DifferentiatedLife& life_;
+  const Eigen::VectorXd& here_;
+  double scale_;  // [SI]
+};
+
+std::string standing_text(const ResolvedCase& in, const std::string& path) {
+  if (in.origin(path) == "default") return "default";
+  return in.assumed().contains(path) ? "assumed" : "given";
+}
+
+// Lengths of micrometres are told by one of them, what is zero by its unit, all else by a hundredth.
+LifeDerivative derivative_of(const ResolvedCase& in, const DifferentiatedLife& life, const CaseNumber& number,
+                             const Slope& slope, double scale) {
+  const Field& field = *number.input.field;
+  const double unit = per_customary(field), value = number.value(in);
+  LifeDerivative result{.path = number.path(),
+                        .value = value / unit,
+                        .unit = std::string(customary(field)),
+                        .standing = standing_text(in, number.input.path),
+                        .derivative = life.value * slope.value / scale * unit,
+                        .error = slope.error,
+                        .side = slope.side};
+  if (value != 0.0) result.elasticity = slope.value * value / scale;
+  const bool by_unit = value == 0.0 || field.dimension.customary == dimension::small_length.customary;
+  result.step = by_unit ? fmt::format("1 {}", result.unit) : "1 %";
+  result.change = result.derivative * (by_unit ? 1.0 : 0.01 * result.value);
+  return result;
+}
+
+// Why an input of that kind has no derivative; none where its numbers have.
+std::optional<std::string> reason_of_kind(const Field& field) {
+  switch (field.kind) {
+    case Kind::integer:
+      return "a whole number";
+    case Kind::flag:
+      return "on or off";
+    case Kind::choice:
+      return "a choice";
+    case Kind::list:
+      if (!field.columns.empty()) return "a table of rows, which are not one number each";
+      if (field.element == Kind::quantity || field.element == Kind::number) return std::nullopt;
+      return "a list of what is no number";
+    default:
+      return std::nullopt;
+  }
+}
+
+class Collector {
+ public:
+  explicit Collector(const ResolvedCase& in)
+      : in_(in), life_(differentiated_life(in)), here_(life_.numbers(in)) {
+    result_.quantity = life_.quantity;
+    result_.unit = life_.unit;
+    result_.life = life_.value;
+    result_.of_set = life_.of_set;
+  }
+
+  void add(const Input& input) {
+    if (input.field->kind == Kind::text || input.path == "model") return;
+    if (standing_in_row(in_, input, life_.analysis) != Standing::used) {
+      result_.without_effect.push_back(input.path);
+      return;
+    }
+    if (const auto reason = reason_of_kind(*input.field)) {
+      result_.not_differentiable.push_back({input.path, in_.given(input.path), *reason});
+      return;
+    }
+    if (input.field->kind != Kind::list) return add({input, std::nullopt});
+    for (std::size_t i = 0; i < in_.value(input.path).list.size(); ++i) add({input, i});
+  }
+
+  LifeDerivatives result() && {
+    const auto weight = [&](const LifeDerivative& one) {
+      constexpr double hundred = 100.0;
+      return std::abs(one.elasticity.value_or(hundred * one.change / life_.value));
+    };
+    std::stable_sort(result_.inputs.begin(), result_.inputs.end(),
+                     [&](const LifeDerivative& a, const LifeDerivative& b) { return weight(a) > weight(b); });
+    return std::move(result_);
+  }
+
+ private:
+  void add(const CaseNumber& number) {
+    const NumbersAt numbers(in_, life_, number);
+    const double unit = per_customary(*number.input.field);
+    const double scale = numbers.value() != 0.0 ? std::abs(numbers.value()) : unit;
+    try {
+      const auto slope = SlopeSearch(numbers, life_, here_, scale)();
+      if (const auto* reason = std::get_if<std::string>(&slope))
+        result_.not_differentiable.push_back({number.path(), in_.given(number.input.path), *reason});
+      else if (std::get<Slope>(slope).value == 0.0)
+        result_.without_effect.push_back(number.path());
+      else
+        result_.inputs.push_back(derivative_of(in_, life_, number, std::get<Slope>(slope), scale));
+    } catch (const NumbersAt::Follows&) {
+      result_.not_differentiable.push_back(
+          {number.path(), in_.given(number.input.path), "another input decides it; its derivative is there"});
+    } catch (const std::exception& error) {
+      result_.not_differentiable.push_back({number.path(), in_.given(number.input.path), one_line(error)});
+    }
+  }
+
+  const ResolvedCase& in_;
+  DifferentiatedLife life_;
+  Eigen::VectorXd here_;
+  LifeDerivatives result_;
+};
+
+}  // namespace
+
+LifeDerivatives life_derivatives(const ResolvedCase& resolved, const std::vector<std::string>& paths) {
+  const ResolvedCase in = resolved.without_sweep();
+  Collector collector(in);
+  for (const Input& input : in.inputs())
+    if (in.has(input.path) && (paths.empty() || std::find(paths.begin(), paths.end(), input.path) != paths.end()))
+      collector.add(input);
+  return std::move(collector).result();
+}
+
+}  // namespace orbearing::app
