@@ -36,6 +36,10 @@ DifferentiatedLife life_of_drivetrain(const ResolvedCase& in) {
   std::shared_ptr<const study::LifeSlopes> shortest;
   std::string of_set;
   for (const study::NamedSet& set : bearing_sets(in)) {
+    if (set.drivetrain.uneven_planets)
+      throw BadInput(in.file() +
+                     ": gearset: found planets that load unevenly; required: pins in their places, since the balance "
+                     "of gears that shares their loads is not differentiated");
     const auto one = std::make_shared<const study::LifeSlopes>(set.drivetrain, set.geometry);
     if (shortest && shortest->log_life() <= one->log_life()) continue;
     shortest = one;

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <variant>
+#include <tuple>
+#include <utility>
 
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
@@ -80,57 +81,67 @@ std::string one_line(const std::exception& error) {
   return text.substr(0, text.find('\n'));
 }
 
-// Of ln of the life by an offset over `scale` [-], with its estimated error.
-struct Slope {
-  double value = 0.0;
-  double error = 0.0;
-  int side = 0;
-  bool kink = false;
-};
-
-// Whether the map goes on at that offset, and why it does not.
-std::optional<std::string> stop_at(const NumbersAt& numbers, double offset) {
-  try {
-    (void)numbers(offset);
-    return std::nullopt;
-  } catch (const std::exception& error) {
-    return one_line(error);
-  }
-}
+// Slopes below this change nothing of the life but its last digits.
+constexpr double kRoundOff = 1e-10;  // [-]  of ln of the life
 
 class SlopeSearch {
  public:
-  SlopeSearch(const NumbersAt& numbers, const DifferentiatedLife& life, const Eigen::VectorXd& here, double scale)
-      : numbers_(numbers), life_(life), here_(here), scale_(scale) {}
+  using Found = std::variant<NumberSlope, std::string>;
 
-  // A slope, or why there is none.
-  std::variant<Slope, std::string> operator()() const {
-    constexpr double kFirstStep = 1e-3, kShorter = 0.1, kGood = 1e-9, kFair = 1e-7;
-    constexpr int kTrials = 4;
-    std::optional<Slope> best;
-    double step = kFirstStep * scale_;
-    const auto ahead = stop_at(numbers_, step), behind = stop_at(numbers_, -step);
-    if (ahead && behind) return "the case allows no other value nearby: " + *ahead;
-    const int side = ahead ? -1 : behind ? 1 : 0;
-    for (int i = 0; i < kTrials; ++i, step *= kShorter) {
-      const Slope one = slope(step, side);
-      if (!best || one.error < best->error) best = one;
-      if (best->error <= kGood * std::max(1.0, std::abs(best->value))) break;
+  SlopeSearch(const NumbersOf& numbers, const SlopeBy& of_life, const Eigen::VectorXd& here, double scale)
+      : numbers_(numbers), of_life_(of_life), here_(here), scale_(scale) {}
+
+  Found operator()() const {
+    constexpr double kFirstStep = 1e-3;
+    const double step = kFirstStep * scale_;
+    std::string why;
+    for (const int side : {0, 1, -1}) {
+      try {
+        return with_steps_from(step, side);
+      } catch (const std::exception& error) {  // no case there
+        if (why.empty()) why = one_line(error);
+      }
     }
-    if (best->kink) return "the life has a kink here: its slopes to both sides differ";
-    if (!(best->error <= kFair * std::max(1.0, std::abs(best->value))))
-      return fmt::format("no smooth map leads from it to the balance: its slope is known to {:.1g} only", best->error);
-    return *best;
+    return "the case allows no other value nearby: " + why;
   }
 
  private:
-  Slope slope(double step, int side) const {
+  Found with_steps_from(double step, int side) const {
+    constexpr double kShorter = 0.1, kGood = 1e-9, kFair = 1e-7;
+    constexpr int kTrials = 4;
+    std::optional<OneStep> best;
+    const auto within = [&](double share) {
+      return best->slope.error <= share * std::max(1.0, std::abs(best->slope.value));
+    };
+    double first = 0.0, first_error = 0.0;
+    for (int i = 0; i < kTrials && !(best && within(kGood)); ++i, step *= kShorter) {
+      OneStep one = slope(step, side);
+      if (i == 0) std::tie(first, first_error) = std::pair(one.slope.value, one.slope.error);
+      // A map in stairs is flat under steps that are short enough, with no error of its own.
+      constexpr double kApart = 10.0;
+      const double apart = std::abs(one.slope.value - first);
+      if (apart > kApart * (first_error + one.slope.error)) one.slope.error = apart;
+      if (!best || one.slope.error < best->slope.error) best = one;
+    }
+    if (best->kink) return "the life has a kink here: its slopes to both sides differ";
+    if (!within(kFair))
+      return fmt::format("no smooth map leads from it to the balance: its slope is known to {:.1g} only",
+                         best->slope.error);
+    return best->slope;
+  }
+
+  struct OneStep {
+    NumberSlope slope;
+    bool kink = false;
+  };
+
+  OneStep slope(double step, int side) const {
     const mechanics::ExplicitSlope map =
         side == 0 ? mechanics::central_slope(numbers_, here_, step)
                   : mechanics::one_sided_slope(numbers_, here_, side * step);
     if (side == 0 && map.slope.isZero(0.0) && map.bend.isZero(0.0)) return {};
-    const auto of_life = [&](const Eigen::VectorXd& change) { return scale_ * life_.slope(change); };
-    Slope result{of_life(map.slope), std::abs(of_life(map.last_change)), side};
+    const auto of_life = [&](const Eigen::VectorXd& change) { return scale_ * of_life_(change); };
+    OneStep result{{of_life(map.slope), std::abs(of_life(map.last_change)), side}};
     if (side == 0) {
       constexpr double kNothing = 1e-6;
       const double far = std::abs(of_life(map.bend)), near = std::abs(of_life(map.bend_near));
@@ -139,10 +150,10 @@ class SlopeSearch {
     return result;
   }
 
-  const NumbersAt& numbers_;
-  const DifferentiatedLife& life_;
+  const NumbersOf& numbers_;
+  const SlopeBy& of_life_;
   const Eigen::VectorXd& here_;
-  double scale_;  // [SI]
+  double scale_;
 };
 
 std::string standing_text(const ResolvedCase& in, const std::string& path) {
@@ -152,7 +163,7 @@ std::string standing_text(const ResolvedCase& in, const std::string& path) {
 
 // Lengths of micrometres are told by one of them, what is zero by its unit, all else by a hundredth.
 LifeDerivative derivative_of(const ResolvedCase& in, const DifferentiatedLife& life, const CaseNumber& number,
-                             const Slope& slope, double scale) {
+                             const NumberSlope& slope, double scale) {
   const Field& field = *number.input.field;
   const double unit = per_customary(field), value = number.value(in);
   LifeDerivative result{.path = number.path(),
@@ -160,7 +171,6 @@ LifeDerivative derivative_of(const ResolvedCase& in, const DifferentiatedLife& l
                         .unit = std::string(customary(field)),
                         .standing = standing_text(in, number.input.path),
                         .derivative = life.value * slope.value / scale * unit,
-                        .error = slope.error,
                         .side = slope.side};
   if (value != 0.0) result.elasticity = slope.value * value / scale;
   const bool by_unit = value == 0.0 || field.dimension.customary == dimension::small_length.customary;
@@ -181,7 +191,7 @@ std::optional<std::string> reason_of_kind(const Field& field) {
     case Kind::list:
       if (!field.columns.empty()) return "a table of rows, which are not one number each";
       if (field.element == Kind::quantity || field.element == Kind::number) return std::nullopt;
-      return "a list of what is no number";
+      return field.element == Kind::integer ? "whole numbers" : "a list of what is no number";
     default:
       return std::nullopt;
   }
@@ -198,7 +208,9 @@ class Collector {
   }
 
   void add(const Input& input) {
-    if (input.field->kind == Kind::text || input.path == "model") return;
+    const Field& field = *input.field;
+    if (field.kind == Kind::text || input.path == "model") return;
+    if (field.kind == Kind::list && field.element == Kind::text) return;  // names
     if (standing_in_row(in_, input, life_.analysis) != Standing::used) {
       result_.without_effect.push_back(input.path);
       return;
@@ -227,16 +239,16 @@ class Collector {
     const double unit = per_customary(*number.input.field);
     const double scale = numbers.value() != 0.0 ? std::abs(numbers.value()) : unit;
     try {
-      const auto slope = SlopeSearch(numbers, life_, here_, scale)();
+      const auto slope = slope_by_number(std::cref(numbers), life_.slope, here_, scale);
       if (const auto* reason = std::get_if<std::string>(&slope))
         result_.not_differentiable.push_back({number.path(), in_.given(number.input.path), *reason});
-      else if (std::get<Slope>(slope).value == 0.0)
+      else if (std::abs(std::get<NumberSlope>(slope).value) < kRoundOff)
         result_.without_effect.push_back(number.path());
       else
-        result_.inputs.push_back(derivative_of(in_, life_, number, std::get<Slope>(slope), scale));
+        result_.inputs.push_back(derivative_of(in_, life_, number, std::get<NumberSlope>(slope), scale));
     } catch (const NumbersAt::Follows&) {
       result_.not_differentiable.push_back(
-          {number.path(), in_.given(number.input.path), "another input decides it; its derivative is there"});
+          {number.path(), in_.given(number.input.path), "another input decides it"});
     } catch (const std::exception& error) {
       result_.not_differentiable.push_back({number.path(), in_.given(number.input.path), one_line(error)});
     }
@@ -249,6 +261,11 @@ class Collector {
 };
 
 }  // namespace
+
+std::variant<NumberSlope, std::string> slope_by_number(const NumbersOf& numbers, const SlopeBy& of_life,
+                                                      const Eigen::VectorXd& here, double scale) {
+  return SlopeSearch(numbers, of_life, here, scale)();
+}
 
 LifeDerivatives life_derivatives(const ResolvedCase& resolved, const std::vector<std::string>& paths) {
   const ResolvedCase in = resolved.without_sweep();

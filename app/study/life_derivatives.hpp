@@ -3,13 +3,31 @@
 // their error. From there on all is differentiated forward (differentiated_life.hpp).
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "app/case/resolved_case.hpp"
 
 namespace orbearing::app {
+
+/// A slope of ln of the life by an offset of a number over its scale [-].
+struct NumberSlope {
+  double value = 0.0;
+  double error = 0.0;  // estimated
+  int side = 0;        // +1 or -1: to that side alone, where the other one is no case; 0: both
+};
+
+using NumbersOf = std::function<Eigen::VectorXd(double)>;       // the explicit map, of an offset
+using SlopeBy = std::function<double(const Eigen::VectorXd&)>;  // of ln of the life by a change of the numbers
+
+/// By a number of the size `scale`, where the map is `here`; else why there is none: a kink, a map that is not smooth,
+/// or one that throws to both sides.
+std::variant<NumberSlope, std::string> slope_by_number(const NumbersOf& numbers, const SlopeBy& of_life,
+                                                      const Eigen::VectorXd& here, double scale);
 
 /// By one number of the case. [life] is the unit of the life, [unit] the number's customary one.
 struct LifeDerivative {
@@ -21,8 +39,7 @@ struct LifeDerivative {
   std::optional<double> elasticity;   // [-]  d ln(life)/d ln(value); none where the value is zero
   std::string step;                   // "1 um", "1 %": a change whose effect is told
   double change = 0.0;                // [life]  by that step, to first order
-  double error = 0.0;                 // [-]  estimated, of `change` over the life at a step of 100 % or one unit
-  int side = 0;                       // +1 or -1: to that side alone, where the other one is no case; 0: both
+  int side = 0;                       // as in NumberSlope
 };
 
 /// What a number or choice has in place of a derivative.

@@ -105,9 +105,7 @@ void require(const bearing::SolverReport& report) {
 
 LifeSlopes::LifeSlopes(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   if (drivetrain.uneven_planets)
-    throw std::invalid_argument(
-        "sensitivities: found planets that load unevenly; required: pins in their places, since the balance of gears "
-        "that shares their loads is not differentiated");
+    throw std::invalid_argument("slopes of a life: found planets that load unevenly; required: all alike");
   const BearingDuty duty = bearing_duty(drivetrain, geometry);
   bearing::require_equal_pitches(drivetrain.bearing);
   if (drivetrain.seats.tilt == TiltState::computed)
