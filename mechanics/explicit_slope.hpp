@@ -1,9 +1,10 @@
-// Slope of a smooth explicit map, by central differences that are extrapolated to no step at all. For what only
-// prepares a computation: where a search or a contact that begins to carry lies between, slopes come by forward
-// differentiation (sparse_dual.hpp) and the implicit function theorem.
+// Slope of a smooth explicit map, by central differences that are extrapolated to no step at all. For what
+// only prepares a computation: where a search or a contact that begins to carry lies between, slopes come by
+// forward differentiation (sparse_dual.hpp) and the implicit function theorem.
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 namespace orbearing::mechanics {
 
@@ -11,41 +12,55 @@ namespace orbearing::mechanics {
 struct ExplicitSlope {
   Eigen::VectorXd slope;
   Eigen::VectorXd last_change;
-  /// By how much the slopes to both sides differ, from the whole step and from a quarter of it. Of a smooth map the
-  /// second is a quarter of the first; where the map has a kink they are alike. Empty from one side alone.
+  /// By how much the slopes to both sides differ, from the longest step and from the shortest, 0.36 of it. Of
+  /// a smooth map they go with the step; where the map has a kink they are alike. Empty from one side alone.
   Eigen::VectorXd bend, bend_near;
 };
 
-/// Of `map(offset)`, an Eigen::VectorXd that is `here` at offset zero, there, from steps `step`, half and a quarter of
-/// it to either side: of order step^6.
-template <class Map>
-ExplicitSlope central_slope(Map&& map, const Eigen::VectorXd& here, double step) {
-  Eigen::VectorXd bend;  // of the step last taken
-  const auto across = [&](double h) -> Eigen::VectorXd {
-    const Eigen::VectorXd ahead = map(h), behind = map(-h);
-    bend = (ahead - here + (behind - here)) / h;
-    return (ahead - behind) / (2.0 * h);
-  };
-  const Eigen::VectorXd whole = across(step), bend_far = bend;
-  const Eigen::VectorXd half = across(0.5 * step), quarter = across(0.25 * step);
-  const Eigen::VectorXd coarse = half + (half - whole) / 3.0, fine = quarter + (quarter - half) / 3.0;
-  const Eigen::VectorXd last_change = (fine - coarse) / 15.0;
-  return {fine + last_change, last_change, bend_far, bend};
-}
+namespace detail {
 
-/// The same to one side alone, towards the sign of `step`, from `here`, the map at offset zero: of order step^4.
-template <class Map>
-ExplicitSlope one_sided_slope(Map&& map, const Eigen::VectorXd& here, double step) {
-  const auto ahead = [&](double h) -> Eigen::VectorXd { return (map(h) - here) / h; };
-  Eigen::VectorXd slope[4];
-  for (int i = 0; i < 4; ++i) slope[i] = ahead(step / (1 << i));
+/// Each step over the one before. No whole ratio, under which a rounded map would look smooth.
+inline constexpr double kShorter = 0.6;
+
+/// Slopes from steps that shorten so, whose errors go with the powers `power`, 2 `power`, ... of the step.
+template <int count>
+ExplicitSlope extrapolated(Eigen::VectorXd (&slope)[count], double power) {
   Eigen::VectorXd last_change;
-  for (int level = 1; level < 4; ++level)
-    for (int i = 3; i >= level; --i) {
-      last_change = (slope[i] - slope[i - 1]) / ((1 << level) - 1);
+  for (int level = 1; level < count; ++level)
+    for (int i = count - 1; i >= level; --i) {
+      last_change = (slope[i] - slope[i - 1]) / (std::pow(kShorter, -power * level) - 1.0);
       slope[i] += last_change;
     }
-  return {slope[3], last_change, {}, {}};
+  return {slope[count - 1], last_change, {}, {}};
+}
+
+}  // namespace detail
+
+/// Of `map(offset)`, an Eigen::VectorXd that is `here` at offset zero, there, from three steps to either
+/// side, the longest of them `step`: of order step^6.
+template <class Map>
+ExplicitSlope central_slope(Map&& map, const Eigen::VectorXd& here, double step) {
+  Eigen::VectorXd across[3], bend[3];
+  for (int i = 0; i < 3; ++i, step *= detail::kShorter) {
+    const Eigen::VectorXd ahead = map(step), behind = map(-step);
+    across[i] = (ahead - behind) / (2.0 * step);
+    bend[i] = (ahead - here + (behind - here)) / step;
+  }
+  ExplicitSlope result = detail::extrapolated(across, 2.0);
+  result.bend = bend[0];
+  result.bend_near = bend[2];
+  return result;
+}
+
+/// The same to one side alone, towards the sign of `step`, from four steps: of order step^4.
+template <class Map>
+ExplicitSlope one_sided_slope(Map&& map, const Eigen::VectorXd& here, double step) {
+  Eigen::VectorXd ahead[4];
+  for (Eigen::VectorXd& slope : ahead) {
+    slope = (map(step) - here) / step;
+    step *= detail::kShorter;
+  }
+  return detail::extrapolated(ahead, 1.0);
 }
 
 }  // namespace orbearing::mechanics

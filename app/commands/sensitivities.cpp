@@ -1,10 +1,9 @@
 #include <nlohmann/json.hpp>
 
-#include "app/case/case_file.hpp"
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
-#include "app/commands/command_line.hpp"
 #include "app/commands/lone_result.hpp"
+#include "app/commands/presentation.hpp"
 #include "app/errors.hpp"
 #include "app/results/result_folder.hpp"
 #include "app/study/life_derivatives_output.hpp"
@@ -16,13 +15,12 @@ namespace orbearing::app {
 int sensitivities_command(const Options& options) {
   if (options.resume && options.output.empty())
     throw BadInput("--resume: found without --output; required: the folder to go on with");
-  const ResolvedCase resolved = read_point(options.case_file, options.settings);
+  const ResolvedCase resolved = point_of(options);
   const ManifestHeader header = manifest_header(resolved, "sensitivities");
   const LifeDerivatives derivatives = life_derivatives(resolved);
   const std::vector<std::string> warnings =
       require_used(resolved, is_static_bearing(resolved) ? use::static_load : use::quasi_static);
-  const nlohmann::ordered_json object =
-      lone_result_json(resolved, derivatives_json(derivatives), warnings);
+  const nlohmann::ordered_json object = lone_result_json(resolved, derivatives_json(derivatives), warnings);
   ResultFolder folder =
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
   if (!folder.finished().contains(0)) {

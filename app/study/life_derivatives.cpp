@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <tuple>
-#include <utility>
 
 #include "app/case/unused_inputs.hpp"
 #include "app/errors.hpp"
@@ -113,14 +111,14 @@ class SlopeSearch {
     const auto within = [&](double share) {
       return best->slope.error <= share * std::max(1.0, std::abs(best->slope.value));
     };
-    double first = 0.0, first_error = 0.0;
+    NumberSlope first, before;
     for (int i = 0; i < kTrials && !(best && within(kGood)); ++i, step *= kShorter) {
       OneStep one = slope(step, side);
-      if (i == 0) std::tie(first, first_error) = std::pair(one.slope.value, one.slope.error);
-      // A map in stairs is flat under steps that are short enough, with no error of its own.
-      constexpr double kApart = 10.0;
-      const double apart = std::abs(one.slope.value - first);
-      if (apart > kApart * (first_error + one.slope.error)) one.slope.error = apart;
+      if (i == 0)
+        first = one.slope;
+      else
+        one.slope.error = doubt(one.slope, first, before);
+      before = one.slope;
       if (!best || one.slope.error < best->slope.error) best = one;
     }
     if (best->kink) return "the life has a kink here: its slopes to both sides differ";
@@ -130,22 +128,31 @@ class SlopeSearch {
     return best->slope;
   }
 
+  // What follows a step that was no good must agree with its neighbour, and with the first within what that
+  // one is worth: a map in stairs is flat, without an error of its own, under steps that are short enough.
+  static double doubt(const NumberSlope& one, const NumberSlope& first, const NumberSlope& before) {
+    constexpr double kApart = 10.0;
+    const double from_first = std::abs(one.value - first.value),
+                 from_before = std::abs(one.value - before.value);
+    const bool apart = from_first > kApart * (first.error + one.error);
+    return std::max({one.error, from_before, apart ? from_first : 0.0});
+  }
+
   struct OneStep {
     NumberSlope slope;
     bool kink = false;
   };
 
   OneStep slope(double step, int side) const {
-    const mechanics::ExplicitSlope map =
-        side == 0 ? mechanics::central_slope(numbers_, here_, step)
-                  : mechanics::one_sided_slope(numbers_, here_, side * step);
+    const mechanics::ExplicitSlope map = side == 0 ? mechanics::central_slope(numbers_, here_, step)
+                                                   : mechanics::one_sided_slope(numbers_, here_, side * step);
     if (side == 0 && map.slope.isZero(0.0) && map.bend.isZero(0.0)) return {};
     const auto of_life = [&](const Eigen::VectorXd& change) { return scale_ * of_life_(change); };
     OneStep result{{of_life(map.slope), std::abs(of_life(map.last_change)), side}};
     if (side == 0) {
       constexpr double kNothing = 1e-6;
       const double far = std::abs(of_life(map.bend)), near = std::abs(of_life(map.bend_near));
-      result.kink = near > kNothing && near > 0.5 * far;
+      result.kink = near > kNothing && near > 0.7 * far;
     }
     return result;
   }
@@ -263,7 +270,7 @@ class Collector {
 }  // namespace
 
 std::variant<NumberSlope, std::string> slope_by_number(const NumbersOf& numbers, const SlopeBy& of_life,
-                                                      const Eigen::VectorXd& here, double scale) {
+                                                       const Eigen::VectorXd& here, double scale) {
   return SlopeSearch(numbers, of_life, here, scale)();
 }
 
@@ -271,7 +278,8 @@ LifeDerivatives life_derivatives(const ResolvedCase& resolved, const std::vector
   const ResolvedCase in = resolved.without_sweep();
   Collector collector(in);
   for (const Input& input : in.inputs())
-    if (in.has(input.path) && (paths.empty() || std::find(paths.begin(), paths.end(), input.path) != paths.end()))
+    if (in.has(input.path) &&
+        (paths.empty() || std::find(paths.begin(), paths.end(), input.path) != paths.end()))
       collector.add(input);
   return std::move(collector).result();
 }

@@ -65,12 +65,13 @@ std::string derivatives_text(const LifeDerivatives& d) {
   std::size_t width = 5;
   for (const LifeDerivative& one : d.inputs) width = std::max(width, one.path.size());
   for (const NoDerivative& one : d.not_differentiable) width = std::max(width, one.path.size());
-  std::string text = derivatives_heading(d) + "\n\n" +
-                     fmt::format("{:<{}}  {:>12} {:<9} {:>14} {:>11}  {:>9} {:>13}\n", "input", width, "value", "unit",
-                                 d.unit + "/unit", "elasticity", "step", "change [" + d.unit + "]");
+  std::string text =
+      derivatives_heading(d) + "\n\n" +
+      fmt::format("{:<{}}  {:>12} {:<9} {:>14} {:>11}  {:>9} {:>13}\n", "input", width, "value", "unit",
+                  d.unit + "/unit", "elasticity", "step", "change [" + d.unit + "]");
   for (const LifeDerivative& one : d.inputs) {
-    text += fmt::format("{:<{}}  {:>12.6g} {:<9} {:>+14.6g} {:>11}  {:>9} {:>+13.5g}", one.path, width, one.value,
-                        one.unit, one.derivative,
+    text += fmt::format("{:<{}}  {:>12.6g} {:<9} {:>+14.6g} {:>11}  {:>9} {:>+13.5g}", one.path, width,
+                        one.value, one.unit, one.derivative,
                         one.elasticity ? fmt::format("{:+.5f}", *one.elasticity) : std::string("-"), one.step,
                         one.change);
     text += one.side == 0 ? "\n" : "  " + side_text(one.side) + "\n";
@@ -84,11 +85,11 @@ std::string derivatives_text(const LifeDerivatives& d) {
 }
 
 std::string derivatives_csv(const LifeDerivatives& d) {
-  std::string text =
-      fmt::format("input,value,unit,standing,derivative_{0}_per_unit,elasticity,step,change_{0},remark\n", d.unit);
+  std::string text = fmt::format(
+      "input,value,unit,standing,derivative_{0}_per_unit,elasticity,step,change_{0},remark\n", d.unit);
   for (const LifeDerivative& one : d.inputs)
-    text += fmt::format("{},{:.12g},{},{},{:.12g},{},{},{:.12g},{}\n", one.path, one.value, one.unit, one.standing,
-                        one.derivative, number_or_nothing(one.elasticity), one.step, one.change,
+    text += fmt::format("{},{:.12g},{},{},{:.12g},{},{},{:.12g},{}\n", one.path, one.value, one.unit,
+                        one.standing, one.derivative, number_or_nothing(one.elasticity), one.step, one.change,
                         side_text(one.side));
   for (const NoDerivative& one : d.not_differentiable)
     text += fmt::format("{},{},,,,,,,{}\n", one.path, csv_cell(one.given), csv_cell(one.reason));

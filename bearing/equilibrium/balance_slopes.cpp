@@ -41,7 +41,8 @@ Contact contact_at(const ContactPlace& place, double log_stiffness, const Eigen:
   contact.approach = place.approach + place.tip * contact.station - drop;
   for (Eigen::Index k = 0; k < n; ++k) {
     if (!(contact.approach[k] > 0.0)) continue;
-    const Dual load = lamina_load(log_stiffness, number_along(contact.approach[k], 1.0), static_cast<double>(n));
+    const Dual load =
+        lamina_load(log_stiffness, number_along(contact.approach[k], 1.0), static_cast<double>(n));
     contact.load[k] = load.value;
     contact.slope[k] = load.by<0>();
   }
@@ -110,8 +111,8 @@ RowNumbers row_numbers(const Bearing& bearing, const RollerContacts& contacts) {
           .outer_drop = drops_of(bearing, Race::outer)};
 }
 
-BalanceSetting ring_setting(const Bearing& bearing, const RaceEquilibrium& problem, const OperatingPoint& point,
-                            const Eigen::VectorXd& place) {
+BalanceSetting ring_setting(const Bearing& bearing, const RaceEquilibrium& problem,
+                            const OperatingPoint& point, const Eigen::VectorXd& place) {
   const RingCoordinates<Eigen::Dynamic> ring(problem);
   const Eigen::Index rollers = problem.angle.size();
   RowNumbers row = row_numbers(bearing, problem.contacts);
@@ -183,12 +184,12 @@ BalanceSlopes::Roller BalanceSlopes::roller_at(Contact inner, Contact outer) {
 
 BalanceSlopes::Settling BalanceSlopes::settling(const Roller& roller, const RowNumbers& row,
                                                 const RowNumbers& change, Eigen::Index j) const {
-  Settling result{
-      standing_slopes(roller.inner, row.log_stiffness, change.log_stiffness, change.inner_drop),
-      standing_slopes(roller.outer, row.log_stiffness, change.log_stiffness, change.outer_drop),
-      Eigen::Vector4d::Zero()};
+  Settling result{standing_slopes(roller.inner, row.log_stiffness, change.log_stiffness, change.inner_drop),
+                  standing_slopes(roller.outer, row.log_stiffness, change.log_stiffness, change.outer_drop),
+                  Eigen::Vector4d::Zero()};
   if (roller.scale == 0.0) return result;
-  const Eigen::Vector2d inner = force_of(result.inner, roller.inner), outer = force_of(result.outer, roller.outer);
+  const Eigen::Vector2d inner = force_of(result.inner, roller.inner),
+                        outer = force_of(result.outer, roller.outer);
   Eigen::Vector4d remains;
   remains[0] = change.approach[j] + film_change(roller.inner, row.inner_film, change.inner_film, inner[0]) +
                film_change(roller.outer, row.outer_film, change.outer_film, outer[0]);

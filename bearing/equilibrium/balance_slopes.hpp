@@ -1,10 +1,12 @@
-// How the lamina loads of a balance follow any number that goes into it: forward differentiation through the laws
-// of contacts and films, and the implicit function theorem for what settles. Eqs. (17) to (20) of README.md.
+// How the lamina loads of a balance follow any number that goes into it: forward differentiation through the
+// laws of contacts and films, and the implicit function theorem for what settles. Eqs. (17) to (20) of
+// README.md.
 //
-// A balance is one of rollers between two races, each race at a place that is linear in the coordinates z of the
-// rings:
+// A balance is one of rollers between two races, each race at a place that is linear in the coordinates z of
+// the rings:
 //
-//     approach and tip of the races at roller j = c_j - G_j^T z,     0 = r(z) + sum over rollers G_j (Q_o, M_o)
+//     approach and tip of the races at roller j = c_j - G_j^T z,     0 = r(z) + sum over rollers G_j (Q_o,
+//     M_o)
 //
 // A contact that is not cut is one lamina without drop.
 #pragma once
@@ -27,8 +29,8 @@ struct FilmNumbers {
   double log_speed = 0.0;     // [ln(m/s)]
 };
 
-/// The numbers of one bearing at one cage angle from which its balance follows, with the rings where they stand:
-/// also a change of them, by whatever unit.
+/// The numbers of one bearing at one cage angle from which its balance follows, with the rings where they
+/// stand: also a change of them, by whatever unit.
 struct RowNumbers {
   double log_stiffness = 0.0;  // [ln(N/m^(10/9))]  of each whole contact
   FilmNumbers inner_film, outer_film;
@@ -45,13 +47,15 @@ struct BalanceNumbers {
   Eigen::VectorXd rest;  // [N]  (coordinates)  r: forces on the rings but for those of rollers
 };
 
-/// Calls `visit(double* first, Eigen::Index size)` for each part, in the same order for all balances of a shape.
+/// Calls `visit(double* first, Eigen::Index size)` for each part, in the same order for all balances of a
+/// shape.
 template <class Visit>
 void each_number(BalanceNumbers& numbers, Visit&& visit) {
   for (RowNumbers& row : numbers.rows) {
     visit(&row.log_stiffness, Eigen::Index{1});
     for (FilmNumbers* film : {&row.inner_film, &row.outer_film})
-      for (double* one : {&film->log_factor, &film->log_cap_load, &film->log_speed}) visit(one, Eigen::Index{1});
+      for (double* one : {&film->log_factor, &film->log_cap_load, &film->log_speed})
+        visit(one, Eigen::Index{1});
     for (Eigen::ArrayXd* all :
          {&row.inner_drop, &row.outer_drop, &row.approach, &row.tip, &row.inertial_load})
       visit(all->data(), all->size());
@@ -67,10 +71,10 @@ struct BalanceSetting {
   Eigen::MatrixXd rest_stiffness;        // [N/m]  -dr/dz
 };
 
-/// Of one bearing whose ring stands at `place` of its coordinates: displacement, then waves of an elastic race.
-/// Whole contacts where the bearing has no laminae.
-BalanceSetting ring_setting(const Bearing& bearing, const RaceEquilibrium& problem, const OperatingPoint& point,
-                            const Eigen::VectorXd& place);
+/// Of one bearing whose ring stands at `place` of its coordinates: displacement, then waves of an elastic
+/// race. Whole contacts where the bearing has no laminae.
+BalanceSetting ring_setting(const Bearing& bearing, const RaceEquilibrium& problem,
+                            const OperatingPoint& point, const Eigen::VectorXd& place);
 
 /// What drops and laws of one bearing are: all of RowNumbers but what the place of its rings decides.
 RowNumbers row_numbers(const Bearing& bearing, const RollerContacts& contacts);
@@ -108,13 +112,13 @@ class BalanceSlopes {
 
   /// One contact at its balance.
   struct Contact {
-    Eigen::ArrayXd approach;                             // [m]    (laminae)  positive where it carries
-    Eigen::ArrayXd load;                                 // [N]    (laminae)
-    Eigen::ArrayXd slope;                                // [N/m]  (laminae)
-    Eigen::ArrayXd station;                              // [-]    (laminae)  fractions of half the length
-    Eigen::Vector2d force = Eigen::Vector2d::Zero();     // [N]    load and tip load
+    Eigen::ArrayXd approach;                              // [m]    (laminae)  positive where it carries
+    Eigen::ArrayXd load;                                  // [N]    (laminae)
+    Eigen::ArrayXd slope;                                 // [N/m]  (laminae)
+    Eigen::ArrayXd station;                               // [-]    (laminae)  fractions of half the length
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();      // [N]    load and tip load
     Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]
-    double film_slope = 0.0;                             // [m/N]  of the central film by the load
+    double film_slope = 0.0;                              // [m/N]  of the central film by the load
     bool oiled = false;
   };
 

@@ -14,8 +14,8 @@ using Eigen::Index;
 using Slopes = mechanics::SparseDual<7u, double>;  // by both coordinates of an element, and along a change
 using Change = Eigen::Ref<const Eigen::VectorXd>;
 
-// Where the numbers stand: the load, ln of the elements' constant, the coordinates of all elements, how these follow
-// the place; then the drops of rollers, or the distance of groove centres of balls that just touch.
+// Where the numbers stand: the load, ln of the elements' constant, the coordinates of all elements, how these
+// follow the place; then the drops of rollers, or the distance of groove centres of balls that just touch.
 constexpr Index kLoad = 0, kConstant = 5, kCoordinates = 6;
 Index moves_at(Index count) {
   return kCoordinates + 2 * count;
@@ -43,8 +43,8 @@ class Law {
     Element element{{first * 0.0, first * 0.0}, {}};
     for (Index k = 0; k < station_.size(); ++k) {
       const Slopes approach = first + station_[k] * second - along(shape + k);
-      const Slopes load = power_law(along(kConstant), approach, kLineExponent) *
-                          (1.0 / static_cast<double>(station_.size()));
+      const Slopes load =
+          power_law(along(kConstant), approach, kLineExponent) * (1.0 / static_cast<double>(station_.size()));
       element.force[0] = element.force[0] + load;
       element.force[1] = element.force[1] + station_[k] * load;
       element.load.push_back(load);

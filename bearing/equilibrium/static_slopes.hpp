@@ -1,6 +1,6 @@
-// How the loads of the elements of a bearing under a static load follow any number that goes into its balance:
-// forward differentiation through the contact laws, and the implicit function theorem for the ring. Eq. (21) of
-// README.md. Balls feel no motion here.
+// How the loads of the elements of a bearing under a static load follow any number that goes into its
+// balance: forward differentiation through the contact laws, and the implicit function theorem for the ring.
+// Eq. (21) of README.md. Balls feel no motion here.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +21,8 @@ class StaticSlopes {
   /// @param state the balance of `bearing` under `load`
   StaticSlopes(const Bearing& bearing, const RingLoad& load, const RingState& state);
 
-  /// All numbers behind the loads with the ring where it stands in this balance; a tilt that is given follows the
-  /// load. Of bearings of one shape alone: the same kind and count of elements and laminae.
+  /// All numbers behind the loads with the ring where it stands in this balance; a tilt that is given follows
+  /// the load. Of bearings of one shape alone: the same kind and count of elements and laminae.
   Eigen::VectorXd numbers(const Bearing& bearing, const RingLoad& load) const;
 
   /// As the numbers change by `change` a unit.

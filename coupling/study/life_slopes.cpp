@@ -19,10 +19,10 @@ using bearing::laminae::BalanceSetting;
 using bearing::laminae::LaminaSlopes;
 using LoadsOfBearings = std::vector<std::vector<LaminaSlopes>>;  // (cage angles, bearings)
 
-constexpr double kByMean = 9.0 / 8.0;      // power of the damage over the mean of fourth powers
+constexpr double kByMean = 9.0 / 8.0;  // power of the damage over the mean of fourth powers
 constexpr double kWeibullSlope = 9.0 / 8.0;
-constexpr double kByCapacity = 4.5;        // power of the damage over the capacity
-constexpr Eigen::Index kOfLife = 3;        // ln of both capacities and of the speed
+constexpr double kByCapacity = 4.5;  // power of the damage over the capacity
+constexpr Eigen::Index kOfLife = 3;  // ln of both capacities and of the speed
 
 Eigen::Vector<double, kOfLife> life_numbers(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty) {
   const bearing::Bearing& b = drivetrain.bearing;
@@ -49,7 +49,8 @@ class RaceRating {
 
   double damage() const {
     double sum = 0.0;
-    for (const Eigen::ArrayXXd& means : means_) sum += (means.pow(kByMean).colwise() * weight_).sum() / places_;
+    for (const Eigen::ArrayXXd& means : means_)
+      sum += (means.pow(kByMean).colwise() * weight_).sum() / places_;
     return sum;
   }
 
@@ -183,7 +184,8 @@ void LifeSlopes::rate(const PlanetaryDrivetrain& drivetrain) {
   const RaceRating inner(loads, &LaminaSlopes::inner, rating.inner_weight, rating.motions.inner);
   const RaceRating outer(loads, &LaminaSlopes::outer, rating.outer_weight, rating.motions.outer);
   const double damage = inner.damage() + outer.damage();
-  if (!(damage > 0.0)) throw std::runtime_error("sensitivities: found a bearing without load; its life is without end");
+  if (!(damage > 0.0))
+    throw std::runtime_error("sensitivities: found a bearing without load; its life is without end");
   inner_share_ = inner.damage() / damage;
   outer_share_ = outer.damage() / damage;
   by_load_ = loads;
@@ -192,8 +194,9 @@ void LifeSlopes::rate(const PlanetaryDrivetrain& drivetrain) {
   log_life_ = std::log(bearing::hours(bearing::life::life_of_damage(damage), 1.0));
 }
 
-BalanceSetting LifeSlopes::setting_at(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                                      const BearingDuty& duty, const Position& position) const {
+BalanceSetting LifeSlopes::setting_at(const PlanetaryDrivetrain& drivetrain,
+                                      const DrivetrainGeometry& geometry, const BearingDuty& duty,
+                                      const Position& position) const {
   return bearing::laminae::ring_setting(
       drivetrain.bearing,
       bearing::quasi_static_problem(drivetrain.bearing, geometry.bearing, duty.point,
@@ -230,7 +233,8 @@ Eigen::VectorXd LifeSlopes::numbers(const PlanetaryDrivetrain& drivetrain,
 }
 
 double LifeSlopes::slope(const Eigen::VectorXd& change) const {
-  double sum = kByCapacity / kWeibullSlope * (inner_share_ * change[0] + outer_share_ * change[1]) - change[2];
+  double sum =
+      kByCapacity / kWeibullSlope * (inner_share_ * change[0] + outer_share_ * change[1]) - change[2];
   Eigen::Index at = kOfLife;
   for (std::size_t i = 0; i < balances_.size(); ++i) {
     BalanceNumbers along = balances_[i].numbers();

@@ -35,8 +35,8 @@ const NoDerivative* without(const LifeDerivatives& derivatives, const std::strin
   return nullptr;
 }
 
-// Without clearance all loads go with the load on the ring, whatever the contact's stiffness: L ~ C^p / F^p with p = 4
-// for the lines and 3 for the points of Lundberg and Palmgren.
+// Without clearance all loads go with the load on the ring, whatever the contact's stiffness: L ~ C^p / F^p
+// with p = 4 for the lines and 3 for the points of Lundberg and Palmgren.
 TEST(LifeDerivatives, WithoutClearanceAreThePowersOfTheLifeEquation) {
   const LifeDerivatives rollers = life_derivatives(shipped("planet_bearing_iso16281"));
   EXPECT_EQ(rollers.quantity, "L10r_Mrev");
@@ -47,8 +47,8 @@ TEST(LifeDerivatives, WithoutClearanceAreThePowersOfTheLifeEquation) {
   EXPECT_THAT(balls.without_effect, Contains("material.youngs_modulus"));
 }
 
-// Loads of rollers follow no capacity, and inertia goes with the square of the speed while gear forces go with P / n:
-// L(P, n) in revolutions over n is homogeneous where P ~ n^3.
+// Loads of rollers follow no capacity, and inertia goes with the square of the speed while gear forces go
+// with P / n: L(P, n) in revolutions over n is homogeneous where P ~ n^3.
 TEST(LifeDerivatives, OfAReducerWithoutClearanceScale) {
   const LifeDerivatives found = life_derivatives(shipped("reducer_150kW"));
   EXPECT_EQ(found.quantity, "life_h");
@@ -103,16 +103,16 @@ TEST(LifeDerivatives, RefuseWhatHasNoLifeAtRest) {
 // The map is a number itself, ln of the life that number.
 std::variant<NumberSlope, std::string> found(const std::function<double(double)>& map) {
   return slope_by_number([&](double x) { return Eigen::VectorXd::Constant(1, map(x)); },
-                         [](const Eigen::VectorXd& change) { return change[0]; }, Eigen::VectorXd::Constant(1, map(0.0)),
-                         1.0);
+                         [](const Eigen::VectorXd& change) { return change[0]; },
+                         Eigen::VectorXd::Constant(1, map(0.0)), 1.0);
 }
 
 TEST(LifeDerivatives, ByOneNumberAreFoundOrRefused) {
   EXPECT_NEAR(std::get<NumberSlope>(found([](double x) { return std::sin(x); })).value, 1.0, 1e-12);
   EXPECT_THAT(std::get<std::string>(found([](double x) { return std::abs(x) + x; })), HasSubstr("kink"));
   // Rounded, as a text of six digits is.
-  EXPECT_THAT(std::get<std::string>(found([](double x) { return std::round(1e5 * (x + 0.123456789)) / 1e5; })),
-              HasSubstr("no smooth map"));
+  const auto stairs = [](double x) { return std::round(271828.18 * (x + 0.123456789)) / 271828.18; };
+  EXPECT_THAT(std::get<std::string>(found(stairs)), HasSubstr("no smooth map"));
   const auto root_of = [](double x) {
     if (x < 0.0) throw std::domain_error("below zero");
     return 3.0 * x + x * x;
