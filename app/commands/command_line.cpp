@@ -259,6 +259,12 @@ void add_commands(CommandTable table) {
   add_case(stiffness, options);
   add_output_or_json(stiffness, options);
   stiffness.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
+  CLI::App& sensitivities =
+      table.add("sensitivities", "derivatives of the life by every number of the case", sensitivities_command);
+  add_case(sensitivities, options);
+  add_output(sensitivities, options)
+      .description("folder for sensitivities.csv and sensitivities.json; without it nothing is written");
+  sensitivities.add_flag("--resume", options.resume, "where DIR holds this very table, show it again");
   add_fmu(table.add("fmu", "the planet bearing or the gear set for other simulation tools", fmu_command),
           options);
   add_signals(table.add("signals", "labelled vibration signals of scratched bearings", signals_command),
@@ -299,7 +305,7 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   if (word.empty() || word.front() == '-' || known(program, word)) return;
   throw BadInput(
       fmt::format("orbearing: found the command {}; required: check, run, sweep, merge, crown, mesh, modes, "
-                  "stiffness, fmu, signals, spectrum, study, uncertainty, validate or report",
+                  "stiffness, sensitivities, fmu, signals, spectrum, study, uncertainty, validate or report",
                   word));
 }
 

@@ -59,6 +59,7 @@ int fmu_command(const Options& options);
 int mesh_command(const Options& options);
 int modes_command(const Options& options);
 int stiffness_command(const Options& options);
+int sensitivities_command(const Options& options);
 int validate_command(const Options& options);
 int report_command(const Options& options);
 int signals_command(const Options& options);

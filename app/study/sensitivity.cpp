@@ -91,6 +91,23 @@ std::vector<Sensitivity> sensitivities(const std::vector<ChangeResult>& results)
   return all;
 }
 
+void put_derivatives(const ResolvedCase& resolved, double peak_rpm, std::vector<Sensitivity>& all) {
+  std::vector<std::string> paths;
+  for (const Sensitivity& one : all) paths.push_back(one.change.group);
+  if (paths.empty()) return;
+  const ResolvedCase at_peak =
+      resolved.without_sweep().with(kSpeedPath, fmt::format("{:.17g} rpm", peak_rpm));
+  LifeDerivatives derivatives;
+  try {
+    derivatives = life_derivatives(at_peak, paths);
+  } catch (const BadInput&) {  // planets that load unevenly: the table shows that there is none
+    return;
+  }
+  for (Sensitivity& one : all)
+    for (const LifeDerivative& derivative : derivatives.inputs)
+      if (derivative.path == one.change.group) one.derivative = derivative;
+}
+
 ChangeStudy study_of(const ResolvedCase& resolved, const MotionPlan& plan, int jobs) {
   ChangeStudy study{.fidelity = fidelity_of(plan.fidelity), .jobs = jobs};
   for (const double rpm : plan.speed_rpm)

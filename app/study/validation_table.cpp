@@ -99,14 +99,21 @@ std::string other_readings_text(const ValidationTable& table) {
   return text;
 }
 
+// Of the case as it stands, at its peak.
+std::string by_unit_text(const Sensitivity& one) {
+  if (!one.derivative) return "-";
+  const std::string unit = one.derivative->unit == "1" ? "" : "/" + one.derivative->unit;
+  return fmt::format("{:+.4g} h{}", one.derivative->derivative, unit);
+}
+
 std::string sensitivities_text(const ValidationTable& table) {
   if (table.sensitivities.empty()) return "";
   std::string text = "\nWhat each assumption is worth\n";
-  text += fmt::format("{:<44} {:>14} {:>12} {:>11}  {}\n", "assumption", "peak [rpm]", "life [h]",
-                      "worth [h]", "other reading");
+  text += fmt::format("{:<44} {:>14} {:>12} {:>11} {:>17}  {}\n", "assumption", "peak [rpm]", "life [h]",
+                      "worth [h]", "by each unit", "other reading");
   for (const Sensitivity& one : table.sensitivities)
-    text += fmt::format("{:<44} {:>14.0f} {:>12.0f} {:>+11.0f}  {}\n", one.change.group, one.peak_speed_rpm,
-                        one.peak_life_h, one.difference_h, one.change.name);
+    text += fmt::format("{:<44} {:>14.0f} {:>12.0f} {:>+11.0f} {:>17}  {}\n", one.change.group,
+                        one.peak_speed_rpm, one.peak_life_h, one.difference_h, by_unit_text(one), one.change.name);
   return text;
 }
 
@@ -163,6 +170,7 @@ ValidationTable validation_table_of(const ResolvedCase& resolved, const Expected
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});
   const LifeCurve base = life_curve(results.front());
   ValidationTable table{.case_name = resolved.text("name"), .sensitivities = sensitivities(results)};
+  put_derivatives(resolved, property(base, "peak_speed_rpm"), table.sensitivities);
   for (const PublishedValue& published : expected.published)
     table.rows.push_back(compare(published, property(base, published.quantity), ""));
   for (const Sensitivity& one : table.sensitivities)
@@ -215,14 +223,19 @@ nlohmann::ordered_json other_readings_json(const ValidationTable& table) {
 }
 nlohmann::ordered_json sensitivities_json(const ValidationTable& table) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Sensitivity& one : table.sensitivities)
+  for (const Sensitivity& one : table.sensitivities) {
+    const std::optional<LifeDerivative>& by = one.derivative;
     list.push_back({{"case", table.case_name},
                     {"assumption", one.change.group},
                     {"reading", one.change.name},
                     {"settings", one.change.settings},
                     {"peak_speed_rpm", one.peak_speed_rpm},
                     {"peak_life_h", one.peak_life_h},
-                    {"worth_h", one.difference_h}});
+                    {"worth_h", one.difference_h},
+                    {"derivative_h_per_unit", by ? nlohmann::ordered_json(by->derivative) : nullptr},
+                    {"unit", by ? nlohmann::ordered_json(by->unit) : nullptr},
+                    {"elasticity", by && by->elasticity ? nlohmann::ordered_json(*by->elasticity) : nullptr}});
+  }
   return list;
 }
 

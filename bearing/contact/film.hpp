@@ -45,6 +45,11 @@ class Film {
   /// Integral of load over -d(central) from zero to `load` [J]: what the film's thinning stores.
   double energy(double load) const;
 
+  /// Whether there is a film at all; its law, and the logarithm of the entrainment speed [ln(m/s)].
+  bool oiled() const { return oiled_; }
+  const FilmLaw<double>& law() const { return law_; }
+  double log_speed() const { return log_speed_; }
+
  private:
   bool thinned(double load) const { return oiled_ && load > cap_load_; }
 

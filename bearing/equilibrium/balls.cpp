@@ -42,11 +42,22 @@ BallRow::BallRow(const Bearing& bearing) {
   sine_ = angle.sin();
 }
 
+Eigen::Vector2d BallRow::coordinates(Eigen::Index ball, const RingPlace& place) const {
+  return {radial_distance_ + place[0] * cosine_[ball] + place[1] * sine_[ball],
+          axial_distance_ + place[2] + place[3] * cosine_[ball] + place[4] * sine_[ball]};
+}
+
+Eigen::Matrix<double, 5, 2> BallRow::moves(Eigen::Index ball) const {
+  Eigen::Matrix<double, 5, 2> all = Eigen::Matrix<double, 5, 2>::Zero();
+  all.col(0).head<2>() << cosine_[ball], sine_[ball];
+  all.col(1).tail<3>() << 1.0, cosine_[ball], sine_[ball];
+  return all;
+}
+
 BallRow::BallPlace BallRow::place_of(Eigen::Index ball, const RingPlace& place) const {
-  const double radial = radial_distance_ + place[0] * cosine_[ball] + place[1] * sine_[ball];
-  const double axial = axial_distance_ + place[2] + place[3] * cosine_[ball] + place[4] * sine_[ball];
-  const double length = std::hypot(radial, axial);
-  return {radial, axial, length, length - groove_distance_};
+  const Eigen::Vector2d at = coordinates(ball, place);
+  const double length = std::hypot(at[0], at[1]);
+  return {at[0], at[1], length, length - groove_distance_};
 }
 
 // One loaded ball may have to bear all of it: the approach this asks, and the play, are the scale of the
@@ -65,10 +76,9 @@ void BallRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
     const double load = constant_ * at.approach * root;
     const double stiffness = 1.5 * constant_ * root;
     const double cosine = at.radial / at.length, sine = at.axial / at.length;
-    const RingPlace radial = (RingPlace() << cosine_[j], sine_[j], 0.0, 0.0, 0.0).finished();
-    const RingPlace axial = (RingPlace() << 0.0, 0.0, 1.0, cosine_[j], sine_[j]).finished();
-    const RingPlace along = cosine * radial + sine * axial;
-    const RingPlace across = cosine * axial - sine * radial;
+    const Eigen::Matrix<double, 5, 2> by = moves(j);
+    const RingPlace along = cosine * by.col(0) + sine * by.col(1);
+    const RingPlace across = cosine * by.col(1) - sine * by.col(0);
     sum.scale += load;
     sum.force -= load * along;
     sum.stiffness += stiffness * along * along.transpose() + load / at.length * across * across.transpose();

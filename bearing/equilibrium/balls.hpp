@@ -35,6 +35,9 @@ class BallRow {
     double approach;  // [m]  positive in contact
   };
   BallPlace place_of(Eigen::Index ball, const RingPlace& place) const;
+  /// Radial and axial distance of the groove centres of one ball [m], and how both follow the place of the ring.
+  Eigen::Vector2d coordinates(Eigen::Index ball, const RingPlace& place) const;
+  Eigen::Matrix<double, 5, 2> moves(Eigen::Index ball) const;
   /// Cosine and sine of a ball's angle from the radial load.
   std::pair<double, double> direction(Eigen::Index ball) const { return {cosine_[ball], sine_[ball]}; }
   Eigen::Index count() const { return cosine_.size(); }

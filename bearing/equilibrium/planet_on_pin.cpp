@@ -52,6 +52,12 @@ struct PinnedPlanet {
   }
 
   mechanics::Imbalance<Eigen::Dynamic> operator()(const SeatPlaces& at) const {
+    mechanics::Imbalance<Eigen::Dynamic> sum = without_rollers(at);
+    for (std::size_t k = 0; k < races.size(); ++k) add_bearing(k, at, sum);
+    return sum;
+  }
+
+  mechanics::Imbalance<Eigen::Dynamic> without_rollers(const SeatPlaces& at) const {
     mechanics::Imbalance<Eigen::Dynamic> sum;
     sum.force.setZero(size());
     sum.stiffness.setZero(size(), size());
@@ -59,9 +65,24 @@ struct PinnedPlanet {
     sum.force.head<2>() = load;
     sum.force.segment<2>(kTiltAt) = (moment - planet.tilt_stiffness * at.segment<2>(kTiltAt) / lever) / lever;
     sum.stiffness.block<2, 2>(kTiltAt, kTiltAt) += planet.tilt_stiffness / (lever * lever);
+    for (std::size_t k = 0; k < races.size(); ++k) {
+      sum.force.head<2>() += races[k].load;  // what reaches the ring through the cage
+      sum.force.segment<2>(kTiltAt) += races[k].load * (planet.place[k] / lever);
+    }
     add_pin(at, sum);
-    for (std::size_t k = 0; k < races.size(); ++k) add_bearing(k, at, sum);
     return sum;
+  }
+
+  // Coordinates by approach (outward) and tip of roller `j` of a bearing.
+  Eigen::Matrix<double, Eigen::Dynamic, 2> moves(std::size_t k, Index j) const {
+    const Vector2d e = direction(races[k].angle[j]);
+    Eigen::Matrix<double, Eigen::Dynamic, 2> all = Eigen::MatrixXd::Zero(size(), 2);
+    all.col(0).head<2>() = e;
+    all.col(0).segment<2>(kTiltAt) = e * (planet.place[k] / lever);
+    all.col(0).segment<2>(pin_of(k)) = -e;
+    all.col(1).segment<2>(kTiltAt) = e * (planet.bearings[k].half_length() / lever);
+    all.col(1).segment<2>(pin_of(k) + 2) = -all.col(1).segment<2>(kTiltAt);
+    return all;
   }
 
   // Displacements of all seats stand before all slopes in the pin's own matrix.
@@ -87,21 +108,12 @@ struct PinnedPlanet {
     const SettlingRollers rollers(bearing, race, state.rollers);
     state.displacement = displacement(k, at);
     const Vector2d relative = tilt(k, at);
-    sum.force.head<2>() += race.load;  // what reaches the ring through the cage
-    sum.force.segment<2>(kTiltAt) += race.load * (planet.place[k] / lever);
-    Eigen::Matrix<double, Eigen::Dynamic, 2> moves(size(), 2);  // coordinates by approach (outward) and tip
     for (Index j = 0; j < race.angle.size(); ++j) {
-      const Vector2d e = direction(race.angle[j]);
-      const RollerState& one =
-          rollers.settle(j, race.approach(j, state.displacement), bearing.half_length() * relative.dot(e));
-      moves.setZero();
-      moves.col(0).head<2>() = e;
-      moves.col(0).segment<2>(kTiltAt) = e * (planet.place[k] / lever);
-      moves.col(0).segment<2>(pin_of(k)) = -e;
-      moves.col(1).segment<2>(kTiltAt) = e * (bearing.half_length() / lever);
-      moves.col(1).segment<2>(pin_of(k) + 2) = -moves.col(1).segment<2>(kTiltAt);
-      sum.force += moves * Vector2d(one.outer.load, one.outer.tip_load);
-      sum.stiffness += moves * roller_stiffness(one) * moves.transpose();
+      const double tip = bearing.half_length() * relative.dot(direction(race.angle[j]));
+      const RollerState& one = rollers.settle(j, race.approach(j, state.displacement), tip);
+      const Eigen::Matrix<double, Eigen::Dynamic, 2> by = moves(k, j);
+      sum.force += by * Vector2d(one.outer.load, one.outer.tip_load);
+      sum.stiffness += by * roller_stiffness(one) * by.transpose();
     }
   }
 };
@@ -201,6 +213,39 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
   return state;
 }
 
+Eigen::VectorXd planet_place(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
+                             const QuasiStaticOptions& options, double first_roller,
+                             const PlanetOnPinState& state) {
+  std::vector<LaminaState> states(planet.bearings.size());
+  return start_near(pinned(planet, point, moment, options, first_roller, states), state);
+}
+
+BalanceSetting planet_setting(const PlanetOnPin& planet, const OperatingPoint& point, const Vector2d& moment,
+                              const QuasiStaticOptions& options, double first_roller,
+                              const Eigen::VectorXd& place) {
+  std::vector<LaminaState> states(planet.bearings.size());
+  const PinnedPlanet problem = pinned(planet, point, moment, options, first_roller, states);
+  const mechanics::Imbalance<Eigen::Dynamic> rest = problem.without_rollers(place);
+  BalanceSetting result{{{}, rest.force}, {}, rest.stiffness};
+  for (std::size_t k = 0; k < problem.races.size(); ++k) {
+    const RaceEquilibrium& race = problem.races[k];
+    const Index rollers = race.angle.size();
+    RowNumbers row = row_numbers(planet.bearings[k].bearing(), race.contacts);
+    const Vector2d displacement = problem.displacement(k, place), tilt = problem.tilt(k, place);
+    row.tip = -planet.bearings[k].half_length() * (race.angle.cos() * tilt.x() + race.angle.sin() * tilt.y());
+    row.inertial_load = race.inertial_load;
+    row.approach.resize(rollers);
+    row.moves.resize(problem.size(), 2 * rollers);
+    for (Index j = 0; j < rollers; ++j) {
+      row.approach[j] = race.approach(j, displacement);
+      row.moves.middleCols<2>(2 * j) = problem.moves(k, j);
+    }
+    result.numbers.rows.push_back(std::move(row));
+    result.contacts.push_back(race.contacts);
+  }
+  return result;
+}
+
 PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const OperatingPoint& point,
                                              const Vector2d& moment, const QuasiStaticOptions& options) {
   PlanetOnPinResult result;
@@ -218,6 +263,7 @@ PlanetOnPinResult planet_on_pin_over_a_pitch(const PlanetOnPin& planet, const Op
                          position == 0 ? nullptr : &last);
     keep_worst(last.report, result.report);
     result.tilt += last.tilt / positions;
+    result.states.push_back(last);
     for (std::size_t k = 0; k < planet.bearings.size(); ++k) {
       LaminaResult& one = result.bearings[k];
       result.bearing_tilt[k] += last.bearing_tilt[k] / positions;

@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "bearing/equilibrium/balance_slopes.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
 
 namespace orbearing::bearing::laminae {
@@ -44,12 +45,23 @@ PlanetOnPinState planet_on_pin(const PlanetOnPin& planet, const OperatingPoint& 
                                const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
                                double first_roller, const PlanetOnPinState* near = nullptr);
 
+/// The coordinates of the search where it ended: lengths, at the lever of this very planet.
+Eigen::VectorXd planet_place(const PlanetOnPin& planet, const OperatingPoint& point,
+                             const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
+                             double first_roller, const PlanetOnPinState& state);
+
+/// What a balance is computed from, with all bodies at `place`.
+BalanceSetting planet_setting(const PlanetOnPin& planet, const OperatingPoint& point,
+                              const Eigen::Vector2d& moment, const QuasiStaticOptions& options,
+                              double first_roller, const Eigen::VectorXd& place);
+
 /// Balances over one roller pitch: one result for each bearing, and the mean tilt of the planet.
 struct PlanetOnPinResult {
   std::vector<LaminaResult> bearings;
   std::vector<Eigen::Vector2d> bearing_tilt;       // [rad]  mean over the cage angles
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]
   SolverReport report;
+  std::vector<PlanetOnPinState> states;  // (cage angles)
 };
 
 /// Throws std::invalid_argument as quasi_static_bearing() does.

@@ -49,15 +49,16 @@ RollerRow::RollerRow(const Bearing& bearing)
   sine_ = angle.sin();
 }
 
-// Of ring and ring at one roller, less the clearance.
-struct RollerRow::Approach {
-  double middle;  // [m]
-  double tip;     // [m]  by how much more at z = l/2
-};
-
-RollerRow::Approach RollerRow::approach_of(Eigen::Index roller, const RingPlace& place) const {
+Eigen::Vector2d RollerRow::coordinates(Eigen::Index roller, const RingPlace& place) const {
   const double cosine = cosine_[roller], sine = sine_[roller];
   return {place[0] * cosine + place[1] * sine - 0.5 * clearance_, -(place[3] * cosine + place[4] * sine)};
+}
+
+Eigen::Matrix<double, 5, 2> RollerRow::moves(Eigen::Index roller) const {
+  Eigen::Matrix<double, 5, 2> all = Eigen::Matrix<double, 5, 2>::Zero();
+  all.col(0).head<2>() << cosine_[roller], sine_[roller];
+  all.col(1).tail<2>() << -cosine_[roller], -sine_[roller];
+  return all;
 }
 
 // Clearance and relief to be taken up, and twice what one roller alone would give.
@@ -68,14 +69,12 @@ double RollerRow::reach(double load) const {
 
 void RollerRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const Approach at = approach_of(j, place);
-    const laminae::LaminaForce contact = contact_.evaluate(at.middle, at.tip);
+    const Eigen::Vector2d at = coordinates(j, place);
+    const laminae::LaminaForce contact = contact_.evaluate(at[0], at[1]);
     const Eigen::Vector2d load(contact.load, contact.tip_load);
     const Eigen::Matrix2d stiffness =
         (Eigen::Matrix2d() << contact.by_approach, contact.mixed, contact.mixed, contact.by_tip).finished();
-    Eigen::Matrix<double, 5, 2> direction = Eigen::Matrix<double, 5, 2>::Zero();
-    direction.col(0).head<2>() << cosine_[j], sine_[j];
-    direction.col(1).tail<2>() << -cosine_[j], -sine_[j];
+    const Eigen::Matrix<double, 5, 2> direction = moves(j);
     sum.scale += contact.load;
     sum.force -= direction * load;
     sum.stiffness += direction * stiffness * direction.transpose();
@@ -85,8 +84,8 @@ void RollerRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
 void RollerRow::put_loads(const RingPlace& place, RingState& state) const {
   state.lamina_load.resize(contact_.laminae(), cosine_.size());
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const Approach at = approach_of(j, place);
-    state.lamina_load.col(j) = contact_.loads(at.middle, at.tip).load;
+    const Eigen::Vector2d at = coordinates(j, place);
+    state.lamina_load.col(j) = contact_.loads(at[0], at[1]).load;
   }
   state.contact_load = state.lamina_load.colwise().sum().transpose();
   const double lamina = 2.0 * contact_.half_length() / static_cast<double>(contact_.laminae());
@@ -96,8 +95,8 @@ void RollerRow::put_loads(const RingPlace& place, RingState& state) const {
 double RollerRow::stored_energy(const RingPlace& place) const {
   double energy = 0.0;
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
-    const Approach at = approach_of(j, place);
-    energy += contact_.energy(at.middle, at.tip);
+    const Eigen::Vector2d at = coordinates(j, place);
+    energy += contact_.energy(at[0], at[1]);
   }
   return energy;
 }

@@ -25,9 +25,14 @@ class RollerRow {
   void put_loads(const RingPlace& place, RingState& state) const;
   double stored_energy(const RingPlace& place) const;
 
+  /// Both contacts of a roller as one.
+  const laminae::LaminaContact& contact() const { return contact_; }
+  /// Of ring and ring at one roller, less the clearance: approach in the middle, and by how much more they approach
+  /// at z = l/2 [m]; and how both follow the place of the ring.
+  Eigen::Vector2d coordinates(Eigen::Index roller, const RingPlace& place) const;
+  Eigen::Matrix<double, 5, 2> moves(Eigen::Index roller) const;
+
  private:
-  struct Approach;
-  Approach approach_of(Eigen::Index roller, const RingPlace& place) const;
 
   Material material_;
   double sharpest_radius_;          // [m]  equivalent, on the inner race: D (1 - gamma)/2

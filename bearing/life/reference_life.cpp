@@ -118,6 +118,21 @@ BearingLife lamina_reference_life(const ContactCapacities& capacities,
                                 equivalent_lamina_loads(with_stress_riser(outer_loads), motions.outer)});
 }
 
+namespace {
+
+// From derivatives of the damages: ln L = -ln(damage)/e, damage = L^-e ~ capacity^-p.
+void scale_gradient(double slope, double by_capacity, LifeGradient& result) {
+  const auto damage_of = [&](double life) { return std::pow(life / kMillionRevolutions, -slope); };
+  const double damage = damage_of(result.life.bearing);
+  const double by_damage = damage > 0.0 ? -1.0 / (slope * damage) : 0.0;
+  result.inner *= by_damage;
+  result.outer *= by_damage;
+  result.by_inner_capacity = -by_capacity * by_damage * damage_of(result.life.inner);
+  result.by_outer_capacity = -by_capacity * by_damage * damage_of(result.life.outer);
+}
+
+}  // namespace
+
 LifeGradient lamina_life_gradient(const ContactCapacities& capacities,
                                   const Eigen::Ref<const Eigen::ArrayXXd>& inner_loads,
                                   const Eigen::Ref<const Eigen::ArrayXXd>& outer_loads,
@@ -125,16 +140,30 @@ LifeGradient lamina_life_gradient(const ContactCapacities& capacities,
   LifeGradient result{.life = lamina_reference_life(capacities, inner_loads, outer_loads, motions),
                       .inner = damage_gradient(capacities.inner, inner_loads, motions.inner),
                       .outer = damage_gradient(capacities.outer, outer_loads, motions.outer)};
-  // ln L = -ln(damage)/e, and damage = L^-e
-  const double damage = std::pow(result.life.bearing / kMillionRevolutions, -kRollerSlope);
-  const double by_damage = damage > 0.0 ? -1.0 / (kRollerSlope * damage) : 0.0;
-  result.inner *= by_damage;
-  result.outer *= by_damage;
+  scale_gradient(kRollerSlope, kLaminaExponent, result);
   return result;
 }
 
+namespace {
+
+double ball_mean_exponent(RaceMotion motion) {
+  return motion == RaceMotion::turning ? 3.0 : kBallExponent;
+}
+
+// d(damage)/dq of one race, by the chain damage - equivalent - ball.
+Eigen::ArrayXXd ball_damage_gradient(double capacity, const Eigen::Ref<const Eigen::ArrayXd>& loads,
+                                     RaceMotion motion) {
+  const double equivalent = equivalent_ball_load(loads, motion);
+  if (equivalent <= 0.0) return Eigen::ArrayXXd::Zero(1, loads.size());
+  const double by_equivalent = kBallExponent * ball_damage(capacity, equivalent) / equivalent;
+  return by_equivalent / static_cast<double>(loads.size()) *
+         (loads.transpose() / equivalent).pow(ball_mean_exponent(motion) - 1.0);
+}
+
+}  // namespace
+
 double equivalent_ball_load(const Eigen::Ref<const Eigen::ArrayXd>& loads, RaceMotion motion) {
-  return power_mean(loads, motion == RaceMotion::turning ? 3.0 : kBallExponent);
+  return power_mean(loads, ball_mean_exponent(motion));
 }
 
 BearingLife ball_reference_life(const ContactCapacities& capacities,
@@ -144,6 +173,17 @@ BearingLife ball_reference_life(const ContactCapacities& capacities,
   return life_of_races(ball_damage(capacities.inner, equivalent_ball_load(inner_loads, motions.inner)),
                        ball_damage(capacities.outer, equivalent_ball_load(outer_loads, motions.outer)),
                        kBallSlope);
+}
+
+LifeGradient ball_life_gradient(const ContactCapacities& capacities,
+                                const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
+                                const Eigen::Ref<const Eigen::ArrayXd>& outer_loads,
+                                const RaceMotions& motions) {
+  LifeGradient result{.life = ball_reference_life(capacities, inner_loads, outer_loads, motions),
+                      .inner = ball_damage_gradient(capacities.inner, inner_loads, motions.inner),
+                      .outer = ball_damage_gradient(capacities.outer, outer_loads, motions.outer)};
+  scale_gradient(kBallSlope, kBallExponent, result);
+  return result;
 }
 
 }  // namespace orbearing::bearing::rating

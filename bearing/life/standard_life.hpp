@@ -7,6 +7,7 @@
 
 #include "bearing/life/basic_life.hpp"
 #include "bearing/life/capacities.hpp"
+#include "bearing/life/reference_life.hpp"
 
 namespace orbearing::bearing::rating {
 
@@ -47,5 +48,8 @@ struct ElementLoads {
 /// race relative to the load.
 BearingLife reference_life(const Bearing& bearing, const ContactCapacities& capacities,
                            const ElementLoads& inner, const ElementLoads& outer);
+/// The same with its gradient, by the loads of laminae or balls.
+LifeGradient reference_life_gradient(const Bearing& bearing, const ContactCapacities& capacities,
+                                     const ElementLoads& inner, const ElementLoads& outer);
 
 }  // namespace orbearing::bearing::rating

@@ -1,0 +1,103 @@
+"""Issue 18, Build 5: `orbearing sensitivities` from outside."""
+
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
+SECONDS = 120
+
+
+def call(*arguments):
+    command = [os.environ["ORBEARING"], *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+
+
+def case(name):
+    return CASES / name / "case.yaml"
+
+
+def loaded(*arguments):
+    result = call(*arguments, "--json")
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+class Contract(unittest.TestCase):
+    def test_of_a_drivetrain(self):
+        found = loaded("sensitivities", case("reducer_150kW"))
+        point = loaded("run", case("reducer_150kW"))["points"][0]
+        self.assertEqual(found["quantity"], "life_h")
+        self.assertAlmostEqual(found["life_h"] / point["life_h"], 1, places=9)
+        rows = {row["path"]: row for row in found["inputs"]}
+        self.assertIsNone(rows["bearing.radial_clearance"]["elasticity"])  # its value is zero
+        self.assertAlmostEqual(rows["life.lambda"]["elasticity"], 4, places=8)
+        # A percent of power by the run itself; what is of second order is left.
+        more, less = (loaded("run", case("reducer_150kW"), "--set", f"input.power={p} kW")["points"][0]["life_h"] for p in (150.15, 149.85))
+        self.assertAlmostEqual((more - less) / 0.3 / rows["input.power"]["derivative"], 1, places=4)
+        told = {row["path"] for row in found["inputs"] + found["not_differentiable"]} | set(found["without_effect"])
+        for row in loaded("check", case("reducer_150kW"))["inputs"]:
+            if row["path"] not in ("name", "source", "model"):
+                self.assertIn(row["path"], told)
+
+    def test_of_a_single_bearing(self):
+        found = loaded("sensitivities", case("ball_6305_iso16281"))
+        self.assertEqual(found["quantity"], "L10r_Mrev")
+        self.assertAlmostEqual(found["L10r_Mrev"], loaded("run", case("ball_6305_iso16281"))["L10r_Mrev"], places=6)
+
+    def test_at_another_point(self):
+        here = loaded("sensitivities", case("reducer_150kW"))
+        there = loaded("sensitivities", case("reducer_150kW"), "--set", "input.speed=3000 rpm")
+        self.assertNotEqual(here["inputs"][0]["derivative"], there["inputs"][0]["derivative"])
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = call("sensitivities", case("harris_209"), "-o", pathlib.Path(folder) / "s", "--quiet")
+            self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+            written = json.loads((pathlib.Path(folder) / "s" / "sensitivities.json").read_text())
+            with open(pathlib.Path(folder) / "s" / "sensitivities.csv", newline="") as file:
+                rows = list(csv.DictReader(file))
+            self.assertEqual(len(rows), sum(len(written[key]) for key in ("inputs", "not_differentiable", "without_effect")))
+            for row, told in zip(rows, written["inputs"]):
+                self.assertEqual(row["input"], told["path"])
+                self.assertAlmostEqual(float(row["derivative_Mrev_per_unit"]) / told["derivative"], 1, places=10)
+            again = call("sensitivities", case("harris_209"), "-o", pathlib.Path(folder) / "s")
+            self.assertEqual(again.returncode, 2)
+            self.assertEqual(call("sensitivities", case("harris_209"), "-o", pathlib.Path(folder) / "s", "--resume").returncode, 0)
+
+    def test_text(self):
+        text = call("sensitivities", case("reducer_150kW")).stdout
+        self.assertIn("bearing.roller_diameter", text)
+        self.assertIn("a whole number", text)
+        self.assertEqual(call("sensitivities", case("reducer_150kW"), "--quiet").stdout, "")
+
+
+class Refusals(unittest.TestCase):
+    def test_cases_without_a_life_at_rest(self):
+        for name in ("mesh_62_62", "lin_parker_1999", "deep_groove_motor", "scratch_defect", "planet_scratch", "jones_218"):
+            result = call("sensitivities", case(name))
+            self.assertEqual((result.returncode, result.stdout), (2, ""), name)
+            self.assertIn("required", result.stderr)
+
+    def test_nothing_to_resume(self):
+        self.assertEqual(call("sensitivities", case("harris_209"), "--resume").returncode, 2)
+
+
+class Validation(unittest.TestCase):
+    def test_assumptions_by_each_unit(self):
+        rows = loaded("validate", case("reducer_150kW"))["assumptions"]
+        by_path = {row["assumption"]: row for row in rows}
+        self.assertAlmostEqual(by_path["life.lambda"]["elasticity"], 4, places=8)
+        self.assertIsNone(by_path["film.enabled"]["derivative_h_per_unit"])
+        found = loaded("sensitivities", case("reducer_150kW"))  # whose speed is that of the peak
+        rows = {row["path"]: row for row in found["inputs"]}
+        self.assertAlmostEqual(by_path["bearing.radial_clearance"]["derivative_h_per_unit"] / rows["bearing.radial_clearance"]["derivative"], 1, places=9)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
