@@ -31,6 +31,7 @@ python3-matplotlib: figures of the reports
 python3-netcdf4: reports, and tests that open result files as users do
 python3-scipy: typical conditions of an operating record; samples of studies
 python3-openturns: samples and polynomial chaos of uncertain lives
+python3-xarray: samples of uncertain lives as a file
 '
 
 test_packages='
