@@ -345,6 +345,12 @@ void check_as_bought(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   check_complement(in, mistakes);
 }
 
+catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which) {
+  const std::optional<double> bore = bore_of(in);
+  if (!bore) throw std::invalid_argument("bearing.designation or bearing.bore beside it is required");
+  return catalogue::clearance_range(family_of(in), class_of(which), *bore);
+}
+
 bool is_full_complement(const ResolvedCase& in) {
   return in.has(bought::kComplement) && in.choice(bought::kComplement) == "full";
 }

@@ -9,6 +9,7 @@
 #include "app/case/field.hpp"
 #include "app/case/mistake.hpp"
 #include "app/case/resolved_case.hpp"
+#include "bearing/catalogue/clearance_class.hpp"
 
 namespace orbearing::app {
 
@@ -22,6 +23,10 @@ void check_as_bought(const ResolvedCase& resolved, std::vector<Mistake>& mistake
 
 /// Whether the bearing has no cage: a full complement of rollers.
 bool is_full_complement(const ResolvedCase& in);
+
+/// Range of the clearance of the case's bearing on the shelf by a class such as "CN"; of one set. Throws
+/// std::invalid_argument where the tables have none.
+bearing::catalogue::ClearanceRange clearance_range_of(const ResolvedCase& in, const std::string& which);
 
 /// What a designation and a class say beside the values that they give, for `check`: ratings, the range of
 /// the clearance.

@@ -11,6 +11,7 @@
 #include "app/case/consistency.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/sweep_consistency.hpp"
+#include "app/case/uncertain_case.hpp"
 
 namespace orbearing::app {
 
@@ -75,6 +76,7 @@ Outcome resolve_all(std::string_view text, const std::string& name,
   if (outcome.resolved->model() == no_model) return outcome;
   check_consistency(*outcome.resolved, outcome.mistakes);
   check_sweep_consistency(*outcome.resolved, outcome.mistakes);
+  check_uncertain(*outcome.resolved, outcome.mistakes);
   return outcome;
 }
 

@@ -14,6 +14,7 @@
 #include "app/case/rows_file.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/sweep_axes.hpp"
+#include "app/case/uncertain_case.hpp"
 
 namespace orbearing::app {
 
@@ -36,6 +37,7 @@ class Resolver {
     fill_derived_defaults(data_);
     read_assumed();
     read_sweep();
+    read_uncertain_block();
     return std::move(data_);
   }
 
@@ -85,7 +87,8 @@ class Resolver {
                member.place.option ? "duplicate key"
                                    : fmt::format("duplicate key, first on line {}", first->second),
                "each key once is required");
-      else if (prefix.empty() && (member.key == "sweep" || member.key == "assumed"))
+      else if (prefix.empty() &&
+               (member.key == "sweep" || member.key == "uncertain" || member.key == "assumed"))
         require_block(member, path, "field paths");
       else if (data_.shape.several && prefix.empty() && (member.key == "sets" || member.key == "shafts"))
         read_named(member);
@@ -307,6 +310,17 @@ class Resolver {
     if (sweep != nullptr && sweep->value.shape == Entry::Shape::block)
       data_.axes = std::make_shared<const std::vector<SweepAxis>>(
           read_axes(sweep->value, allowed_, data_.shape, mistakes_));
+  }
+
+  void read_uncertain_block() {
+    const Member* uncertain = find_member(root_, "uncertain");
+    if (uncertain == nullptr) return;
+    if (model_ != no_model && model_ != planetary_drivetrain)
+      object(uncertain->place, "uncertain", fmt::format("uncertain numbers of a {}", model_name(model_)),
+             "a case without them is required; planetary-drivetrain is the model whose lives take a spread");
+    else if (uncertain->value.shape == Entry::Shape::block)
+      data_.uncertain = std::make_shared<const StatedUncertainty>(
+          read_uncertain(uncertain->value, allowed_, data_.shape, mistakes_));
   }
 
   const Entry& root_;

@@ -49,6 +49,11 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
   for (const SweepAxis& axis : resolved.axes())
     rows.push_back(
         {"sweep." + axis.path, fmt::format("{} values", axis.values.size()), "", "given", axis.written});
+  for (const StatedUncertain& one : resolved.uncertain().inputs)
+    rows.push_back({"uncertain." + one.path, one.written, "", "uncertain",
+                    "used by uncertainty alone" + (one.reason.empty() ? "" : "; " + one.reason)});
+  if (const StatedCorrelations& joined = resolved.uncertain().correlations; !joined.written.empty())
+    rows.push_back({"uncertain.correlations", joined.written, "", "uncertain", "of the normal scores"});
   for (const Derived& quantity : derived)
     rows.push_back({quantity.path, fmt::format("{:.6g}", quantity.value),
                     quantity.unit == "1" ? "" : quantity.unit, "derived", quantity.meaning});

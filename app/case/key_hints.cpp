@@ -21,7 +21,7 @@ std::vector<std::string> keys_under(const std::string& prefix, const CaseShape& 
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
   if (prefix.empty() && shape.several) names.insert(names.end(), {"sets", "shafts"});
-  if (prefix.empty()) names.insert(names.end(), {"sweep", "assumed"});
+  if (prefix.empty()) names.insert(names.end(), {"sweep", "uncertain", "assumed"});
   return names;
 }
 

@@ -89,7 +89,8 @@ bool ResolvedCase::operator==(const ResolvedCase& other) const {
   if (data_.values.size() != other.data_.values.size()) return false;
   for (const auto& [path, stored] : data_.values)
     if (!other.has(path) || !(other.stored(path).value == stored.value)) return false;
-  return data_.shape == other.data_.shape && data_.assumed == other.data_.assumed && axes() == other.axes();
+  return data_.shape == other.data_.shape && data_.assumed == other.data_.assumed && axes() == other.axes() &&
+         uncertain() == other.uncertain();
 }
 
 std::size_t sweep_size(const ResolvedCase& resolved) {

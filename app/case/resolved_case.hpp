@@ -31,6 +31,37 @@ struct SweepAxis {
   }
 };
 
+/// A number that is not known for sure, as the case states it; an entry for each key of the block.
+struct StatedUncertain {
+  std::string path;
+  std::string kind;                       // normal, uniform, triangular or class
+  std::map<std::string, double> numbers;  // [SI] those that are given: mean, standard_deviation, from, peak, to
+  std::string clearance_class;
+  std::string written;  // as the resolved case repeats it (YAML flow style)
+  std::string reason;
+  Place place;
+
+  bool operator==(const StatedUncertain& other) const {
+    return path == other.path && written == other.written;
+  }
+};
+
+struct StatedCorrelations {
+  std::vector<std::string> of;
+  std::vector<std::vector<double>> matrix;  // [-]
+  std::string written;                      // empty: none
+  Place place;
+
+  bool operator==(const StatedCorrelations& other) const { return written == other.written; }
+};
+
+struct StatedUncertainty {
+  std::vector<StatedUncertain> inputs;
+  StatedCorrelations correlations;
+
+  bool operator==(const StatedUncertainty&) const = default;
+};
+
 /// Replacement of one independent value: field path and text as in a case.
 using Setting = std::pair<std::string, std::string>;
 
@@ -55,6 +86,7 @@ struct CaseData {
   /// Shared, since every operating point is a copy of the case and an axis may hold a hundred thousand
   /// values.
   std::shared_ptr<const std::vector<SweepAxis>> axes = std::make_shared<const std::vector<SweepAxis>>();
+  std::shared_ptr<const StatedUncertainty> uncertain = std::make_shared<const StatedUncertainty>();
 };
 
 class ResolvedCase {
@@ -90,6 +122,9 @@ class ResolvedCase {
   std::vector<Input> inputs() const { return inputs_of(model(), data_.shape); }
   const std::string& file() const { return data_.file; }
   const std::vector<SweepAxis>& axes() const { return *data_.axes; }
+  const StatedUncertainty& uncertain() const { return *data_.uncertain; }
+  /// Whether another input stands in the place of this one.
+  bool is_replaced(std::string_view path) const { return !stored(path).replaced.empty(); }
   /// Reasons by path; defaults in use are among them.
   const std::map<std::string, std::string, std::less<>>& assumed() const { return data_.assumed; }
 

@@ -44,6 +44,15 @@ std::string open_blocks(const std::string& path, const std::string& previous) {
   return text + fmt::format("{:{}}{}: ", "", 2 * depth, path.substr(begin));
 }
 
+std::string write_uncertain(const StatedUncertainty& uncertain) {
+  if (uncertain.inputs.empty()) return {};
+  std::string text = "uncertain:\n";
+  for (const StatedUncertain& one : uncertain.inputs)
+    text += fmt::format("  {}: {}\n", one.path, one.written);
+  const std::string& correlations = uncertain.correlations.written;
+  return correlations.empty() ? text : text + fmt::format("  correlations: {}\n", correlations);
+}
+
 }  // namespace
 
 std::string write_scalar(const std::string& text) {
@@ -70,6 +79,7 @@ std::string write_resolved(const ResolvedCase& resolved) {
   }
   if (!resolved.axes().empty()) text += "sweep:\n";
   for (const SweepAxis& axis : resolved.axes()) text += fmt::format("  {}: {}\n", axis.path, axis.written);
+  text += write_uncertain(resolved.uncertain());
   if (!resolved.assumed().empty()) text += "assumed:\n";
   for (const auto& [path, reason] : resolved.assumed())
     text += fmt::format("  {}: {}\n", path, quoted(reason));

@@ -11,6 +11,7 @@
 #include "app/case/derived_defaults.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/given_by.hpp"
+#include "app/case/uncertain_case.hpp"
 
 namespace orbearing::app {
 
@@ -214,6 +215,59 @@ Json sweep_schema(Model model) {
                  axis_schema);
 }
 
+Json object_of(Json properties, Json required) {
+  return {{"type", "object"},
+          {"additionalProperties", false},
+          {"required", std::move(required)},
+          {"properties", std::move(properties)}};
+}
+
+// One distribution, with or without a reason; ranges of the field are beyond it.
+Json distribution_schema(const Json& number, const Json& deviation, bool clearance) {
+  Json choices = Json::array();
+  const auto choose = [&](const char* key, const Json& schema) {
+    choices.push_back(object_of({{key, schema}, {"reason", {{"type", "string"}, {"minLength", 1}}}}, {key}));
+  };
+  choose("normal",
+         object_of({{"mean", number}, {"standard_deviation", deviation}, {"from", number}, {"to", number}},
+                   {"standard_deviation"}));
+  choose("uniform", object_of({{"from", number}, {"to", number}}, {"from", "to"}));
+  choose("triangular",
+         object_of({{"from", number}, {"peak", number}, {"to", number}}, {"from", "peak", "to"}));
+  if (clearance)
+    choose("class", {{"type", "string"}, {"enum", find_field("bearing.clearance_class")->choices}});
+  return {{"oneOf", choices}};
+}
+
+void add_distributions(Json& definitions) {
+  const Json quantity{{"type", "string"}, {"pattern", quantity_pattern}}, number{{"type", "number"}};
+  definitions["uncertain-quantity"] = distribution_schema(quantity, quantity, false);
+  definitions["uncertain-clearance"] = distribution_schema(quantity, quantity, true);
+  definitions["uncertain-number"] =
+      distribution_schema(number, {{"type", "number"}, {"exclusiveMinimum", 0}}, false);
+}
+
+Json distribution_of(const Field& field) {
+  const Kind kind = field.kind == Kind::list ? field.element : field.kind;
+  const char* name = kind == Kind::number                       ? "uncertain-number"
+                     : field.path == "bearing.radial_clearance" ? "uncertain-clearance"
+                                                                : "uncertain-quantity";
+  return {{"$ref", fmt::format("#/$defs/{}", name)}};
+}
+
+Json uncertain_schema(Model model) {
+  Json schema = by_path(
+      model, "uncertain",
+      "numbers that are not known for sure and how likely their values are; each element of a list by itself",
+      can_be_uncertain, distribution_of);
+  const Json row{{"type", "array"}, {"items", {{"type", "number"}, {"minimum", -1}, {"maximum", 1}}}};
+  schema["properties"]["correlations"] =
+      object_of({{"of", {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}}}}},
+                 {"matrix", {{"type", "array"}, {"minItems", 1}, {"items", row}}}},
+                {"of", "matrix"});
+  return schema;
+}
+
 Json assumed_schema(Model model) {
   return by_path(
       model, "assumed", "reasons for values that the source does not give", [](const Field&) { return true; },
@@ -273,6 +327,7 @@ Json model_schema(Model model) {
   for (const Field* field : fields_of(kinds_of(model))) add_field(schema, *field, model);
   schema["properties"]["model"] = {{"const", model_name(model)}};
   if (model == planetary_drivetrain) schema["properties"]["sweep"] = sweep_schema(model);
+  if (model == planetary_drivetrain) schema["properties"]["uncertain"] = uncertain_schema(model);
   schema["properties"]["assumed"] = assumed_schema(model);
   if (model == planetary_drivetrain) add_several_sets(schema);
   return schema;
@@ -295,6 +350,7 @@ std::string case_schema() {
          {"then", {{"$ref", "#/$defs/" + name}}}});
     schema["$defs"][name] = model_schema(model);
   }
+  add_distributions(schema["$defs"]);
   return schema.dump(2) + "\n";
 }
 

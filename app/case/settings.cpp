@@ -22,9 +22,9 @@ void split_into(std::vector<std::string>& keys, std::string_view path) {
   keys.emplace_back(path);
 }
 
-// Keys of "sweep" and "assumed" are field paths, with dots of their own.
-std::vector<std::string> split_sweep(std::string_view rest) {
-  std::vector<std::string> keys{"sweep"};
+// Keys of "sweep", "uncertain" and "assumed" are field paths, with dots of their own.
+std::vector<std::string> split_paths(const char* block, std::string_view rest) {
+  std::vector<std::string> keys{block};
   const Field* longest = nullptr;
   const std::size_t prefix = set_prefix_length(rest);
   const std::string_view inner = rest.substr(prefix);
@@ -40,7 +40,9 @@ std::vector<std::string> split_sweep(std::string_view rest) {
 
 std::vector<std::string> keys_of(const std::string& path) {
   if (path.starts_with("assumed.")) return {"assumed", path.substr(8)};
-  if (path.starts_with("sweep.")) return split_sweep(std::string_view(path).substr(6));
+  if (path.starts_with("sweep.")) return split_paths("sweep", std::string_view(path).substr(6));
+  if (path.starts_with("uncertain.correlations.")) return {"uncertain", "correlations", path.substr(23)};
+  if (path.starts_with("uncertain.")) return split_paths("uncertain", std::string_view(path).substr(10));
   std::vector<std::string> keys;
   split_into(keys, path);
   return keys;

@@ -44,6 +44,7 @@ set(ORBEARING_CASE_SOURCES
   case/static_fields.cpp
   case/sweep_axes.cpp
   case/sweep_consistency.cpp
+  case/uncertain_case.cpp
   case/uneven_planets.cpp
   case/units.cpp
   case/unused_inputs.cpp

@@ -240,6 +240,10 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
   }
   const AxisCheck axes(resolved, analysis, sweeps);
   for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
+  for (const StatedUncertain& one : resolved.uncertain().inputs)
+    if (one.place.option)
+      warnings.push_back(fmt::format("uncertain.{}: has no effect on {}; used by uncertainty", one.path,
+                                     analysis_name(analysis)));
   if (!mistakes.empty()) throw_mistakes(resolved.file(), std::move(mistakes));
   return warnings;
 }

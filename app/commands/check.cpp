@@ -6,6 +6,7 @@
 #include "app/case/bought_case.hpp"
 #include "app/case/check_table.hpp"
 #include "app/case/defect_case.hpp"
+#include "app/case/uncertain_case.hpp"
 #include "app/case/unused_inputs.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/study/defect_study.hpp"
@@ -58,10 +59,12 @@ int check_command(const Options& options) {
     for (std::string& warning : clearance_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   }
   for (const Derived& row : bought_quantities(resolved)) checked.derived.push_back(row);
+  for (std::string& warning : uncertain_warnings(resolved)) checked.warnings.push_back(std::move(warning));
   const std::vector<std::string> idle = idle_inputs(resolved);
   checked.warnings.insert(checked.warnings.end(), idle.begin(), idle.end());
   if (options.json) {
     nlohmann::json object = check_json(resolved, checked.derived);
+    if (!resolved.uncertain().inputs.empty()) object["uncertain"] = uncertain_json(resolved);
     object["warnings"] = checked.warnings;
     if (checked.power) object.update(power_json(*checked.power));
     print_object(object, options);

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 #include "app/case/pair_case.hpp"
 #include "app/errors.hpp"
@@ -72,15 +75,67 @@ std::optional<double> held_race_of(const study::PlanetaryDrivetrain& drivetrain)
   return bearing::geometry_of(drivetrain.bearing).outer_radius;
 }
 
+// All that meshes follow from: the set and its material as the case states them, and what others give.
+using MeshKey = std::pair<std::vector<std::string>, std::vector<double>>;
+
+MeshKey mesh_key(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
+                 const gearset::MeshMotion& motion, const std::optional<double>& held_race) {
+  MeshKey key;
+  for (const Input& input : in.inputs()) {
+    const bool gears = input.path.starts_with("gearset.") && !input.path.starts_with("gearset.dynamics.");
+    if (!in.has(input.path) || !(gears || input.path.starts_with("material."))) continue;
+    const FieldValue& value = in.value(input.path);
+    key.first.push_back(input.path);
+    if (!is_numeric(*input.field)) key.first.push_back(value.given);
+    key.second.push_back(value.number);
+    key.second.insert(key.second.end(), value.list.begin(), value.list.end());
+  }
+  key.second.insert(key.second.end(), {drivetrain.set.planet_bore, motion.sun_drives ? 1.0 : 0.0,
+                                       motion.sun_anticlockwise ? 1.0 : 0.0, held_race.value_or(-1.0)});
+  return key;
+}
+
+// Points of a sweep and variants of a case mostly have the same teeth, which take longer than a bearing at
+// rest.
+class KnownMeshes {
+ public:
+  using Meshes = std::shared_ptr<const gearset::PlanetaryMeshes>;
+
+  template <class Build>
+  Meshes find_or(MeshKey key, const Build& build) {
+    if (Meshes found = find(key)) return found;
+    Meshes built = std::make_shared<const gearset::PlanetaryMeshes>(build());
+    const std::scoped_lock lock(one_at_a_time_);
+    if (known_.size() >= most) known_.clear();
+    return known_.emplace(std::move(key), std::move(built)).first->second;
+  }
+
+ private:
+  static constexpr std::size_t most = 64;
+
+  Meshes find(const MeshKey& key) {
+    const std::scoped_lock lock(one_at_a_time_);
+    const auto found = known_.find(key);
+    return found == known_.end() ? nullptr : found->second;
+  }
+
+  std::map<MeshKey, Meshes> known_;
+  std::mutex one_at_a_time_;
+};
+
 gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
                                    const gearset::WorkingGeometry& geometry) {
+  static KnownMeshes known;
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
-  return gearset::planetary_meshes(
-      drivetrain.set, geometry,
-      {.sun_bore = in.number("gearset.sun_bore_ratio"),
-       .ring_outside = in.number("gearset.ring_outside_ratio")},
-      elasticity_of(in), gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed),
-      held_race_of(drivetrain));
+  const gearset::MeshMotion motion =
+      gearset::mesh_motion(loads.sun_torque, loads.sun_speed - loads.carrier_speed);
+  const std::optional<double> held_race = held_race_of(drivetrain);
+  return *known.find_or(mesh_key(in, drivetrain, motion, held_race), [&] {
+    return gearset::planetary_meshes(drivetrain.set, geometry,
+                                     {.sun_bore = in.number("gearset.sun_bore_ratio"),
+                                      .ring_outside = in.number("gearset.ring_outside_ratio")},
+                                     elasticity_of(in), motion, held_race);
+  });
 }
 
 void load_teeth(const gearset::LoadedTeeth& teeth, double force, NamedMesh& mesh) {

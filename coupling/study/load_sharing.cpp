@@ -1,7 +1,10 @@
 #include "coupling/study/load_sharing.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,35 +18,58 @@ namespace orbearing::study {
 
 namespace {
 
+using boost::math::double_constants::two_pi;
 using Eigen::Vector2d;
+using Eigen::VectorXd;
 using gearset::dynamics::SetModel;
 
 constexpr int kMostRounds = 100;
 constexpr double kSameForce = 1e-9;  // [-]  of the largest force
 
-// The bearings of one planet under the force [N] that they exert on it.
+// The bearings of the planets under the forces [N] that they exert on them.
 class PlanetSupport {
  public:
   PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
       : drivetrain_(drivetrain),
         bearing_(of_like_rollers(drivetrain.bearing)),
         point_(duty.point),
-        options_(quasi_static_options(drivetrain)) {
+        options_(quasi_static_options(drivetrain)),
+        settled_(static_cast<std::size_t>(drivetrain.set.planets)) {
     if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
   }
 
-  /// Of the planet from the place of its pin [m].
-  Vector2d displacement(const Vector2d& force) const {
+  /// Of that planet from the place of its pin [m]; laminae are searched from where they last settled.
+  Vector2d displacement(std::size_t planet, const Vector2d& force) {
     bearing::OperatingPoint point = point_;
     point.bore_load = -force / drivetrain_.bearings_per_planet;
     point.bore_tilt = bore_tilt(drivetrain_.misalignment, point.bore_load);
-    return rollers(point) + point.bore_load / drivetrain_.dynamics.support.stiffness;
+    return (cut_ ? on_laminae(point, settled_[planet])
+                 : balanced(bearing::quasi_static_bearing(bearing_, point, options_))) +
+           point.bore_load / drivetrain_.dynamics.support.stiffness;
   }
 
  private:
-  Vector2d rollers(const bearing::OperatingPoint& point) const {
-    return cut_ ? balanced(bearing::laminae::quasi_static_laminae(*cut_, point, options_))
-                : balanced(bearing::quasi_static_bearing(bearing_, point, options_));
+  using LaminaStates = std::vector<bearing::laminae::LaminaState>;
+
+  // Mean over the cage angles.
+  Vector2d on_laminae(const bearing::OperatingPoint& point, LaminaStates& settled) const {
+    const int positions = options_.cage_positions;
+    const double step = two_pi / (positions * bearing_.rollers().count);
+    const bool known = !settled.empty();
+    Vector2d mean = Vector2d::Zero();
+    for (int i = 0; i < positions; ++i) {
+      const bearing::laminae::LaminaState* near = known             ? &settled[static_cast<std::size_t>(i)]
+                                                  : settled.empty() ? nullptr
+                                                                    : &settled.back();
+      bearing::laminae::LaminaState state =
+          lamina_state(*cut_, point, options_, options_.first_roller + i * step, near);
+      mean += balanced(state) / positions;
+      if (known)
+        settled[static_cast<std::size_t>(i)] = std::move(state);
+      else
+        settled.push_back(std::move(state));
+    }
+    return mean;
   }
   template <class Result>
   static Vector2d balanced(const Result& result) {
@@ -56,6 +82,46 @@ class PlanetSupport {
   bearing::OperatingPoint point_;
   bearing::QuasiStaticOptions options_;
   std::optional<bearing::laminae::LaminaBearing> cut_;
+  std::vector<LaminaStates> settled_;  // (planets, cage angles)
+};
+
+// Fixed point of a map by what its last steps say of its slope: Anderson's mixing of type II.
+class Mixing {
+ public:
+  /// What to try after `tried` became `found`.
+  VectorXd next(const VectorXd& tried, const VectorXd& found) {
+    const VectorXd change = found - tried;
+    if (before_ && change.norm() > before_->change.norm()) forget();  // flanks parted or met
+    if (before_) remember(change - before_->change, found - before_->found);
+    before_ = Step{found, change};
+    if (kept_ == 0) return found;
+    const auto changes = changes_.leftCols(kept_), results = results_.leftCols(kept_);
+    return found - results * changes.colPivHouseholderQr().solve(change);
+  }
+
+ private:
+  static constexpr Eigen::Index most = 5;
+  struct Step {
+    VectorXd found, change;
+  };
+
+  void forget() {
+    kept_ = 0;
+    before_.reset();
+  }
+  void remember(const VectorXd& change, const VectorXd& result) {
+    if (changes_.rows() != change.size()) {
+      changes_.resize(change.size(), most);
+      results_.resize(change.size(), most);
+    }
+    const Eigen::Index place = kept_ < most ? kept_++ : oldest_++ % most;
+    changes_.col(place) = change;
+    results_.col(place) = result;
+  }
+
+  std::optional<Step> before_;
+  Eigen::MatrixXd changes_, results_;
+  Eigen::Index kept_ = 0, oldest_ = 0;
 };
 
 // The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
@@ -89,21 +155,23 @@ AtRest at_rest(const SetModel& model) {
 
 // A spring that gives F at the displacement d has the deflection F / k there: the set rests on such springs
 // until they give the forces that the bearings give at their displacements.
-Eigen::VectorXd balanced_state(const SetModel& set, const PlanetSupport& support) {
+VectorXd balanced_state(const SetModel& set, PlanetSupport support) {
   SetModel springs = set;
   AtRest now = at_rest(springs);
+  Eigen::Matrix2Xd tried = now.forces;
+  Mixing mixing;
   double change = 0.0;
   for (int round = 0; round < kMostRounds; ++round) {
-    for (Eigen::Index i = 0; i < now.forces.cols(); ++i) {
+    for (Eigen::Index i = 0; i < tried.cols(); ++i) {
       const auto planet = static_cast<std::size_t>(i);
       springs.bearings[planet].pin_error = set.bearings[planet].pin_error +
-                                           support.displacement(now.forces.col(i)) +
-                                           now.forces.col(i) / set.parameters.planet.bearing_stiffness;
+                                           support.displacement(planet, tried.col(i)) +
+                                           tried.col(i) / set.parameters.planet.bearing_stiffness;
     }
-    const Eigen::Matrix2Xd before = now.forces;
     now = at_rest(springs);
-    change = (now.forces - before).colwise().norm().maxCoeff() / now.forces.colwise().norm().maxCoeff();
+    change = (now.forces - tried).colwise().norm().maxCoeff() / now.forces.colwise().norm().maxCoeff();
     if (change <= kSameForce) return now.state;
+    tried.reshaped() = mixing.next(tried.reshaped(), now.forces.reshaped());
   }
   std::ostringstream text;
   text << "load sharing: after " << kMostRounds << " rounds the planets' loads still change by " << change
@@ -116,7 +184,7 @@ Eigen::VectorXd balanced_state(const SetModel& set, const PlanetSupport& support
 std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   const BearingDuty even = bearing_duty(drivetrain, geometry);
   const SetModel set = on_springs(drivetrain, geometry);
-  const Eigen::VectorXd state = balanced_state(set, {drivetrain, even});
+  const VectorXd state = balanced_state(set, {drivetrain, even});
   gearset::dynamics::SetSnapshot snapshot;
   Eigen::VectorXd workspace;
   take_snapshot(gearset::dynamics::PlanetarySetEquations(averaged(set)), 0.0, state, workspace, snapshot);

@@ -56,6 +56,26 @@ pair:
             mesh_property(mesh_study(pair_case()), "mean_N_per_m"));
 }
 
+// Issue 18, Build 4: meshes are kept for points that share them, and for no others.
+TEST(MeshStudy, KeptMeshesAreThoseOfTheirOwnCase) {
+  const auto sun_mean = [](const std::vector<std::string>& settings) {
+    return planetary_meshes_of(shipped(settings)).sun.curve.mean();
+  };
+  const double mean = sun_mean({});
+  EXPECT_EQ(sun_mean({"input.speed=3000 rpm", "input.power=10 kW", "bearing.radial_clearance=5 um"}), mean);
+  EXPECT_NEAR(sun_mean({"material.youngs_modulus=412 GPa"}) / mean, 2.0,
+              1e-9);  // round-off of the quadrature
+  for (const char* other : {"material.poisson_ratio=0.2", "gearset.face_width=26 mm", "gearset.module=3.2 mm",
+                            "gearset.root_fillet_radius=0.3", "gearset.sun_bore_ratio=0.3",
+                            "bearing.outside_diameter=45 mm", "gearset.profile_shift.sun=0.27"})
+    EXPECT_NE(sun_mean({other}), mean) << other;
+  const auto first_lag = [](const std::vector<std::string>& settings) {
+    return planetary_meshes_of(shipped(settings)).ring_lag.front();
+  };
+  EXPECT_NE(first_lag({"input.member=carrier"}), first_lag({}));  // the other flanks carry
+  EXPECT_EQ(sun_mean({}), mean);
+}
+
 TEST(MeshStudy, FollowsTheSettings) {
   const double mean = mesh_property(mesh_study(pair_case()), "mean_N_per_m");
   EXPECT_NEAR(mesh_property(mesh_study(pair_case({"pair.face_width=40 mm"})), "mean_N_per_m"), 2.0 * mean,

@@ -1,0 +1,566 @@
+#include "app/case/uncertain_case.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <span>
+#include <stdexcept>
+
+#include "app/case/bought_case.hpp"
+#include "app/case/bought_fields.hpp"
+#include "app/case/field_table.hpp"
+#include "app/case/resolved_writer.hpp"
+#include "app/case/settings.hpp"
+#include "app/case/unused_inputs.hpp"
+
+namespace orbearing::app {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+// A normal distribution may not leave the range of its field this far from its mean: it does so once in 10^9.
+constexpr double kSurelyWithin = 6.0;  // [standard deviations]
+constexpr double kUsuallyWithin = 3.0;
+
+// Words of a distribution, and which numbers it takes.
+struct DistributionWords {
+  std::string_view kind;
+  std::array<std::string_view, 4> numbers;
+  std::size_t required_first;  // of the numbers, how many must be given
+};
+
+constexpr std::array<DistributionWords, 3> kDistributions{
+    {{"normal", {"standard_deviation", "mean", "from", "to"}, 1},
+     {"uniform", {"from", "to", "", ""}, 2},
+     {"triangular", {"from", "peak", "to", ""}, 3}}};
+
+constexpr const char* required_distribution =
+    "one of {normal: {standard_deviation: ..., mean: ..., from: ..., to: ...}} (the last three may be left "
+    "out), {uniform: {from: ..., to: ...}}, {triangular: {from: ..., peak: ..., to: ...}} or, of a radial "
+    "clearance, {class: CN}, with or without a reason, is required";
+
+// The field of one number: of a list, that of its elements.
+Field field_of_number(const Field& field) {
+  Field one = field;
+  if (field.kind == Kind::list) one.kind = field.element;
+  return one;
+}
+
+bool is_list(const Field& field) {
+  return field.kind == Kind::list;
+}
+
+// Reads the distribution of one key.
+class UncertainReader {
+ public:
+  UncertainReader(const Field& field, const Member& member, std::vector<Mistake>& mistakes)
+      : field_(field_of_number(field)),
+        path_("uncertain." + member.key),
+        entry_(member.value),
+        mistakes_(mistakes) {
+    stated_.path = member.key;
+    stated_.place = member.place;
+  }
+
+  StatedUncertain read() {
+    if (entry_.shape != Entry::Shape::block)
+      object(entry_.place, path_, describe(entry_) + " found", required_distribution);
+    else
+      read_members();
+    if (!parts_.empty()) stated_.written = fmt::format("{{{}}}", fmt::join(parts_, ", "));
+    return std::move(stated_);
+  }
+
+ private:
+  void object(Place place, const std::string& path, std::string found, std::string required) {
+    mistakes_.push_back({place, path, {std::move(found), std::move(required)}});
+  }
+
+  void read_members() {
+    std::set<std::string> seen;
+    for (const Member& member : entry_.members) {
+      const std::string path = path_ + "." + member.key;
+      if (!seen.insert(member.key).second)
+        object(member.place, path, "duplicate key", "each key once is required");
+      else if (member.key == "reason")
+        read_reason(member, path);
+      else
+        read_distribution(member, path);
+    }
+    if (kinds_ != 1)
+      object(entry_.place, path_, fmt::format("{} distributions", kinds_ == 0 ? "no" : "several"),
+             required_distribution);
+  }
+
+  void read_reason(const Member& member, const std::string& path) {
+    const bool text = member.value.shape == Entry::Shape::scalar &&
+                      member.value.text.find_first_not_of(" \t\r\n") != std::string::npos;
+    if (!text) {
+      object(member.value.place, path, describe(member.value) + " found", "a text is required");
+      return;
+    }
+    stated_.reason = member.value.text;
+    parts_.push_back("reason: " + nlohmann::json(stated_.reason).dump());
+  }
+
+  void read_distribution(const Member& member, const std::string& path) {
+    const auto words = std::find_if(kDistributions.begin(), kDistributions.end(),
+                                    [&](const DistributionWords& one) { return one.kind == member.key; });
+    if (words == kDistributions.end() && member.key != "class") {
+      object(member.place, path, "unknown key", required_distribution);
+      return;
+    }
+    ++kinds_;
+    stated_.kind = member.key;
+    if (member.key == "class")
+      read_class(member, path);
+    else if (member.value.shape != Entry::Shape::block)
+      object(member.value.place, path, describe(member.value) + " found", required_distribution);
+    else
+      read_numbers(*words, member.value, path);
+  }
+
+  void read_class(const Member& member, const std::string& path) {
+    if (field_.path != bought::kClearance) {
+      object(member.place, path, "a clearance class of what is no clearance",
+             "one of normal, uniform, triangular is required");
+      return;
+    }
+    const FieldReading reading = read_field(*find_field(bought::kClass), member.value);
+    if (!reading.good) {
+      mistakes_.push_back({member.value.place, path, reading.complaint});
+      return;
+    }
+    stated_.clearance_class = reading.value.given;
+    parts_.push_back("class: " + stated_.clearance_class);
+  }
+
+  void read_numbers(const DistributionWords& words, const Entry& block, const std::string& path) {
+    const std::size_t before = mistakes_.size();
+    std::vector<std::string> written;
+    std::set<std::string> seen;
+    for (const Member& member : block.members) {
+      const std::string at = path + "." + member.key;
+      const bool known = !member.key.empty() && std::find(words.numbers.begin(), words.numbers.end(),
+                                                          member.key) != words.numbers.end();
+      if (!seen.insert(member.key).second)
+        object(member.place, at, "duplicate key", "each key once is required");
+      else if (!known)
+        object(member.place, at, "unknown key", required_distribution);
+      else if (const auto number = read_one(member, at))
+        written.push_back(fmt::format("{}: {}", member.key, *number));
+    }
+    for (std::size_t i = 0; i < words.required_first; ++i)
+      if (!seen.contains(std::string(words.numbers[i])))
+        object(block.place, fmt::format("{}.{}", path, words.numbers[i]), "missing", required_distribution);
+    if (mistakes_.size() == before) check_order(words, block.place, path);
+    parts_.push_back(fmt::format("{}: {{{}}}", words.kind, fmt::join(written, ", ")));
+  }
+
+  // A standard deviation is a difference, of any size above 0.
+  std::optional<std::string> read_one(const Member& member, const std::string& path) {
+    Field field = field_;
+    if (member.key == "standard_deviation") field.range = described::positive();
+    FieldReading reading = read_field(field, member.value);
+    if (!reading.good) {
+      mistakes_.push_back({member.value.place, path, reading.complaint});
+      return std::nullopt;
+    }
+    stated_.numbers[member.key] = reading.value.number;
+    return write_scalar(reading.value.given);
+  }
+
+  void check_order(const DistributionWords& words, Place place, const std::string& path) {
+    const auto of = [&](const char* key) {
+      const auto found = stated_.numbers.find(key);
+      return found == stated_.numbers.end() ? std::optional<double>() : found->second;
+    };
+    const std::optional<double> from = of("from"), to = of("to"), peak = of("peak");
+    if (from && to && !(*from < *to))
+      object(place, path, "'from' is not less than 'to'", "a range is required");
+    else if (words.kind == "triangular" && !(*from <= *peak && *peak <= *to))
+      object(place, path, "a peak outside 'from' and 'to'", "one between them is required");
+  }
+
+  Field field_;
+  std::string path_;
+  const Entry& entry_;
+  std::vector<Mistake>& mistakes_;
+  StatedUncertain stated_;
+  std::vector<std::string> parts_;
+  int kinds_ = 0;
+};
+
+std::string uncertain_path_hint(const std::string& key, unsigned model, const CaseShape& shape) {
+  std::vector<std::string> known;
+  for (const auto& [path, field] : inputs_of(model, shape)) {
+    if (!can_be_uncertain(*field)) continue;
+    if (path.starts_with(key + ".")) return fmt::format("the whole path, as in '{}', is required", path);
+    known.push_back(path);
+  }
+  const std::string near = nearest_word(key, known);
+  return "the path of a real number or of a list of them is required" +
+         (near.empty() ? std::string() : "; did you mean '" + near + "'?");
+}
+
+const Field* uncertain_field(const Member& member, unsigned model, const CaseShape& shape,
+                             std::vector<Mistake>& mistakes) {
+  const Field* field = find_field(member.key);
+  const bool known = field != nullptr && (field->models & model) != 0 && belongs(shape, member.key);
+  if (known && can_be_uncertain(*field)) return field;
+  mistakes.push_back({member.place,
+                      "uncertain." + member.key,
+                      {known ? "a field that is no real number" : "unknown path",
+                       uncertain_path_hint(member.key, model, shape)}});
+  return nullptr;
+}
+
+constexpr const char* required_correlations =
+    "{of: [PATH, ...], matrix: [[1, ...], ...]} with a row for each path is required";
+
+// Numbers of one row; empty where something is wrong.
+std::vector<double> read_matrix_row(const Entry& row, std::size_t size, std::vector<Mistake>& mistakes) {
+  std::vector<double> numbers;
+  const auto object = [&](const Entry& entry, std::string required) {
+    mistakes.push_back(
+        {entry.place, "uncertain.correlations.matrix", {describe(entry) + " found", std::move(required)}});
+    numbers.clear();
+  };
+  if (row.shape != Entry::Shape::list || row.items.size() != size) {
+    object(row, fmt::format("a row of {} numbers is required", size));
+    return numbers;
+  }
+  for (const Entry& item : row.items) {
+    const Reading<double> number = read_number(item.text);
+    if (item.shape != Entry::Shape::scalar || item.quoted || !number.value || std::abs(*number.value) > 1.0) {
+      object(item, "a number from -1 to 1 is required");
+      return numbers;
+    }
+    numbers.push_back(*number.value);
+  }
+  return numbers;
+}
+
+std::string written_correlations(const StatedCorrelations& stated) {
+  std::vector<std::string> rows;
+  for (const std::vector<double>& row : stated.matrix)
+    rows.push_back(fmt::format("[{}]", fmt::join(row, ", ")));
+  std::vector<std::string> paths;
+  for (const std::string& path : stated.of) paths.push_back(nlohmann::json(path).dump());
+  return fmt::format("{{of: [{}], matrix: [{}]}}", fmt::join(paths, ", "), fmt::join(rows, ", "));
+}
+
+StatedCorrelations read_correlations(const Member& member, std::vector<Mistake>& mistakes) {
+  StatedCorrelations stated;
+  stated.place = member.place;
+  const std::size_t before = mistakes.size();
+  const Member* of = find_member(member.value, "of");
+  const Member* matrix = find_member(member.value, "matrix");
+  const bool lists = of != nullptr && matrix != nullptr && member.value.members.size() == 2 &&
+                     of->value.shape == Entry::Shape::list && matrix->value.shape == Entry::Shape::list &&
+                     of->value.items.size() == matrix->value.items.size() && !of->value.items.empty();
+  if (!lists) {
+    mistakes.push_back({member.value.place,
+                        "uncertain.correlations",
+                        {describe(member.value) + " found", required_correlations}});
+    return stated;
+  }
+  for (const Entry& path : of->value.items) stated.of.push_back(path.text);
+  for (const Entry& row : matrix->value.items)
+    stated.matrix.push_back(read_matrix_row(row, stated.of.size(), mistakes));
+  if (mistakes.size() == before) stated.written = written_correlations(stated);
+  return stated;
+}
+
+// The case or the set in which the path stands, as a case of one set.
+ResolvedCase set_of_path(const ResolvedCase& in, const std::string& path) {
+  const std::size_t prefix = set_prefix_length(path);
+  if (prefix == 0) return in;
+  constexpr std::size_t block = std::string_view("sets.").size();
+  return in.of_set(path.substr(block, prefix - block - 1));
+}
+
+double number_of(const StatedUncertain& stated, const char* key, double otherwise) {
+  const auto found = stated.numbers.find(key);
+  return found == stated.numbers.end() ? otherwise : found->second;
+}
+
+// `value` is the case's own.
+UncertainInput input_of(const ResolvedCase& in, const StatedUncertain& stated, double value) {
+  UncertainInput one;
+  one.path = stated.path;
+  one.distribution = stated.kind;
+  one.value = value;
+  one.mean = stated.kind == "normal" ? number_of(stated, "mean", value) : none;
+  one.standard_deviation = number_of(stated, "standard_deviation", none);
+  one.from = number_of(stated, "from", none);
+  one.peak = number_of(stated, "peak", none);
+  one.to = number_of(stated, "to", none);
+  if (stated.kind == "normal" && !(std::isnan(one.from) && std::isnan(one.to)))
+    one.distribution = "truncated-normal";
+  if (stated.kind == "class") {
+    const auto range = clearance_range_of(set_of_path(in, stated.path), stated.clearance_class);
+    one.distribution = "uniform";
+    one.from = range.least;
+    one.to = range.most;
+  }
+  const Field& field = *find_field(stated.path);
+  one.si_unit = field.dimension.si.empty() ? "1" : std::string(field.dimension.si);
+  one.unit = field.dimension.si.empty() ? "1" : std::string(field.dimension.customary);
+  if (one.unit != one.si_unit) one.units_per_si = *convert(1.0, one.si_unit, one.unit).value;
+  one.written = stated.written;
+  one.reason = stated.reason;
+  return one;
+}
+
+std::vector<UncertainInput> inputs_of_key(const ResolvedCase& in, const StatedUncertain& stated) {
+  if (!is_list(*find_field(stated.path))) return {input_of(in, stated, in.value(stated.path).number)};
+  std::vector<UncertainInput> elements;
+  for (const double value : in.list(stated.path)) {
+    elements.push_back(input_of(in, stated, value));
+    elements.back().path += fmt::format("[{}]", elements.size() - 1);
+  }
+  return elements;
+}
+
+class UncertainCheck {
+ public:
+  UncertainCheck(const ResolvedCase& in, std::vector<Mistake>& mistakes) : in_(in), mistakes_(mistakes) {}
+
+  void check(const StatedUncertain& stated) {
+    if (!stands(stated)) return;
+    for (const UncertainInput& one : inputs_of_key(in_, stated)) {
+      if (!check_range(stated, one)) return;
+      check_ends(stated, one);
+      if (is_list(*find_field(stated.path))) return;  // its other elements have the same
+    }
+  }
+
+ private:
+  void object(const StatedUncertain& stated, std::string found, std::string required) {
+    mistakes_.push_back({stated.place, "uncertain." + stated.path, {std::move(found), std::move(required)}});
+  }
+
+  // Whether there is a value whose place a sample can take.
+  bool stands(const StatedUncertain& stated) {
+    if (!in_.has(stated.path)) {
+      object(stated, "a number that the case does not have",
+             stated.path + ", the value that is expected, is required beside");
+      return false;
+    }
+    if (in_.is_replaced(stated.path)) {
+      object(stated, "a number in whose place another input stands",
+             "the input that gives it is what can be uncertain; a case without it is required");
+      return false;
+    }
+    return stated.kind != "class" || stands_as_class(stated);
+  }
+
+  bool stands_as_class(const StatedUncertain& stated) {
+    const ResolvedCase set = set_of_path(in_, stated.path);
+    if (!set.has(bought::kState) || set.choice(bought::kState) != "unmounted") {
+      object(stated, "a clearance class of a clearance that is not that on the shelf",
+             "bearing.clearance_state: unmounted, with its fits, is required");
+      return false;
+    }
+    try {
+      (void)clearance_range_of(set, stated.clearance_class);
+      return true;
+    } catch (const std::invalid_argument& error) {
+      object(stated, "class " + stated.clearance_class, error.what());
+      return false;
+    }
+  }
+
+  bool check_range(const StatedUncertain& stated, const UncertainInput& one) {
+    if (stated.kind != "normal") return true;
+    const double low = std::isnan(one.from) ? one.mean - kSurelyWithin * one.standard_deviation : one.from;
+    const double high = std::isnan(one.to) ? one.mean + kSurelyWithin * one.standard_deviation : one.to;
+    if (in_range(stated, low) && in_range(stated, high)) {
+      if (one.mean >= low && one.mean <= high) return true;
+      object(stated, "a mean outside 'from' and 'to'", "one between them is required");
+      return false;
+    }
+    object(stated, "a normal distribution that leaves the range of its number",
+           requirement(*find_field(stated.path)) +
+               " is required of all within six standard deviations of the mean; cut "
+               "it off by from or to beside the standard deviation");
+    return false;
+  }
+
+  std::string text_of(double value, const Field& field) const {
+    return field.kind == Kind::number ? fmt::format("{}", value)
+                                      : fmt::format("{} {}", value, field.dimension.si);
+  }
+
+  bool in_range(const StatedUncertain& stated, double value) const {
+    const Field field = field_of_number(*find_field(stated.path));
+    return read_field_text(field, text_of(value, field)).good;
+  }
+
+  // What a value near either end contradicts.
+  void check_ends(const StatedUncertain& stated, const UncertainInput& one) {
+    const double reach = kUsuallyWithin * one.standard_deviation;
+    const bool normal = stated.kind == "normal";
+    const double low = std::isnan(one.from) ? one.mean - reach
+                       : normal             ? std::max(one.from, one.mean - reach)
+                                            : one.from;
+    const double high = std::isnan(one.to) ? one.mean + reach
+                        : normal           ? std::min(one.to, one.mean + reach)
+                                           : one.to;
+    for (const double end : {low, high}) {
+      std::vector<Mistake> found;
+      (void)in_.without_sweep().with({{stated.path, with_element(stated, end)}}, found);
+      if (found.empty()) continue;
+      const Field field = field_of_number(*find_field(stated.path));
+      object(stated,
+             fmt::format("'{}' contradicts {}: {}", text_of(end, field), found.front().path,
+                         found.front().complaint.found),
+             found.front().complaint.required);
+      return;
+    }
+  }
+
+  // The value as a case would write it; of a list, its first element is `value`.
+  std::string with_element(const StatedUncertain& stated, double value) const {
+    const Field& field = *find_field(stated.path);
+    const Field one = field_of_number(field);
+    if (!is_list(field)) return text_of(value, one);
+    std::vector<std::string> elements;
+    for (const double element : in_.list(stated.path)) elements.push_back(text_of(element, one));
+    elements.front() = text_of(value, one);
+    return fmt::format("[{}]", fmt::join(elements, ", "));
+  }
+
+  const ResolvedCase& in_;
+  std::vector<Mistake>& mistakes_;
+};
+
+void check_correlations(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
+  const StatedCorrelations& stated = in.uncertain().correlations;
+  if (stated.written.empty()) return;
+  const auto object = [&](std::string found, std::string required) {
+    mistakes.push_back({stated.place, "uncertain.correlations", {std::move(found), std::move(required)}});
+  };
+  std::set<std::string> known, seen;
+  for (const UncertainInput& one : uncertain_inputs(in).inputs) known.insert(one.path);
+  for (const std::string& path : stated.of) {
+    if (!known.contains(path))
+      object(
+          quote(path) + " as a path",
+          fmt::format("paths of uncertain numbers, elements of lists by their index from 0, are required: {}",
+                      fmt::join(known, ", ")));
+    if (!seen.insert(path).second) object(quote(path) + " stands twice", "each path once is required");
+  }
+  const auto size = static_cast<Eigen::Index>(stated.of.size());
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index i = 0; i < size; ++i)
+    for (Eigen::Index j = 0; j < size; ++j)
+      matrix(i, j) = stated.matrix[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  if (matrix != matrix.transpose() || !(matrix.diagonal().array() == 1.0).all())
+    object("a matrix that is not symmetric with ones on its diagonal",
+           "a matrix of correlations is required");
+  else if (matrix.llt().info() != Eigen::Success)
+    object("a matrix that is not positive definite",
+           "correlations that all can hold at once, none of them 1 or -1, are required");
+}
+
+std::vector<std::vector<double>> all_correlations(const StatedCorrelations& stated,
+                                                  const std::vector<UncertainInput>& inputs) {
+  std::vector<std::vector<double>> matrix(inputs.size(), std::vector<double>(inputs.size(), 0.0));
+  const auto index_of = [&](const std::string& path) {
+    return static_cast<std::size_t>(std::find(stated.of.begin(), stated.of.end(), path) - stated.of.begin());
+  };
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    for (std::size_t j = 0; j < inputs.size(); ++j) {
+      const std::size_t row = index_of(inputs[i].path), column = index_of(inputs[j].path);
+      const bool stands = row < stated.of.size() && column < stated.of.size();
+      matrix[i][j] = i == j ? 1.0 : stands ? stated.matrix[row][column] : 0.0;
+    }
+  return matrix;
+}
+
+nlohmann::json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json(nullptr);
+}
+
+}  // namespace
+
+bool can_be_uncertain(const Field& field) {
+  if (field.kind == Kind::list)
+    return field.columns.empty() && (field.element == Kind::quantity || field.element == Kind::number);
+  return field.kind == Kind::quantity || field.kind == Kind::number;
+}
+
+StatedUncertainty read_uncertain(const Entry& block, unsigned model, const CaseShape& shape,
+                                 std::vector<Mistake>& mistakes) {
+  StatedUncertainty stated;
+  std::set<std::string> seen;
+  for (const Member& member : block.members) {
+    if (!seen.insert(member.key).second) {
+      mistakes.push_back(
+          {member.place, "uncertain." + member.key, {"duplicate key", "each key once is required"}});
+    } else if (member.key == kCorrelations) {
+      stated.correlations = read_correlations(member, mistakes);
+    } else if (const Field* field = uncertain_field(member, model, shape, mistakes)) {
+      stated.inputs.push_back(UncertainReader(*field, member, mistakes).read());
+    }
+  }
+  return stated;
+}
+
+void check_uncertain(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+  if (!mistakes.empty() || resolved.model() == no_model) return;  // ends are tried on a sound case
+  UncertainCheck check(resolved, mistakes);
+  for (const StatedUncertain& stated : resolved.uncertain().inputs) check.check(stated);
+  if (mistakes.empty()) check_correlations(resolved, mistakes);
+}
+
+UncertainInputs uncertain_inputs(const ResolvedCase& resolved) {
+  UncertainInputs found;
+  for (const StatedUncertain& stated : resolved.uncertain().inputs)
+    for (UncertainInput& one : inputs_of_key(resolved, stated)) found.inputs.push_back(std::move(one));
+  found.correlations = all_correlations(resolved.uncertain().correlations, found.inputs);
+  return found;
+}
+
+nlohmann::json uncertain_json(const ResolvedCase& resolved) {
+  const UncertainInputs found = uncertain_inputs(resolved);
+  nlohmann::json inputs = nlohmann::json::array();
+  for (const UncertainInput& one : found.inputs)
+    inputs.push_back({{"path", one.path},
+                      {"distribution", one.distribution},
+                      {"value", one.value},
+                      {"mean", number_or_null(one.mean)},
+                      {"standard_deviation", number_or_null(one.standard_deviation)},
+                      {"from", number_or_null(one.from)},
+                      {"peak", number_or_null(one.peak)},
+                      {"to", number_or_null(one.to)},
+                      {"si_unit", one.si_unit},
+                      {"unit", one.unit},
+                      {"units_per_si", one.units_per_si},
+                      {"given", one.written},
+                      {"reason", one.reason}});
+  return {{"inputs", inputs}, {"correlations", found.correlations}};
+}
+
+std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved) {
+  std::vector<std::string> warnings;
+  for (const StatedUncertain& stated : resolved.uncertain().inputs) {
+    const Input input{stated.path, find_field(stated.path)};
+    if (standing_in_row(resolved, input, use::quasi_static) != Standing::used)
+      warnings.push_back("uncertain." + stated.path + ": not felt by " + analysis_name(use::quasi_static) +
+                         ", on which lives are sampled");
+  }
+  return warnings;
+}
+
+}  // namespace orbearing::app

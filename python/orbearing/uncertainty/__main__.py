@@ -1,0 +1,175 @@
+"""`orbearing uncertainty CASE -o DIR`; `python3 -m orbearing.uncertainty` is the same.
+
+Exit codes as of the command line: 0 done, 1 the computation failed, wholly or at some points, 2 bad input or usage, or OpenTURNS is missing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+from orbearing.errors import CaseError, ComputationError
+from orbearing.uncertainty.design import METHODS
+from orbearing.uncertainty.settings import Settings
+
+PAUSE_SECONDS = 0.1  # between two lines of progress
+WIPED = "\r\x1b[K"
+
+
+def parser() -> argparse.ArgumentParser:
+    """The options; their names are those of the other commands where they mean the same."""
+    made = argparse.ArgumentParser(prog="orbearing uncertainty", allow_abbrev=False,
+                                   description="How far the life of a case is known whose block 'uncertain:' says what is not: bands of life over speed, the "
+                                               "peak's speed and life, Sobol indices, and which value to measure first.")
+    made.add_argument("case", metavar="CASE", help="case file")
+    made.add_argument("-o", "--output", metavar="DIR", help="folder of the results; made where it is missing. With --json it may be left out: then nothing is written")
+    made.add_argument("--samples", type=int, default=Settings.samples, help="lives at the operating point; default: %(default)s")
+    made.add_argument("--curves", type=int, default=Settings.curves, help="whole curves of life over speed, each with its peak; default: %(default)s")
+    made.add_argument("--index-samples", type=int, default=Settings.index_samples,
+                      help="rows of the design behind the indices at the operating point, (inputs + 2) lives each; default: %(default)s")
+    made.add_argument("--method", choices=METHODS, default=Settings.method,
+                      help="independent points, a Latin hypercube, or Sobol's sequence shifted at random; default: %(default)s")
+    made.add_argument("--seed", type=int, default=Settings.seed, help="of all designs; default: %(default)s")
+    made.add_argument("--speeds", metavar="LIST", help="input speeds with their unit, comma between them, e.g. \"3000 rpm, 6000 rpm\"; default: those that the case sweeps")
+    made.add_argument("--life", metavar="COLUMN", help="which life of the sweep's table; default: L10mh where the case rates its oil, else life_h")
+    made.add_argument("--motion", type=int, default=0, metavar="N", help="samples at percentiles of the life that are computed in motion too")
+    made.add_argument("--jobs", type=int, default=0, help="threads; default: one for each core")
+    made.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="replace one independent value; repeatable")
+    made.add_argument("--json", action="store_true", help="print the result as one JSON object and nothing else")
+    made.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    return made
+
+
+def _folder(options: argparse.Namespace) -> Path | None:
+    """Where the results go. Raises CaseError where they would go nowhere or over others."""
+    if options.output is None:
+        if not options.json:
+            raise CaseError("--output: missing; required: a folder for the results, or --json to print them alone")
+        return None
+    folder = Path(options.output)
+    if not options.output:
+        raise CaseError("--output: found an empty name; required: a folder")
+    if folder.exists() and not folder.is_dir():
+        raise CaseError(f"{folder}: found a file; required: a folder for the results")
+    if folder.is_dir() and any(folder.iterdir()):
+        raise CaseError(f"{folder}: found a folder that holds something already; required: an empty one, or one that does not exist yet")
+    return folder
+
+
+def _case_settings(options: list[str]) -> list[tuple[str, str]]:
+    pairs = [option.partition("=") for option in options]
+    wrong = [option for option, (path, equals, _) in zip(options, pairs) if not path.strip() or not equals]
+    if wrong:
+        raise CaseError([f"--set: found '{option}'; required: path=value" for option in wrong])
+    return [(path.strip(), value.strip()) for path, _, value in pairs]
+
+
+def _speeds(core, text: str | None) -> tuple[float, ...] | None:
+    from orbearing.uncertainty.lives import SPEED
+    from orbearing.uncertainty.study import rpm
+
+    return None if text is None else tuple(rpm(core.si(SPEED, one.strip())) for one in text.split(","))
+
+
+class _Line:
+    """How far a batch is, on a terminal."""
+
+    def __init__(self, shown: bool):
+        self._shown = shown and sys.stderr.isatty()
+        self._last = 0.0
+
+    def __call__(self, done: int) -> None:
+        now = time.monotonic()
+        if self._shown and now - self._last >= PAUSE_SECONDS:
+            self._last = now
+            sys.stderr.write(f"{WIPED}uncertainty: {done} points of this batch done")
+            sys.stderr.flush()
+
+    def end(self) -> None:
+        if self._shown:
+            sys.stderr.write(WIPED)
+            sys.stderr.flush()
+
+
+def print_result(data: dict) -> None:
+    """Tables for people."""
+    from orbearing.uncertainty.page import headline, summary_table
+
+    print(headline(data))
+    table = summary_table(data)
+    width = max(len(str(row[0])) for row in [table.head, *table.rows])
+    for row in [table.head, *table.rows]:
+        print(f"  {row[0]:{width}}" + "".join(f"{_cell(value):>11}" for value in row[1:]))
+    print("indices (95 %), the input to measure first on top:")
+    rows = sorted(data["operating_point"]["indices"], key=lambda row: -row["first"])
+    width = max((len(row["inputs"]) for row in rows), default=0)
+    for row in rows:
+        print(f"  {row['inputs']:{width}}  first {row['first']:6.3f} ({row['first_95'][0]:6.3f} to {row['first_95'][1]:6.3f})"
+              f"  total {row['total']:6.3f} ({row['total_95'][0]:6.3f} to {row['total_95'][1]:6.3f})")
+    for row in data["measure_first"]:
+        print(f"{row['result']}: measure {row['measure']} first; the standard deviation of {_cell(row['standard_deviation'])} becomes "
+              f"{_cell(row['expected_standard_deviation_after'])}, as expected")
+    for row in data["motion"]:
+        print(f"in motion, percentile {row['percentile']:g}: {_cell(row['dynamic_h'])} h, at rest {_cell(row['quasi_static_h'])} h ({row['status']})")
+    for text in data["warnings"]:
+        print(f"warning: {text}")
+
+
+def _cell(value) -> str:
+    return "none" if value is None else f"{value:,.0f}" if isinstance(value, float) and abs(value) >= 1000 else f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def run(options: argparse.Namespace) -> int:
+    """The study of the options; the exit code."""
+    from orbearing import _core
+    from orbearing.uncertainty.parts import openturns, xarray
+    from orbearing.uncertainty.study import of_case
+
+    openturns()  # before any work
+    folder = _folder(options)
+    if folder:
+        xarray()
+    core = _core.load(options.case, _case_settings(options.settings))
+    settings = Settings(options.samples, options.curves, options.index_samples, options.seed, options.method, _speeds(core, options.speeds),
+                        options.life, options.motion, options.jobs)
+    line = _Line(not options.quiet and not options.json)
+    try:
+        result = of_case(core, settings, line)
+    finally:
+        line.end()
+    if folder:
+        result.save(folder)
+        (folder / "case.resolved.yaml").write_text(core.resolved(), encoding="utf-8")
+    if options.json:
+        print(result.json(), end="")
+    elif not options.quiet:
+        print_result(result.data)
+        print(folder / "uncertainty.html")
+    if result.failed:
+        print(f"uncertainty: {result.failed} points without a life", file=sys.stderr)
+    return 1 if result.failed else 0
+
+
+def main(arguments: list[str]) -> int:
+    """Compute a study; messages go to standard error."""
+    options = parser().parse_args(arguments)
+    try:
+        return run(options)
+    except CaseError as error:
+        print(error, file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("uncertainty: interrupted; nothing was written", file=sys.stderr)
+    except ComputationError as error:
+        print(f"uncertainty: {error}", file=sys.stderr)
+    except ImportError as error:
+        print(f"uncertainty: {error}; required: numpy, matplotlib, OpenTURNS (Debian: python3-numpy python3-matplotlib python3-openturns)", file=sys.stderr)
+    except OSError as error:
+        print(f"uncertainty: {error.filename or options.output}: {error.strerror}", file=sys.stderr)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

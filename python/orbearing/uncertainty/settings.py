@@ -1,0 +1,36 @@
+"""What is asked for beside the case."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from orbearing.errors import CaseError
+from orbearing.uncertainty.design import METHODS
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Sizes of the study; the same ones give the same numbers to the last bit, whatever `jobs`."""
+
+    samples: int = 10000  # lives at the operating point
+    curves: int = 1000  # whole curves of life over speed
+    index_samples: int = 1000  # rows of the design behind the indices at the operating point, each (inputs + 2) lives
+    seed: int = 1
+    method: str = "sobol"  # monte-carlo, lhs or sobol
+    speeds_rpm: tuple[float, ...] | None = None  # None: those that the case sweeps
+    life: str | None = None  # column; None: L10mh where the case rates its oil, else life_h
+    motion: int = 0  # samples that are computed in motion too
+    jobs: int = 0  # threads; 0: one for each core
+
+    def __post_init__(self):
+        for name, least in (("samples", 2), ("curves", 2), ("index_samples", 2), ("seed", 0), ("motion", 0), ("jobs", 0)):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int) or value < least or value > 10**8:
+                raise CaseError(f"{name}: {value!r} found; a whole number of at least {least} is required")
+        if self.method not in METHODS:
+            raise CaseError(f"method: {self.method!r} found; one of {', '.join(METHODS)} is required")
+        if self.speeds_rpm is not None:
+            speeds = tuple(float(speed) for speed in self.speeds_rpm)
+            if not speeds or sorted(set(speeds)) != list(speeds) or not speeds[0] > 0.0:
+                raise CaseError(f"speeds: {list(speeds)} found; speeds above 0 rpm, each once and rising, are required")
+            object.__setattr__(self, "speeds_rpm", speeds)
