@@ -62,7 +62,7 @@ const std::vector<PythonCommand>& python_commands() {
       {"study", "many variants of a case, in parallel and over many machines, in one store",
        "orbearing.studies"},
       {"uncertainty", "how far the life is known: its band, and which input to measure first",
-       "orbearing.uncertainty"}};
+       "orbearing.uncertainties"}};
   return all;
 }
 

@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "python", "cases", "tests", "benchmarks", "docs")
 FRONT = ("README.md", "CHANGELOG.md", "REFERENCES.md", "CONTRIBUTING.md")
 PICTURES = (".png", ".svg")
-PYTHON_PARTS = {"study": "orbearing.studies.run.study", "uncertainty": "orbearing.uncertainty.uncertainty"}
+PYTHON_PARTS = {"study": "orbearing.studies.run.study", "uncertainty": "orbearing.uncertainties.uncertainty"}
 _GENERATED = re.compile(r"^<!-- generated: (?P<name>[\w-]+) ?(?P<arguments>.*?) -->$", re.M)
 
 

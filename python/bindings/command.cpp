@@ -27,7 +27,7 @@ const std::map<std::string, Command> kCommands{
     {"check", app::check_command},   {"run", app::run_command},         {"sweep", app::sweep_command},
     {"crown", app::crown_command},   {"fmu", app::fmu_command},         {"mesh", app::mesh_command},
     {"modes", app::modes_command},   {"signals", app::signals_command}, {"stiffness", app::stiffness_command},
-    {"report", app::report_command}, {"merge", app::merge_command}};
+    {"report", app::report_command},   {"sensitivities", app::sensitivities_command}, {"merge", app::merge_command}};
 
 // What an option of the command line is called here, and where it goes.
 using Take = void (*)(app::Options&, const py::handle&);

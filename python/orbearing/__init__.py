@@ -29,8 +29,9 @@ _PARTS = {
     "ComputationError": "errors",
     "study": "studies",
     "open_study": "studies",
-    "StudyResult": "studies",
-    "uncertainty": "uncertainty",
+    "StudyResult": "studies.result",
+    "uncertainty": "uncertainties",
+    "UncertaintyResult": "uncertainties.result",
 }
 __all__ = sorted([*_PARTS, "__version__"])
 

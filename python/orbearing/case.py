@@ -170,6 +170,22 @@ class Case:
         """5 x 5 stiffness of a bearing over speed and load."""
         return self._compute("stiffness", StiffnessResult, output=output)
 
+    def sensitivities(self, output: Optional[PathLike] = None) -> Result:
+        """Derivatives of life by every number of the case, at rest at its operating point."""
+        return self._compute("sensitivities", Result, output=output)
+
+    def uncertainty(self, **options) -> "UncertaintyResult":
+        """See orbearing.uncertainty(): the spread of life by the numbers that the case's block `uncertain:` names."""
+        from orbearing.uncertainties import uncertainty
+
+        return uncertainty(self, **options)
+
+    def study(self, vary: Optional[Mapping[str, Any]] = None, **options) -> "StudyResult":
+        """See orbearing.study(): many variants in one table."""
+        from orbearing.studies import study
+
+        return study(self, vary, **options)
+
     def signals(self, vary: Sequence[str] = (), output: Optional[PathLike] = None, fidelity: Optional[str] = None,
                 noise: float = 0.0, seed: int = 1, progress: Progress = None) -> Result:
         """Labelled vibration signals of a scratched bearing; `vary` as "path=[value, value]"."""

@@ -109,7 +109,7 @@ class Command(unittest.TestCase):
     def test_says_what_is_missing_without_openturns(self):
         with tempfile.TemporaryDirectory() as place:
             (pathlib.Path(place) / "openturns.py").write_text("raise ImportError('not here')\n")
-            done = subprocess.run([sys.executable, "-m", "orbearing.uncertainty", str(program.REDUCER), "--json", *SETTINGS], capture_output=True, text=True,
+            done = subprocess.run([sys.executable, "-m", "orbearing.uncertainties", str(program.REDUCER), "--json", *SETTINGS], capture_output=True, text=True,
                                   check=False, env={**os.environ, "PYTHONPATH": f"{place}:{BUILT}"})
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("python3-openturns", done.stderr)
@@ -128,7 +128,7 @@ class Called(unittest.TestCase):
         self.assertAlmostEqual(expansion["standard_deviation"] / lives.std(), 1.0, delta=0.05)
 
     def test_named_as_the_module_and_as_the_function(self):
-        module = importlib.import_module("orbearing.uncertainty")
+        module = importlib.import_module("orbearing.uncertainties")
         for callee in (orbearing.uncertainty, module):
             result = callee(self.case(), samples=20, curves=5, index_samples=5, speeds_rpm=[5000.0, 6000.0, 7000.0])
             self.assertEqual(result.point_lives.shape, (20,))

@@ -16,11 +16,11 @@ if importlib.util.find_spec("openturns") is None:
 import openturns as ot
 
 from orbearing.errors import CaseError
-from orbearing.uncertainty import chaos, design, indices, scatter
-from orbearing.uncertainty.inputs import UncertainInputs, UncertainNumber
-from orbearing.uncertainty.lives import RPM, SPEED, refined_peaks
-from orbearing.uncertainty.settings import Settings
-from orbearing.uncertainty.study import Study
+from orbearing.uncertainties import chaos, design, indices, scatter
+from orbearing.uncertainties.inputs import UncertainInputs, UncertainNumber
+from orbearing.uncertainties.lives import RPM, SPEED, refined_peaks
+from orbearing.uncertainties.settings import Settings
+from orbearing.uncertainties.study import Study
 
 POWER = UncertainNumber("input.power", "uniform", 150e3, least=100e3, most=200e3, si_unit="W", unit="kW", units_per_si=1e-3)
 MASS = UncertainNumber("planet.mass", "uniform", 1.0, least=0.5, most=1.5)

@@ -1,4 +1,4 @@
-"""`orbearing uncertainty CASE -o DIR`; `python3 -m orbearing.uncertainty` is the same.
+"""`orbearing uncertainty CASE -o DIR`; `python3 -m orbearing.uncertainties` is the same.
 
 Exit codes as of the command line: 0 done, 1 the computation failed, wholly or at some points, 2 bad input or usage, or OpenTURNS is missing.
 """
@@ -11,8 +11,8 @@ import time
 from pathlib import Path
 
 from orbearing.errors import CaseError, ComputationError
-from orbearing.uncertainty.design import METHODS
-from orbearing.uncertainty.settings import Settings
+from orbearing.uncertainties.design import METHODS
+from orbearing.uncertainties.settings import Settings
 
 PAUSE_SECONDS = 0.1  # between two lines of progress
 WIPED = "\r\x1b[K"
@@ -67,8 +67,8 @@ def _case_settings(options: list[str]) -> list[tuple[str, str]]:
 
 
 def _speeds(core, text: str | None) -> tuple[float, ...] | None:
-    from orbearing.uncertainty.lives import SPEED
-    from orbearing.uncertainty.study import rpm
+    from orbearing.uncertainties.lives import SPEED
+    from orbearing.uncertainties.study import rpm
 
     return None if text is None else tuple(rpm(core.si(SPEED, one.strip())) for one in text.split(","))
 
@@ -95,7 +95,7 @@ class _Line:
 
 def print_result(data: dict) -> None:
     """Tables for people."""
-    from orbearing.uncertainty.page import headline, summary_table
+    from orbearing.uncertainties.page import headline, summary_table
 
     print(headline(data))
     table = summary_table(data)
@@ -124,8 +124,8 @@ def _cell(value) -> str:
 def run(options: argparse.Namespace) -> int:
     """The study of the options; the exit code."""
     from orbearing import _core
-    from orbearing.uncertainty.parts import openturns, xarray
-    from orbearing.uncertainty.study import of_case
+    from orbearing.uncertainties.parts import openturns, xarray
+    from orbearing.uncertainties.study import of_case
 
     openturns()  # before any work
     folder = _folder(options)

@@ -7,11 +7,11 @@ import json
 import numpy as np
 
 from orbearing.errors import CaseError
-from orbearing.uncertainty import chaos, design, indices, scatter
-from orbearing.uncertainty.inputs import UncertainInputs
-from orbearing.uncertainty.lives import RPM, SPEED, Evaluate, Peaks, refined_peaks
-from orbearing.uncertainty.result import UncertaintyResult
-from orbearing.uncertainty.settings import Settings
+from orbearing.uncertainties import chaos, design, indices, scatter
+from orbearing.uncertainties.inputs import UncertainInputs
+from orbearing.uncertainties.lives import RPM, SPEED, Evaluate, Peaks, refined_peaks
+from orbearing.uncertainties.result import UncertaintyResult
+from orbearing.uncertainties.settings import Settings
 
 PERCENTILES = (5, 25, 50, 75, 95)
 LEAST_PREDICTIVITY = 0.5

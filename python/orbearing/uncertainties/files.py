@@ -10,7 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 
 from orbearing import style
-from orbearing.uncertainty.page import page
+from orbearing.uncertainties.page import page
 
 SAMPLES = "samples.nc"
 DOTS_PER_INCH = 160

@@ -1,15 +1,12 @@
 """Uncertainty: how far a life is known, what the rest is owed to, and which value to measure first.
 
 `orbearing.uncertainty(case, samples=...)` studies the numbers that the case's block `uncertain:` names;
-`python3 -m orbearing.uncertainty` is the command.
+`python3 -m orbearing.uncertainties` is the command.
 """
 
 from __future__ import annotations
 
-import sys
-import types
-
-from orbearing.uncertainty.settings import Settings
+from orbearing.uncertainties.settings import Settings
 
 
 def uncertainty(case, samples: int = Settings.samples, curves: int = Settings.curves, index_samples: int = Settings.index_samples,
@@ -25,17 +22,10 @@ def uncertainty(case, samples: int = Settings.samples, curves: int = Settings.cu
 
     Raises CaseError for input that is of no use, also where OpenTURNS is missing; KeyboardInterrupt when stopped.
     """
-    from orbearing.uncertainty.study import of_case
+    from orbearing.uncertainties.study import of_case
 
     settings = Settings(samples, curves, index_samples, seed, method, None if speeds_rpm is None else tuple(speeds_rpm), life, motion, jobs)
     return of_case(getattr(case, "core", case), settings, progress)
 
 
-class _Uncertainty(types.ModuleType):
-    """The module is the function too: `import orbearing.uncertainty` must not hide `orbearing.uncertainty(...)`."""
-
-    __call__ = staticmethod(uncertainty)
-
-
-sys.modules[__name__].__class__ = _Uncertainty
 __all__ = ["Settings", "uncertainty"]

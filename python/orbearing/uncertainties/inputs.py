@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orbearing.uncertainty.parts import openturns
+from orbearing.uncertainties.parts import openturns
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from orbearing.errors import CaseError
-from orbearing.uncertainty.design import METHODS
+from orbearing.uncertainties.design import METHODS
 
 
 @dataclass(frozen=True)

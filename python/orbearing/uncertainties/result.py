@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from orbearing.uncertainty.inputs import UncertainInputs
-from orbearing.uncertainty.lives import Peaks
-from orbearing.uncertainty.parts import xarray
+from orbearing.uncertainties.inputs import UncertainInputs
+from orbearing.uncertainties.lives import Peaks
+from orbearing.uncertainties.parts import xarray
 
 
 class UncertaintyResult:
@@ -65,14 +65,14 @@ class UncertaintyResult:
 
     def plot(self):
         """Three matplotlib figures by name: life over speed, the peak, the indices."""
-        from orbearing.uncertainty.figures import figures
+        from orbearing.uncertainties.figures import figures
 
         return figures(self)
 
     def report(self, path) -> Path:
         """One page with the figures, nothing outside it; the same result gives the same bytes."""
         from orbearing.report import write_all
-        from orbearing.uncertainty.page import page
+        from orbearing.uncertainties.page import page
 
         path = Path(path)
         write_all(path.parent, {path.name: page(self)})
@@ -83,7 +83,7 @@ class UncertaintyResult:
 
     def save(self, folder) -> Path:
         """uncertainty.json, samples.nc, uncertainty.html and the figures as SVG and PNG."""
-        from orbearing.uncertainty.files import save
+        from orbearing.uncertainties.files import save
 
         return save(self, Path(folder))
 
@@ -94,6 +94,6 @@ class UncertaintyResult:
                 f"{middle['5']:,.0f} to {middle['95']:,.0f} h)")
 
     def _repr_html_(self) -> str:
-        from orbearing.uncertainty.page import answer
+        from orbearing.uncertainties.page import answer
 
         return answer(self)

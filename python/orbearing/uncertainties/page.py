@@ -7,7 +7,7 @@ from html import escape
 from orbearing import page as pages
 from orbearing import style
 from orbearing.blocks import FigureBlock, Table, format_number
-from orbearing.uncertainty.figures import figures
+from orbearing.uncertainties.figures import figures
 
 BAND_CAPTION = (
     "Blue: percentiles of the life that nine tenths of all bearings reach (or the share that the case states), as the uncertain inputs "

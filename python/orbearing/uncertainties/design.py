@@ -6,7 +6,7 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from orbearing.uncertainty.parts import openturns
+from orbearing.uncertainties.parts import openturns
 
 METHODS = ("monte-carlo", "lhs", "sobol")
 

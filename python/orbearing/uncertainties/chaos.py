@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from orbearing.uncertainty.indices import SobolIndices, interval, no_variance
-from orbearing.uncertainty.parts import openturns
+from orbearing.uncertainties.indices import SobolIndices, interval, no_variance
+from orbearing.uncertainties.parts import openturns
 
 MOST_TRAINING = 1000  # results from which an expansion is made
 RESULTS_PER_TERM = 5  # at least
