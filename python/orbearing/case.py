@@ -15,7 +15,7 @@ import numpy as np
 
 from orbearing import _core
 from orbearing.errors import CaseError
-from orbearing.results import CheckResult, CrownResult, MeshResult, ModesResult, Result, StiffnessResult, SweepResult
+from orbearing.results import CheckResult, CrownResult, MeshResult, ModesResult, Result, SensitivityResult, StiffnessResult, SweepResult
 
 PathLike = Union[str, "os.PathLike[str]"]
 Progress = Union[None, bool, Callable[[int, int, str], None]]
@@ -170,9 +170,9 @@ class Case:
         """5 x 5 stiffness of a bearing over speed and load."""
         return self._compute("stiffness", StiffnessResult, output=output)
 
-    def sensitivities(self, output: Optional[PathLike] = None) -> Result:
+    def sensitivities(self, output: Optional[PathLike] = None) -> SensitivityResult:
         """Derivatives of life by every number of the case, at rest at its operating point."""
-        return self._compute("sensitivities", Result, output=output)
+        return self._compute("sensitivities", SensitivityResult, output=output)
 
     def uncertainty(self, **options) -> "UncertaintyResult":
         """See orbearing.uncertainty(): the spread of life by the numbers that the case's block `uncertain:` names."""

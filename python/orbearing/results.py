@@ -472,3 +472,35 @@ class StiffnessResult(Result):
         axes.set_ylabel("stiffness (N/µm)")
         axes.legend()
         return axes
+
+
+class SensitivityResult(Result):
+    """Derivatives of a life by the numbers of a case, the largest elasticity first."""
+
+    def to_xarray(self) -> "xarray.Dataset":
+        """derivative and elasticity (input), with the value, unit and meaning of each; what has no derivative is left out."""
+        import xarray
+
+        columns = _table(self["inputs"], "inputs")
+        paths = columns.pop("path")[1]
+        return xarray.Dataset(columns, coords={"input": paths}, attrs=self._attributes())
+
+    def plot(self, axes=None, most: int = 15):
+        """Elasticities, the largest `most` of them."""
+        from matplotlib import pyplot
+
+        from orbearing import style
+
+        axes = axes or pyplot.subplots(figsize=(style.PANEL[0] * 1.4, style.PANEL[1]), layout="constrained")[1]
+        rows = [row for row in self["inputs"] if row["elasticity"] is not None][:most][::-1]
+        axes.barh([row["path"] for row in rows], [row["elasticity"] for row in rows],
+                  color=[style.BLUE if row["elasticity"] > 0 else style.VERMILION for row in rows])
+        axes.axvline(0.0, color=style.BLACK, linewidth=0.8)
+        axes.set_xlabel(f"change of life by 1 % more of the input (%), {self._case.name}")
+        axes.set_ylabel("")
+        return axes
+
+    def _repr_html_(self) -> str:
+        shown = ["path", "value", "unit", "derivative", "elasticity"]
+        rows = [[_shown(row.get(name)) for name in shown] for row in self["inputs"]]
+        return _html_table(shown, rows, f"sensitivities of {self._case.name}", self.warnings)
