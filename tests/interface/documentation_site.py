@@ -16,7 +16,7 @@ import sys
 import tempfile
 import unittest
 
-from program import package
+from program import REDUCER, package, run, settings
 from virtual_environment import skip
 
 SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
@@ -102,13 +102,22 @@ class Site(unittest.TestCase):
             self.assertIn("display_data", kinds, name)
             self.assertNotIn("assert ", json.dumps(notebook), "checks are not shown")
 
+    def test_values_that_the_guide_names_are_taken(self):
+        """Those of a line together."""
+        page = (SOURCE / "docs" / "guide" / "fidelity.md").read_text(encoding="utf-8")
+        lines = [re.findall(r"`([a-z]+\.[a-z_.]+): ([^`]+)`", line) for line in page.splitlines()]
+        self.assertGreater(sum(map(bool, lines)), 3)
+        for stated in filter(None, lines):
+            done = run("check", REDUCER, "--quiet", *settings(f"{path}={value}" for path, value in stated))
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_commands_of_the_guide_run(self):
         """The lines of indented blocks that call the program, in their order on the page."""
         pages = [SOURCE / "docs" / "index.md", *sorted((SOURCE / "docs" / "guide").glob("*.md"))]
         lines = [line.strip() for page in pages for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("    ")]
-        run = [line.split("#")[0].strip() for line in lines if not line.startswith(NOT_RUN)]
-        calls = [shlex.split(line) for line in run if line.split()[:1] in (["orbearing"], ["build/release/bin/orbearing"])]
-        self.assertEqual(len(run), len(calls), run)
+        wanted = [line.split("#")[0].strip() for line in lines if not line.startswith(NOT_RUN)]
+        calls = [shlex.split(line) for line in wanted if line.split()[:1] in (["orbearing"], ["build/release/bin/orbearing"])]
+        self.assertEqual(len(wanted), len(calls), wanted)
         self.assertGreaterEqual(len(calls), 2)
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "cases").symlink_to(SOURCE / "cases")
