@@ -161,7 +161,7 @@ class LiveBearing(Placed):
         return [self.machine.output(name) for name in names]
 
     def damping(self):
-        return -self.machine.damping
+        return self.machine.damping
 
 
 class Held:

@@ -9,7 +9,6 @@ shown with their outputs. Files whose content did not change are not touched.
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import os
 import re
@@ -24,7 +23,6 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("mechanics", "gearset", "bearing", "coupling", "app", "python", "cases", "tests", "benchmarks", "docs")
 FRONT = ("README.md", "CHANGELOG.md", "REFERENCES.md", "CONTRIBUTING.md")
 PICTURES = (".png", ".svg")
-PYTHON_PARTS = {"study": "orbearing.studies.run.study", "uncertainty": "orbearing.uncertainties.uncertainty"}
 _GENERATED = re.compile(r"^<!-- generated: (?P<name>[\w-]+) ?(?P<arguments>.*?) -->$", re.M)
 
 
@@ -62,7 +60,6 @@ def commands(_) -> str:
     front = program("--help")
     names = re.findall(r"^  ([a-z]+) {2,}", front.split("Subcommands:")[1], re.M)
     # Those that are Python need not be in every build.
-    names = [name for name in names if name not in PYTHON_PARTS or importlib.util.find_spec(f"orbearing.{name}")]
     return "\n\n".join([code(front), *(f"## orbearing {name}\n\n{code(program(name, '--help'))}" for name in names)])
 
 
@@ -146,14 +143,8 @@ def topics(_) -> str:
     return "```{toctree}\n:hidden:\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```"
 
 
-def python_studies(_) -> str:
-    """Reference of those parts that need not be there."""
-    return "\n\n".join(f"## orbearing.{module}\n\n```{{eval-rst}}\n.. autofunction:: {place}\n```"
-                       for module, place in PYTHON_PARTS.items() if importlib.util.find_spec(f"orbearing.{module}"))
-
-
 GENERATED = {"commands": commands, "section": section, "file": file, "inputs": inputs, "assumptions": assumptions,
-             "life-peak": life_peak, "topics": topics, "python-studies": python_studies}
+             "life-peak": life_peak, "topics": topics}
 
 
 def filled(text: str, folder: Path) -> str:

@@ -93,13 +93,13 @@ class Bearing(_Machine):
 
     @property
     def stiffness(self) -> np.ndarray:
-        """[N/m] slopes of the force by the displacement (2, 2), the inner state held."""
-        return self._slopes("planet.displacement")
+        """[N/m] (2, 2): the force grows by -stiffness times the displacement, the inner state held."""
+        return -self._slopes("planet.displacement")
 
     @property
     def damping(self) -> np.ndarray:
-        """[N s/m] slopes of the force by the velocity (2, 2), the inner state held."""
-        return self._slopes("planet.velocity")
+        """[N s/m] (2, 2): the force grows by -damping times the velocity, the inner state held."""
+        return -self._slopes("planet.velocity")
 
     def _slopes(self, motion: str) -> np.ndarray:
         return np.array([[self._machine.slope(f"force.{force}", f"{motion}.{along}") for along in "xy"] for force in "xy"])

@@ -58,7 +58,7 @@ class Site(unittest.TestCase):
 
     def test_links_within_the_site_lead_somewhere(self):
         for page in self.html.rglob("*.html"):
-            for address in re.findall(r"(?:href|src)=\"([^\"#?:]+)", page.read_text(encoding="utf-8")):
+            for address in re.findall(r'(?:href|src)="([^"#?:]+)["#?]', page.read_text(encoding="utf-8")):
                 self.assertTrue((page.parent / address).resolve().exists(), f"{page.relative_to(self.html)}: {address}")
 
     def test_the_first_page_shows_the_peak_and_leads_on(self):

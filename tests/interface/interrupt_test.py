@@ -45,7 +45,7 @@ COMPUTATIONS = {
     "one point of one system": ["run", *sweep("monolithic", *LONG)[1:]],
     "several sets": sweep("dynamic", *LONG, of="three_sets_150kW"),
     "gears": ["run", case("reducer_150kW"), "--gears", *settings(["gearset.dynamics.observed_periods=1000000"])],
-    "crown": ["crown", case("reducer_150kW")],
+    "crown": ["crown", case("reducer_150kW"), "--drops", "0 um : 20 um : 0.02 um"],
     "balls in time": ["run", case("deep_groove_motor"), *settings(IN_TIME)],
     "heated balls": ["run", case("deep_groove_motor"), *settings([*IN_TIME, "heat.enabled=true", "heat.surroundings=40 degC"])],
     "scratch": ["run", case("scratch_defect"), *settings(SCRATCH)],
@@ -53,7 +53,7 @@ COMPUTATIONS = {
     "scratched planet": ["run", case("planet_scratch")],
     "signals": ["signals", case("scratch_defect"), "--vary", "defect.race=[none, outer, inner, ball]", *settings(SCRATCH)],
     "film": ["run", case("reynolds_point"), *settings([f"points=[{', '.join(['[2.5217 N, 0.19186 m/s, 0 rad/s]'] * 300)}]"])],
-    "stiffness": ["stiffness", case("reducer_150kW_as_built")],
+    "stiffness": ["stiffness", case("reducer_150kW_as_built"), *settings(["sweep.input.speed={from: 1000 rpm, to: 12000 rpm, step: 20 rpm}"])],
     "validation": ["validate"],
     "validation in motion": ["validate", "--motion", case("reducer_150kW")],
 }

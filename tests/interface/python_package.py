@@ -210,9 +210,9 @@ class LiveMachine(unittest.TestCase):
             forces.append(planet.force)
         planet.set_input("planet.displacement.x", at)
         difference = (forces[0] - forces[1]) / (2 * step)
-        np.testing.assert_allclose(planet.stiffness[:, 0], difference, rtol=1e-5, atol=1e-6 * abs(difference).max())
+        np.testing.assert_allclose(-planet.stiffness[:, 0], difference, rtol=1e-5, atol=1e-6 * abs(difference).max())
         np.testing.assert_allclose(planet.directional_derivative(["force.x", "force.y"], ["planet.displacement.x"], [2.0]),
-                                   2 * planet.stiffness[:, 0])
+                                   -2 * planet.stiffness[:, 0])
 
     def test_what_is_not_known_is_refused(self):
         planet = self.bearing()

@@ -127,9 +127,8 @@ class Called(unittest.TestCase):
         self.assertAlmostEqual(expansion["mean"] / lives.mean(), 1.0, delta=0.01)
         self.assertAlmostEqual(expansion["standard_deviation"] / lives.std(), 1.0, delta=0.05)
 
-    def test_named_as_the_module_and_as_the_function(self):
-        module = importlib.import_module("orbearing.uncertainties")
-        for callee in (orbearing.uncertainty, module):
+    def test_a_function_and_a_method_of_the_case(self):
+        for callee in (orbearing.uncertainty, orbearing.Case.uncertainty):
             result = callee(self.case(), samples=20, curves=5, index_samples=5, speeds_rpm=[5000.0, 6000.0, 7000.0])
             self.assertEqual(result.point_lives.shape, (20,))
             self.assertIn("UncertaintyResult(reducer_150kW", repr(result))

@@ -30,6 +30,7 @@ class StudyResult:
 
     @property
     def points(self) -> int:
+        """Points of the study, finished or not."""
         return self.design.points
 
     @property
