@@ -30,6 +30,7 @@ class UncertaintyResult:
 
     @property
     def data(self) -> dict:
+        """What `orbearing uncertainty --json` prints."""
         return self._data
 
     def __getattr__(self, name: str):
@@ -79,6 +80,7 @@ class UncertaintyResult:
         return path
 
     def json(self) -> str:
+        """`data` as JSON text."""
         return json.dumps(self._data, indent=1, ensure_ascii=False) + "\n"
 
     def save(self, folder) -> Path:
