@@ -2,20 +2,12 @@
 
 import csv
 import json
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 import unittest
 
-CASES = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", ".")) / "cases"
-SECONDS = 120
-
-
-def call(*arguments):
-    command = [os.environ["ORBEARING"], *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
+from program import CASES, run as call
 
 
 def case(name):

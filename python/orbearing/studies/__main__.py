@@ -15,10 +15,9 @@ import time
 from pathlib import Path
 
 from orbearing.errors import CaseError, ComputationError
+from orbearing.terminal import StatusLine, settings_of
 
 MOST_ROWS = 40  # of variants on a terminal
-PAUSE_SECONDS = 0.1  # between two lines of progress
-WIPED = "\r\x1b[K"
 
 
 def parser() -> argparse.ArgumentParser:
@@ -118,39 +117,22 @@ def _checked(options: argparse.Namespace) -> None:
         raise CaseError(mistakes)
 
 
-def _settings(options: list[str]) -> list[tuple[str, str]]:
-    pairs = [option.partition("=") for option in options]
-    wrong = [option for option, (path, equals, _) in zip(options, pairs) if not path.strip() or not equals]
-    if wrong:
-        raise CaseError([f"--set: found '{option}'; required: path=value" for option in wrong])
-    return [(path.strip(), value.strip()) for path, _, value in pairs]
-
-
-class _Line:
+class _Line(StatusLine):
     """How far a study is, on a terminal."""
 
     def __init__(self, shown: bool):
-        self._shown = shown and sys.stderr.isatty()
+        super().__init__(shown)
         self._begin = time.monotonic()
-        self._last = 0.0
         self._kept: int | None = None
 
     def __call__(self, done: int, points: int) -> None:
         self._kept = done if self._kept is None else self._kept
-        now = time.monotonic()
-        if not self._shown or now - self._last < PAUSE_SECONDS:
+        if not self.is_due:
             return
-        self._last = now
         text = f"{done} of {points} points done, {points - done} left"
         if self._kept < done < points:
-            text += f", {_clock((now - self._begin) / (done - self._kept) * (points - done))} to go"
-        sys.stderr.write(f"{WIPED}study: {text}")
-        sys.stderr.flush()
-
-    def end(self) -> None:
-        if self._shown:
-            sys.stderr.write(WIPED)
-            sys.stderr.flush()
+            text += f", {_clock((time.monotonic() - self._begin) / (done - self._kept) * (points - done))} to go"
+        self.show(f"study: {text}")
 
 
 def _clock(seconds: float) -> str:
@@ -193,7 +175,7 @@ def run(options: argparse.Namespace) -> int:
     from orbearing.studies.run import study
 
     _checked(options)
-    core = _core.load(options.case, _settings(options.settings))
+    core = _core.load(options.case, settings_of(options.settings))
     paired = rows_of_table(Path(options.table)) if options.table else []
     values = varied(options.vary)
     line = _Line(not options.quiet and not options.json)

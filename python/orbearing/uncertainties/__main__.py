@@ -7,15 +7,13 @@ from __future__ import annotations
 
 import argparse
 import sys
-import time
 from pathlib import Path
 
 from orbearing.errors import CaseError, ComputationError
+from orbearing.terminal import StatusLine, settings_of
 from orbearing.uncertainties.design import METHODS
 from orbearing.uncertainties.settings import Settings
 
-PAUSE_SECONDS = 0.1  # between two lines of progress
-WIPED = "\r\x1b[K"
 
 
 def parser() -> argparse.ArgumentParser:
@@ -58,14 +56,6 @@ def _folder(options: argparse.Namespace) -> Path | None:
     return folder
 
 
-def _case_settings(options: list[str]) -> list[tuple[str, str]]:
-    pairs = [option.partition("=") for option in options]
-    wrong = [option for option, (path, equals, _) in zip(options, pairs) if not path.strip() or not equals]
-    if wrong:
-        raise CaseError([f"--set: found '{option}'; required: path=value" for option in wrong])
-    return [(path.strip(), value.strip()) for path, _, value in pairs]
-
-
 def _speeds(core, text: str | None) -> tuple[float, ...] | None:
     from orbearing.uncertainties.lives import SPEED
     from orbearing.uncertainties.study import rpm
@@ -73,24 +63,12 @@ def _speeds(core, text: str | None) -> tuple[float, ...] | None:
     return None if text is None else tuple(rpm(core.si(SPEED, one.strip())) for one in text.split(","))
 
 
-class _Line:
+class _Line(StatusLine):
     """How far a batch is, on a terminal."""
 
-    def __init__(self, shown: bool):
-        self._shown = shown and sys.stderr.isatty()
-        self._last = 0.0
-
     def __call__(self, done: int) -> None:
-        now = time.monotonic()
-        if self._shown and now - self._last >= PAUSE_SECONDS:
-            self._last = now
-            sys.stderr.write(f"{WIPED}uncertainty: {done} points of this batch done")
-            sys.stderr.flush()
-
-    def end(self) -> None:
-        if self._shown:
-            sys.stderr.write(WIPED)
-            sys.stderr.flush()
+        if self.is_due:
+            self.show(f"uncertainty: {done} points of this batch done")
 
 
 def print_result(data: dict) -> None:
@@ -131,7 +109,7 @@ def run(options: argparse.Namespace) -> int:
     folder = _folder(options)
     if folder:
         xarray()
-    core = _core.load(options.case, _case_settings(options.settings))
+    core = _core.load(options.case, settings_of(options.settings))
     settings = Settings(options.samples, options.curves, options.index_samples, options.seed, options.method, _speeds(core, options.speeds),
                         options.life, options.motion, options.jobs)
     line = _Line(not options.quiet and not options.json)

@@ -1,0 +1,42 @@
+"""What the commands of the package have in common: --set, and a line of progress that is written over."""
+
+from __future__ import annotations
+
+import sys
+import time
+
+from orbearing.errors import CaseError
+
+PAUSE_SECONDS = 0.1  # between two lines of progress
+WIPED = "\r\x1b[K"
+
+
+def settings_of(options: list[str]) -> list[tuple[str, str]]:
+    """--set options, "path=value", as pairs. Raises CaseError with all that are none."""
+    pairs = [option.partition("=") for option in options]
+    wrong = [option for option, (path, equals, _) in zip(options, pairs) if not path.strip() or not equals]
+    if wrong:
+        raise CaseError([f"--set: found '{option}'; required: path=value" for option in wrong])
+    return [(path.strip(), value.strip()) for path, _, value in pairs]
+
+
+class StatusLine:
+    """One line on standard error, on a terminal alone and not more often than anyone reads."""
+
+    def __init__(self, shown: bool):
+        self._shown = shown and sys.stderr.isatty()
+        self._last = 0.0
+
+    @property
+    def is_due(self) -> bool:
+        return self._shown and time.monotonic() - self._last >= PAUSE_SECONDS
+
+    def show(self, text: str) -> None:
+        self._last = time.monotonic()
+        sys.stderr.write(WIPED + text)
+        sys.stderr.flush()
+
+    def end(self) -> None:
+        if self._shown:
+            sys.stderr.write(WIPED)
+            sys.stderr.flush()
