@@ -55,6 +55,15 @@ def _thawed(value):
     return [_thawed(one) for one in value] if isinstance(value, tuple) else value
 
 
+def _new_axes(width: float = 1.0):
+    """Axes of the size of the report's figures, so many times as wide."""
+    from matplotlib import pyplot
+
+    from orbearing import style
+
+    return pyplot.subplots(figsize=(style.PANEL[0] * width, style.PANEL[1]), layout="constrained")[1]
+
+
 class Result(Mapping):
     """What a command found. A mapping of the keys of its JSON; arrays are read-only.
 
@@ -284,11 +293,9 @@ class SweepResult(Result):
 
     def plot(self, axes=None):
         """Life over speed, with the peak."""
-        from matplotlib import pyplot
-
         from orbearing import style
 
-        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        axes = axes or _new_axes()
         speed, life = self.input_speed_rpm, self.life_h
         order = np.argsort(speed, kind="stable")
         grid = ~self.refined[order]
@@ -341,11 +348,9 @@ class ModesResult(Result):
 
     def plot(self, axes=None):
         """Frequencies, coloured by kind."""
-        from matplotlib import pyplot
-
         from orbearing import style
 
-        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        axes = axes or _new_axes()
         kinds = list(dict.fromkeys(self.kind))
         for kind, colour in zip(kinds, style.SERIES[1:] + style.SERIES[:1]):
             places = [i for i, one in enumerate(self.kind) if one == kind]
@@ -375,11 +380,9 @@ class MeshResult(Result):
 
     def plot(self, axes=None):
         """Stiffness over the mesh period."""
-        from matplotlib import pyplot
-
         from orbearing import style
 
-        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        axes = axes or _new_axes()
         data = self.to_xarray()
         for name, colour, dash in zip(data.mesh.values, style.SERIES * 4, style.DASHES * 4):
             axes.plot(data.fraction, 1e-6 * data.stiffness_N_per_m.sel(mesh=name), color=colour, linestyle=dash, label=name)
@@ -405,11 +408,9 @@ class CrownResult(Result):
 
     def plot(self, axes=None):
         """Life over the drop, a line for each tilt."""
-        from matplotlib import pyplot
-
         from orbearing import style
 
-        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        axes = axes or _new_axes()
         series: dict = {}
         stated = self["tilt"] == "stated"  # else each drop has a tilt of its own
         for point in self["points"]:
@@ -460,11 +461,9 @@ class StiffnessResult(Result):
 
     def plot(self, axes=None):
         """Diagonal terms in translation over the points."""
-        from matplotlib import pyplot
-
         from orbearing import style
 
-        axes = axes or pyplot.subplots(figsize=style.PANEL, layout="constrained")[1]
+        axes = axes or _new_axes()
         data = self.to_xarray()
         for name, colour in zip("xyz", style.SERIES):
             axes.plot(data.speed_rpm, 1e-6 * data.stiffness.sel(force=name, displacement=name), "o-", color=colour, label=f"{name}{name}")
@@ -487,11 +486,9 @@ class SensitivityResult(Result):
 
     def plot(self, axes=None, most: int = 15):
         """Elasticities, the largest `most` of them."""
-        from matplotlib import pyplot
-
         from orbearing import style
 
-        axes = axes or pyplot.subplots(figsize=(style.PANEL[0] * 1.4, style.PANEL[1]), layout="constrained")[1]
+        axes = axes or _new_axes(width=1.4)
         rows = [row for row in self["inputs"] if row["elasticity"] is not None][:most][::-1]
         axes.barh([row["path"] for row in rows], [row["elasticity"] for row in rows],
                   color=[style.BLUE if row["elasticity"] > 0 else style.VERMILION for row in rows])
