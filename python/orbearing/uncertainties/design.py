@@ -29,7 +29,9 @@ def points(method: str, count: int, dimension: int, seed: int) -> np.ndarray:
     monte-carlo: independent ones; lhs: a Latin hypercube in random order; sobol: Sobol's sequence shifted at random.
     """
     ot = openturns()
-    cube = ot.ComposedDistribution([ot.Uniform(0.0, 1.0)] * dimension)
+    # Its name in newer versions, or in older ones.
+    joint = getattr(ot, "JointDistribution", None) or ot.ComposedDistribution
+    cube = joint([ot.Uniform(0.0, 1.0)] * dimension)
     with seeded(seed):
         if method == "monte-carlo":
             experiment = ot.MonteCarloExperiment(cube, count)
