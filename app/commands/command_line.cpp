@@ -319,7 +319,7 @@ int parse_and_run(int argc, char** argv) {
   add_commands(table);
   add_python_commands(program);
   require_known_command(program, argc, argv);
-  if (const std::optional<int> code = hand_over(argc, argv)) return *code;
+  hand_over(argc, argv);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

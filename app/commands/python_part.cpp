@@ -30,9 +30,8 @@ class LeftToTheChild {
   void (*terminate_)(int);
 };
 
-}  // namespace
-
-int run_python(const std::string& module, const std::vector<std::string>& arguments) {
+// Puts the interpreter in this process's place; comes back only where it cannot be started.
+void become_python(const std::string& module, const std::vector<std::string>& arguments) {
   const std::string interpreter = resources().interpreter.string(), package = resources().package.string();
   // By its first argument Python finds its packages: a bare name would lead to another on the PATH, as that
   // of a virtual environment.
@@ -41,13 +40,19 @@ int run_python(const std::string& module, const std::vector<std::string>& argume
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  setenv("PYTHONPATH", package.c_str(), 1);
+  unsetenv("PYTHONHOME");
+  execv(interpreter.c_str(), pointers.data());
+}
+
+}  // namespace
+
+int run_python(const std::string& module, const std::vector<std::string>& arguments) {
   const LeftToTheChild signals;
   const pid_t child = fork();
   if (child == 0) {
     signals.give_back();
-    setenv("PYTHONPATH", package.c_str(), 1);
-    unsetenv("PYTHONHOME");
-    execv(interpreter.c_str(), pointers.data());
+    become_python(module, arguments);
     _exit(not_started);
   }
   int status = 0;
@@ -66,19 +71,16 @@ const std::vector<PythonCommand>& python_commands() {
   return all;
 }
 
-std::optional<int> hand_over(int argc, char** argv) {
-  if (argc < 2) return std::nullopt;
+void hand_over(int argc, char** argv) {
+  if (argc < 2) return;
   for (const PythonCommand& command : python_commands())
     if (command.name == std::string(argv[1])) {
-      const int code = run_python(command.module, {argv + 2, argv + argc});
-      if (code == not_started)
-        throw ComputationFailed(fmt::format(
-            "{}: {} is required, with numpy, xarray and netCDF4 (Debian: python3-numpy python3-xarray "
-            "python3-netcdf4)",
-            command.name, resources().interpreter.string()));
-      return code;
+      become_python(command.module, {argv + 2, argv + argc});
+      throw ComputationFailed(fmt::format(
+          "{}: {} is required, with numpy, xarray and netCDF4 (Debian: python3-numpy python3-xarray "
+          "python3-netcdf4)",
+          command.name, resources().interpreter.string()));
     }
-  return std::nullopt;
 }
 
 }  // namespace orbearing::app

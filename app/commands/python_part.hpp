@@ -1,7 +1,6 @@
 // Commands whose work, or a part of it, is done by the Python package.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,8 @@ struct PythonCommand {
 };
 const std::vector<PythonCommand>& python_commands();
 
-/// Where the first argument names one of these: hands all others over and returns the exit code.
-std::optional<int> hand_over(int argc, char** argv);
+/// Where the first argument names one of these, Python takes this process's place, with the other arguments: signals
+/// to its number reach the work. Throws ComputationFailed where it cannot be started; returns for other commands.
+void hand_over(int argc, char** argv);
 
 }  // namespace orbearing::app

@@ -189,7 +189,7 @@ class Killed(unittest.TestCase):
                 while process.poll() is None and not self.finished(folder):
                     time.sleep(0.05)
                 begin = time.monotonic()
-                os.killpg(process.pid, wish)
+                process.send_signal(wish)
                 self.assertIn("study: interrupted; what is done stays", process.communicate()[1])
                 self.assertEqual(process.returncode, 1)
                 self.assertLess(time.monotonic() - begin, 10.0)
