@@ -233,9 +233,10 @@ class Case:
         self._settings = [*kept, (path, text)]
 
     def _read(self, settings: list[tuple[str, str]]) -> "_core.CoreCase":
-        if self._text is None:
-            return _core.load(self._file, settings)
-        return _core.parse(self._text, self._file, settings)
+        try:
+            return _core.load(self._file, settings) if self._text is None else _core.parse(self._text, self._file, settings)
+        except CaseError as error:
+            raise error.without_option() from None
 
     def _compute(self, command: str, kind, output: Optional[PathLike] = None, progress: Progress = None, **options):
         given = {name: value for name, value in options.items() if value is not None}

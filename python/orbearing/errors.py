@@ -41,6 +41,10 @@ class CaseError(ValueError):
         self.mistakes = [_mistake(message) for message in self.messages]
         super().__init__("\n".join(self.messages))
 
+    def without_option(self) -> "CaseError":
+        """The same of a value that was set in Python: without the option --set, by which the command line would have set it."""
+        return CaseError([message.removeprefix("--set: ") for message in self.messages])
+
     def __reduce__(self):
         return CaseError, (self.messages,)
 

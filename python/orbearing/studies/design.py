@@ -194,7 +194,7 @@ def _require_possible(core, design: Design) -> None:
         try:
             point.with_settings(list(design.settings(number, every=True)))
         except CaseError as error:
-            raise CaseError([message.removeprefix("--set: ") for message in error.messages]) from error
+            raise error.without_option() from error
 
 
 def case_axes(core) -> dict[str, list[str]]:
