@@ -1,10 +1,12 @@
-"""What a wheel must do by itself, in an environment that has nothing but it: sweep in two rungs, plot, report, FMU and
-command line, the table of the command line and that of the module equal to the last digit.
+"""What a wheel must do by itself, in an environment that has nothing but it: sweep in two rungs, plot, report, FMU, a
+study, sensitivities and command line, the table of the command line and that of the module equal to the last digit.
+Uncertainty wants OpenTURNS, which is an extra: without, it must say so.
 
     python wheel_check.py FOLDER      FOLDER is made and filled
 """
 
 # Issue 18, Build 1 and "Done when": the wheel alone.
+import importlib.util
 import json
 import pathlib
 import shutil
@@ -53,6 +55,22 @@ def main(folder):
         libraries = [name for name in archive.namelist() if name.startswith("binaries/") and name.endswith((".so", ".dll"))]
     assert libraries, "the FMU holds no library"
     print(f"plot, report ({page.stat().st_size} bytes), FMU with {', '.join(libraries)}")
+    study = orbearing.study(case, {"bearing.radial_clearance": ["0 um", "20 um"]}, output=folder / "study", progress=False)
+    assert study.to_xarray().life_h.shape == (2, 12), study.to_xarray().life_h.shape
+    command_line("study", file, "--vary", "bearing.radial_clearance=[0 um, 20 um]", "-o", folder / "study_by_command")
+    assert json.loads(command_line("sensitivities", file, "--json")) == case.sensitivities().data
+    uncertain = orbearing.load(orbearing.cases()["reducer_150kW_uncertain"])
+    if importlib.util.find_spec("openturns"):
+        band = uncertain.uncertainty(samples=64, curves=16)
+        print(f"uncertainty: {band!r}")
+    else:
+        try:
+            uncertain.uncertainty(samples=64)
+            raise AssertionError("nothing said that OpenTURNS is missing")
+        except orbearing.CaseError as error:
+            assert "required: openturns" in str(error), error
+            print(error)
+    print(f"study: {dict(study.to_xarray().sizes)}, peaks {study.to_xarray().peak_speed_rpm.values.tolist()} rpm; sensitivities as by the command line")
     assert orbearing._core.__file__.startswith(sys.prefix), "another package was imported"
     print(command_line("check", file).splitlines()[0])
 
