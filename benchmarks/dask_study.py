@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """How fast studies are: 200 sweeps of 12 speeds in one call, and Dask's workers beside threads of one process.
 
-    ORBEARING=build/release/bin/orbearing benchmarks/dask_study.py [--static N] [--dynamic N] [--kills N] [--workers N]
+    ORBEARING=build/release/bin/orbearing benchmarks/dask_study.py [--static N] [--dynamic N] [--kills N] [--workers N] [--revolutions N]
+        [--speeds RPM ...]
 
 N points each; prints one line of JSON for each comparison: seconds, the ratio of throughputs (threads / Dask in time, and in time of the processors), seconds to the first result, workers
 killed, how often each point stands in the journal, and whether both stores are the same to the last byte. Needs Dask (Debian: python3-distributed).
@@ -65,19 +66,19 @@ class Killer(threading.Thread):
                 self.killed += 1
 
 
-def beside_threads(points, fidelity, workers, kills):
-    """The same study by threads and by workers, and by workers that are killed."""
+def beside_threads(points, fidelity, workers, kills, settings):
+    """The same study by threads and by workers, and by workers that are killed; `settings` change the case."""
     import orbearing
     from distributed import Client, LocalCluster
     from orbearing.studies.folder import DATASET, finished_counts
 
-    samples = max(1, round(points / SPEEDS))
+    samples = max(1, round(points / len(settings.get("sweep.input.speed", range(SPEEDS)))))
     ranges = {"bearing.radial_clearance": {"from": "0 um", "to": "40 um"}}
 
     def timed(folder, executor, **options):
         first = []
         begin = time.monotonic()
-        orbearing.study(str(CASE), ranges, sampler="lhs", samples=samples, fidelity=fidelity, executor=executor, output=folder,
+        orbearing.study(orbearing.load(CASE).copy(settings), ranges, sampler="lhs", samples=samples, fidelity=fidelity, executor=executor, output=folder,
                         progress=lambda done, _: first.append(time.monotonic() - begin) if done else None, **options)
         return time.monotonic() - begin, first[0]
 
@@ -110,12 +111,17 @@ def main():
     options.add_argument("--dynamic", type=int, default=2000, help="points in motion; 0: none")
     options.add_argument("--kills", type=int, default=20, help="workers killed; 0: none")
     options.add_argument("--workers", type=int, default=4)
+    options.add_argument("--revolutions", type=int, help="of the carrier that points in motion are observed for; default: the case's")
+    options.add_argument("--speeds", nargs="+", help="of points in motion; default: the case's")
     given = options.parse_args()
+    observed = {"simulation.observed_revolutions": given.revolutions, "simulation.most_revolutions": given.revolutions} if given.revolutions else {}
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     sweeps()
-    for points, fidelity in ((given.static, "quasi-static"), (given.dynamic, "dynamic")):
+    if given.speeds:
+        observed["sweep.input.speed"] = given.speeds
+    for points, fidelity, settings in ((given.static, "quasi-static", {}), (given.dynamic, "dynamic", observed)):
         if points:
-            beside_threads(points, fidelity, given.workers, given.kills)
+            beside_threads(points, fidelity, given.workers, given.kills, settings)
 
 
 if __name__ == "__main__":
