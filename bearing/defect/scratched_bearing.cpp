@@ -8,6 +8,7 @@
 
 #include "bearing/contact/damping.hpp"
 #include "bearing/contact/line_contact.hpp"
+#include "bearing/defect/frequencies.hpp"
 #include "bearing/equilibrium/balls.hpp"
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "mechanics/checks.hpp"
@@ -93,7 +94,7 @@ void ScratchedMotion::set_scratches() {
       return;
     case Scratched::ball:  // meets a race every half turn
     case Scratched::roller:
-      track_speed_ = kinematic_roller_spin(geometry_, in_.shaft_speed, 0.0) - cage_speed_;
+      track_speed_ = rolling_speed(in_.bearing, in_.shaft_speed, 0.0);
       track_radius_ = geometry_.element_radius;
       between_ = kHalfTurn;
       return;

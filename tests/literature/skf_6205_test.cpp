@@ -2,6 +2,8 @@
 // [CaseWestern].
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "bearing/defect/frequencies.hpp"
 
 namespace orbearing::bearing::defect::skf_6205_test {
@@ -10,6 +12,8 @@ namespace {
 constexpr double kInch = 25.4e-3;  // [m]
 constexpr double kPrinted =
     1e-4;  // relative: five digits, the cage's printed 0.39828 where the formula gives 0.39831
+
+constexpr double kAngle = 15.7 * 3.14159265358979324 / 180.0;  // of the ZA-2115
 
 TEST(Skf6205, MultiplesOfTheShaftsFrequency) {
   Bearing bearing;
@@ -23,6 +27,31 @@ TEST(Skf6205, MultiplesOfTheShaftsFrequency) {
   expect(found.inner_pass, 5.4152);
   expect(found.cage, 0.39828);
   expect(found.element_pass, 4.7135);
+}
+
+// A ball under an angle turns about an axis across the line of its contacts: at both of them its surface has
+// the race's speed, in the frame of the cage.
+TEST(AngularContact, BallSurfaceKeepsUpWithBothRaces) {
+  Bearing bearing;
+  bearing.elements = Balls{.count = 16, .diameter = 8.4e-3, .contact_angle = kAngle};
+  bearing.pitch_diameter = 71.5e-3;
+  const double gamma = 8.4 / 71.5 * std::cos(kAngle), inner = 300.0, outer = -70.0;
+  const double cage = 0.5 * (inner * (1.0 - gamma) + outer * (1.0 + gamma));
+  const double surface = rolling_speed(bearing, inner, outer) * 4.2e-3;
+  EXPECT_NEAR(surface, (outer - cage) * 35.75e-3 * (1.0 + gamma), 1e-12);
+  EXPECT_NEAR(surface, (cage - inner) * 35.75e-3 * (1.0 - gamma), 1e-12);
+}
+
+// Rexnord ZA-2115 at 2000 rpm, the frequencies that programs of others print with the recordings of
+// [QiuLeeLin2006].
+TEST(Za2115, Frequencies) {
+  Bearing bearing;
+  bearing.elements = Balls{.count = 16, .diameter = 8.4e-3, .contact_angle = kAngle};
+  bearing.pitch_diameter = 71.5e-3;
+  const PassingFrequencies found = passing_frequencies(bearing, 2.0 * 3.14159265358979324 * 2000.0 / 60.0);
+  EXPECT_NEAR(found.outer_pass, 236.4, 0.3);
+  EXPECT_NEAR(found.inner_pass, 296.9, 0.3);
+  EXPECT_NEAR(0.5 * found.element_pass, 139.9, 0.6);
 }
 
 // [ScratchVibration], printed to one decimal.
