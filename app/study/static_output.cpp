@@ -93,6 +93,7 @@ Json static_json(const StaticStudy& study) {
               {"ratings", ratings_json(study.ratings)},
               {"factors", factors_json(study)},
               {"reference_life", lives(study.reference_life)}};
+  if (study.steps) object["steps"] = steps_json(*study.steps);
   object["stiffness"] = stiffness_json(study.stiffness);
   if (study.outer_load.size() > 0) {
     object["outer_contact_loads_N"] = list(study.outer_load);

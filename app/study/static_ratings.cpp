@@ -135,8 +135,7 @@ std::vector<Derived> static_quantities(const ResolvedCase& in) {
   if (bearing.has_rollers()) return rows;
   const bearing::equilibrium::BallRow row(bearing);
   rows.push_back({"bearing.groove_distance", 1e3 * row.groove_distance(), "mm", "A, of the groove centres"});
-  const double cosine = std::min(1.0, row.radial_distance() / row.groove_distance());
-  rows.push_back({"bearing.free_contact_angle", kDegree * std::acos(cosine), "deg", "without load"});
+  rows.push_back({"bearing.free_contact_angle", kDegree * row.free_angle(), "deg", "without load"});
   return rows;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/study/ball_films.hpp"
+#include "app/study/static_steps.hpp"
 #include "bearing/life/standard_life.hpp"
 
 namespace orbearing::app {
@@ -44,6 +45,7 @@ struct StaticStudy {
   std::optional<bearing::BearingLife> lundberg_palmgren;  // [rev]  of rollers
   std::optional<std::vector<BallFilm>> films;             // of balls whose film takes part
   std::optional<SpeedTable> over_speed;
+  std::optional<StaticSteps> steps;  // none where balls turn
   std::vector<std::string> warnings;
 };
 

@@ -64,6 +64,7 @@ StaticStudy static_study(const ResolvedCase& in) {
                     .lamina_load = state.lamina_load,
                     .largest_pressure = state.largest_pressure};
   study.ratings = rating::ratings_of(bearing, stated_ratings_of(in));
+  study.steps = static_steps(bearing, study.ratings, state);
   study.equivalent_load = rating::equivalent_load(bearing, load.radial, load.axial);
   const bool unlike = state.outer_load.size() > 0;
   const rating::ElementLoads inner{state.contact_load, state.lamina_load};

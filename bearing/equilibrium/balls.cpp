@@ -42,6 +42,10 @@ BallRow::BallRow(const Bearing& bearing) {
   sine_ = angle.sin();
 }
 
+double BallRow::free_angle() const {
+  return std::acos(std::min(1.0, radial_distance_ / groove_distance_));
+}
+
 Eigen::Vector2d BallRow::coordinates(Eigen::Index ball, const RingPlace& place) const {
   return {radial_distance_ + place[0] * cosine_[ball] + place[1] * sine_[ball],
           axial_distance_ + place[2] + place[3] * cosine_[ball] + place[4] * sine_[ball]};

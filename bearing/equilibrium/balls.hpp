@@ -26,6 +26,7 @@ class BallRow {
   double groove_distance() const { return groove_distance_; }  // [m]  of the centres, just touching: A
   double radial_distance() const { return radial_distance_; }  // [m]  concentric: A cos(alpha) - s/2
   double axial_distance() const { return axial_distance_; }    // [m]  concentric: A sin(alpha)
+  double free_angle() const;                                   // [rad]  concentric, play taken up; 0: no play
   double constant() const { return constant_; }                // [N/m^1.5]  of both contacts in series
   /// Where the groove centres of one ball stand to each other.
   struct BallPlace {
@@ -35,7 +36,8 @@ class BallRow {
     double approach;  // [m]  positive in contact
   };
   BallPlace place_of(Eigen::Index ball, const RingPlace& place) const;
-  /// Radial and axial distance of the groove centres of one ball [m], and how both follow the place of the ring.
+  /// Radial and axial distance of the groove centres of one ball [m], and how both follow the place of the
+  /// ring.
   Eigen::Vector2d coordinates(Eigen::Index ball, const RingPlace& place) const;
   Eigen::Matrix<double, 5, 2> moves(Eigen::Index ball) const;
   /// Cosine and sine of a ball's angle from the radial load.
