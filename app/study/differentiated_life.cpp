@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 #include "app/case/defect_case.hpp"
 #include "app/case/static_case.hpp"
@@ -37,11 +38,6 @@ DifferentiatedLife life_of_drivetrain(const ResolvedCase& in) {
   std::shared_ptr<const study::LifeSlopes> shortest;
   std::string of_set;
   for (const study::NamedSet& set : bearing_sets(in)) {
-    if (set.drivetrain.uneven_planets)
-      throw BadInput(
-          in.file() +
-          ": gearset: found planets that load unevenly; required: pins in their places, since the balance "
-          "of gears that shares their loads is not differentiated");
     const auto one = std::make_shared<const study::LifeSlopes>(set.drivetrain, set.geometry);
     if (shortest && shortest->log_life() <= one->log_life()) continue;
     shortest = one;
@@ -63,8 +59,25 @@ DifferentiatedLife life_of_drivetrain(const ResolvedCase& in) {
 
 // A single bearing. Its numbers: ln of both capacities, then those behind the loads of its elements.
 struct StaticLife {
-  equilibrium::StaticSlopes slopes;
+  std::variant<equilibrium::StaticSlopes, equilibrium::MovingBallSlopes> slopes;
   rating::LifeGradient gradient;
+
+  Eigen::VectorXd balance_numbers(const ResolvedCase& in, const bearing::Bearing& b) const {
+    if (const auto* moving = std::get_if<equilibrium::MovingBallSlopes>(&slopes))
+      return moving->numbers(b, row_motion_of(in), ring_load_of(in));
+    return std::get<equilibrium::StaticSlopes>(slopes).numbers(b, ring_load_of(in));
+  }
+  equilibrium::ElementSlopes along(const Eigen::Ref<const Eigen::VectorXd>& change) const {
+    return std::visit([&](const auto& one) { return one.along(change); }, slopes);
+  }
+  double slope(const Eigen::VectorXd& change) const {
+    const equilibrium::ElementSlopes loads = along(change.tail(change.size() - 2));
+    double sum = gradient.by_inner_capacity * change[0] + gradient.by_outer_capacity * change[1];
+    if (loads.laminae.size() > 0) return sum + ((gradient.inner + gradient.outer) * loads.laminae).sum();
+    const Eigen::ArrayXd& outer = loads.outer.size() > 0 ? loads.outer : loads.contact;
+    return sum + (gradient.inner.row(0).transpose() * loads.contact).sum() +
+           (gradient.outer.row(0).transpose() * outer).sum();
+  }
 
   static Eigen::Vector2d log_capacities(const ResolvedCase& in, const bearing::Bearing& b) {
     const rating::ContactCapacities contacts = rating::ratings_of(b, stated_ratings_of(in)).contacts;
@@ -75,18 +88,17 @@ struct StaticLife {
 DifferentiatedLife life_of_static_bearing(const ResolvedCase& in) {
   const bearing::Bearing b = bearing_of(in);
   const equilibrium::RingLoad load = ring_load_of(in);
-  if (!b.has_rollers() && row_motion_of(in).moves_balls())
-    refuse_life(in, "operation.shaft_speed", in.given("operation.shaft_speed"),
-                "rings at rest, or equilibrium.ball_inertia: false; the balance of balls that feel their "
-                "motion is not "
-                "differentiated");
-  const equilibrium::RingState state = equilibrium::balance_bearing(b, load);
+  const equilibrium::RowMotion motion = row_motion_of(in);
+  const equilibrium::RingState state = equilibrium::balance_bearing(b, motion, load);
   if (!state.report.converged) throw ComputationFailed(in.text("name") + ": " + state.report.message);
-  const rating::ElementLoads loads{state.contact_load, state.lamina_load};
+  const bool moving = !b.has_rollers() && motion.moves_balls();
+  const rating::ElementLoads inner{state.contact_load, state.lamina_load};
+  const rating::ElementLoads outer{moving ? state.outer_load : state.contact_load, state.lamina_load};
+  const rating::LifeGradient gradient =
+      rating::reference_life_gradient(b, rating::ratings_of(b, stated_ratings_of(in)).contacts, inner, outer);
   const auto life = std::make_shared<const StaticLife>(
-      StaticLife{{b, load, state},
-                 rating::reference_life_gradient(b, rating::ratings_of(b, stated_ratings_of(in)).contacts,
-                                                 loads, loads)});
+      moving ? StaticLife{equilibrium::MovingBallSlopes(b, motion, load, state), gradient}
+             : StaticLife{equilibrium::StaticSlopes(b, load, state), gradient});
   if (!std::isfinite(life->gradient.life.bearing))
     throw ComputationFailed(in.text("name") + ": nothing is loaded; the life is without end");
   return {.quantity = "L10r_Mrev",
@@ -97,22 +109,12 @@ DifferentiatedLife life_of_static_bearing(const ResolvedCase& in) {
           .numbers =
               [life](const ResolvedCase& changed) {
                 const bearing::Bearing other = bearing_of(changed);
-                const Eigen::VectorXd balance = life->slopes.numbers(other, ring_load_of(changed));
+                const Eigen::VectorXd balance = life->balance_numbers(changed, other);
                 Eigen::VectorXd all(balance.size() + 2);
                 all << StaticLife::log_capacities(changed, other), balance;
                 return all;
               },
-          .slope =
-              [life](const Eigen::VectorXd& change) {
-                const equilibrium::ElementSlopes loads_change =
-                    life->slopes.along(change.tail(change.size() - 2));
-                const Eigen::ArrayXXd by_load = life->gradient.inner + life->gradient.outer;
-                const Eigen::ArrayXXd elements = loads_change.laminae.size() > 0
-                                                     ? loads_change.laminae
-                                                     : Eigen::ArrayXXd(loads_change.contact.transpose());
-                return (by_load * elements).sum() + life->gradient.by_inner_capacity * change[0] +
-                       life->gradient.by_outer_capacity * change[1];
-              }};
+          .slope = [life](const Eigen::VectorXd& change) { return life->slope(change); }};
 }
 
 }  // namespace

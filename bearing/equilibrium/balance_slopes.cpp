@@ -214,9 +214,15 @@ std::vector<LaminaSlopes> BalanceSlopes::loads() const {
   return all;
 }
 
-std::vector<LaminaSlopes> BalanceSlopes::along(const BalanceNumbers& change) const {
+Eigen::VectorXd BalanceSlopes::rings_along(const BalanceNumbers& change) const {
+  std::vector<std::vector<Settling>> settled;
+  return rings_along(change, settled);
+}
+
+Eigen::VectorXd BalanceSlopes::rings_along(const BalanceNumbers& change,
+                                           std::vector<std::vector<Settling>>& settled) const {
   Eigen::VectorXd force = change.rest;
-  std::vector<std::vector<Settling>> settled(rollers_.size());
+  settled.resize(rollers_.size());
   for (std::size_t b = 0; b < rollers_.size(); ++b)
     for (std::size_t k = 0; k < rollers_[b].size(); ++k) {
       const auto j = static_cast<Eigen::Index>(k);
@@ -228,7 +234,12 @@ std::vector<LaminaSlopes> BalanceSlopes::along(const BalanceNumbers& change) con
       force += numbers_.rows[b].moves.middleCols<2>(2 * j) * outer +
                change.rows[b].moves.middleCols<2>(2 * j) * roller.outer.force;
     }
-  const Eigen::VectorXd rings = stiffness_.solve(force);
+  return stiffness_.solve(force);
+}
+
+std::vector<LaminaSlopes> BalanceSlopes::along(const BalanceNumbers& change) const {
+  std::vector<std::vector<Settling>> settled;
+  const Eigen::VectorXd rings = rings_along(change, settled);
   std::vector<LaminaSlopes> all = loads();
   for (std::size_t b = 0; b < rollers_.size(); ++b)
     for (std::size_t k = 0; k < rollers_[b].size(); ++k) {

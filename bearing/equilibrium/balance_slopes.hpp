@@ -109,6 +109,8 @@ class BalanceSlopes {
   std::vector<LaminaSlopes> loads() const;
   /// Slopes of the loads of each bearing as the numbers change by `change` a unit.
   std::vector<LaminaSlopes> along(const BalanceNumbers& change) const;
+  /// The same of the coordinates of the rings [m per unit].
+  Eigen::VectorXd rings_along(const BalanceNumbers& change) const;
 
   /// One contact at its balance.
   struct Contact {
@@ -135,6 +137,8 @@ class BalanceSlopes {
 
   struct Settling;  // how one roller follows a change between races that stand
 
+  Eigen::VectorXd rings_along(const BalanceNumbers& change,
+                              std::vector<std::vector<Settling>>& settled) const;
   Settling settling(const Roller& roller, const RowNumbers& row, const RowNumbers& change,
                     Eigen::Index j) const;
 

@@ -51,12 +51,14 @@ constexpr described::Names<GyroscopicMoment, 3> names_of(GyroscopicMoment) {
 }
 
 /// Speeds of both rings [rad/s].
-struct RingSpeeds {
-  double inner = 0.0;
-  double outer = 0.0;
+template <class Number>
+struct RingSpeedsIn {
+  Number inner{};
+  Number outer{};
 
   bool at_rest() const { return inner == 0.0 && outer == 0.0; }
 };
+using RingSpeeds = RingSpeedsIn<double>;
 
 /// Unit vector along a contact.
 template <class T>
@@ -84,10 +86,10 @@ struct BallMotion {
 };
 
 /// Motion of a ball of radius `ball` [m], its centre at `pitch` [m] from the axis.
-template <class T>
+template <class T, class Constant>
 BallMotion<T> ball_motion(const ContactNormal<T>& inner, const ContactNormal<T>& outer,
-                          const SpinWeights<T>& weights, double ball, double pitch,
-                          const RingSpeeds& speeds) {
+                          const SpinWeights<T>& weights, const Constant& ball, const Constant& pitch,
+                          const RingSpeedsIn<Constant>& speeds) {
   const T inner_arm = pitch - ball * inner.cosine, outer_arm = pitch + ball * outer.cosine;
   const T across = outer.cosine * inner.cosine + outer.sine * inner.sine;  // cos(a_o - a_i)
   const T along = outer.sine * inner.cosine - outer.cosine * inner.sine;   // sin(a_o - a_i)

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "bearing/equilibrium/ball_forces.hpp"
 #include "bearing/equilibrium/ball_motion.hpp"
 #include "bearing/equilibrium/balls.hpp"
-#include "bearing/film/spin_film.hpp"
 #include "mechanics/described.hpp"
 #include "mechanics/root_search.hpp"
 
@@ -67,6 +67,9 @@ struct MovingBall {
   BallMotion<double> motion{};
 };
 
+/// What the balls of a row in motion have in common. Throws std::invalid_argument as BallRow does.
+BallLaw<double> ball_law(const Bearing& bearing, const RowMotion& motion, const BallRow& at_rest);
+
 class MovingBallRow {
  public:
   static constexpr bool follows_motion = true;  // its forces have no energy
@@ -78,6 +81,9 @@ class MovingBallRow {
 
   double lever() const { return geometry_.lever(); }
   double reach(double load) const;
+  /// Of a ball's forces and moment on the coordinates of the ring.
+  using RingActs = Eigen::Matrix<double, 5, 3>;
+  RingActs acts_of(Eigen::Index ball) const;
   /// Remembers where the balls came to rest, to begin there the next time.
   void add_forces(const RingPlace& place, RingImbalance& sum);
   void put_loads(const RingPlace& place, RingState& state);
@@ -114,23 +120,6 @@ class MovingBallRow {
   const std::vector<MovingBall>& balls() const { return balls_; }  // where the loads were put
 
  private:
-  struct RaceSide {
-    double constant = 0.0;   // [N/m^1.5]
-    double distance = 0.0;   // [m]  of the centres of ball and groove, just touching
-    double ellipse = 0.0;    // [m^2/m]  a^2 + b^2 over approach
-    double pivot = 0.0;      // [m/m^0.5]  a E over root of approach
-    film::ApproachLaw film;  // with a film alone
-  };
-  enum class Control { outer, inner };
-  // What follows from a ball's motion, and acts beside the contact loads.
-  template <class T>
-  struct MotionForces {
-    T centrifugal{}, gyroscopic{};         // [N], [N m]
-    T inner_traction{}, outer_traction{};  // [N]  on the ball along t
-  };
-  template <class T>
-  struct Contacts;
-  using RingActs = Eigen::Matrix<double, 5, 3>;  // of a ball's force on the ring's coordinates
   struct BallMemory {
     Eigen::Vector2d grooves = Eigen::Vector2d::Zero();  // [m]  where it was found
     Eigen::Vector2d place = Eigen::Vector2d::Zero();    // [m]  from the outer groove centre
@@ -140,49 +129,23 @@ class MovingBallRow {
     double push = 0.0;                                                        // [N]  outward, while frozen
     double load = 0.0;                                                        // [N]  on the inner race
     bool found = false;
-    Control control = Control::outer;
+    SpinControl control = SpinControl::outer;
     bool changed_before = false;
   };
   struct BallForces;
-  template <class T>
-  struct Forces {
-    T ball_r, ball_z;  // [N]    on the ball
-    T ring_r, ring_z;  // [N]    on the inner ring
-    T ring_moment;     // [N m]  on it about its groove centre, such that it tilts forward
-    T inner_load, outer_load;
-  };
-
-  template <class T>
-  static T hertz(const RaceSide& side, const T& approach);
   template <class T, class Outer, class Inner>
-  Contacts<T> contacts_of(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
-                          const Inner& inner_z) const;
-  template <class T>
-  MotionForces<T> add_motion(Control control, Contacts<T>& at) const;
-  template <class T, class Outer, class Inner>
-  Forces<T> forces_of(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r, const Inner& inner_z,
-                      const BallMemory& ball) const;
+  BallForcesOf<T> forces_of(const Outer& outer_r, const Outer& outer_z, const Inner& inner_r,
+                            const Inner& inner_z, const BallMemory& ball) const;
   void settle(const Eigen::Vector2d& grooves, BallMemory& ball) const;
   void remember(BallForces& at, BallMemory& ball) const;
   void settle_from(const Eigen::Vector2d& start, const Eigen::Vector2d& grooves, BallMemory& ball) const;
   Eigen::Vector2d usual_place(const Eigen::Vector2d& grooves) const;
-  RingActs acts_of(Eigen::Index ball) const;
   Eigen::Vector2d grooves_at(Eigen::Index ball, const RingPlace& place) const;
   MovingBall ball_at(const BallMemory& ball) const;
-  RaceSide side_of(const Bearing& bearing, Race race, const std::optional<Lubricant>& oil) const;
 
   BallRow geometry_;
-  BallInertia inertia_;
-  RingSpeeds speeds_;
-  RaceSide inner_, outer_;
-  double ball_radius_ = 0.0;
-  double pitch_radius_ = 0.0;
-  double groove_radius_ = 0.0;      // [m]  of the inner race
-  double mass_ = 0.0;               // [kg]
-  double moment_of_inertia_ = 0.0;  // [kg m^2]
+  BallLaw<double> law_;
   double usual_centrifugal_ = 0.0;  // [N]  at the nominal contact angle
-  double holding_load_ = 0.0;       // [N]  on the inner race, from which a ball rolls on it
-  bool filmed_ = false;
   bool frozen_ = false;
   bool settled_ = true;
   std::optional<RingPlace> known_;  // where the memory holds the forces

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "bearing/parameters.hpp"
 #include "mechanics/convex_search.hpp"
@@ -90,6 +91,8 @@ struct RingState {
   /// (balls)  of rings that turn; else empty: surface speed against each contact [m/s], equal on ball and
   /// race, and spin of the ball on the race about its normal [rad/s].
   Eigen::ArrayXd inner_rolling, inner_spin, outer_rolling, outer_spin;
+  Eigen::Array2Xd ball_place;       // [m]  (r and z, balls)  from the outer groove centre
+  std::vector<bool> inner_control;  // (balls)  whether race control gave a ball to the inner race
   double friction = 0.0;        // [-]    traction over load that holds the balls' gyroscopic moments, at most
   Eigen::ArrayXXd lamina_load;  // [N]    (laminae, rollers); empty for balls
   double largest_pressure = 0.0;  // [Pa]   of both races, after Hertz; of rollers that of a lamina

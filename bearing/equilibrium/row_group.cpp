@@ -87,6 +87,10 @@ void RowGroup::put_loads(const RingPlace& place, RingState& state) const {
     append(own.inner_spin, state.inner_spin);
     append(own.outer_rolling, state.outer_rolling);
     append(own.outer_spin, state.outer_spin);
+    const Eigen::Index before = state.ball_place.cols();
+    state.ball_place.conservativeResize(2, before + own.ball_place.cols());
+    state.ball_place.rightCols(own.ball_place.cols()) = own.ball_place;
+    state.inner_control.insert(state.inner_control.end(), own.inner_control.begin(), own.inner_control.end());
     state.friction = std::max(state.friction, own.friction);
     state.largest_pressure = std::max(state.largest_pressure, own.largest_pressure);
   }

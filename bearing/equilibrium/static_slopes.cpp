@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bearing/contact/line_law.hpp"
+#include "mechanics/root_search.hpp"
 #include "mechanics/sparse_dual.hpp"
 
 namespace orbearing::bearing::equilibrium {
@@ -137,7 +138,7 @@ ElementSlopes StaticSlopes::along(const Change& change) const {
   }
   mechanics::hold<5>({false, false, false, held_, held_}, sum);
   const RingPlace ring = mechanics::lengths_under<5>(sum.force, stiffness_);
-  ElementSlopes slopes{Eigen::ArrayXd::Zero(count_), Eigen::ArrayXXd(station_.size(), count_)};
+  ElementSlopes slopes{Eigen::ArrayXd::Zero(count_), {}, Eigen::ArrayXXd(station_.size(), count_)};
   for (Index j = 0; j < count_; ++j) {
     const Eigen::Vector2d follows = moves_of(numbers_, count_, j).transpose() * ring;
     const std::vector<Slopes>& load = elements[static_cast<std::size_t>(j)].load;
@@ -146,6 +147,150 @@ ElementSlopes StaticSlopes::along(const Change& change) const {
       slopes.contact[j] += one;
       if (station_.size() > 0) slopes.laminae(static_cast<Index>(k), j) = one;
     }
+  }
+  return slopes;
+}
+
+namespace {
+
+// By the place of the ball from the outer groove centre (0 and 1), by that of the inner one from the ball (2
+// and 3), and along a change (4).
+template <unsigned kVariables>
+using BallSlopes = mechanics::SparseDual<kVariables, double>;
+using AllBallSlopes = BallSlopes<0b11111u>;
+
+template <unsigned kVariables, int index>
+BallSlopes<kVariables> ball_coordinate(double value, double along) {
+  BallSlopes<kVariables> x{value, {}};
+  x.slope[BallSlopes<kVariables>::index(index)] = 1.0;
+  x.slope[BallSlopes<kVariables>::index(4)] = along;
+  return x;
+}
+
+template <class From, class To, class Convert>
+void convert_constants(const BallLaw<From>& from, BallLaw<To>& to, Convert&& convert) {
+  std::vector<From> constants;
+  each_constant(from, [&](const From& one) { constants.push_back(one); });
+  std::size_t next = 0;
+  each_constant(to, [&](To& one) { one = convert(constants[next], next), ++next; });
+}
+
+// Where the numbers of balls in motion stand: the load, the constants, the groove centres of all balls, how
+// the forces of each act on the ring's coordinates.
+constexpr Index kLawConstants = 22;
+constexpr Index kLaw = 5, kGrooves = kLaw + kLawConstants;
+Index acts_at(Index count) {
+  return kGrooves + 2 * count;
+}
+auto acts_in(const Change& numbers, Index count, Index j) {
+  return Eigen::Map<const MovingBallRow::RingActs>(numbers.data() + acts_at(count) + 15 * j);
+}
+
+}  // namespace
+
+// One ball at its place: forces on it and on the ring, with slopes that hold the ball or let it follow.
+struct MovingBallSlopes::Ball {
+  Eigen::Vector3d ring;                                   // [N], [N], [N m]
+  Eigen::Matrix<double, 3, 2> by_grooves;                 // of it, the ball in balance
+  Eigen::Vector3d ring_along;                             // the same, along the change
+  Eigen::RowVector2d inner_by_grooves, outer_by_grooves;  // [N/m]  of the contact loads
+  double inner_along = 0.0, outer_along = 0.0;
+};
+
+MovingBallSlopes::MovingBallSlopes(const Bearing& bearing, const RowMotion& motion, const RingLoad& load,
+                                   const RingState& state)
+    : held_(load.tilt.has_value()),
+      count_(bearing.element_count()),
+      ball_place_(state.ball_place),
+      inner_control_(state.inner_control) {
+  const BallRow row(bearing);
+  place_ = place_of(state, row.lever());
+  law_ = ball_law(bearing, motion, row);
+  numbers_ = numbers(bearing, motion, load);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(numbers_.size());
+  RingImbalance sum;
+  for (Index j = 0; j < count_; ++j) {
+    const auto acts = acts_in(numbers_, count_, j);
+    sum.stiffness -= acts * ball_along(none, j).by_grooves * acts.leftCols<2>().transpose();
+  }
+  mechanics::hold<5>({false, false, false, held_, held_}, sum);
+  stiffness_ = sum.stiffness;
+}
+
+Eigen::VectorXd MovingBallSlopes::numbers(const Bearing& bearing, const RowMotion& motion,
+                                          const RingLoad& load) const {
+  const MovingBallRow row(bearing, motion);
+  const BallRow& geometry = row.geometry();
+  Eigen::VectorXd all(acts_at(count_) + 15 * count_);
+  RingPlace place = place_;
+  if (load.tilt) place[3] = row.lever() * std::tan(*load.tilt);
+  all.head<5>() = outer_load(load, row.lever());
+  Index next = kLaw;
+  const BallLaw<double> law = ball_law(bearing, motion, geometry);
+  each_constant(law, [&](double one) { all[next++] = one; });
+  for (Index j = 0; j < count_; ++j) {
+    all.segment<2>(kGrooves + 2 * j) = geometry.coordinates(j, place);
+    Eigen::Map<MovingBallRow::RingActs>(all.data() + acts_at(count_) + 15 * j) = row.acts_of(j);
+  }
+  return all;
+}
+
+MovingBallSlopes::Ball MovingBallSlopes::ball_along(const Change& change, Index j) const {
+  using Constant = BallSlopes<0b10000u>;
+  BallLaw<Constant> law{
+      .attitude = law_.attitude, .gyroscopic_moment = law_.gyroscopic_moment, .filmed = law_.filmed};
+  convert_constants(law_, law, [&](double value, std::size_t i) {
+    return Constant{value, {change[kLaw + static_cast<Index>(i)]}};
+  });
+  const Eigen::Vector2d outer = ball_place_.col(j), inner = numbers_.segment<2>(kGrooves + 2 * j) - outer,
+                        along = change.segment<2>(kGrooves + 2 * j);
+  const auto f = law.forces<AllBallSlopes>(
+      ball_coordinate<0b10011u, 0>(outer[0], 0.0), ball_coordinate<0b10011u, 1>(outer[1], 0.0),
+      ball_coordinate<0b11100u, 2>(inner[0], along[0]), ball_coordinate<0b11100u, 3>(inner[1], along[1]),
+      inner_control_[static_cast<std::size_t>(j)] ? SpinControl::inner : SpinControl::outer);
+  const auto by_grooves = [](const AllBallSlopes& x) { return Eigen::RowVector2d(x.slope[2], x.slope[3]); };
+  const auto by_place = [](const AllBallSlopes& x) {
+    return Eigen::RowVector2d(x.slope[0] - x.slope[2], x.slope[1] - x.slope[3]);
+  };
+  Eigen::Matrix2d stiffness, ball_by_grooves;
+  stiffness << -by_place(f.ball_r), -by_place(f.ball_z);
+  ball_by_grooves << by_grooves(f.ball_r), by_grooves(f.ball_z);
+  Eigen::Matrix2d follows;
+  for (int i = 0; i < 2; ++i)
+    follows.col(i) = mechanics::lengths_under_any<2>(ball_by_grooves.col(i), stiffness);
+  const Eigen::Vector2d moved =
+      mechanics::lengths_under_any<2>(Eigen::Vector2d(f.ball_r.slope[4], f.ball_z.slope[4]), stiffness);
+  Ball ball;
+  const AllBallSlopes* ring[] = {&f.ring_r, &f.ring_z, &f.ring_moment};
+  for (int i = 0; i < 3; ++i) {
+    ball.ring[i] = ring[i]->value;
+    ball.by_grooves.row(i) = by_grooves(*ring[i]) + by_place(*ring[i]) * follows;
+    ball.ring_along[i] = ring[i]->slope[4] + by_place(*ring[i]).dot(moved);
+  }
+  ball.inner_by_grooves = by_grooves(f.inner_load) + by_place(f.inner_load) * follows;
+  ball.outer_by_grooves = by_grooves(f.outer_load) + by_place(f.outer_load) * follows;
+  ball.inner_along = f.inner_load.slope[4] + by_place(f.inner_load).dot(moved);
+  ball.outer_along = f.outer_load.slope[4] + by_place(f.outer_load).dot(moved);
+  return ball;
+}
+
+ElementSlopes MovingBallSlopes::along(const Change& change) const {
+  std::vector<Ball> balls;
+  RingImbalance sum;
+  sum.force = change.head<5>();
+  for (Index j = 0; j < count_; ++j) {
+    balls.push_back(ball_along(change, j));
+    sum.force += acts_in(numbers_, count_, j) * balls.back().ring_along +
+                 acts_in(change, count_, j) * balls.back().ring;
+  }
+  mechanics::hold<5>({false, false, false, held_, held_}, sum);
+  const RingPlace ring = mechanics::lengths_under_any<5>(sum.force, stiffness_);
+  ElementSlopes slopes{Eigen::ArrayXd(count_), Eigen::ArrayXd(count_), {}};
+  for (Index j = 0; j < count_; ++j) {
+    const Ball& ball = balls[static_cast<std::size_t>(j)];
+    const Eigen::Vector2d grooves = acts_in(numbers_, count_, j).leftCols<2>().transpose() * ring;
+    slopes.contact[j] = ball.inner_along + ball.inner_by_grooves.dot(grooves);
+    slopes.outer[j] = ball.outer_along + ball.outer_by_grooves.dot(grooves);
   }
   return slopes;
 }

@@ -1,9 +1,10 @@
 // How the loads of the elements of a bearing under a static load follow any number that goes into its
 // balance: forward differentiation through the contact laws, and the implicit function theorem for the ring.
-// Eq. (21) of README.md. Balls feel no motion here.
+// Eq. (21) of README.md, of balls that feel their motion Eq. (22).
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "bearing/equilibrium/static_bearing.hpp"
 
@@ -11,7 +12,8 @@ namespace orbearing::bearing::equilibrium {
 
 /// Slopes of the loads of all elements.
 struct ElementSlopes {
-  Eigen::ArrayXd contact;   // [N per unit]  (elements)
+  Eigen::ArrayXd contact;   // [N per unit]  (elements)  on the inner race
+  Eigen::ArrayXd outer;     // [N per unit]  (balls)  on the outer one, where it differs; else empty
   Eigen::ArrayXXd laminae;  // [N per unit]  (laminae, rollers); of balls none
 };
 
@@ -35,6 +37,34 @@ class StaticSlopes {
   Eigen::VectorXd numbers_;
   Eigen::ArrayXd station_;                 // [-]  (laminae)  fractions of half the length; of balls none
   Eigen::Matrix<double, 5, 5> stiffness_;  // [N/m]  of the ring
+};
+
+/// The same of a row of balls that feel their motion.
+class MovingBallSlopes {
+ public:
+  /// @param state the balance of `bearing`, whose balls feel `motion`, under `load`
+  MovingBallSlopes(const Bearing& bearing, const RowMotion& motion, const RingLoad& load,
+                   const RingState& state);
+
+  /// As StaticSlopes::numbers(): constants of the laws, load, and the groove centres of all balls with the
+  /// ring where it stands.
+  Eigen::VectorXd numbers(const Bearing& bearing, const RowMotion& motion, const RingLoad& load) const;
+
+  /// As the numbers change by `change` a unit. Balls stay under the race that controls their spin.
+  ElementSlopes along(const Eigen::Ref<const Eigen::VectorXd>& change) const;
+
+ private:
+  struct Ball;
+  Ball ball_along(const Eigen::Ref<const Eigen::VectorXd>& change, Eigen::Index j) const;
+
+  bool held_ = false;  // the tilts are given
+  Eigen::Index count_ = 0;
+  RingPlace place_;
+  Eigen::Array2Xd ball_place_;  // [m]  from the outer groove centre
+  std::vector<bool> inner_control_;
+  BallLaw<double> law_;
+  Eigen::VectorXd numbers_;
+  Eigen::Matrix<double, 5, 5> stiffness_;  // [N/m]  of the ring, with the balls in balance
 };
 
 }  // namespace orbearing::bearing::equilibrium

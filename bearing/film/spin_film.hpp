@@ -67,11 +67,13 @@ Films spin_films(const EllipticalContact& contact, const Lubricant& oil, const C
 std::vector<std::string> outside_of_range(const EllipticalContact& contact, const ContactMotion& motion);
 
 /// Load by approach: Eq. (10) solved for the load.
-struct ApproachLaw {
-  double constant = 0.0;     // [N/m^(1/0.678)]
-  double speed_scale = 0.0;  // [s/m]
-  double spin_scale = 0.0;   // [s]
+template <class Number>
+struct ApproachLawIn {
+  Number constant{};     // [N/m^(1/0.678)]
+  Number speed_scale{};  // [s/m]
+  Number spin_scale{};   // [s]
 };
+using ApproachLaw = ApproachLawIn<double>;
 
 inline constexpr double kLoadExponent = 0.678;
 inline constexpr double kSpeedFactor = 1.418e5, kSpeedExponent = 0.677;
@@ -92,8 +94,8 @@ T power_of_size(const T& x, double exponent) {
 }  // namespace detail
 
 /// Share of Eq. (10) by which rolling lessens the approach and spin enlarges it.
-template <class T>
-T motion_share(const ApproachLaw& law, const T& rolling, const T& spin) {
+template <class T, class Constant>
+T motion_share(const ApproachLawIn<Constant>& law, const T& rolling, const T& spin) {
   constexpr double kLeast = 0.1;  // far beyond any speed of the source
   const T rolled = 1.0 - kSpeedFactor * detail::power_of_size(T(law.speed_scale * rolling), kSpeedExponent);
   const T spun = 1.0 + kSpinFactor * detail::power_of_size(T(law.spin_scale * spin), kSpinExponent);
@@ -101,8 +103,8 @@ T motion_share(const ApproachLaw& law, const T& rolling, const T& spin) {
 }
 
 /// Load [N] at an approach [m] of the bodies, rolling speed [m/s] and spin [rad/s].
-template <class T>
-T load_at(const ApproachLaw& law, const T& approach, const T& rolling, const T& spin) {
+template <class T, class Constant>
+T load_at(const ApproachLawIn<Constant>& law, const T& approach, const T& rolling, const T& spin) {
   if (!(mechanics::value_of(approach) > 0.0)) return T{};
   return law.constant *
          detail::power_of_size(T(approach / motion_share(law, rolling, spin)), 1.0 / kLoadExponent);

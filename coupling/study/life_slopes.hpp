@@ -5,16 +5,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "bearing/equilibrium/planet_on_pin.hpp"
 #include "coupling/study/drivetrain.hpp"
+#include "coupling/study/load_sharing.hpp"
 
 namespace orbearing::study {
 
 class LifeSlopes {
  public:
-  /// Throws std::runtime_error where there is no balance, std::invalid_argument where planets load unevenly.
+  /// Throws std::runtime_error where there is no balance, std::invalid_argument where planets that load
+  /// unevenly have no gears to share it.
   LifeSlopes(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
   /// ln of one bearing's life in hours, as PointResult::life_hours.
@@ -33,16 +36,40 @@ class LifeSlopes {
     double first_roller = 0.0;  // [rad]
     Eigen::VectorXd place;      // [m]  of the rings
   };
-  bearing::laminae::BalanceSetting setting_at(const PlanetaryDrivetrain& drivetrain,
-                                              const DrivetrainGeometry& geometry, const BearingDuty& duty,
-                                              const Position& position) const;
-  void balance_rings(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                     const BearingDuty& duty);
-  void balance_planet(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty);
+  static bearing::laminae::BalanceSetting setting_at(const PlanetaryDrivetrain& drivetrain,
+                                                     const DrivetrainGeometry& geometry,
+                                                     const bearing::Bearing& bearing,
+                                                     const bearing::OperatingPoint& point,
+                                                     const Position& position);
+  struct Balances {  // of rings over the cage angles
+    std::vector<Position> positions;
+    std::vector<bearing::laminae::BalanceSlopes> balances;
+  };
+  // How the planets share the set's load, and the life by it. Eqs. (23) and (24) of
+  // bearing/equilibrium/README.md.
+  struct Sharing {
+    PlanetBalance here;
+    std::vector<Balances> supports;         // (planets)  of the bearings as springs of the set
+    Eigen::MatrixXd displacement_by_force;  // [m/N]  (2 planets, 2 planets)  of bearings, pins and springs
+    Eigen::MatrixXd forces_by_offset;       // [N/m]  of the set
+    Eigen::MatrixXd shares_by_offset;       // [1/m]  (planets, 2 planets)
+    Eigen::VectorXd life_by_share;          // [-]  (planets)  slope of log_life()
+  };
+  static Balances balance_rings(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                const bearing::Bearing& bearing, const bearing::OperatingPoint& point);
+  static Balances balance_planet(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty);
   void rate(const PlanetaryDrivetrain& drivetrain);
+  void put_sharing(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+  Eigen::VectorXd numbers_with(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                               const std::vector<double>& shares) const;
+  Eigen::VectorXd sharing_numbers(const PlanetaryDrivetrain& drivetrain,
+                                  const DrivetrainGeometry& geometry) const;
+  // Both read `change` from `at` on, which goes on.
+  double slope_with_shares(Eigen::Ref<const Eigen::VectorXd> change, Eigen::Index& at) const;
+  Eigen::VectorXd shares_along(Eigen::Ref<const Eigen::VectorXd> change, Eigen::Index& at) const;
 
-  std::vector<Position> positions_;
-  std::vector<bearing::laminae::BalanceSlopes> balances_;             // (cage angles)
+  std::vector<Balances> lives_;                                       // (planets), one where all are alike
+  std::optional<Sharing> sharing_;                                    // of planets that load unevenly
   std::vector<std::vector<bearing::laminae::LaminaSlopes>> by_load_;  // [1/N]  (cage angles, bearings)
   double inner_share_ = 0.0, outer_share_ = 0.0;                      // [-]  of the damage
   double log_life_ = 0.0;                                             // [ln h]

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
 #include "coupling/study/bearing_tangent.hpp"
@@ -32,7 +33,7 @@ class PlanetSupport {
   PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
       : drivetrain_(drivetrain),
         bearing_(of_like_rollers(drivetrain.bearing)),
-        point_(duty.point),
+        duty_(duty),
         options_(quasi_static_options(drivetrain)),
         settled_(static_cast<std::size_t>(drivetrain.set.planets)) {
     if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
@@ -40,9 +41,7 @@ class PlanetSupport {
 
   /// Of that planet from the place of its pin [m]; laminae are searched from where they last settled.
   Vector2d displacement(std::size_t planet, const Vector2d& force) {
-    bearing::OperatingPoint point = point_;
-    point.bore_load = -force / drivetrain_.bearings_per_planet;
-    point.bore_tilt = bore_tilt(drivetrain_.misalignment, point.bore_load);
+    const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
     return (cut_ ? on_laminae(point, settled_[planet])
                  : balanced(bearing::quasi_static_bearing(bearing_, point, options_))) +
            point.bore_load / drivetrain_.dynamics.support.stiffness;
@@ -79,7 +78,7 @@ class PlanetSupport {
 
   const PlanetaryDrivetrain& drivetrain_;
   bearing::Bearing bearing_;
-  bearing::OperatingPoint point_;
+  BearingDuty duty_;
   bearing::QuasiStaticOptions options_;
   std::optional<bearing::laminae::LaminaBearing> cut_;
   std::vector<LaminaStates> settled_;  // (planets, cage angles)
@@ -124,15 +123,18 @@ class Mixing {
   Eigen::Index kept_ = 0, oldest_ = 0;
 };
 
-// The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
-// case states for them, so that not even its last digit does.
-SetModel on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+void require_gears(const PlanetaryDrivetrain& drivetrain) {
   if (!drivetrain.gear_set)
     throw std::invalid_argument(
         "planets that load unevenly: found gears that cannot move; required: one set with teeth");
+}
+
+// The balance does not depend on the springs that lead to it: they are those of the bearings whatever the
+// case states for them, so that not even its last digit does.
+SetModel on_springs(const PlanetaryDrivetrain& drivetrain, double stiffness) {
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.coupled_bearing = false;
-  set.planet.bearing_stiffness = planet_bearing_stiffness(drivetrain, geometry);
+  set.planet.bearing_stiffness = stiffness;
   return gearset::dynamics::set_model(std::move(set),
                                       gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
 }
@@ -153,9 +155,22 @@ AtRest at_rest(const SetModel& model) {
   return result;
 }
 
+std::vector<double> shares_at(const SetModel& set, const VectorXd& state, const BearingDuty& even) {
+  gearset::dynamics::SetSnapshot snapshot;
+  Eigen::VectorXd workspace;
+  take_snapshot(gearset::dynamics::PlanetarySetEquations(averaged(set)), 0.0, state, workspace, snapshot);
+  const Eigen::ArrayXd shares = snapshot.sun_mesh_force / even.gears.normal_force;
+  return {shares.begin(), shares.end()};
+}
+
 // A spring that gives F at the displacement d has the deflection F / k there: the set rests on such springs
 // until they give the forces that the bearings give at their displacements.
-VectorXd balanced_state(const SetModel& set, PlanetSupport support) {
+struct OnSprings {
+  SetModel springs;
+  AtRest now;
+};
+
+OnSprings balanced(const SetModel& set, PlanetSupport support) {
   SetModel springs = set;
   AtRest now = at_rest(springs);
   Eigen::Matrix2Xd tried = now.forces;
@@ -170,7 +185,7 @@ VectorXd balanced_state(const SetModel& set, PlanetSupport support) {
     }
     now = at_rest(springs);
     change = (now.forces - tried).colwise().norm().maxCoeff() / now.forces.colwise().norm().maxCoeff();
-    if (change <= kSameForce) return now.state;
+    if (change <= kSameForce) return {std::move(springs), std::move(now)};
     tried.reshaped() = mixing.next(tried.reshaped(), now.forces.reshaped());
   }
   std::ostringstream text;
@@ -181,23 +196,56 @@ VectorXd balanced_state(const SetModel& set, PlanetSupport support) {
 
 }  // namespace
 
-std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+bearing::OperatingPoint point_under(const PlanetaryDrivetrain& drivetrain, const BearingDuty& even,
+                                    const Vector2d& force) {
+  bearing::OperatingPoint point = even.point;
+  point.bore_load = -force / drivetrain.bearings_per_planet;
+  point.bore_tilt = bore_tilt(drivetrain.misalignment, point.bore_load);
+  return point;
+}
+
+PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   const BearingDuty even = bearing_duty(drivetrain, geometry);
-  const SetModel set = on_springs(drivetrain, geometry);
-  const VectorXd state = balanced_state(set, {drivetrain, even});
-  gearset::dynamics::SetSnapshot snapshot;
-  Eigen::VectorXd workspace;
-  take_snapshot(gearset::dynamics::PlanetarySetEquations(averaged(set)), 0.0, state, workspace, snapshot);
-  const Eigen::ArrayXd shares = snapshot.sun_mesh_force / even.gears.normal_force;
-  return {shares.begin(), shares.end()};
+  require_gears(drivetrain);
+  const double stiffness = planet_bearing_stiffness(drivetrain, geometry);
+  const SetModel set = on_springs(drivetrain, stiffness);
+  const OnSprings found = balanced(set, {drivetrain, even});
+  PlanetBalance result{shares_at(set, found.now.state, even), found.now.forces,
+                       Eigen::Matrix2Xd(2, found.now.forces.cols()), stiffness};
+  for (Eigen::Index i = 0; i < result.offset.cols(); ++i) {
+    const auto planet = static_cast<std::size_t>(i);
+    result.offset.col(i) = found.springs.bearings[planet].pin_error - set.bearings[planet].pin_error;
+  }
+  return result;
+}
+
+PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                 const Eigen::Matrix2Xd& offset, double stiffness) {
+  require_gears(drivetrain);
+  SetModel set = on_springs(drivetrain, stiffness);
+  for (Eigen::Index i = 0; i < offset.cols(); ++i)
+    set.bearings[static_cast<std::size_t>(i)].pin_error += offset.col(i);
+  AtRest now = at_rest(set);
+  std::vector<double> shares = shares_at(set, now.state, bearing_duty(drivetrain, geometry));
+  return {std::move(shares), std::move(now.forces), offset, stiffness};
+}
+
+std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
+  return planet_balance(drivetrain, geometry).shares;
 }
 
 std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
                                        const DrivetrainGeometry& geometry) {
+  if (!drivetrain.uneven_planets) return {bearing_duty(drivetrain, geometry)};
+  return duties_with_shares(drivetrain, geometry, load_shares(drivetrain, geometry));
+}
+
+std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,
+                                            const DrivetrainGeometry& geometry,
+                                            const std::vector<double>& shares) {
   const BearingDuty even = bearing_duty(drivetrain, geometry);
-  if (!drivetrain.uneven_planets) return {even};
   std::vector<BearingDuty> duties;
-  for (const double share : load_shares(drivetrain, geometry)) {
+  for (const double share : shares) {
     BearingDuty duty = even;
     duty.planet = static_cast<int>(duties.size());
     duty.gears.normal_force *= std::abs(share);

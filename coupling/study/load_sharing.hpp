@@ -1,11 +1,34 @@
 // How the planets of a set share its mean load where pins stand off their places.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "coupling/study/drivetrain.hpp"
 
 namespace orbearing::study {
+
+/// Planets in the balance that shares the set's mean load among them, each on a spring whose pin is displaced
+/// such that it gives the force of the bearings there.
+struct PlanetBalance {
+  std::vector<double> shares;  // [-]  (planets)  as load_shares() has them
+  Eigen::Matrix2Xd forces;     // [N]  (2, planets)  of the bearings on each planet
+  Eigen::Matrix2Xd offset;  // [m]  (2, planets)  of the pins: displacement by the bearings, force / stiffness
+  double stiffness = 0.0;   // [N/m]  of the springs
+};
+
+/// Found by the search of load_shares(); throws as that does.
+PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
+/// Forces and shares of a set on given springs with given offsets: an explicit map, whatever its bearings
+/// say.
+PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                                 const Eigen::Matrix2Xd& offset, double stiffness);
+
+/// What the search takes of the bearings of one planet that exert `force` [N] on it: their operating point,
+/// and by how much they and the pin's support displace the planet are functions of it.
+bearing::OperatingPoint point_under(const PlanetaryDrivetrain& drivetrain, const BearingDuty& even,
+                                    const Eigen::Vector2d& force);
 
 /// Share [-] of each planet in the mean load of the meshes, 1 where all carry alike; negative where the
 /// planet is driven on its back flanks. Static balance of the gears at their mean mesh stiffness, with teeth
@@ -13,6 +36,11 @@ namespace orbearing::study {
 /// @throws std::runtime_error where no balance is found, std::invalid_argument where the drivetrain has no
 /// gears that can move
 std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
+
+/// Duty of one bearing of each planet that carries such a share of the mean load.
+std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,
+                                            const DrivetrainGeometry& geometry,
+                                            const std::vector<double>& shares);
 
 /// Duty of one bearing of each planet; a single one where all planets carry alike.
 std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,

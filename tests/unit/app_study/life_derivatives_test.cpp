@@ -96,7 +96,7 @@ TEST(LifeDerivatives, OfSomePathsAlone) {
 }
 
 TEST(LifeDerivatives, RefuseWhatHasNoLifeAtRest) {
-  for (const char* name : {"mesh_62_62", "deep_groove_motor", "duplex_7020", "jones_218", "lin_parker_1999"})
+  for (const char* name : {"mesh_62_62", "deep_groove_motor", "duplex_7020", "lin_parker_1999"})
     EXPECT_THROW(life_derivatives(shipped(name)), BadInput) << name;
 }
 
