@@ -27,6 +27,7 @@ nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& table
   return {{"distinct_values", count.published},
           {"sources", count.sources},
           {"trends", count.trends},
+          {"fitted_values", count.fitted},
           {"recomputed_values", count.recomputed},
           {"remembered_values", count.remembered},
           {"verdicts", count.verdicts},

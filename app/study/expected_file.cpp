@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kRowKeys{"source", "kind",    "of",       "quantity", "meaning", "value",
-                              "tolerance", "scatter", "settings", "fidelity", "why",     "memory"};
+                              "tolerance", "scatter", "settings", "fidelity", "why",     "memory", "fitted"};
 
 EvidenceKind kind_of(const YAML::Node& node) {
   const auto name = node["kind"].as<std::string>("");
@@ -68,7 +68,8 @@ PublishedValue published_value(const YAML::Node& node) {
                      .tolerance = node["tolerance"] ? positive_number(node["tolerance"], "tolerance")
                                                     : throw YAML::Exception(node.Mark(), "tolerance: missing"),
                      .why = node["why"].as<std::string>(""),
-                     .memory = node["memory"].as<bool>(false)};
+                     .memory = node["memory"].as<bool>(false),
+                     .fitted = node["fitted"].as<bool>(false)};
   row.fidelity = fidelity_of_row(node, row.quantity);
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
   if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
@@ -147,7 +148,7 @@ ExpectedFile read_expected(const std::string& file) {
     throw BadInput(
         fmt::format("{}:{}:{}: {}; required: published numbers with source, kind (measurement, program, "
                     "worked-example, closed-form or recomputed), of, quantity, meaning, value and tolerance, perhaps "
-                    "scatter, settings, fidelity, why and memory; and alternatives as in the shipped cases",
+                    "scatter, settings, fidelity, why, memory and fitted; and alternatives as in the shipped cases",
                     file, error.mark.line + 1, error.mark.column + 1, error.msg));
   }
 }

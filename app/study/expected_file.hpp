@@ -45,6 +45,7 @@ struct PublishedValue {
   std::string fidelity = "quasi-static";  // of the command, where the quantity is COMMAND:/json/pointer
   std::string why{};     // it is missed
   bool memory = false;   // remembered, not read
+  bool fitted = false;   // constants of the case were identified from it, among others
 };
 
 /// Command and JSON pointer of a quantity such as "run:/life_h"; none where it is a name.

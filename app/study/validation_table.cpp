@@ -82,7 +82,8 @@ nlohmann::ordered_json comparisons_json(const std::string& case_name,
                     {"scatter", number(published.scatter)},
                     {"band", band_json(row.band)},
                     {"why", published.why},
-                    {"memory", published.memory}});
+                    {"memory", published.memory},
+                    {"fitted", published.fitted}});
   }
   return list;
 }
@@ -156,6 +157,19 @@ ModeStudy modes_of(const ResolvedCase& resolved) {
   return mode_study(gear_model_of(resolved));
 }
 
+// Without the identification of the shaft, which takes a thousand times as long, where no row asks for it.
+std::vector<double> pair_values(const ResolvedCase& variant, const Rows& rows) {
+  const std::vector<double> values = of_study(
+      [](const ResolvedCase& in) {
+        DuplexStudy study;
+        study.point = pair_point(in);
+        return study;
+      },
+      duplex_property)(variant, rows);
+  const bool whole = std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+  return whole ? of_study(duplex_study, duplex_property)(variant, rows) : values;
+}
+
 bool has_life_curve(const ResolvedCase& resolved) {
   return resolved.model() == planetary_drivetrain && !is_planet_defect(resolved) && resolved.shape().teeth;
 }
@@ -166,7 +180,7 @@ ValuesOf named_values(const ResolvedCase& resolved) {
   if (is_static_bearing(resolved)) return of_study(static_study, static_property);
   if (is_defect(resolved))
     return of_study([](const ResolvedCase& in) { return defect_study(in); }, defect_property);
-  if (is_duplex(resolved)) return of_study(duplex_study, duplex_property);
+  if (is_duplex(resolved)) return pair_values;
   if (is_spin_film(resolved)) return of_study(film_study, film_property);
   if (resolved.model() != planetary_drivetrain)
     throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
@@ -400,6 +414,7 @@ ValidationCount counted(const std::vector<ValidationTable>& tables) {
       ++(counts(published.kind) ? count.published : count.recomputed);
       if (!counts(published.kind)) continue;
       count.trends += row.is_trend() ? 1 : 0;
+      count.fitted += published.fitted ? 1 : 0;
       sources.insert(source_key(published.source));
     }
   }
@@ -409,8 +424,8 @@ ValidationCount counted(const std::vector<ValidationTable>& tables) {
 
 std::string count_text(const std::vector<ValidationTable>& tables) {
   const ValidationCount count = counted(tables);
-  std::string text = fmt::format("\n{} distinct published values from {} sources ({} of them trends)\n", count.published,
-                                 count.sources, count.trends);
+  std::string text = fmt::format("\n{} distinct published values from {} sources ({} of them trends, {} that constants of their case were identified from)\n",
+                                 count.published, count.sources, count.trends, count.fitted);
   for (const EvidenceKind kind : kEvidenceKinds) {
     const auto verdicts = count.verdicts.find(evidence_name(kind));
     if (verdicts == count.verdicts.end()) continue;
@@ -465,7 +480,7 @@ std::string validation_text(const ValidationTable& table) {
                             "deviation", "tolerance", "verdict", "quantity");
       text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}{}\n", published.source,
                           cell(published.value), cell(row.ours), deviation_cell(row.deviation), published.tolerance,
-                          row.verdict, key_with_reading(row), published.memory ? " (remembered)" : "");
+                          row.verdict, key_with_reading(row), published.memory ? " (remembered)" : published.fitted ? " (identified from)" : "");
       if (row.band)
         text += fmt::format("{:<24} inputs: {:.6g} to {:.6g} (50 %), {:.6g} to {:.6g} (90 %)\n", "", row.band->low_50,
                             row.band->high_50, row.band->low_90, row.band->high_90);

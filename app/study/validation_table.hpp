@@ -46,6 +46,7 @@ struct ValidationCount {
   std::map<std::string, std::map<std::string, int>> verdicts;  // of values read, by kind of evidence and verdict
   int published = 0;                                           // numbers and trends that a source prints
   int trends = 0;                                              // among them
+  int fitted = 0;      // among them: from which constants of their case were identified
   int recomputed = 0;  // numbers that follow from a source's formulas or data
   int remembered = 0;
   int sources = 0;  // of `published`

@@ -91,7 +91,7 @@ TEST(ValidationText, ListsOtherReadingsApart) {
   ASSERT_NE(apart, std::string::npos);
   EXPECT_EQ(text.substr(0, apart).find("other oil"), std::string::npos);
   EXPECT_THAT(text.substr(apart), HasSubstr("4*  other oil"));
-  EXPECT_THAT(count_text({made_up()}), HasSubstr("2 distinct published values from 1 sources (1 of them trends)"));
+  EXPECT_THAT(count_text({made_up()}), HasSubstr("2 distinct published values from 1 sources (1 of them trends, 0 that"));
 }
 
 // expected.yaml beside nothing, of one row with these lines in place of or beside the usual ones.
