@@ -234,7 +234,9 @@ Json distribution_schema(const Json& number, const Json& deviation, bool clearan
                            {"from", number},
                            {"to", number}},
                           Json::array());
-  normal["oneOf"] = {{{"required", {"standard_deviation"}}}, {{"required", {"relative_standard_deviation"}}}};
+  normal.erase("required");
+  normal["oneOf"] = Json::array({Json::object({{"required", Json::array({"standard_deviation"})}}),
+                                 Json::object({{"required", Json::array({"relative_standard_deviation"})}})});
   choose("normal", normal);
   choose("uniform", object_of({{"from", number}, {"to", number}}, {"from", "to"}));
   choose("triangular",

@@ -54,6 +54,13 @@ class Numbers(unittest.TestCase):
         found = validation.calibration(rows)
         self.assertEqual((found.values, found.in_50, found.in_90), (3, 1, 2))
 
+    def test_a_band_is_widened_by_the_scatter_of_the_measurement(self):
+        """Ours 2.0, half widths 0.03 by inputs and 1.64485 x 0.02 x 2 = 0.0658 by the measurement: 0.0723 together."""
+        row = replace(ROW, ours=2.0, scatter=0.02, band=band(1.97, 1.99, 2.01, 2.03))
+        for published, within in ((2.072, 1), (2.073, 0), (1.928, 1), (1.927, 0)):
+            found = validation.calibration([replace(row, published=published)])
+            self.assertEqual((found.in_90, found.in_both_90), (0, within))
+
     def test_percent_of_a_logarithm(self):
         self.assertEqual(percent(math.log(1.3), True), "+30.0 %")
         self.assertEqual(percent(math.log(0.999)), "-0.10 %")
@@ -78,7 +85,7 @@ class Page(unittest.TestCase):
 
     def test_it_is_written_with_its_pictures(self):
         with tempfile.TemporaryDirectory() as folder:
-            page = validation.write_guide([ROW], folder)
+            page = validation.write_guide([ROW, replace(ROW, published=3.0)], folder)
             self.assertTrue((page.parent / "slip.png").stat().st_size > 5000)
 
 
@@ -111,8 +118,8 @@ class Verdicts(unittest.TestCase):
             for file in sorted(CASES.glob(pattern)):
                 stated = yaml.safe_load(file.read_text(encoding="utf-8"))["published"] or []
                 name = yaml.safe_load((file.parent / "case.yaml").read_text(encoding="utf-8"))["name"]
-                self.assertEqual(sorted((r["source"], r["quantity"], r["meaning"], str(r["value"])) for r in stated),
-                                 sorted((s, q, m, str(v)) for s, q, m, v in recorded.get(name, [])), name)
+                self.assertEqual(sorted((r["source"], r["quantity"], r["meaning"], number(r["value"])) for r in stated),
+                                 sorted((s, q, m, number(v)) for s, q, m, v in recorded.get(name, [])), name)
 
     def test_verdicts_are_those_recorded(self):
         before = validation.read([RECORDED])
@@ -126,6 +133,10 @@ class Verdicts(unittest.TestCase):
                 files.append(pathlib.Path(folder) / f"{name}.json")
                 files[-1].write_text(done.stdout, encoding="utf-8")
             self.assertEqual(validation.changed_verdicts([row for row in before if row.case in names], validation.read(files)), [])
+
+
+def number(value):
+    return "" if value is None else f"{float(value):.9g}"
 
 
 # Cheap ones of each model.

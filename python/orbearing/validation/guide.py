@@ -112,10 +112,14 @@ def calibration_text(rows: Sequence[Row]) -> str:
     by_source = {}
     for row in rows:
         by_source.setdefault(row.key, []).append(row)
-    lines = [(key, one.values, one.in_50, one.in_90) for key, of_source in by_source.items() if (one := calibration(of_source)).values]
-    lines.append(("all", found.values, f"{found.in_50} ({100 * found.in_50 / found.values:.0f} %)",
-                  f"{found.in_90} ({100 * found.in_90 / found.values:.0f} %)"))
-    return table(("source", "measurements with stated input uncertainty", "within our 50 %", "within our 90 %"), lines)
+
+    def inside(one) -> list[str]:
+        return [f"{count} ({100 * count / one.values:.0f} %)" for count in (one.in_50, one.in_90, one.in_both_50, one.in_both_90)]
+
+    lines = [(key, one.values, *inside(one)) for key, of_source in by_source.items() if (one := calibration(of_source)).values]
+    lines.append(("all", found.values, *inside(found)))
+    return table(("source", "measurements with stated input uncertainty", "within our 50 %", "within our 90 %",
+                  "50 %, with the measurement's scatter", "90 %, with the measurement's scatter"), lines)
 
 
 def from_memory(references: str) -> str:
@@ -142,15 +146,16 @@ def guide(rows: Sequence[Row], references: str, prefix: str = "") -> tuple[str, 
     pictures = {}
     parts = [INTRODUCTION, "## What counts", counts_table(values), "## Quantities", statistics_table(classes),
              "## Misses", misses(values), "## Our bands",
-             "How many measurements lie within the bands that the stated uncertainty of our inputs gives; the measurement's own scatter is not in "
-             "them, and values that constants were identified from are left out. Sound bands hold half and nine tenths.",
+             "How many measurements lie within the bands that the stated uncertainty of our inputs gives, and within these bands widened by the "
+             "measurement's own scatter where that is known. Values that constants were identified from are left out. Sound bands hold half and nine "
+             "tenths; fewer say that the model is off by more than its inputs are, more that inputs are stated with too much caution.",
              calibration_text(values)]
     for name, of_class in classes.items():
         read = [row for row in of_class if not row.memory]
         if not read:
             continue
         parts.append(f"## {name[0].upper()}{name[1:]}")
-        if any(row.log_ratio is not None for row in read):
+        if sum(row.log_ratio is not None for row in read) > 1:
             picture = f"{prefix}{slug(name)}.png"
             pictures[picture] = scatter(name, read)
             parts.append(f"![{name}: ours over published values]({picture})")

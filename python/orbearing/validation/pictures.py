@@ -13,6 +13,7 @@ from orbearing.validation.rows import KINDS, Row
 SIZE = (8.6, 4.3)
 LOOKS = dict(zip(KINDS, (("o", style.VERMILION), ("s", style.BLUE), ("^", style.GREEN), ("x", style.GREY), ("+", style.PURPLE))))
 DECADE = 10.0
+LEAST_OFF = 0.1  # [%] deviations below are not drawn larger than they are
 
 
 def scatter(name: str, rows: Sequence[Row]) -> Figure:
@@ -76,6 +77,8 @@ def _whole_axes(axes, rows: Sequence[Row]) -> None:
 
 
 def _off_axes(axes, rows: Sequence[Row]) -> None:
+    low, high = axes.get_ylim()
+    axes.set_ylim(min(low, -LEAST_OFF), max(high, LEAST_OFF))
     axes.axhline(0.0, color=style.BLACK, linewidth=0.9, linestyle="--")
     if _spans_decades(rows):
         axes.set_xscale("log")

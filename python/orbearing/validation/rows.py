@@ -115,16 +115,31 @@ class Calibration:
     values: int
     in_50: int
     in_90: int
+    in_both_50: int  # of the bands widened by the scatter of the measurement as stated
+    in_both_90: int
 
 
 def calibration(rows: Iterable[Row]) -> Calibration:
     """How many lie within our bands; those that constants were identified from tell nothing and are left out."""
     banded = [row for row in rows if row.band and row.counts and row.kind == "measurement" and not row.fitted]
 
-    def within(share: int) -> int:
-        return sum(row.band[f"low_{share}"] <= row.published <= row.band[f"high_{share}"] for row in banded)
+    def within(share: int, widened: bool) -> int:
+        return sum(low <= row.published <= high for row in banded for low, high in [_ends(row, share, widened)])
 
-    return Calibration(len(banded), within(50), within(90))
+    return Calibration(len(banded), within(50, False), within(90, False), within(50, True), within(90, True))
+
+
+# Of the normal distribution: half of the middle 50 and 90 %, in standard deviations.
+_HALF = {50: 0.67449, 90: 1.64485}
+
+
+def _ends(row: Row, share: int, widened: bool) -> tuple[float, float]:
+    """Ends of the band; widened, each of its halves and that of a normal scatter of the measurement add as squares do."""
+    low, high = row.band[f"low_{share}"], row.band[f"high_{share}"]
+    if not widened or row.scatter is None or row.ours is None:
+        return low, high
+    half = _HALF[share] * row.scatter * abs(row.ours)
+    return row.ours - math.hypot(max(row.ours - low, 0.0), half), row.ours + math.hypot(max(high - row.ours, 0.0), half)
 
 
 def changed_verdicts(before: Iterable[Row], now: Iterable[Row]) -> list[str]:

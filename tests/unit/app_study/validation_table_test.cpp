@@ -21,7 +21,7 @@ namespace {
 using testing::HasSubstr;
 
 PublishedValue value(const std::string& quantity, double number, EvidenceKind kind = EvidenceKind::program) {
-  return {.source = "[Made2000], Table 1", .kind = kind, .of = "load", .quantity = quantity, .value = number};
+  return {.source = "[ISO281], Table 1", .kind = kind, .of = "load", .quantity = quantity, .value = number};
 }
 
 // Three quantities, one of them a trend and one recomputed, compared under two more readings.
@@ -98,7 +98,7 @@ TEST(ValidationText, ListsOtherReadingsApart) {
 class ExpectedYaml : public testing::Test {
  protected:
   ExpectedFile read(const std::string& lines) {
-    std::ofstream(file_) << "published:\n  - source: \"[Made2000], p. 1\"\n" << lines;
+    std::ofstream(file_) << "published:\n  - source: \"[ISO281], p. 1\"\n" << lines;
     return read_expected(file_);
   }
   std::string complaint(const std::string& lines) {
