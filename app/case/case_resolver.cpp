@@ -315,10 +315,7 @@ class Resolver {
   void read_uncertain_block() {
     const Member* uncertain = find_member(root_, "uncertain");
     if (uncertain == nullptr) return;
-    if (model_ != no_model && model_ != planetary_drivetrain)
-      object(uncertain->place, "uncertain", fmt::format("uncertain numbers of a {}", model_name(model_)),
-             "a case without them is required; planetary-drivetrain is the model whose lives take a spread");
-    else if (uncertain->value.shape == Entry::Shape::block)
+    if (uncertain->value.shape == Entry::Shape::block)
       data_.uncertain = std::make_shared<const StatedUncertainty>(
           read_uncertain(uncertain->value, allowed_, data_.shape, mistakes_));
   }

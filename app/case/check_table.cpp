@@ -51,7 +51,7 @@ std::vector<Row> all_rows(const ResolvedCase& resolved, const std::vector<Derive
         {"sweep." + axis.path, fmt::format("{} values", axis.values.size()), "", "given", axis.written});
   for (const StatedUncertain& one : resolved.uncertain().inputs)
     rows.push_back({"uncertain." + one.path, one.written, "", "uncertain",
-                    "used by uncertainty alone" + (one.reason.empty() ? "" : "; " + one.reason)});
+                    "used by uncertainty and validate alone" + (one.reason.empty() ? "" : "; " + one.reason)});
   if (const StatedCorrelations& joined = resolved.uncertain().correlations; !joined.written.empty())
     rows.push_back({"uncertain.correlations", joined.written, "", "uncertain", "of the normal scores"});
   for (const Derived& quantity : derived)

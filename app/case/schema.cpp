@@ -228,9 +228,16 @@ Json distribution_schema(const Json& number, const Json& deviation, bool clearan
   const auto choose = [&](const char* key, const Json& schema) {
     choices.push_back(object_of({{key, schema}, {"reason", {{"type", "string"}, {"minLength", 1}}}}, {key}));
   };
-  choose("normal",
-         object_of({{"mean", number}, {"standard_deviation", deviation}, {"from", number}, {"to", number}},
-                   {"standard_deviation"}));
+  Json normal = object_of({{"mean", number},
+                           {"standard_deviation", deviation},
+                           {"relative_standard_deviation", {{"type", "number"}, {"exclusiveMinimum", 0}}},
+                           {"from", number},
+                           {"to", number}},
+                          Json::array());
+  normal.erase("required");
+  normal["oneOf"] = Json::array({Json::object({{"required", Json::array({"standard_deviation"})}}),
+                                 Json::object({{"required", Json::array({"relative_standard_deviation"})}})});
+  choose("normal", normal);
   choose("uniform", object_of({{"from", number}, {"to", number}}, {"from", "to"}));
   choose("triangular",
          object_of({{"from", number}, {"peak", number}, {"to", number}}, {"from", "peak", "to"}));
@@ -327,7 +334,7 @@ Json model_schema(Model model) {
   for (const Field* field : fields_of(kinds_of(model))) add_field(schema, *field, model);
   schema["properties"]["model"] = {{"const", model_name(model)}};
   if (model == planetary_drivetrain) schema["properties"]["sweep"] = sweep_schema(model);
-  if (model == planetary_drivetrain) schema["properties"]["uncertain"] = uncertain_schema(model);
+  schema["properties"]["uncertain"] = uncertain_schema(model);
   schema["properties"]["assumed"] = assumed_schema(model);
   if (model == planetary_drivetrain) add_several_sets(schema);
   return schema;

@@ -33,18 +33,21 @@ constexpr double kUsuallyWithin = 3.0;
 // Words of a distribution, and which numbers it takes.
 struct DistributionWords {
   std::string_view kind;
-  std::array<std::string_view, 4> numbers;
+  std::array<std::string_view, 5> numbers;
   std::size_t required_first;  // of the numbers, how many must be given
 };
 
+constexpr const char* kDeviation = "standard_deviation";
+constexpr const char* kRelativeDeviation = "relative_standard_deviation";  // [-]  of the mean's magnitude
+
 constexpr std::array<DistributionWords, 3> kDistributions{
-    {{"normal", {"standard_deviation", "mean", "from", "to"}, 1},
-     {"uniform", {"from", "to", "", ""}, 2},
-     {"triangular", {"from", "peak", "to", ""}, 3}}};
+    {{"normal", {kDeviation, kRelativeDeviation, "mean", "from", "to"}, 0},  // one of the first two, see below
+     {"uniform", {"from", "to"}, 2},
+     {"triangular", {"from", "peak", "to"}, 3}}};
 
 constexpr const char* required_distribution =
     "one of {normal: {standard_deviation: ..., mean: ..., from: ..., to: ...}} (the last three may be left "
-    "out), {uniform: {from: ..., to: ...}}, {triangular: {from: ..., peak: ..., to: ...}} or, of a radial "
+    "out, and the first may be a number relative_standard_deviation), {uniform: {from: ..., to: ...}}, {triangular: {from: ..., peak: ..., to: ...}} or, of a radial "
     "clearance, {class: CN}, with or without a reason, is required";
 
 // The field of one number: of a list, that of its elements.
@@ -161,6 +164,10 @@ class UncertainReader {
     for (std::size_t i = 0; i < words.required_first; ++i)
       if (!seen.contains(std::string(words.numbers[i])))
         object(block.place, fmt::format("{}.{}", path, words.numbers[i]), "missing", required_distribution);
+    if (words.kind == "normal" && seen.contains(kDeviation) == seen.contains(kRelativeDeviation))
+      object(block.place, fmt::format("{}.{}", path, kDeviation),
+             seen.contains(kDeviation) ? fmt::format("found beside {}", kRelativeDeviation) : "missing",
+             required_distribution);
     if (mistakes_.size() == before) check_order(words, block.place, path);
     parts_.push_back(fmt::format("{}: {{{}}}", words.kind, fmt::join(written, ", ")));
   }
@@ -168,7 +175,12 @@ class UncertainReader {
   // A standard deviation is a difference, of any size above 0.
   std::optional<std::string> read_one(const Member& member, const std::string& path) {
     Field field = field_;
-    if (member.key == "standard_deviation") field.range = described::positive();
+    if (member.key == kDeviation) field.range = described::positive();
+    if (member.key == kRelativeDeviation) {
+      field.kind = Kind::number;
+      field.dimension = {};
+      field.range = described::positive();
+    }
     FieldReading reading = read_field(field, member.value);
     if (!reading.good) {
       mistakes_.push_back({member.value.place, path, reading.complaint});
@@ -300,7 +312,8 @@ UncertainInput input_of(const ResolvedCase& in, const StatedUncertain& stated, d
   one.distribution = stated.kind;
   one.value = value;
   one.mean = stated.kind == "normal" ? number_of(stated, "mean", value) : none;
-  one.standard_deviation = number_of(stated, "standard_deviation", none);
+  one.standard_deviation =
+      number_of(stated, kDeviation, number_of(stated, kRelativeDeviation, none) * std::abs(one.mean));
   one.from = number_of(stated, "from", none);
   one.peak = number_of(stated, "peak", none);
   one.to = number_of(stated, "to", none);
@@ -554,6 +567,7 @@ nlohmann::json uncertain_json(const ResolvedCase& resolved) {
 
 std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved) {
   std::vector<std::string> warnings;
+  if (resolved.model() != planetary_drivetrain) return warnings;
   for (const StatedUncertain& stated : resolved.uncertain().inputs) {
     const Input input{stated.path, find_field(stated.path)};
     if (standing_in_row(resolved, input, use::quasi_static) != Standing::used)

@@ -2,6 +2,7 @@
 //
 //     uncertain:
 //       input.power: {normal: {standard_deviation: 5 kW}}                        about the case's value
+//       lubricant.viscosity: {normal: {relative_standard_deviation: 0.2}}        of its magnitude
 //       bearing.profile.drop: {triangular: {from: 1 um, peak: 2 um, to: 4 um}, reason: grinding}
 //       bearing.radial_clearance: {class: CN}                                    uniform over the range of
 //       ISO 5753 gearset.dynamics.pin_error.tangential: {normal: {standard_deviation: 3 um}}    each element
@@ -61,7 +62,7 @@ UncertainInputs uncertain_inputs(const ResolvedCase& resolved);
 /// what a distribution does not have.
 nlohmann::json uncertain_json(const ResolvedCase& resolved);
 
-/// What lives at rest, which `orbearing uncertainty` samples, cannot feel; one line each.
+/// What lives at rest of a drivetrain, which `orbearing uncertainty` samples, cannot feel; one line each.
 std::vector<std::string> uncertain_warnings(const ResolvedCase& resolved);
 
 }  // namespace orbearing::app

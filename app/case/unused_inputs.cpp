@@ -242,7 +242,7 @@ std::vector<std::string> require_used(const ResolvedCase& resolved, use::Analysi
   for (const SweepAxis& axis : resolved.axes()) axes.add(axis, mistakes, warnings);
   for (const StatedUncertain& one : resolved.uncertain().inputs)
     if (one.place.option)
-      warnings.push_back(fmt::format("uncertain.{}: has no effect on {}; used by uncertainty", one.path,
+      warnings.push_back(fmt::format("uncertain.{}: has no effect on {}; used by uncertainty and validate", one.path,
                                      analysis_name(analysis)));
   if (!mistakes.empty()) throw_mistakes(resolved.file(), std::move(mistakes));
   return warnings;

@@ -279,6 +279,11 @@ void add_commands(CommandTable table) {
       "--motion", options.motion,
       "in place of the published numbers: what the assumptions that only motion feels are worth "
       "at the peak; takes minutes");
+  validate
+      .add_option("--samples", options.samples,
+                  "samples of each case's uncertain inputs, which give the bands of the rows that somebody measured; "
+                  "default: 0, no bands")
+      ->check(CLI::Range(0, 1000000));
   validate.add_option("--jobs", options.jobs, "threads; default: one for each core")
       ->check(CLI::Range(1, 4096));
   CLI::App& report = table.add("report", "write DIR/report.html", report_command);

@@ -30,6 +30,7 @@ struct Options {
   bool every_effect = false;             // report: all effects of the motion in time
   bool data_only = false;                // report: what its page is made of is the result, and no page is drawn
   bool motion = false;                   // validate: what assumptions are worth in motion, alone
+  int samples = 0;                       // validate: of uncertain inputs, for the bands of measured rows
   bool gears = false;                    // run: without the dynamics of bearings
   std::string fmi = "2";                 // fmu: version of the interface
   std::string model = "bearing";         // fmu: "bearing" or "gearset"

@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <map>
+#include <string>
 
 #include "app/case/case_file.hpp"
 #include "app/commands/presentation.hpp"
@@ -22,9 +24,42 @@ nlohmann::ordered_json validation_json(const std::vector<ValidationTable>& table
       for (const nlohmann::ordered_json& entry : part(table)) list.push_back(entry);
     return list;
   };
-  return {{"distinct_values", count.published},         {"trends", count.trends},
-          {"recomputed_values", count.recomputed},      {"rows", all(rows_json)},
-          {"other_readings", all(other_readings_json)}, {"assumptions", all(sensitivities_json)}};
+  return {{"distinct_values", count.published},
+          {"sources", count.sources},
+          {"trends", count.trends},
+          {"fitted_values", count.fitted},
+          {"recomputed_values", count.recomputed},
+          {"remembered_values", count.remembered},
+          {"verdicts", count.verdicts},
+          {"rows", all(rows_json)},
+          {"other_readings", all(other_readings_json)},
+          {"assumptions", all(sensitivities_json)}};
+}
+
+using Command = int (*)(const Options&);
+const std::map<std::string, Command> kCommandsOfRows{{"run", run_command},
+                                                     {"mesh", mesh_command},
+                                                     {"modes", modes_command},
+                                                     {"stiffness", stiffness_command},
+                                                     {"check", check_command}};
+
+// What the command prints for the case with --json.
+nlohmann::ordered_json command_result(const std::string& command, const std::string& fidelity,
+                                      const ResolvedCase& resolved) {
+  const auto found = kCommandsOfRows.find(command);
+  if (found == kCommandsOfRows.end())
+    throw BadInput("expected.yaml: quantity: found the command " + command +
+                   "; required: run, mesh, modes, stiffness or check");
+  nlohmann::ordered_json result;
+  std::string failures;
+  Options options;
+  options.given = resolved;
+  options.fidelity = fidelity;
+  options.json = options.quiet = true;
+  options.take_result = [&](const nlohmann::ordered_json& object) { result = object; };
+  options.take_failures = [&](const std::string& line) { failures += line; };
+  if (found->second(options) != 0) throw ComputationFailed(command + ": " + failures);
+  return result;
 }
 
 int validate_motion(const Options& options) {
@@ -63,7 +98,7 @@ int validate_command(const Options& options) {
   };
   for (const std::string& file : case_files(options.cases))
     add(validation_table_of(read_case(file, options.settings), read_expected(expected_beside(file)),
-                            options.jobs));
+                            {.jobs = options.jobs, .result_of = command_result, .samples = options.samples}));
   if (options.cases.empty()) add(stage_validation());
   if (text) fmt::print("{}", count_text(tables));
   if (options.json) print_object(validation_json(tables), options);

@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "app/errors.hpp"
@@ -17,22 +18,63 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Evidence evidence_of(const YAML::Node& node) {
-  const auto name = node["evidence"].as<std::string>("published");
-  if (name == "published") return Evidence::published;
-  if (name == "recomputed") return Evidence::recomputed;
-  throw YAML::Exception(node["evidence"].Mark(), "evidence: found " + name);
+constexpr std::array kRowKeys{"source", "kind",    "of",       "quantity", "meaning", "value",
+                              "tolerance", "scatter", "settings", "fidelity", "why",     "memory", "fitted"};
+
+EvidenceKind kind_of(const YAML::Node& node) {
+  const auto name = node["kind"].as<std::string>("");
+  for (const EvidenceKind kind : kEvidenceKinds)
+    if (name == evidence_name(kind)) return kind;
+  throw YAML::Exception(node["kind"] ? node["kind"].Mark() : node.Mark(), "kind: found '" + name + "'");
+}
+
+void require_known_keys(const YAML::Node& node) {
+  for (const auto& member : node) {
+    const auto key = member.first.as<std::string>();
+    if (std::find(kRowKeys.begin(), kRowKeys.end(), key) == kRowKeys.end())
+      throw YAML::Exception(member.first.Mark(), "unknown key " + key);
+  }
+}
+
+std::string text_of(const YAML::Node& node, const char* key) {
+  if (!node[key]) throw YAML::Exception(node.Mark(), std::string(key) + ": missing");
+  return node[key].as<std::string>();
+}
+
+double positive_number(const YAML::Node& node, const char* key) {
+  const double number = node.as<double>();
+  if (!(number >= 0.0)) throw YAML::Exception(node.Mark(), std::string(key) + ": found a number below zero");
+  return number;
+}
+
+std::string fidelity_of_row(const YAML::Node& node, const std::string& quantity) {
+  if (!node["fidelity"]) return fidelity_names().front();
+  const auto name = node["fidelity"].as<std::string>();
+  const std::vector<std::string>& names = fidelity_names();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw YAML::Exception(node["fidelity"].Mark(), "fidelity: found " + name);
+  if (!result_pointer(quantity))
+    throw YAML::Exception(node["fidelity"].Mark(), "fidelity: found beside a quantity that no command gives");
+  return name;
 }
 
 PublishedValue published_value(const YAML::Node& node) {
-  PublishedValue row{.source = node["source"].as<std::string>(),
-                     .quantity = node["quantity"].as<std::string>(),
-                     .meaning = node["meaning"].as<std::string>(),
-                     .tolerance = node["tolerance"].as<double>(),
-                     .trend = node["trend"].as<bool>(false),
-                     .evidence = evidence_of(node)};
+  require_known_keys(node);
+  PublishedValue row{.source = text_of(node, "source"),
+                     .kind = kind_of(node),
+                     .of = text_of(node, "of"),
+                     .quantity = text_of(node, "quantity"),
+                     .meaning = text_of(node, "meaning"),
+                     .tolerance = node["tolerance"] ? positive_number(node["tolerance"], "tolerance")
+                                                    : throw YAML::Exception(node.Mark(), "tolerance: missing"),
+                     .why = node["why"].as<std::string>(""),
+                     .memory = node["memory"].as<bool>(false),
+                     .fitted = node["fitted"].as<bool>(false)};
+  row.fidelity = fidelity_of_row(node, row.quantity);
   if (node["settings"]) row.settings = node["settings"].as<std::vector<std::string>>();
+  if (!node["value"]) throw YAML::Exception(node.Mark(), "value: missing");
   if (!node["value"].IsNull()) row.value = node["value"].as<double>();
+  if (node["scatter"]) row.scatter = positive_number(node["scatter"], "scatter");
   return row;
 }
 
@@ -59,7 +101,39 @@ fs::path shipped_cases() {
   return !fs::is_directory(own) && fs::is_directory(in_tree) ? in_tree : own;
 }
 
+// That, and the folder of the cases that exist only to stand beside a source.
+std::array<fs::path, 2> folders_of_cases() {
+  const fs::path shipped = shipped_cases();
+  return {shipped, shipped / "validation"};
+}
+
 }  // namespace
+
+const char* evidence_name(EvidenceKind kind) {
+  switch (kind) {
+    case EvidenceKind::measurement:
+      return "measurement";
+    case EvidenceKind::program:
+      return "program";
+    case EvidenceKind::worked_example:
+      return "worked-example";
+    case EvidenceKind::closed_form:
+      return "closed-form";
+    case EvidenceKind::recomputed:
+      return "recomputed";
+  }
+  return "";
+}
+
+bool counts(EvidenceKind kind) {
+  return kind != EvidenceKind::closed_form && kind != EvidenceKind::recomputed;
+}
+
+std::optional<ResultPointer> result_pointer(const std::string& quantity) {
+  const std::size_t colon = quantity.find(":/");
+  if (colon == std::string::npos) return std::nullopt;
+  return ResultPointer{quantity.substr(0, colon), quantity.substr(colon + 1)};
+}
 
 ExpectedFile read_expected(const std::string& file) {
   if (!fs::exists(file)) return {};
@@ -72,8 +146,9 @@ ExpectedFile read_expected(const std::string& file) {
     return expected;
   } catch (const YAML::Exception& error) {
     throw BadInput(
-        fmt::format("{}:{}:{}: {}; required: published numbers (evidence: published or recomputed) and "
-                    "alternatives as in the shipped cases",
+        fmt::format("{}:{}:{}: {}; required: published numbers with source, kind (measurement, program, "
+                    "worked-example, closed-form or recomputed), of, quantity, meaning, value and tolerance, perhaps "
+                    "scatter, settings, fidelity, why, memory and fitted; and alternatives as in the shipped cases",
                     file, error.mark.line + 1, error.mark.column + 1, error.msg));
   }
 }
@@ -84,8 +159,9 @@ std::vector<std::string> case_files(const std::vector<std::string>& names) {
     files.push_back(fs::is_directory(name) ? (fs::path(name) / "case.yaml").string() : name);
   if (!names.empty()) return files;
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(shipped_cases(), ignored))
-    if (fs::exists(entry.path() / "expected.yaml")) files.push_back((entry.path() / "case.yaml").string());
+  for (const fs::path& folder : folders_of_cases())
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+      if (fs::exists(entry.path() / "expected.yaml")) files.push_back((entry.path() / "case.yaml").string());
   if (files.empty())
     throw BadInput(
         fmt::format("{}: holds no cases with published numbers; name a case file", shipped_cases().string()));
@@ -94,7 +170,9 @@ std::vector<std::string> case_files(const std::vector<std::string>& names) {
 }
 
 std::string shipped_expected(const std::string& name) {
-  return (shipped_cases() / name / "expected.yaml").string();
+  const auto [shipped, validation] = folders_of_cases();
+  const fs::path own = shipped / name;
+  return ((fs::is_directory(own) ? own : validation / name) / "expected.yaml").string();
 }
 
 std::string expected_beside(const std::string& case_file) {

@@ -1,6 +1,7 @@
 // expected.yaml beside a case: published numbers, and other readings of what the source leaves open.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,24 +10,50 @@
 
 namespace orbearing::app {
 
-/// Where a number that ours is compared with comes from.
-enum class Evidence {
-  published,   // printed by the source, or a result of a program of others
-  recomputed,  // from the source's formulas and data, by scripts independent of this project
+/// What a number that ours is compared with rests on.
+enum class EvidenceKind {
+  measurement,     // somebody measured it
+  program,         // computed by another program or by the source's own model
+  worked_example,  // a printed example or table of a textbook, standard or catalogue
+  closed_form,     // a formula
+  recomputed,      // from the source's formulas and data, by scripts independent of this project
 };
+
+/// In the order in which they are listed.
+inline constexpr std::array kEvidenceKinds{EvidenceKind::measurement, EvidenceKind::program,
+                                           EvidenceKind::worked_example, EvidenceKind::closed_form,
+                                           EvidenceKind::recomputed};
+
+/// As expected.yaml writes it: "worked-example".
+const char* evidence_name(EvidenceKind kind);
+
+/// Whether numbers of this kind count as values of others: a formula and what we recompute do not.
+bool counts(EvidenceKind kind);
 
 /// One published number.
 struct PublishedValue {
-  std::string source;    // with its key in REFERENCES.md
-  std::string quantity;  // a name that the validation table knows how to compute
+  std::string source;  // with its key in REFERENCES.md
+  EvidenceKind kind = EvidenceKind::recomputed;
+  std::string of;        // class of the quantity: "natural frequency"; "trend" where only a direction is claimed
+  std::string quantity;  // a name that the validation table knows how to compute, or COMMAND:/json/pointer
   std::string meaning;
   std::optional<double> value;  // none: the source has it, the project cannot compare it yet
   double tolerance = 0.0;       // [-]  relative
-  bool trend = false;           // only a direction is claimed
-  Evidence evidence = Evidence::published;
+  std::optional<double> scatter{};  // [-]  relative standard deviation of the measurement
   std::vector<std::string>
-      settings{};  // path=value  of the case, where the number belongs to a variant of it
+      settings{};        // path=value  of the case, where the number belongs to a variant of it
+  std::string fidelity = "quasi-static";  // of the command, where the quantity is COMMAND:/json/pointer
+  std::string why{};     // it is missed
+  bool memory = false;   // remembered, not read
+  bool fitted = false;   // constants of the case were identified from it, among others
 };
+
+/// Command and JSON pointer of a quantity such as "run:/life_h"; none where it is a name.
+struct ResultPointer {
+  std::string command;
+  std::string pointer;
+};
+std::optional<ResultPointer> result_pointer(const std::string& quantity);
 
 /// Readings that only the motion in time feels, and where they are looked at.
 struct MotionPlan {
@@ -45,7 +72,8 @@ struct ExpectedFile {
 /// here.
 ExpectedFile read_expected(const std::string& file);
 
-/// The case files that `names` (files or folders) stand for; all that ship where `names` is empty.
+/// The case files that `names` (files or folders) stand for; where `names` is empty, all that ship with published
+/// numbers, in `cases` and in `cases/validation`.
 std::vector<std::string> case_files(const std::vector<std::string>& names);
 
 /// expected.yaml of the shipped case called `name`; the file need not exist.

@@ -233,13 +233,14 @@ Json published_points(const std::vector<ValidationRow>& rows) {
   Json list = Json::array();
   Json speed;
   for (const ValidationRow& row : rows)
-    if (row.reading.empty() && row.quantity == "peak_speed_rpm" && row.published) speed = *row.published;
+    if (row.reading.empty() && row.published.quantity == "peak_speed_rpm" && row.published.value)
+      speed = *row.published.value;
   for (const ValidationRow& row : rows)
-    if (row.reading.empty() && row.quantity == "peak_life_h" && row.published && !speed.is_null())
-      list.push_back({{"source", row.source},
-                      {"quantity", row.quantity},
+    if (row.reading.empty() && row.published.quantity == "peak_life_h" && row.published.value && !speed.is_null())
+      list.push_back({{"source", row.published.source},
+                      {"quantity", row.published.quantity},
                       {"speed_rpm", speed},
-                      {"life_h", *row.published}});
+                      {"life_h", *row.published.value}});
   return list;
 }
 

@@ -24,12 +24,13 @@ ValidationTable stage_validation() {
       bearings_per_planet;  // [N]  a helix adds axial forces and a tilting moment, none in this plane
   return {.case_name = "nrel_grc_750kW",
           .rows = {judged({.source = "[Oyague2011], recomputed",
+                           .kind = EvidenceKind::recomputed,
+                           .of = "bearing load",
                            .quantity = "mean_planet_bearing_load_kN",
-                           .published = recomputed,
-                           .ours = 1e-3 * load,
-                           .tolerance = half_a_digit,
-                           .evidence = Evidence::recomputed},
-                          false)}};
+                           .meaning = "mean load of a planet bearing at 325 kN.m on the rotor",
+                           .value = recomputed,
+                           .tolerance = half_a_digit},
+                          1e-3 * load)}};
 }
 
 }  // namespace orbearing::app

@@ -4,12 +4,17 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "app/case/defect_case.hpp"
+#include "app/case/uncertain_case.hpp"
 #include "app/errors.hpp"
 #include "app/study/defect_study.hpp"
 #include "app/study/planet_defect.hpp"
@@ -19,6 +24,7 @@
 #include "app/study/gear_output.hpp"
 #include "app/study/mesh_study.hpp"
 #include "app/study/static_study.hpp"
+#include "app/study/uncertain_samples.hpp"
 
 namespace orbearing::app {
 
@@ -27,21 +33,10 @@ namespace {
 // Where a tolerance is zero, a number printed to a few digits still is a decimal fraction.
 constexpr double kRoundOff = 1e-9;
 
-std::string verdict_of(const ValidationRow& row, bool trend) {
-  if (!row.published || !row.ours) return "input missing";
-  if (std::abs(*row.deviation) > row.tolerance + kRoundOff) return "missed";
-  return trend ? "trend" : "reproduced";
-}
-
-ValidationRow compare(const PublishedValue& published, double ours, const std::string& reading) {
-  ValidationRow row{.source = published.source,
-                    .quantity = published.quantity,
-                    .reading = reading,
-                    .published = published.value,
-                    .tolerance = published.tolerance,
-                    .evidence = published.evidence};
-  if (std::isfinite(ours)) row.ours = ours;
-  return judged(std::move(row), published.trend);
+std::string verdict_of(const ValidationRow& row) {
+  if (!row.published.value || !row.ours) return "input missing";
+  if (std::abs(*row.deviation) > row.published.tolerance + kRoundOff) return "missed";
+  return row.is_trend() ? "trend" : "reproduced";
 }
 
 std::string cell(const std::optional<double>& value) {
@@ -53,28 +48,49 @@ std::string deviation_cell(const std::optional<double>& value) {
 }
 
 std::string key_with_reading(const ValidationRow& row) {
-  return row.reading.empty() ? row.quantity : row.quantity + " | " + row.reading;
+  const std::string& quantity = row.published.quantity;
+  return row.reading.empty() ? quantity : quantity + " | " + row.reading;
 }
 
 nlohmann::ordered_json number(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
+nlohmann::ordered_json band_json(const std::optional<ValidationBand>& band) {
+  if (!band) return nullptr;
+  return {{"low_90", band->low_90},   {"low_50", band->low_50},   {"high_50", band->high_50},
+          {"high_90", band->high_90}, {"samples", band->samples}, {"lost", band->lost}};
+}
+
 nlohmann::ordered_json comparisons_json(const std::string& case_name,
                                         const std::vector<ValidationRow>& rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const ValidationRow& row : rows)
-    list.push_back({{"source", row.source},
-                    {"quantity", row.quantity},
-                    {"published", number(row.published)},
+  for (const ValidationRow& row : rows) {
+    const PublishedValue& published = row.published;
+    list.push_back({{"source", published.source},
+                    {"quantity", published.quantity},
+                    {"published", number(published.value)},
                     {"ours", number(row.ours)},
                     {"deviation", number(row.deviation)},
-                    {"tolerance", row.tolerance},
+                    {"tolerance", published.tolerance},
                     {"verdict", row.verdict},
                     {"case", case_name},
                     {"reading", row.reading},
-                    {"evidence", row.evidence == Evidence::published ? "published" : "recomputed"}});
+                    {"evidence", evidence_name(published.kind)},
+                    {"of", published.of},
+                    {"meaning", published.meaning},
+                    {"scatter", number(published.scatter)},
+                    {"band", band_json(row.band)},
+                    {"why", published.why},
+                    {"memory", published.memory},
+                    {"fitted", published.fitted}});
+  }
   return list;
+}
+
+// Whether the value is compared again under the other readings of the case.
+bool has_other_readings(const PublishedValue& published) {
+  return published.value && published.settings.empty() && !result_pointer(published.quantity);
 }
 
 // One line for each reading: our value of each quantity, marked where it misses the published one.
@@ -82,7 +98,7 @@ std::string other_readings_text(const ValidationTable& table) {
   if (table.other_readings.empty()) return "";
   std::vector<std::string> quantities;
   for (const ValidationRow& row : table.rows)
-    if (row.published) quantities.push_back(row.quantity);
+    if (has_other_readings(row.published)) quantities.push_back(row.published.quantity);
   std::string text = "\nThe same values under other readings (* where a published one is missed)\n";
   for (const std::string& quantity : quantities) text += fmt::format("{:>{}}", quantity, quantity.size() + 2);
   text += "  reading\n";
@@ -121,97 +137,310 @@ std::string reading_of(const std::vector<std::string>& settings) {
   return fmt::format("{}", fmt::join(settings, ", "));
 }
 
-// Numbers that one study of the case answers all at once; each may belong to a variant of the case.
+using Rows = std::vector<const PublishedValue*>;
+
+// Our numbers for rows of one and the same variant of a case. Throws BadInput and ComputationFailed.
+using ValuesOf = std::function<std::vector<double>(const ResolvedCase& variant, const Rows& rows)>;
+
+// Numbers that one study of the case answers all at once.
 template <typename StudyOf, typename Property>
-ValidationTable study_table(const ResolvedCase& resolved, const ExpectedFile& expected,
-                            const StudyOf& study_of, const Property& property_of) {
-  ValidationTable table{.case_name = resolved.text("name")};
-  std::map<std::string, decltype(study_of(resolved))> studies;  // by reading; most belong to one of few
-  for (const PublishedValue& published : expected.published) {
-    const std::string reading = reading_of(published.settings);
-    auto study = studies.find(reading);
-    if (study == studies.end())
-      study = studies.emplace(reading, study_of(with_settings(resolved, published.settings))).first;
-    table.rows.push_back(compare(published, property_of(study->second, published.quantity), reading));
-  }
-  return table;
+ValuesOf of_study(const StudyOf& study_of, const Property& property_of) {
+  return [study_of, property_of](const ResolvedCase& variant, const Rows& rows) {
+    const auto study = study_of(variant);
+    std::vector<double> values;
+    for (const PublishedValue* row : rows) values.push_back(property_of(study, row->quantity));
+    return values;
+  };
 }
 
 ModeStudy modes_of(const ResolvedCase& resolved) {
   return mode_study(gear_model_of(resolved));
 }
 
-}  // namespace
+// Without the identification of the shaft, which takes a thousand times as long, where no row asks for it.
+std::vector<double> pair_values(const ResolvedCase& variant, const Rows& rows) {
+  const std::vector<double> values = of_study(
+      [](const ResolvedCase& in) {
+        DuplexStudy study;
+        study.point = pair_point(in);
+        return study;
+      },
+      duplex_property)(variant, rows);
+  const bool whole = std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); });
+  return whole ? of_study(duplex_study, duplex_property)(variant, rows) : values;
+}
 
-ValidationRow judged(ValidationRow row, bool trend) {
-  if (row.published && row.ours) row.deviation = *row.ours / *row.published - 1.0;
-  row.trend = trend;
-  row.verdict = verdict_of(row, trend);
+bool has_life_curve(const ResolvedCase& resolved) {
+  return resolved.model() == planetary_drivetrain && !is_planet_defect(resolved) && resolved.shape().teeth;
+}
+
+// Numbers by name.
+ValuesOf named_values(const ResolvedCase& resolved) {
+  if (resolved.model() == gear_pair) return of_study(mesh_study, mesh_property);
+  if (is_static_bearing(resolved)) return of_study(static_study, static_property);
+  if (is_defect(resolved))
+    return of_study([](const ResolvedCase& in) { return defect_study(in); }, defect_property);
+  if (is_duplex(resolved)) return pair_values;
+  if (is_spin_film(resolved)) return of_study(film_study, film_property);
+  if (resolved.model() != planetary_drivetrain)
+    throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
+                   "; quantities by name are those of planetary-drivetrain, gear-pair, roller-bearing, ball-bearing, "
+                   "raceway-defect, duplex-pair or spin-film; required: one of these models, or quantities such as "
+                   "run:/json/pointer");
+  if (is_planet_defect(resolved))
+    return of_study([](const ResolvedCase& in) { return planet_defect_study(in); }, planet_defect_property);
+  if (!resolved.shape().teeth) return of_study(modes_of, mode_property);
+  return of_study([](const ResolvedCase& in) { return life_curve(in); }, property);
+}
+
+double number_at(const nlohmann::ordered_json& object, const std::string& quantity, const std::string& pointer) {
+  nlohmann::ordered_json found;
+  try {
+    found = object.at(nlohmann::ordered_json::json_pointer(pointer));
+  } catch (const nlohmann::ordered_json::exception& error) {
+    throw BadInput(fmt::format("expected.yaml: quantity: found {} ({}); required: a number of that result", quantity,
+                               error.what()));
+  }
+  if (found.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  if (found.is_boolean()) return found.get<bool>() ? 1.0 : 0.0;
+  if (found.is_number()) return found.get<double>();
+  throw BadInput(fmt::format("expected.yaml: quantity: {} is {}; required: a number", quantity, found.type_name()));
+}
+
+// Numbers by pointers into what a command prints.
+ValuesOf pointed_values(const ResultOf& result_of) {
+  return [result_of](const ResolvedCase& variant, const Rows& rows) {
+    std::map<std::pair<std::string, std::string>, nlohmann::ordered_json> results;
+    std::vector<double> values;
+    for (const PublishedValue* row : rows) {
+      const ResultPointer at = *result_pointer(row->quantity);
+      const std::pair key{at.command, row->fidelity};
+      auto result = results.find(key);
+      if (result == results.end())
+        result = results.emplace(key, result_of(at.command, row->fidelity, variant)).first;
+      values.push_back(number_at(result->second, row->quantity, at.pointer));
+    }
+    return values;
+  };
+}
+
+bool needs_band(const PublishedValue& published) {
+  return published.kind == EvidenceKind::measurement && published.value;
+}
+
+// Linear between the sorted values.
+double quantile_of(const std::vector<double>& sorted, double share) {
+  const double at = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+// None where less than half of the samples gave a number.
+std::optional<ValidationBand> band_of(std::vector<double> sampled, int lost) {
+  if (sampled.empty() || static_cast<std::size_t>(lost) > sampled.size()) return std::nullopt;
+  std::sort(sampled.begin(), sampled.end());
+  return ValidationBand{.low_90 = quantile_of(sampled, 0.05),
+                        .low_50 = quantile_of(sampled, 0.25),
+                        .high_50 = quantile_of(sampled, 0.75),
+                        .high_90 = quantile_of(sampled, 0.95),
+                        .samples = static_cast<int>(sampled.size()),
+                        .lost = lost};
+}
+
+// Values of `rows` at samples of the uncertain inputs of the variant: [row][sample]. A sample that contradicts the
+// case or cannot be computed gives NaN.
+std::vector<std::vector<double>> sampled_values(const ResolvedCase& variant, const Rows& rows,
+                                                const ValuesOf& values_of, const ValidationOptions& options) {
+  const UncertainInputs uncertain = uncertain_inputs(variant);
+  std::vector<std::vector<double>> sampled(rows.size());
+  for (const std::vector<double>& sample : uncertain_samples(uncertain, options.samples, options.seed)) {
+    std::vector<NumberSetting> settings;
+    for (std::size_t i = 0; i < sample.size(); ++i) settings.emplace_back(uncertain.inputs[i].path, sample[i]);
+    std::vector<double> values(rows.size(), std::numeric_limits<double>::quiet_NaN());
+    try {
+      values = values_of(variant.with_numbers(settings), rows);
+    } catch (const BadInput&) {
+    } catch (const ComputationFailed&) {
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) sampled[i].push_back(values[i]);
+  }
+  return sampled;
+}
+
+using Bands = std::map<const PublishedValue*, ValidationBand>;
+
+void put_bands(const ResolvedCase& variant, const Rows& rows, const ValuesOf& values_of,
+               const ValidationOptions& options, Bands& bands) {
+  Rows measured;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(measured),
+               [](const PublishedValue* row) { return needs_band(*row); });
+  if (options.samples == 0 || measured.empty() || variant.uncertain().inputs.empty()) return;
+  const std::vector<std::vector<double>> sampled = sampled_values(variant, measured, values_of, options);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    std::vector<double> finite;
+    std::copy_if(sampled[i].begin(), sampled[i].end(), std::back_inserter(finite),
+                 [](double value) { return std::isfinite(value); });
+    const int lost = static_cast<int>(sampled[i].size() - finite.size());
+    if (const auto band = band_of(std::move(finite), lost)) bands.emplace(measured[i], *band);
+  }
+}
+
+// A variant that cannot be computed misses what is published of it.
+ValidationRow failed(const PublishedValue& published, const std::string& reading, const std::string& reason) {
+  ValidationRow row{.published = published, .reading = reading, .verdict = "missed"};
+  row.published.why += (published.why.empty() ? "" : "; ") + ("not computed: " + reason);
   return row;
 }
 
-ValidationTable validation_table_of(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs) {
-  if (resolved.model() == gear_pair) return study_table(resolved, expected, mesh_study, mesh_property);
-  if (is_static_bearing(resolved)) return study_table(resolved, expected, static_study, static_property);
-  if (is_defect(resolved))
-    return study_table(
-        resolved, expected, [](const ResolvedCase& in) { return defect_study(in); }, defect_property);
-  if (is_duplex(resolved)) return study_table(resolved, expected, duplex_study, duplex_property);
-  if (is_spin_film(resolved)) return study_table(resolved, expected, film_study, film_property);
-  if (resolved.model() != planetary_drivetrain)
-    throw BadInput(resolved.origin("model") + ": model: found " + resolved.choice("model") +
-                   "; the validation table requires planetary-drivetrain, gear-pair, roller-bearing, "
-                   "ball-bearing, raceway-defect, duplex-pair or spin-film");
-  if (is_planet_defect(resolved))
-    return study_table(
-        resolved, expected, [](const ResolvedCase& in) { return planet_defect_study(in); }, planet_defect_property);
-  if (!resolved.shape().teeth) return study_table(resolved, expected, modes_of, mode_property);
+struct Variant {
+  std::vector<std::string> settings;
+  Rows named, pointed;
+};
+
+// Rows by the variant of the case to which they belong, in the order of its first.
+std::vector<Variant> variants_of(const ExpectedFile& expected, bool with_pointers) {
+  std::vector<Variant> variants;
+  for (const PublishedValue& published : expected.published) {
+    const bool pointed = result_pointer(published.quantity).has_value();
+    if (pointed && !with_pointers) continue;
+    auto variant = std::find_if(variants.begin(), variants.end(),
+                                [&](const Variant& one) { return one.settings == published.settings; });
+    if (variant == variants.end()) variant = variants.insert(variants.end(), {published.settings, {}, {}});
+    (pointed ? variant->pointed : variant->named).push_back(&published);
+  }
+  return variants;
+}
+
+// The rows of the table in the order of the file.
+class RowsOfCase {
+ public:
+  RowsOfCase(const ResolvedCase& resolved, const ValidationOptions& options)
+      : resolved_(resolved), options_(options) {}
+
+  void compute(const Variant& variant) {
+    const ResolvedCase changed = with_settings(resolved_, variant.settings);
+    if (!variant.named.empty()) compute(changed, variant, variant.named, named_values(changed));
+    if (!variant.pointed.empty()) compute(changed, variant, variant.pointed, pointed_values(options_.result_of));
+  }
+
+  std::vector<ValidationRow> in_order(const ExpectedFile& expected) const {
+    std::vector<ValidationRow> rows;
+    for (const PublishedValue& published : expected.published)
+      if (const auto found = rows_.find(&published); found != rows_.end()) rows.push_back(found->second);
+    return rows;
+  }
+
+ private:
+  void compute(const ResolvedCase& changed, const Variant& variant, const Rows& rows, const ValuesOf& values_of) {
+    const std::string reading = reading_of(variant.settings);
+    try {
+      const std::vector<double> values = values_of(changed, rows);
+      for (std::size_t i = 0; i < rows.size(); ++i) rows_.emplace(rows[i], judged(*rows[i], values[i], reading));
+    } catch (const ComputationFailed& error) {
+      for (const PublishedValue* row : rows) rows_.emplace(row, failed(*row, reading, error.what()));
+      return;
+    }
+    Bands bands;
+    put_bands(changed, rows, values_of, options_, bands);
+    for (const auto& [row, band] : bands) rows_.at(row).band = band;
+  }
+
+  const ResolvedCase& resolved_;
+  const ValidationOptions& options_;
+  std::map<const PublishedValue*, ValidationRow> rows_;
+};
+
+// What the other readings of a drivetrain's case make of its life curve.
+void put_other_readings(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs, ValidationTable& table) {
   const std::vector<ChangeResult> results =
       results_of(resolved, with_reference(expected.alternatives), {.jobs = jobs});
-  const LifeCurve base = life_curve(results.front());
-  ValidationTable table{.case_name = resolved.text("name"), .sensitivities = sensitivities(results)};
-  put_derivatives(resolved, property(base, "peak_speed_rpm"), table.sensitivities);
-  for (const PublishedValue& published : expected.published)
-    table.rows.push_back(compare(published, property(base, published.quantity), ""));
+  table.sensitivities = sensitivities(results);
+  put_derivatives(resolved, property(life_curve(results.front()), "peak_speed_rpm"), table.sensitivities);
   for (const Sensitivity& one : table.sensitivities)
     for (const PublishedValue& published : expected.published)
-      if (published.value)
-        table.other_readings.push_back(
-            compare(published, property(one.curve, published.quantity), one.change.name));
+      if (has_other_readings(published))
+        table.other_readings.push_back(judged(published, property(one.curve, published.quantity), one.change.name));
+}
+
+std::vector<std::string> sorted(std::vector<std::string> texts) {
+  std::sort(texts.begin(), texts.end());
+  return texts;
+}
+
+// The key in REFERENCES.md with its brackets; the text itself where there is none.
+std::string source_key(const std::string& source) {
+  const std::size_t begin = source.find('['), end = source.find(']');
+  return begin == std::string::npos || end == std::string::npos ? source : source.substr(begin, end + 1 - begin);
+}
+
+}  // namespace
+
+ValidationRow judged(PublishedValue published, double ours, std::string reading) {
+  ValidationRow row{.published = std::move(published), .reading = std::move(reading)};
+  if (std::isfinite(ours)) row.ours = ours;
+  if (row.published.value && row.ours) row.deviation = *row.ours / *row.published.value - 1.0;
+  row.verdict = verdict_of(row);
+  return row;
+}
+
+ValidationTable validation_table_of(const ResolvedCase& resolved, const ExpectedFile& expected,
+                                    const ValidationOptions& options) {
+  ValidationTable table{.case_name = resolved.text("name")};
+  RowsOfCase rows(resolved, options);
+  for (const Variant& variant : variants_of(expected, static_cast<bool>(options.result_of))) rows.compute(variant);
+  table.rows = rows.in_order(expected);
+  if (!expected.alternatives.empty() && has_life_curve(resolved))
+    put_other_readings(resolved, expected, options.jobs, table);
   return table;
 }
 
 ValidationCount counted(const std::vector<ValidationTable>& tables) {
   ValidationCount count;
-  std::set<std::tuple<std::string, std::string, std::string, std::string, double>> seen;
+  std::set<std::tuple<std::string, std::vector<std::string>, double>> seen;
+  std::set<std::string> sources;
   for (const ValidationTable& table : tables) {
     count.comparisons_under_other_readings += static_cast<int>(table.other_readings.size());
     for (const ValidationRow& row : table.rows) {
-      if (!row.published ||
-          !seen.emplace(table.case_name, row.source, row.quantity, row.reading, *row.published).second)
+      const PublishedValue& published = row.published;
+      if (!published.value ||
+          !seen.emplace(published.source, sorted(published.settings), *published.value).second)
         continue;
-      ++(row.evidence == Evidence::recomputed ? count.recomputed : count.published);
-      count.trends += row.trend ? 1 : 0;
+      if (published.memory) {
+        ++count.remembered;
+        continue;
+      }
+      ++count.verdicts[evidence_name(published.kind)][row.verdict];
+      ++(counts(published.kind) ? count.published : count.recomputed);
+      if (!counts(published.kind)) continue;
+      count.trends += row.is_trend() ? 1 : 0;
+      count.fitted += published.fitted ? 1 : 0;
+      sources.insert(source_key(published.source));
     }
   }
+  count.sources = static_cast<int>(sources.size());
   return count;
 }
 
 std::string count_text(const std::vector<ValidationTable>& tables) {
   const ValidationCount count = counted(tables);
-  std::map<std::string, int> verdicts;
-  for (const ValidationTable& table : tables)
-    for (const ValidationRow& row : table.rows)
-      if (row.evidence == Evidence::published) ++verdicts[row.verdict];
-  std::string text =
-      fmt::format("\n{} distinct published values ({} of them trends):", count.published, count.trends);
-  for (const auto& [verdict, number] : verdicts) text += fmt::format(" {} {},", number, verdict);
-  text.back() = '\n';
-  return text +
-         fmt::format(
-             "{} values recomputed from their sources' data; {} comparisons of the same values under other "
-             "readings\n",
-             count.recomputed, count.comparisons_under_other_readings);
+  std::string text = fmt::format("\n{} distinct published values from {} sources ({} of them trends, {} that constants of their case were identified from)\n",
+                                 count.published, count.sources, count.trends, count.fitted);
+  for (const EvidenceKind kind : kEvidenceKinds) {
+    const auto verdicts = count.verdicts.find(evidence_name(kind));
+    if (verdicts == count.verdicts.end()) continue;
+    int all = 0;
+    std::vector<std::string> parts;
+    for (const auto& [verdict, values] : verdicts->second) {
+      all += values;
+      parts.push_back(fmt::format("{} {}", values, verdict));
+    }
+    text += fmt::format("  {:<15} {:>4}: {}{}\n", evidence_name(kind), all, fmt::join(parts, ", "),
+                        counts(kind) ? "" : "; not counted");
+  }
+  if (count.remembered > 0) text += fmt::format("  remembered, not read: {}; not counted\n", count.remembered);
+  return text + fmt::format("{} comparisons of the same values under other readings\n",
+                            count.comparisons_under_other_readings);
 }
 
 nlohmann::ordered_json rows_json(const ValidationTable& table) {
@@ -240,13 +469,25 @@ nlohmann::ordered_json sensitivities_json(const ValidationTable& table) {
 }
 
 std::string validation_text(const ValidationTable& table) {
-  std::string text =
-      fmt::format("{}\n{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", table.case_name, "source",
-                  "published", "ours", "deviation", "tolerance", "verdict", "quantity");
-  for (const ValidationRow& row : table.rows)
-    text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}\n", row.source,
-                        cell(row.published), cell(row.ours), deviation_cell(row.deviation), row.tolerance,
-                        row.verdict, key_with_reading(row));
+  std::string text = fmt::format("{}\n", table.case_name);
+  for (const EvidenceKind kind : kEvidenceKinds) {
+    bool first = true;
+    for (const ValidationRow& row : table.rows) {
+      const PublishedValue& published = row.published;
+      if (published.kind != kind) continue;
+      if (std::exchange(first, false))
+        text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10}  {:<13}  {}\n", evidence_name(kind), "published", "ours",
+                            "deviation", "tolerance", "verdict", "quantity");
+      text += fmt::format("{:<24} {:>10} {:>10} {:>10} {:>10.3g}  {:<13}  {}{}\n", published.source,
+                          cell(published.value), cell(row.ours), deviation_cell(row.deviation), published.tolerance,
+                          row.verdict, key_with_reading(row), published.memory ? " (remembered)" : published.fitted ? " (identified from)" : "");
+      if (row.band)
+        text += fmt::format("{:<24} inputs: {:.6g} to {:.6g} (50 %), {:.6g} to {:.6g} (90 %)\n", "", row.band->low_50,
+                            row.band->high_50, row.band->low_90, row.band->high_90);
+      if (row.verdict == "missed" && !published.why.empty())
+        text += fmt::format("{:<24} missed: {}\n", "", published.why);
+    }
+  }
   return text + other_readings_text(table) + sensitivities_text(table);
 }
 

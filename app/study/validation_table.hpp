@@ -1,6 +1,9 @@
 // The validation table: every published number beside ours.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -10,18 +13,23 @@
 
 namespace orbearing::app {
 
+/// Where our number lies when the case's uncertain inputs take their distributions.
+struct ValidationBand {
+  double low_90 = 0.0, low_50 = 0.0, high_50 = 0.0, high_90 = 0.0;  // ends of the middle 90 % and 50 %
+  int samples = 0;                                                  // that gave a number
+  int lost = 0;                                                     // that gave none
+};
+
 /// One comparison. `deviation` is relative.
 struct ValidationRow {
-  std::string source;
-  std::string quantity;
+  PublishedValue published;
   std::string reading;  // settings of the case; empty: the case as it stands
-  std::optional<double> published;
   std::optional<double> ours;
   std::optional<double> deviation;
-  double tolerance = 0.0;
   std::string verdict;  // reproduced, trend, missed, input missing
-  Evidence evidence = Evidence::published;
-  bool trend = false;  // only a direction is claimed
+  std::optional<ValidationBand> band{};
+
+  bool is_trend() const { return published.of == "trend"; }
 };
 
 /// All that `orbearing validate` says about one case.
@@ -32,22 +40,37 @@ struct ValidationTable {
   std::vector<Sensitivity> sensitivities;
 };
 
-/// How many values were compared, however many rows they stand in.
+/// How many values were compared, however many rows and cases they stand in: rows of one source, one value and one set of
+/// settings are one. Values that are remembered, and formulas and what we recompute, are none of the published ones.
 struct ValidationCount {
-  int published = 0;   // numbers and trends that a source prints
-  int trends = 0;      // among them
-  int recomputed = 0;  // numbers that follow from a source's data by scripts of others
+  std::map<std::string, std::map<std::string, int>> verdicts;  // of values read, by kind of evidence and verdict
+  int published = 0;                                           // numbers and trends that a source prints
+  int trends = 0;                                              // among them
+  int fitted = 0;      // among them: from which constants of their case were identified
+  int recomputed = 0;  // numbers that follow from a source's formulas or data
+  int remembered = 0;
+  int sources = 0;  // of `published`
   int comparisons_under_other_readings = 0;
 };
 
-/// A row with `published`, `ours` and `tolerance` filled in, with its deviation and verdict.
-ValidationRow judged(ValidationRow row, bool trend);
+/// What a command prints with --json for a case at a fidelity. Throws BadInput and ComputationFailed.
+using ResultOf = std::function<nlohmann::ordered_json(const std::string& command, const std::string& fidelity,
+                                                      const ResolvedCase& resolved)>;
+
+struct ValidationOptions {
+  int jobs = 0;  // threads for the other readings; 0: one for each core
+  ResultOf result_of{};  // none: rows of the quantity COMMAND:/json/pointer are left out
+  int samples = 0;  // of the uncertain inputs, for the bands of rows that somebody measured; 0: no bands
+  std::uint64_t seed = 1;
+};
+
+/// A row with its deviation and verdict. `ours`: NaN where the project has no such number.
+ValidationRow judged(PublishedValue published, double ours, std::string reading = "");
 
 /// Throws BadInput where the case is of a model that the table cannot compute.
-/// @param jobs threads for the other readings; 0: one for each core
-ValidationTable validation_table_of(const ResolvedCase& resolved, const ExpectedFile& expected, int jobs = 0);
+ValidationTable validation_table_of(const ResolvedCase& resolved, const ExpectedFile& expected,
+                                    const ValidationOptions& options = {});
 
-/// Values that several tables share, as those of copies of a case, count once for each case's name.
 ValidationCount counted(const std::vector<ValidationTable>& tables);
 std::string count_text(const std::vector<ValidationTable>& tables);
 

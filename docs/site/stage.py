@@ -143,8 +143,21 @@ def topics(_) -> str:
     return "```{toctree}\n:hidden:\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```"
 
 
+def validation_guide(folder: Path) -> str:
+    """The validation guide from the rows that tools/validation recorded."""
+    from orbearing import validation
+    from orbearing.validation.guide import guide, save
+
+    text, pictures = guide(validation.read([ROOT / "docs" / "validation" / "rows.json"]),
+                           (ROOT / "REFERENCES.md").read_text(encoding="utf-8"), prefix="validation_")
+    for name, figure in pictures.items():
+        save(figure, folder / name)
+    return text
+
+
 GENERATED = {"commands": commands, "section": section, "file": file, "inputs": inputs, "assumptions": assumptions,
-             "life-peak": life_peak, "topics": topics}
+             "life-peak": life_peak, "topics": topics,
+             "validation-guide": validation_guide}
 
 
 def filled(text: str, folder: Path) -> str:

@@ -42,7 +42,8 @@ def cases() -> dict[str, Path]:
     here = Path(__file__)
     for folder in (here.parent / "share" / "orbearing" / "cases", here.resolve().parents[2] / "cases", here.parents[2] / "cases"):
         if folder.is_dir():
-            return {file.parent.name: file for file in sorted(folder.glob("*/case.yaml"))}
+            own, validation = folder.glob("*/case.yaml"), folder.glob("validation/*/case.yaml")
+            return {file.parent.name: file for file in [*sorted(own), *sorted(validation)]}
     return {}
 
 

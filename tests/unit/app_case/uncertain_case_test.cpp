@@ -124,8 +124,27 @@ TEST(UncertainCase, ReportsMistakesOfItsKeys) {
   EXPECT_THAT(refused("input.power", "{uniform: {from: 2 kW, to: 1 kW}}"),
               ElementsAre(HasSubstr("not less than 'to'")));
   EXPECT_THAT(refused("lubricant.viscosity", "{class: CN}"), ElementsAre(HasSubstr("what is no clearance")));
-  EXPECT_THAT(mistakes(bearing_case + "uncertain:\n  load.radial: {normal: {standard_deviation: 5 N}}\n"),
-              ElementsAre(HasSubstr("case.yaml:13:1: uncertain: uncertain numbers of a roller-bearing")));
+  EXPECT_THAT(refused("input.power", "{normal: {standard_deviation: 5 kW, relative_standard_deviation: 0.1}}"),
+              ElementsAre(HasSubstr("found beside relative_standard_deviation")));
+  EXPECT_THAT(refused("input.power", "{normal: {mean: 150 kW}}"),
+              ElementsAre(HasSubstr("standard_deviation: missing")));
+  EXPECT_THAT(refused("input.power", "{normal: {relative_standard_deviation: 5 kW}}"),
+              ElementsAre(HasSubstr("relative_standard_deviation")));
+}
+
+// Issue 19, Build 1: measurements on single bearings have uncertain inputs as those on drivetrains.
+TEST(UncertainCase, MayBeOfAnyModel) {
+  EXPECT_THAT(mistakes(bearing_case + "uncertain:\n  load.radial: {normal: {standard_deviation: 5 N}}\n"), IsEmpty());
+  EXPECT_THAT(mistakes(bearing_case + "uncertain:\n  input.power: {normal: {standard_deviation: 5 N}}\n"),
+              ElementsAre(HasSubstr("unknown path")));
+}
+
+TEST(UncertainCase, NormalNumberMaySpreadByAShareOfItsMean) {
+  EXPECT_DOUBLE_EQ(only({"uncertain.input.power={normal: {relative_standard_deviation: 0.02}}"}).standard_deviation,
+                   3e3);
+  EXPECT_DOUBLE_EQ(
+      only({"uncertain.input.power={normal: {relative_standard_deviation: 0.02, mean: 100 kW}}"}).standard_deviation,
+      2e3);
 }
 
 TEST(UncertainCase, ReportsWhatDoesNotFitTheCase) {

@@ -182,7 +182,7 @@ TEST(PairValidationTable, OfTheShippedCaseReproducesAll) {
   const ValidationTable table = validation_table_of(pair_case(), read_expected(expected_beside(file)));
   EXPECT_EQ(table.rows.size(), 17U);
   for (const ValidationRow& row : table.rows)
-    EXPECT_EQ(row.verdict, "reproduced") << row.quantity << row.reading;
+    EXPECT_EQ(row.verdict, "reproduced") << row.published.quantity << row.reading;
 }
 
 }  // namespace

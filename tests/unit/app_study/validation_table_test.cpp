@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "app/case/case_file.hpp"
+#include "app/errors.hpp"
 #include "app/study/gear_output.hpp"
 #include "tests/gear_sets.hpp"
 #include "tests/unit/app_case/small_case.hpp"
@@ -17,16 +20,16 @@ namespace {
 
 using testing::HasSubstr;
 
-ValidationRow row(const std::string& quantity, double published, double ours) {
-  return judged({.source = "made up", .quantity = quantity, .published = published, .ours = ours}, false);
+PublishedValue value(const std::string& quantity, double number, EvidenceKind kind = EvidenceKind::program) {
+  return {.source = "[ISO281], Table 1", .kind = kind, .of = "load", .quantity = quantity, .value = number};
 }
 
 // Three quantities, one of them a trend and one recomputed, compared under two more readings.
 ValidationTable made_up() {
   ValidationTable table{.case_name = "case",
-                        .rows = {row("a", 1.0, 1.0), row("b", 2.0, 2.0), row("c", 3.0, 4.0)}};
-  table.rows[1] = judged(table.rows[1], true);
-  table.rows[2].evidence = Evidence::recomputed;
+                        .rows = {judged(value("a", 1.0), 1.0), judged(value("b", 2.0), 2.0),
+                                 judged(value("c", 3.0, EvidenceKind::recomputed), 4.0)}};
+  table.rows[1].published.of = "trend";
   for (const char* reading : {"other oil", "other cage"})
     for (ValidationRow again : table.rows) {
       again.reading = reading;
@@ -40,6 +43,7 @@ TEST(ValidationCount, CountsEachPublishedValueOnceWhateverItsReadings) {
   EXPECT_EQ(count.published, 2);
   EXPECT_EQ(count.trends, 1);
   EXPECT_EQ(count.recomputed, 1);
+  EXPECT_EQ(count.sources, 1);
   EXPECT_EQ(count.comparisons_under_other_readings, 6);
 }
 
@@ -50,9 +54,34 @@ TEST(ValidationCount, CountsARowGivenTwiceOnce) {
   EXPECT_EQ(counted({twice, made_up()}).published, 2);
 }
 
+// Issue 19, Build 1: a value counts once over all cases, by kind of evidence; another number of the same table and the
+// same number under other settings are values of their own.
+TEST(ValidationCount, CountsAValueOnceOverAllCasesByItsKind) {
+  ValidationTable other{.case_name = "other case",
+                        .rows = {judged(value("run:/a", 1.0), 1.0),
+                                 judged(value("measured", 5.0, EvidenceKind::measurement), 9.0),
+                                 judged(value("formula", 6.0, EvidenceKind::closed_form), 6.0)}};
+  const ValidationCount count = counted({made_up(), other});
+  EXPECT_EQ(count.published, 3);
+  EXPECT_EQ(count.recomputed, 2);
+  EXPECT_EQ(count.verdicts.at("measurement").at("missed"), 1);
+  EXPECT_EQ(count.verdicts.at("closed-form").at("reproduced"), 1);
+  EXPECT_EQ(count.verdicts.at("program").at("reproduced"), 2);
+  other.rows[0].published.settings = {"a=1"};
+  EXPECT_EQ(counted({made_up(), other}).published, 4);
+}
+
+TEST(ValidationCount, LeavesOutWhatIsRemembered) {
+  ValidationTable table = made_up();
+  table.rows[0].published.memory = true;
+  const ValidationCount count = counted({table});
+  EXPECT_EQ(count.published, 1);
+  EXPECT_EQ(count.remembered, 1);
+}
+
 TEST(ValidationCount, LeavesOutWhatHasNoPublishedNumber) {
   ValidationTable table = made_up();
-  table.rows[0].published.reset();
+  table.rows[0].published.value.reset();
   EXPECT_EQ(counted({table}).published, 1);
 }
 
@@ -62,7 +91,120 @@ TEST(ValidationText, ListsOtherReadingsApart) {
   ASSERT_NE(apart, std::string::npos);
   EXPECT_EQ(text.substr(0, apart).find("other oil"), std::string::npos);
   EXPECT_THAT(text.substr(apart), HasSubstr("4*  other oil"));
-  EXPECT_THAT(count_text({made_up()}), HasSubstr("2 distinct published values (1 of them trends)"));
+  EXPECT_THAT(count_text({made_up()}), HasSubstr("2 distinct published values from 1 sources (1 of them trends, 0 that"));
+}
+
+// expected.yaml beside nothing, of one row with these lines in place of or beside the usual ones.
+class ExpectedYaml : public testing::Test {
+ protected:
+  ExpectedFile read(const std::string& lines) {
+    std::ofstream(file_) << "published:\n  - source: \"[ISO281], p. 1\"\n" << lines;
+    return read_expected(file_);
+  }
+  std::string complaint(const std::string& lines) {
+    try {
+      read(lines);
+      return "";
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+  }
+  ~ExpectedYaml() override { std::filesystem::remove(file_); }
+
+  const std::string file_ = testing::TempDir() + "expected_of_validation_table_test.yaml";
+  const std::string usual_ =
+      "    of: slip\n    quantity: run:/a/0\n    meaning: m\n    value: 2\n    tolerance: 0.1\n";
+};
+
+TEST_F(ExpectedYaml, IsReadAsWritten) {
+  const PublishedValue one =
+      read(usual_ + "    kind: worked-example\n    scatter: 0.03\n    why: w\n    memory: true\n    fidelity: dynamic\n")
+          .published.at(0);
+  EXPECT_EQ(one.kind, EvidenceKind::worked_example);
+  EXPECT_EQ(one.of, "slip");
+  EXPECT_EQ(one.scatter, 0.03);
+  EXPECT_EQ(one.why, "w");
+  EXPECT_TRUE(one.memory);
+  EXPECT_EQ(one.fidelity, "dynamic");
+  EXPECT_EQ(result_pointer(one.quantity)->command, "run");
+  EXPECT_EQ(result_pointer(one.quantity)->pointer, "/a/0");
+}
+
+TEST_F(ExpectedYaml, RefusesWhatItDoesNotKnow) {
+  EXPECT_THAT(complaint(usual_), HasSubstr("kind: found ''"));
+  EXPECT_THAT(complaint(usual_ + "    kind: hearsay\n"), HasSubstr("kind: found 'hearsay'"));
+  EXPECT_THAT(complaint(usual_ + "    kind: program\n    evidence: recomputed\n"), HasSubstr("unknown key evidence"));
+  EXPECT_THAT(complaint("    kind: program\n"), HasSubstr("of: missing"));
+  EXPECT_THAT(complaint(usual_ + "    kind: program\n    scatter: -1\n"), HasSubstr("scatter"));
+}
+
+ExpectedFile of_quantity(const std::string& quantity) {
+  ExpectedFile expected{.published = {value(quantity, 7.0, EvidenceKind::measurement)}};
+  return expected;
+}
+
+// A command that gives 2 and 3 everywhere, and counts how often it is called.
+ResultOf two_and_three(int& calls) {
+  return [&calls](const std::string&, const std::string&, const ResolvedCase&) {
+    ++calls;
+    return nlohmann::ordered_json{{"list", {2, 3}}, {"text", "no number"}, {"nothing", nullptr}};
+  };
+}
+
+TEST(ValidationTable, ReadsNumbersOfACommandByTheirPointer) {
+  int calls = 0;
+  const ValidationOptions options{.result_of = two_and_three(calls)};
+  ExpectedFile expected = of_quantity("run:/list/1");
+  expected.published.push_back(value("run:/list/0", 2.0));
+  expected.published.push_back(value("run:/nothing", 2.0));
+  const ValidationTable table = validation_table_of(shipped(), expected, options);
+  EXPECT_EQ(table.rows.at(0).ours, 3.0);
+  EXPECT_EQ(table.rows.at(0).verdict, "missed");
+  EXPECT_EQ(table.rows.at(1).verdict, "reproduced");
+  EXPECT_EQ(table.rows.at(2).verdict, "input missing");
+  EXPECT_EQ(calls, 1);
+  EXPECT_TRUE(validation_table_of(shipped(), expected).rows.empty());  // without commands
+}
+
+TEST(ValidationTable, RefusesAPointerToNoNumber) {
+  int calls = 0;
+  const ValidationOptions options{.result_of = two_and_three(calls)};
+  EXPECT_THROW(validation_table_of(shipped(), of_quantity("run:/list/2"), options), BadInput);
+  EXPECT_THROW(validation_table_of(shipped(), of_quantity("run:/text"), options), BadInput);
+}
+
+TEST(ValidationTable, MissesWhatCannotBeComputed) {
+  const ValidationOptions options{
+      .result_of = [](const std::string&, const std::string&, const ResolvedCase&) -> nlohmann::ordered_json {
+        throw ComputationFailed("no balance");
+      }};
+  const ValidationRow row = validation_table_of(shipped(), of_quantity("run:/a"), options).rows.at(0);
+  EXPECT_EQ(row.verdict, "missed");
+  EXPECT_FALSE(row.ours);
+  EXPECT_THAT(row.published.why, HasSubstr("no balance"));
+}
+
+// Issue 19, Build 1: the quantity is the uncertain number itself, so the band is that of its own distribution.
+TEST(ValidationTable, HasTheBandOfItsUncertainInputs) {
+  const ValidationOptions options{
+      .result_of =
+          [](const std::string&, const std::string&, const ResolvedCase& resolved) {
+            return nlohmann::ordered_json{{"power", resolved.quantity("input.power")}};
+          },
+      .samples = 400};
+  const ResolvedCase uncertain =
+      shipped({"uncertain.input.power={normal: {relative_standard_deviation: 0.02}}"});
+  const std::optional<ValidationBand> band =
+      validation_table_of(uncertain, of_quantity("run:/power"), options).rows.at(0).band;
+  ASSERT_TRUE(band);
+  // Quartiles and 5 % of the normal distribution: 0.67449 and 1.64485 standard deviations of 3 kW; strata of 1/400.
+  constexpr double stratum = 0.02;  // [standard deviations] at most, at these quantiles
+  EXPECT_NEAR(band->high_50, 150e3 + 0.67449 * 3e3, stratum * 3e3);
+  EXPECT_NEAR(band->low_50, 150e3 - 0.67449 * 3e3, stratum * 3e3);
+  EXPECT_NEAR(band->low_90, 150e3 - 1.64485 * 3e3, stratum * 3e3);
+  EXPECT_NEAR(band->high_90, 150e3 + 1.64485 * 3e3, stratum * 3e3);
+  EXPECT_EQ(band->samples, 400);
+  EXPECT_EQ(band->lost, 0);
 }
 
 // The one source of the reducer prints five things that can be compared; two dozen readings add none.

@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+"""The validation guide: its statistics, its page, and verdicts beside those recorded.
+
+Issue 19, Build 1, 3 and 4. Verdicts of all cases: tools/test --full; else of cases that take a second together.
+Needs ORBEARING and ORBEARING_SOURCE_DIR.
+"""
+
+import math
+import os
+import pathlib
+import tempfile
+import unittest
+from dataclasses import replace
+
+from orbearing import validation
+from orbearing.validation.guide import from_memory, guide, percent
+from orbearing.validation.record import write_record
+from program import CASES, run
+
+SOURCE = pathlib.Path(os.environ["ORBEARING_SOURCE_DIR"])
+RECORDED = SOURCE / "docs" / "validation" / "rows.json"
+FULL = os.environ.get("ORBEARING_FULL") == "yes"
+
+ROW = validation.Row(case="c", source="[A2000], Table 1", kind="measurement", of="slip", quantity="q", meaning="m", reading="", published=2.0,
+                     ours=2.2, tolerance=0.05, scatter=0.03, band=None, verdict="missed", why="", memory=False, fitted=False)
+
+
+def band(low_90, low_50, high_50, high_90):
+    return {"low_90": low_90, "low_50": low_50, "high_50": high_50, "high_90": high_90, "samples": 9, "lost": 0}
+
+
+class Numbers(unittest.TestCase):
+    def test_bias_and_deviation_are_those_of_the_logarithm(self):
+        rows = [replace(ROW, published=1.0, ours=math.exp(x), scatter=s) for x, s in ((0.1, 0.03), (0.3, None))]
+        found = validation.statistics(rows)
+        self.assertAlmostEqual(found.bias, 0.2)
+        self.assertAlmostEqual(found.deviation, 0.1 * math.sqrt(2.0))
+        self.assertAlmostEqual(found.of_measurement, 0.03)
+        self.assertAlmostEqual(found.of_model, math.sqrt(0.02 - 0.03**2))
+
+    def test_no_ratio_of_zero_or_of_nothing(self):
+        for row in (replace(ROW, ours=None), replace(ROW, published=0.0), replace(ROW, ours=-1.0), replace(ROW, of="trend")):
+            self.assertIsNone(row.log_ratio)
+        self.assertIsNone(validation.statistics([replace(ROW, ours=None)]).bias)
+
+    def test_values_are_told_apart_by_source_value_and_settings(self):
+        rows = [ROW, replace(ROW, case="other", quantity="again"), replace(ROW, published=3.0), replace(ROW, reading="a=1, b=2"),
+                replace(ROW, reading="b=2, a=1"), replace(ROW, source="[A2000], Table 2")]
+        self.assertEqual(len(validation.distinct(rows)), 4)
+
+    def test_calibration_counts_measurements_within_bands(self):
+        rows = [replace(ROW, band=band(1.0, 1.9, 2.1, 3.0)), replace(ROW, band=band(1.9, 2.1, 2.2, 2.3)), replace(ROW, band=band(3, 4, 5, 6)),
+                ROW, replace(ROW, band=band(1, 1, 9, 9), fitted=True), replace(ROW, band=band(1, 1, 9, 9), kind="program")]
+        found = validation.calibration(rows)
+        self.assertEqual((found.values, found.in_50, found.in_90), (3, 1, 2))
+
+    def test_a_band_is_widened_by_the_scatter_of_the_measurement(self):
+        """Ours 2.0, half widths 0.03 by inputs and 1.64485 x 0.02 x 2 = 0.0658 by the measurement: 0.0723 together."""
+        row = replace(ROW, ours=2.0, scatter=0.02, band=band(1.97, 1.99, 2.01, 2.03))
+        for published, within in ((2.072, 1), (2.073, 0), (1.928, 1), (1.927, 0)):
+            found = validation.calibration([replace(row, published=published)])
+            self.assertEqual((found.in_90, found.in_both_90), (0, within))
+
+    def test_percent_of_a_logarithm(self):
+        self.assertEqual(percent(math.log(1.3), True), "+30.0 %")
+        self.assertEqual(percent(math.log(0.999)), "-0.10 %")
+
+
+class Page(unittest.TestCase):
+    def test_it_shows_misses_memory_and_pictures(self):
+        rows = [ROW, replace(ROW, meaning="known", published=5.0, ours=6.0, why="thermal"), replace(ROW, meaning="remembered", published=7.0, memory=True)]
+        text, pictures = guide(rows, "| [A2000] | A. Author: formula (from memory) |\n| [B] | B. Author: read |\n")
+        misses = text.split("## Misses")[1].split("## ")[0]
+        self.assertIn("not understood", misses)
+        self.assertIn("thermal", misses)
+        self.assertNotIn("remembered", misses)
+        counts = text.split("## What counts")[1].split("## ")[0]
+        self.assertIn("| measurement | 2 | 1 | 0 | 0 | 2 | 0 | yes |", counts)
+        self.assertIn("remembered", text.split("## Remembered")[1])
+        self.assertEqual(list(pictures), ["slip.png"])
+
+    def test_references_from_memory(self):
+        self.assertIn("[X1]", from_memory("| [X1] | some, cited from memory |\n| [Y2] | read |\n"))
+        self.assertNotIn("[Y2]", from_memory("| [X1] | some, cited from memory |\n| [Y2] | read |\n"))
+
+    def test_it_is_written_with_its_pictures(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = validation.write_guide([ROW, replace(ROW, published=3.0)], folder)
+            self.assertTrue((page.parent / "slip.png").stat().st_size > 5000)
+
+
+class Verdicts(unittest.TestCase):
+    def test_a_record_is_read_as_it_was_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "rows.json"
+            rows = [ROW, replace(ROW, meaning="other", band=band(1, 2, 3, 4))]
+            write_record(rows, file)
+            self.assertEqual(validation.read([file]), rows)
+
+    def test_a_change_names_its_row(self):
+        changes = validation.changed_verdicts([ROW], [replace(ROW, verdict="reproduced"), replace(ROW, meaning="new")])
+        self.assertEqual(len(changes), 2)
+        self.assertIn("[A2000], Table 1, q (m): was missed, is reproduced", changes[0])
+        self.assertIn("was no such row, is missed", changes[1])
+
+    def test_names_of_cases_are_unlike(self):
+        names = [path.parent.name for pattern in ("*/case.yaml", "validation/*/case.yaml") for path in CASES.glob(pattern)]
+        self.assertEqual(len(names), len(set(names)))
+
+    def test_every_case_with_published_values_is_recorded(self):
+        """Rows of expected.yaml are those of the record: a value that was added has been compared."""
+        import yaml
+
+        recorded = {}
+        for row in validation.read([RECORDED]):
+            recorded.setdefault(row.case, []).append((row.source, row.quantity, row.meaning, row.published))
+        for pattern in ("*/expected.yaml", "validation/*/expected.yaml"):
+            for file in sorted(CASES.glob(pattern)):
+                stated = yaml.safe_load(file.read_text(encoding="utf-8"))["published"] or []
+                name = yaml.safe_load((file.parent / "case.yaml").read_text(encoding="utf-8"))["name"]
+                self.assertEqual(sorted((r["source"], r["quantity"], r["meaning"], number(r["value"])) for r in stated),
+                                 sorted((s, q, m, number(v)) for s, q, m, v in recorded.get(name, [])), name)
+
+    def test_verdicts_are_those_recorded(self):
+        before = validation.read([RECORDED])
+        names = sorted({row.case for row in before}) if FULL else QUICK
+        with tempfile.TemporaryDirectory() as folder:
+            files = []
+            for name in names:
+                case = next(path for path in (CASES / name, CASES / "validation" / name) if path.is_dir())
+                done = run("validate", case, "--json")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                files.append(pathlib.Path(folder) / f"{name}.json")
+                files[-1].write_text(done.stdout, encoding="utf-8")
+            self.assertEqual(validation.changed_verdicts([row for row in before if row.case in names], validation.read(files)), [])
+
+
+def number(value):
+    return "" if value is None else f"{float(value):.9g}"
+
+
+# Cheap ones of each model.
+QUICK = ["ball_6305_iso16281", "cooley_parker_2012", "duplex_7020", "harris_209", "jones_218", "lin_parker_1999", "mesh_62_62",
+         "planet_bearing_iso16281", "spin_film_guo2013"]
+
+if __name__ == "__main__":
+    unittest.main()
