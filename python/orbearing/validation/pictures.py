@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from orbearing import style
 from orbearing.validation.rows import KINDS, Row
 
-SIZE = (8.6, 4.3)
+SIZE = (8.6, 4.5)
 LOOKS = dict(zip(KINDS, (("o", style.VERMILION), ("s", style.BLUE), ("^", style.GREEN), ("x", style.GREY), ("+", style.PURPLE))))
 DECADE = 10.0
 LEAST_OFF = 0.1  # [%] deviations below are not drawn larger than they are
@@ -28,7 +28,7 @@ def scatter(name: str, rows: Sequence[Row]) -> Figure:
         _whole_axes(whole, shown)
         _off_axes(off, shown)
         figure.suptitle(name, fontsize=11)
-        style.legend_above(whole, columns=3)
+        style.legend_above(whole, columns=2)
         return figure
 
 
