@@ -4,21 +4,30 @@
 Needs the source folder in ORBEARING_SOURCE_DIR.
 """
 
+import itertools
 import json
 import os
 import pathlib
 import sys
+import tempfile
 import unittest
 
 SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2])).resolve()
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(SOURCE / "tools"))
 from mutants import beside, draw  # noqa: E402
+from mutants.results import Results  # noqa: E402
 from mutants.trial import with_error  # noqa: E402
 
 TEXTS = {name: (SOURCE / name).read_text(encoding="utf-8") for name in draw.sources(SOURCE)
          if name.startswith(("gearset/dynamics/e", "gearset/dynamics/f", "bearing/contact/f", "bearing/geometry"))}
-DRAWN = draw.first(draw.draw(TEXTS, 1), 60, set())
+
+
+def drawn(texts: dict[str, str], seed: int) -> list[draw.Mutant]:
+    return list(itertools.islice(draw.draw(texts, seed), 60))
+
+
+DRAWN = drawn(TEXTS, 1)
 
 # One line for each kind, and what each of its errors makes of it.
 LINES = {
@@ -57,8 +66,8 @@ class Draw(unittest.TestCase):
             self.assertEqual(draw.mutants_of("x.cpp", line), [], line)
 
     def test_the_draw_follows_from_seed_and_sources(self):
-        self.assertEqual(draw.first(draw.draw(TEXTS, 1), 60, set()), DRAWN)
-        other = draw.first(draw.draw(TEXTS, 2), 60, set())
+        self.assertEqual(drawn(TEXTS, 1), DRAWN)
+        other = drawn(TEXTS, 2)
         self.assertLess(len({mutant.key for mutant in DRAWN} & {mutant.key for mutant in other}), 30)
 
     def test_each_kind_is_drawn_as_often_as_its_places_allow(self):
@@ -78,11 +87,36 @@ class Draw(unittest.TestCase):
 
     def test_a_line_more_leaves_the_draw_as_it_is(self):
         moved = TEXTS | {"bearing/geometry.cpp": "\n\n" + TEXTS["bearing/geometry.cpp"]}
-        self.assertEqual([mutant.key for mutant in draw.first(draw.draw(moved, 1), 60, set())], [mutant.key for mutant in DRAWN])
+        self.assertEqual([mutant.key for mutant in drawn(moved, 1)], [mutant.key for mutant in DRAWN])
 
-    def test_what_is_left_out_gives_way_to_the_next(self):
-        again = draw.first(draw.draw(TEXTS, 1), 59, {DRAWN[3].key})
-        self.assertEqual(again, DRAWN[:3] + DRAWN[4:])
+
+class Table(unittest.TestCase):
+    def results(self, folder: str, sources: str = "sources", tests: str = "tests", listed=()) -> Results:
+        return Results(pathlib.Path(folder) / "known.json", DRAWN[:8], 5, set(listed), sources, tests)
+
+    def test_what_is_no_error_gives_way_to_the_next(self):
+        with tempfile.TemporaryDirectory() as folder:
+            results = self.results(folder, listed=[DRAWN[3].key])
+            self.assertEqual(results.pending(), [0, 1, 2, 4, 5])
+            results.add(0, "unit", "a test", 1.0)
+            results.add(1, "no program", "", 1.0)
+            results.add(2, "none", "", 1.0)
+            results.add(4, "regression", "another", 1.0)
+            self.assertEqual(results.pending(), [5, 6])
+            results.add(6, "same program", "", 1.0)
+            results.add(7, "interface", "a third", 1.0)
+            tally = results.table()["tally"]
+            self.assertEqual([row["number"] for row in results.table()["errors"]], [0, 2, 4, 5, 7])
+            self.assertEqual(list(tally.values()), [5, 4, 3, 1, 1, 1, 1, 1, 1, 1])
+
+    def test_it_goes_on_where_it_was(self):
+        with tempfile.TemporaryDirectory() as folder:
+            first = self.results(folder)
+            first.add(0, "unit", "a test", 1.0)
+            first.add(1, "none", "", 1.0)
+            self.assertEqual(self.results(folder).pending(), [2, 3, 4])
+            self.assertEqual(self.results(folder, tests="more tests").pending(), [1, 2, 3, 4])
+            self.assertEqual(self.results(folder, sources="other sources").pending(), [0, 1, 2, 3, 4])
 
 
 class Beside(unittest.TestCase):
@@ -98,7 +132,8 @@ class Beside(unittest.TestCase):
         self.assertEqual(expression, "void f() {\n  x = (orbearing_mutants::acts(7) ? (a - b) : (a + b))\n;\n}\n")
 
     def test_a_condition_an_initialiser_and_a_constant_choose(self):
-        self.assertIn("if (orbearing_mutants::acts(7) ? bool(a > b) : bool(a < b)) {", self.ways("{ if (a < b) { x = 1; } }", " < ", " > ")[0])
+        self.assertIn("if (orbearing_mutants::acts(7) ? bool(a > b) : bool(a < b)) {",
+                      self.ways("{ if (a < b) { x = 1; } }", " < ", " > ")[0])
         self.assertEqual(self.ways("A(double b) : x_(b + c) {}", " + ", " - "),
                          ["A(double b) : x_((orbearing_mutants::acts(7) ? (b - c) : (b + c))) {}"])
         self.assertEqual(self.ways("constexpr double kA = 0.5;", "0.5", "0.55")[0],
@@ -108,7 +143,8 @@ class Beside(unittest.TestCase):
         for number, mutant in enumerate(DRAWN):
             whole = TEXTS[mutant.file]
             begin = sum(len(line) for line in whole.splitlines(keepends=True)[:mutant.line - 1]) + mutant.begin
-            for first, last, text in beside.forms(beside.without_comments(whole), begin, begin + mutant.end - mutant.begin, mutant.fresh, number):
+            end = begin + mutant.end - mutant.begin
+            for first, last, text in beside.forms(beside.without_comments(whole), begin, end, mutant.fresh, number):
                 self.assertEqual(text.count("\n"), whole.count("\n", first, last))
                 self.assertIn(beside.acts(number), text)
 

@@ -123,7 +123,7 @@ def expression_around(text: str, begin: int, end: int) -> tuple[int, int] | None
     first, depth = begin, 0
     while first > 0:
         sign = text[first - 1]
-        if depth == 0 and (sign in "([{,;}?" or assigns(text, first - 1) or is_colon(text, first - 1)):
+        if depth == 0 and (sign in "([{,;?" or assigns(text, first - 1) or is_colon(text, first - 1)):
             break
         if depth == 0 and re.search(r"\b(return|else)\s$", text[max(0, first - 8):first]):
             break

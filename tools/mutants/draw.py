@@ -4,7 +4,7 @@ import dataclasses
 import hashlib
 import pathlib
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 FOLDERS = ("bearing", "gearset", "coupling", "mechanics")
 # Interfaces of the FMUs, tables of data sheets, arguments that are refused, messages: no physics.
@@ -148,13 +148,3 @@ def draw(texts: dict[str, str], seed: int) -> Iterator[Mutant]:
                     yield mutant
                     break
 
-
-def first(order: Iterable[Mutant], count: int, left_out: set[str]) -> list[Mutant]:
-    """The first `count` of the order whose keys are not left out."""
-    chosen = []
-    for mutant in order:
-        if len(chosen) == count:
-            break
-        if mutant.key not in left_out:
-            chosen.append(mutant)
-    return chosen

@@ -210,7 +210,7 @@ class Copy:
                        if self.program or not re.search(r"/tests/\w+/app_", path.as_posix()))
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             for name, entry in pool.map(once, paths):
-                if kept.get(name) != entry:
+                if entry["passes"] and kept.get(name) != entry:  # one that fails is asked again
                     kept[name] = entry
                     kept_in.write_text(json.dumps(kept))
                 self.files[name] = TestFile(name.split("/")[0], entry["seconds"], entry["reached"], entry["passes"])
