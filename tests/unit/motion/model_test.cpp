@@ -67,6 +67,19 @@ TEST(BearingModel, RefusesLargerRollersThanGoIn) {
   EXPECT_EQ(complaint(bearing, test::reducer_parameters()), "accepted");
 }
 
+// Issue 19, Build 6: a hollow cylinder from each race to its seat.
+TEST(BearingModel, WhereNoMassIsStatedTheBoreHasThatOfTheOuterRing) {
+  const Bearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.bore_mass = 0.0;
+  const BearingModel model = bearing_model(bearing, test::reducer_point(6000.0), parameters);
+  const auto ring = [&](double outside, double inside) {
+    return bearing.material.density * M_PI / 4.0 * (outside * outside - inside * inside) * 11.9e-3;
+  };
+  EXPECT_NEAR(model.bore_mass, ring(47e-3, 40.88e-3), 1e-12);
+  EXPECT_NEAR(model.pin_mass, ring(30.4e-3, 25e-3), 1e-12);
+}
+
 TEST(BearingModel, RippleAddsItsHarmonics) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.excitation = {.angular_frequency = 1000.0,
