@@ -6,6 +6,7 @@
 
 #include "coupling/study/bearing_tangent.hpp"
 #include "coupling/study/planet_stiffness.hpp"
+#include "gearset/rim/rim_influence.hpp"
 #include "tests/reducer.hpp"
 
 namespace orbearing::study::study_planet_stiffness_test {
@@ -34,6 +35,19 @@ DrivetrainGeometry stiff_rim(const PlanetaryDrivetrain& drivetrain) {
   return geometry;
 }
 
+// Issue 19, Build 6: the outer rings of both bearings, 11.9 mm each, stiffen the rim.
+TEST(PlanetRim, HasTheRingsOfAllItsBearings) {
+  PlanetaryDrivetrain two = elastic_reducer(), one = two;
+  ASSERT_EQ(two.bearings_per_planet, 2);
+  const DrivetrainGeometry geometry = derive(two);
+  const gearset::rim::RimSection section =
+      gearset::rim::rim_section(two.set, geometry.gears, geometry.bearing.outer_radius, 2 * 11.9e-3);
+  const Eigen::ArrayXd race = gearset::rim::rim_influence(section, geometry.gears, two.bearing.material).race;
+  EXPECT_TRUE(geometry.rim->race.isApprox(race, 1e-12));
+  one.bearings_per_planet = 1;
+  EXPECT_GT(derive(one).rim->race[2], 1.05 * race[2]);  // half of the rings: bends more
+}
+
 TEST(PlanetStiffness, OfAStiffRimIsThatOfItsParts) {
   const PlanetaryDrivetrain drivetrain = elastic_reducer();
   const DrivetrainGeometry geometry = stiff_rim(drivetrain);
@@ -52,7 +66,8 @@ TEST(PlanetStiffness, IsSymmetricAndSofterThanItsParts) {
   EXPECT_LT(soft(1, 1), 0.95 * stiff(1, 1));
 }
 
-// A thick rim, on a single narrow bearing: no direction gives way against its force, and all of it is nearly rigid.
+// A thick rim, on a single narrow bearing: no direction gives way against its force, and all of it is nearly
+// rigid.
 TEST(PlanetStiffness, OfAThickRimIsNearlyThatOfItsParts) {
   PlanetaryDrivetrain drivetrain = elastic_reducer();
   drivetrain.set.module *= 2.0;

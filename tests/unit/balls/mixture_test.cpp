@@ -152,6 +152,18 @@ TEST(Mixture, HeatInMotionIsThatOfTheBalance) {
   }
 }
 
+// Issue 19, Build 6. Slow turning in a standing cylinder a gap t = s R away is Couette's flow, whose torque 4
+// pi mu w b R^2 (R + t)^2 / (t (2 R + t)) makes 8 (1 + s)^2 / (2 + s) of friction times Reynolds number. The
+// fit of the measurements, ~ s^0.3, cuts it at s = 0.066.
+TEST(CylinderFriction, IsCouettesWhereTheFlowIsLaminar) {
+  constexpr double kFit = 0.09;  // of the fit between these gaps, largest at s = 0.1
+  for (const double s : {0.05, 0.066, 0.08, 0.1}) {
+    const double couette = 8.0 * (1.0 + s) * (1.0 + s) / (2.0 + s);
+    for (const double reynolds : {1e-3, 1.0, 40.0})
+      EXPECT_NEAR(reynolds * cylinder_friction(reynolds) * std::pow(s, 0.3), couette, kFit * couette);
+  }
+}
+
 // The same numbers made into a bearing twice are those made once.
 TEST(Mixture, SlowsTheDragOnce) {
   RandomBalls random(7);

@@ -140,6 +140,42 @@ TEST(PocketContact, SlopesOfTheFilmAreThoseOfItsLoad) {
     }
 }
 
+// Issue 19, Build 6: the same of both sides together, by every motion of the ball in its pocket.
+TEST(PocketContact, SlopesOfBothSidesAreThoseOfTheirLoad) {
+  const Film film;
+  const ContactAxes<double> axes{.normal = {0.0, 1.0, 0.0}, .along = {0.0, 0.0, 1.0}, .across = {1.0, 0.0, 0.0}};
+  const auto at = [&](double distance, const Triple<double>& speed, const Triple<double>& turn,
+                      PocketFilmSlopes<double>& slopes) {
+    PocketTouch<double> touch{};
+    slopes = {};
+    add_pocket_film<true>(film.c, axes, distance, 0.0, speed, turn, touch, slopes);
+    return touch.load;
+  };
+  const double place = 0.04e-3;
+  const Triple<double> speed{0.3, -2e-3, 0.2}, turn{40.0, 15.0, -60.0};
+  PocketFilmSlopes<double> slopes{}, unused{};
+  at(place, speed, turn, slopes);
+  const auto by = [&](double h, auto&& moved) { return (moved(h) - moved(-h)) / (2.0 * h); };
+  const auto by_speed = [&](const Triple<double>& way) {
+    return by(1e-7, [&](double v) { return at(place, speed + mechanics::scaled(v, way), turn, unused); });
+  };
+  const auto by_turn = [&](const Triple<double>& way) {
+    return by(1e-4, [&](double w) { return at(place, speed, turn + mechanics::scaled(w, way), unused); });
+  };
+  constexpr double kDifference = 1e-5;  // relative, of differences over such steps
+  const auto expect = [&](double slope, double difference, const char* what) {
+    EXPECT_GT(std::abs(difference), 0.0) << what;
+    EXPECT_NEAR(slope, difference, kDifference * std::abs(difference)) << what;
+  };
+  const double h = 1e-10;
+  expect(slopes.by_approach, by(h, [&](double x) { return at(place + x, speed, turn, unused); }), "approach");
+  expect(slopes.by_speed, -by_speed(axes.normal), "speed");
+  expect(slopes.by_along, by_speed(axes.along), "along");
+  expect(slopes.by_across, by_speed(axes.across), "across");
+  expect(slopes.by_turning_across, by_turn(axes.across), "turning about across");
+  expect(slopes.by_turning_along, by_turn(axes.along), "turning about along");
+}
+
 // Eq. (17): the pocket's direction in a tilted cage is that of the shortest turn of its axis.
 TEST(PocketContact, DirectionsTurnWithTheAxis) {
   const Eigen::Vector3d axis = Eigen::Vector3d(0.02, -0.03, 1.0).normalized();

@@ -184,6 +184,15 @@ TEST(MountedClearance, WithoutRingsPinAndPlanetAreTheRaces) {
   EXPECT_NEAR(chain.warm - chain.fitted, -9.1885 * kUm, kPrinted * 9.0 * kUm);
   EXPECT_EQ(chain.inner_pressure, 0.0);
   EXPECT_EQ(chain.outer_pressure, 0.0);
+  // Issue 19, Build 6: a planet that ends within its own race, at 35.01 mm, is none; nor is a pin of a hole
+  // alone.
+  EXPECT_NO_THROW(clearance_chain(needles, mounting, {.planet_outer_radius = 17.6 * kMm}));
+  EXPECT_THROW(clearance_chain(needles, mounting, {.planet_outer_radius = 17.4 * kMm}),
+               std::invalid_argument);
+  mounting.pin_bore = 24.9 * kMm;
+  EXPECT_NO_THROW(clearance_chain(needles, mounting, kRim));
+  mounting.pin_bore = 25.1 * kMm;
+  EXPECT_THROW(clearance_chain(needles, mounting, kRim), std::invalid_argument);
 }
 
 // With the outer ring alone, its seat acts as ever.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "tests/unit/gearset/reference_sets.hpp"
 
@@ -45,6 +46,24 @@ TEST(WorkingGeometry, RefusesShiftsWithoutCommonCentreDistance) {
   PlanetarySet set = standard_set();
   set.ring_shift = -5.0;
   EXPECT_THROW(working_geometry(set), std::domain_error);
+}
+
+// Issue 19, Build 6. Both sides: no distance is short enough, none is long enough; what is said is what to
+// change, not that a search had no bracket.
+TEST(WorkingGeometry, SaysWhichShiftsHaveNoCommonCentreDistance) {
+  const auto said = [](double ring_shift) -> std::string {
+    PlanetarySet set = standard_set();
+    set.ring_shift = ring_shift;
+    try {
+      working_geometry(set);
+    } catch (const std::domain_error& refused) {
+      return refused.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(said(0.2), "accepted");
+  for (const double shift : {-5.0, 50.0})
+    EXPECT_EQ(said(shift).rfind("no planet shift gives", 0), 0u) << said(shift);
 }
 
 TEST(ContactPath, OfAnUndercutPlanetEndsWhereItsInvoluteDoes) {

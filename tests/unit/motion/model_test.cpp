@@ -52,6 +52,34 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
   EXPECT_THAT(complaint(bearing, not_a_number), HasSubstr("pocket clearance"));
 }
 
+// Issue 19, Build 6. Two rollers that touch stand (d_1 + d_2)/2 apart, so that rollers which are all larger
+// by as much as is left over between neighbours just go in.
+TEST(BearingModel, RefusesLargerRollersThanGoIn) {
+  Bearing bearing = test::full_complement_bearing();  // 3 um are left between two
+  const auto larger_by = [&](double deviation) {
+    bearing.rollers().diameter_deviation.assign(21, deviation);
+    return complaint(bearing, test::reducer_parameters());
+  };
+  EXPECT_EQ(larger_by(2.95e-6), "accepted");
+  EXPECT_THAT(larger_by(3.05e-6), testing::HasSubstr("give fewer or smaller rollers"));
+  // Larger and smaller by turns, the mean decides.
+  for (std::size_t j = 0; j < 21; ++j) bearing.rollers().diameter_deviation[j] = j % 2 == 0 ? 9e-6 : -9e-6;
+  EXPECT_EQ(complaint(bearing, test::reducer_parameters()), "accepted");
+}
+
+// Issue 19, Build 6: a hollow cylinder from each race to its seat.
+TEST(BearingModel, WhereNoMassIsStatedTheBoreHasThatOfTheOuterRing) {
+  const Bearing bearing = test::reducer_bearing();
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.bore_mass = 0.0;
+  const BearingModel model = bearing_model(bearing, test::reducer_point(6000.0), parameters);
+  const auto ring = [&](double outside, double inside) {
+    return bearing.material.density * M_PI / 4.0 * (outside * outside - inside * inside) * 11.9e-3;
+  };
+  EXPECT_NEAR(model.bore_mass, ring(47e-3, 40.88e-3), 1e-12);
+  EXPECT_NEAR(model.pin_mass, ring(30.4e-3, 25e-3), 1e-12);
+}
+
 TEST(BearingModel, RippleAddsItsHarmonics) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.excitation = {.angular_frequency = 1000.0,

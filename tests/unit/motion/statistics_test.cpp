@@ -29,6 +29,24 @@ Snapshot sample_at(double first_angle, double first_load, double second_load, do
   return sample;
 }
 
+// Issue 19, Build 6: each loss goes to its own mean, the parts of one instant are not those of another.
+TEST(PowerLoss, MeanOfEachPartIsItsOwn) {
+  const PowerLoss first{1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0},
+      second{3.0, 5.0, 7.0, 9.0, 11.0, 13.0, 15.0, 17.0, 19.0};
+  PowerLoss sum = first;
+  sum += second;
+  const PowerLoss mean = sum / 2.0;
+  EXPECT_EQ(mean.race_damping, 2.0);
+  EXPECT_EQ(mean.inner_traction, 3.5);
+  EXPECT_EQ(mean.outer_traction, 5.5);
+  EXPECT_EQ(mean.rolling, 8.5);
+  EXPECT_EQ(mean.drag, 13.5);
+  EXPECT_EQ(mean.pockets, 22.5);
+  EXPECT_EQ(mean.neighbours, 39.5);
+  EXPECT_EQ(mean.guidance, 72.5);
+  EXPECT_EQ(mean.support, 137.5);
+}
+
 TEST(Statistics, MeansOfAHandMadeWindow) {
   StatisticsCollector collector(kRollers, kPlaces);
   collector.begin(1.0, sample_at(0.0, 0.0, 0.0, 5.0));

@@ -1,10 +1,12 @@
-// Issue 14, Build 2 and 5: drives of the rings, when a slip has settled, what a run of balls refuses and keeps.
+// Issue 14, Build 2 and 5: drives of the rings, when a slip has settled, what a run of balls refuses and
+// keeps.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "bearing/life/standard_life.hpp"
 #include "coupling/system/ball_run.hpp"
+#include "coupling/system/balls_in_time.hpp"
 #include "tests/unit/system/small_ball_bearing.hpp"
 
 namespace orbearing::system::ball_run_test {
@@ -128,6 +130,39 @@ TEST(BallRun, RefusesWhatHasNoMeaning) {
   options.observed = 1.5;
   EXPECT_THROW(run(500.0, 300.0, options), std::invalid_argument);
   EXPECT_THROW(bearing::balls::ball_numbers(bearing::Bearing{}, small_ball_motion()), std::invalid_argument);
+}
+
+// Issue 19, Build 6. Balls may stand up to a radius off their circle and a diameter along the axis, the cage
+// a radius aside.
+TEST(BallsInPlace, AreBetweenTheRacesAndTheCageAboutThem) {
+  const bearing::Bearing b = small_ball_bearing(20e-6);
+  const bearing::balls::BallNumbers numbers = bearing::balls::ball_numbers(b, small_ball_motion());
+  const bearing::balls::BallBearing model(numbers, {});
+  const std::vector<double> start = bearing::balls::start_state(b, model, 0.0);
+  const auto in_place = [&](std::size_t at, double length) {
+    std::vector<double> x = start;
+    x[at] += length;
+    try {
+      require_balls_in_place(numbers, x.data());
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+    return true;
+  };
+  const auto along = static_cast<std::size_t>(2 * model.layout().lanes()),
+             cage = static_cast<std::size_t>(model.layout().cage());
+  const double radius = 4.76e-3;
+  for (const double side : {-1.0, 1.0})
+    for (std::size_t ball = 0; ball < 7; ++ball) {
+      EXPECT_TRUE(in_place(ball, 0.98 * side * radius));
+      EXPECT_FALSE(in_place(ball, 1.02 * side * radius));
+      EXPECT_TRUE(in_place(along + ball, 1.98 * side * radius));
+      EXPECT_FALSE(in_place(along + ball, 2.02 * side * radius));
+    }
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(in_place(cage + i, 0.9 * radius));
+    EXPECT_FALSE(in_place(cage + i, 1.1 * radius));
+  }
 }
 
 }  // namespace

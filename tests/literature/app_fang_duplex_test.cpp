@@ -11,7 +11,7 @@
 #include "app/study/expected_file.hpp"
 
 namespace orbearing::app {
-namespace fang_duplex_test {
+namespace app_fang_duplex_test {
 namespace {
 
 const std::string kCase = ORBEARING_SOURCE_DIR "/cases/duplex_7020/case.yaml";
@@ -133,5 +133,5 @@ TEST(FangDuplex, ResponsePeaksAtTheModes) {
 }
 
 }  // namespace
-}  // namespace fang_duplex_test
+}  // namespace app_fang_duplex_test
 }  // namespace orbearing::app

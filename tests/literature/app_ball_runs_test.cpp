@@ -12,7 +12,7 @@
 #include "app/case/case_file.hpp"
 #include "app/study/ball_study.hpp"
 
-namespace orbearing::app::ball_runs_test {
+namespace orbearing::app::app_ball_runs_test {
 namespace {
 
 BallStudy study_of(const std::string& name, const std::vector<std::string>& settings) {
@@ -69,4 +69,4 @@ TEST(Nasa35mm, HeatIsWithinAFactorOfTwo) {
 }
 
 }  // namespace
-}  // namespace orbearing::app::ball_runs_test
+}  // namespace orbearing::app::app_ball_runs_test

@@ -10,7 +10,7 @@
 #include "coupling/study/multi_stage.hpp"
 #include "tests/identities/app_fields/field_bases.hpp"
 
-namespace orbearing::app::study_mounted_clearance_test {
+namespace orbearing::app::app_mounted_clearance_test {
 namespace {
 
 constexpr double kRoundOff = 1e-12;  // relative
@@ -107,4 +107,4 @@ TEST(StudyMountedClearance, StandsInCheckLineByLine) {
 }
 
 }  // namespace
-}  // namespace orbearing::app::study_mounted_clearance_test
+}  // namespace orbearing::app::app_mounted_clearance_test

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Issue 19, Build 6: what tools/mutation draws and how it writes an error beside the right statement; nothing is built.
+
+Needs the source folder in ORBEARING_SOURCE_DIR.
+"""
+
+import itertools
+import json
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ.get("ORBEARING_SOURCE_DIR", pathlib.Path(__file__).resolve().parents[2])).resolve()
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(SOURCE / "tools"))
+from mutants import beside, draw  # noqa: E402
+from mutants.results import Results  # noqa: E402
+from mutants.trial import with_error  # noqa: E402
+
+TEXTS = {name: (SOURCE / name).read_text(encoding="utf-8") for name in draw.sources(SOURCE)
+         if name.startswith(("gearset/dynamics/e", "gearset/dynamics/f", "bearing/contact/f", "bearing/geometry"))}
+
+
+def drawn(texts: dict[str, str], seed: int) -> list[draw.Mutant]:
+    return list(itertools.islice(draw.draw(texts, seed), 60))
+
+
+DRAWN = drawn(TEXTS, 1)
+
+# One line for each kind, and what each of its errors makes of it.
+LINES = {
+    "sign of a term": ("return -stiffness * x;", {"return stiffness * x;"}),
+    "plus for minus": ("return a + b;", {"return a - b;"}),
+    "times for divided by": ("f = force / length;", {"f = force * length;"}),
+    "factor of two left out": ("w = 0.5 * k * x;", {"w = k * x;"}),
+    "factor of two too many": ("w = k * x;", {"w = k * 2.0 * x;"}),
+    "sine and cosine": ("return std::sin(angle);", {"return std::cos(angle);"}),
+    "exponent": ("c = std::pow(load, 1.5);", {"c = std::pow(load, 1.5 + 1.0);"}),
+    "less and greater": ("if (x <= least) x = least;", {"if (x >= least) x = least;"}),
+    "smallest and largest": ("x = std::max(x, least);", {"x = std::min(x, least);"}),
+    "index off by one": ("for (int i = 0; i < n; ++i) s += x[i - 1];",
+                         {"for (int i = 1; i < n; ++i) s += x[i - 1];", "for (int i = 0; i < n; ++i) s += x[i];"}),
+    "term left out": ("return load - mass * pull(x);", {"return load;"}),
+    "constant wrong by 10 %": ("return std::pow(u, 0.7);", {"return std::pow(u, 0.77);"}),
+    "inner and outer": ("r = at(Race::inner);", {"r = at(Race::outer);"}),
+    "and, or, not": ("if (a && !b) c = d;", {"if (a || !b) c = d;", "if (a && b) c = d;"}),
+    "radius and diameter": ("d = pitch_diameter;", {"d = pitch_radius;"}),
+    "other direction": ("f = force.x();", {"f = force.y();"}),
+    "sun and ring": ("k = sun_mesh.stiffness;", {"k = ring_mesh.stiffness;"}),
+    "sum and mean": ("return loads.mean();", {"return loads.sum();"}),
+}
+
+
+class Draw(unittest.TestCase):
+    def test_each_kind_makes_its_errors(self):
+        self.assertEqual(set(LINES), {kind for kind, _, _ in draw.KINDS})
+        for kind, (line, changed) in LINES.items():
+            made = {mutant.after for mutant in draw.mutants_of("x.cpp", line) if mutant.kind == kind}
+            self.assertEqual(made, changed, kind)
+
+    def test_lines_that_compute_nothing_have_no_errors(self):
+        for line in ("// a + b", "#include <a + b>", 'require(a > b, "a", a, "more than b");', "  throw Refused(a + b);",
+                     "namespace a::b { x + y; }", "double radius(double inner_radius, double outer_radius);"):
+            self.assertEqual(draw.mutants_of("x.cpp", line), [], line)
+
+    def test_the_draw_follows_from_seed_and_sources(self):
+        self.assertEqual(drawn(TEXTS, 1), DRAWN)
+        other = drawn(TEXTS, 2)
+        self.assertLess(len({mutant.key for mutant in DRAWN} & {mutant.key for mutant in other}), 30)
+
+    def test_each_kind_is_drawn_as_often_as_its_places_allow(self):
+        there_are = {mutant.kind for name, text in TEXTS.items() for mutant in draw.mutants_of(name, text)}
+        self.assertGreater(len(there_are), 12)
+        round_of_kinds = [mutant.kind for mutant in DRAWN[:len(there_are) - 2]]  # two may have no place left beside the others
+        self.assertEqual(len(set(round_of_kinds)), len(round_of_kinds))
+
+    def test_an_error_changes_one_line_and_no_other(self):
+        for mutant in DRAWN:
+            whole = TEXTS[mutant.file]
+            before, after = whole.splitlines(), with_error(whole, mutant).splitlines()
+            differ = [number for number, pair in enumerate(zip(before, after, strict=True), 1) if pair[0] != pair[1]]
+            self.assertEqual(differ, [mutant.line], mutant)
+            self.assertNotEqual(mutant.before, mutant.after)
+            self.assertEqual(draw.code_of(after[mutant.line - 1]).strip() or mutant.after, mutant.after)
+
+    def test_a_line_more_leaves_the_draw_as_it_is(self):
+        moved = TEXTS | {"bearing/geometry.cpp": "\n\n" + TEXTS["bearing/geometry.cpp"]}
+        self.assertEqual([mutant.key for mutant in drawn(moved, 1)], [mutant.key for mutant in DRAWN])
+
+
+class Table(unittest.TestCase):
+    def results(self, folder: str, sources: str = "sources", tests: str = "tests", listed=()) -> Results:
+        return Results(pathlib.Path(folder) / "known.json", DRAWN[:8], 5, set(listed), sources, tests)
+
+    def test_what_is_no_error_gives_way_to_the_next(self):
+        with tempfile.TemporaryDirectory() as folder:
+            results = self.results(folder, listed=[DRAWN[3].key])
+            self.assertEqual(results.pending(), [0, 1, 2, 4, 5])
+            results.add(0, "unit", "a test", 1.0)
+            results.add(1, "no program", "", 1.0)
+            results.add(2, "none", "", 1.0)
+            results.add(4, "regression", "another", 1.0)
+            self.assertEqual(results.pending(), [5, 6])
+            results.add(6, "same program", "", 1.0)
+            results.add(7, "interface", "a third", 1.0)
+            tally = results.table()["tally"]
+            self.assertEqual([row["number"] for row in results.table()["errors"]], [0, 2, 4, 5, 7])
+            self.assertEqual(list(tally.values()), [5, 4, 3, 1, 1, 1, 1, 1, 1, 1])
+
+    def test_it_goes_on_where_it_was(self):
+        with tempfile.TemporaryDirectory() as folder:
+            first = self.results(folder)
+            first.add(0, "unit", "a test", 1.0)
+            first.add(1, "none", "", 1.0)
+            self.assertEqual(self.results(folder).pending(), [2, 3, 4])
+            self.assertEqual(self.results(folder, tests="more tests").pending(), [1, 2, 3, 4])
+            self.assertEqual(self.results(folder, sources="other sources").pending(), [0, 1, 2, 3, 4])
+
+
+class Beside(unittest.TestCase):
+    def ways(self, text: str, wrong: str, fresh: str) -> list[str]:
+        begin = text.index(wrong)
+        return [text[:first] + written + text[last:]
+                for first, last, written in beside.forms(text, begin, begin + len(wrong), fresh, 7)]
+
+    def test_a_statement_is_written_twice(self):
+        statement, expression = self.ways("void f() {\n  x = a +\n      b;\n}\n", " +", " -")
+        self.assertEqual(statement,
+                         "void f() {\n  { if (orbearing_mutants::acts(7)) { x = a - b; } else { x = a + b; } }\n\n}\n")
+        self.assertEqual(expression, "void f() {\n  x = (orbearing_mutants::acts(7) ? (a - b) : (a + b))\n;\n}\n")
+
+    def test_a_condition_an_initialiser_and_a_constant_choose(self):
+        self.assertIn("if (orbearing_mutants::acts(7) ? bool(a > b) : bool(a < b)) {",
+                      self.ways("{ if (a < b) { x = 1; } }", " < ", " > ")[0])
+        self.assertEqual(self.ways("A(double b) : x_(b + c) {}", " + ", " - "),
+                         ["A(double b) : x_((orbearing_mutants::acts(7) ? (b - c) : (b + c))) {}"])
+        self.assertEqual(self.ways("constexpr double kA = 0.5;", "0.5", "0.55")[0],
+                         "const double kA = orbearing_mutants::acts(7) ? (0.55) : (0.5);")
+
+    def test_lines_keep_their_numbers(self):
+        for number, mutant in enumerate(DRAWN):
+            whole = TEXTS[mutant.file]
+            begin = sum(len(line) for line in whole.splitlines(keepends=True)[:mutant.line - 1]) + mutant.begin
+            end = begin + mutant.end - mutant.begin
+            for first, last, text in beside.forms(beside.without_comments(whole), begin, end, mutant.fresh, number):
+                self.assertEqual(text.count("\n"), whole.count("\n", first, last))
+                self.assertIn(beside.acts(number), text)
+
+
+class Equivalent(unittest.TestCase):
+    def test_what_is_listed_stands_in_the_sources_and_has_a_reason(self):
+        for entry in json.loads((SOURCE / "tools/mutants/equivalent.json").read_text()):
+            text = (SOURCE / entry["file"]).read_text()
+            self.assertIn((entry["kind"], entry["before"], entry["after"]),
+                          [(mutant.kind, mutant.before, mutant.after) for mutant in draw.mutants_of(entry["file"], text)])
+            self.assertGreater(len(entry["reason"]), 20)
+
+
+if __name__ == "__main__":
+    unittest.main()
