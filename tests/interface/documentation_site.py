@@ -112,9 +112,10 @@ class Site(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_commands_of_the_guide_run(self):
-        """The lines of indented blocks that call the program, in their order on the page."""
+        """The lines of indented blocks that call the program, in their order on the page; not those of blocks in another language."""
         pages = [SOURCE / "docs" / "index.md", *sorted((SOURCE / "docs" / "guide").glob("*.md"))]
-        lines = [line.strip() for page in pages for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("    ")]
+        texts = [re.sub(r"^```\w.*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S) for page in pages]
+        lines = [line.strip() for text in texts for line in text.splitlines() if line.startswith("    ")]
         wanted = [line.split("#")[0].strip() for line in lines if not line.startswith(NOT_RUN)]
         calls = [shlex.split(line) for line in wanted if line.split()[:1] in (["orbearing"], ["build/release/bin/orbearing"])]
         self.assertEqual(len(wanted), len(calls), wanted)
