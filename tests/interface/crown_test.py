@@ -90,12 +90,13 @@ class ComputedTilt(unittest.TestCase):
         self.assertGreater(advice["points"][0]["load_share"], 1.2)
 
     def test_tolerances_cost_life_by_their_probability(self):
-        few = ["--starts", "1", "--tolerance", "1 um", "--tilt-tolerance", "0.5 mrad"]
-        normal, uniform, worst = (crown(*few, "--distribution", kind)["recommended"]["within_tolerances"] for kind in ("normal", "uniform", "worst"))
+        few = ["--starts", "1", "--tolerance", "1 um", "--tilt-tolerance", "0.5 mrad", "--set", "bearing.laminae=16"]
+        advice = [crown(*few, "--distribution", kind)["recommended"] for kind in ("normal", "uniform", "worst")]
+        normal, uniform, worst = (one["within_tolerances"] for one in advice)
         self.assertEqual((normal["distribution"], normal["drop_um"], normal["pin_inclination_mrad"]), ("normal", 1, 0.5))
         lives = [one["half_space_life_h"] for one in (worst, uniform, normal)]
         self.assertEqual(lives, sorted(lives))
-        self.assertLess(lives[-1], self.study["recommended"]["half_space_life_h"])
+        self.assertLess(lives[-1], advice[0]["half_space_life_h"])
         self.assertLess(normal["quadrature_error"], 0.02)
 
     def test_stated_and_computed_exclude_each_other(self):

@@ -37,7 +37,8 @@ class PeakFound(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_in_motion_it_is_found_beside_the_dip(self):
-        sweep = result_of("--fidelity", "dynamic", *SHORT)
+        around = ("--set", "sweep.input.speed={from: 5000 rpm, to: 7000 rpm, step: 500 rpm}")
+        sweep = result_of("--fidelity", "dynamic", *SHORT, *around)
         peak, points = sweep["peak"], sweep["points"]
         best = max(points, key=lambda p: p["life_h"])
         self.assertEqual((best["input_speed_rpm"], best["life_h"]), (peak["refined_speed_rpm"], peak["refined_life_h"]))

@@ -76,11 +76,11 @@ class EveryField : public testing::TestWithParam<Subject> {
   }
 
   // What a run-up of another part needs is left out where this analysis does not take it.
-  std::vector<std::string> beside(const Change& change) const {
+  std::vector<std::string> beside(const Change& change) {
     std::vector<std::string> settings;
     for (const std::string& setting : change.beside) {
       const std::string path = setting.substr(0, setting.find('='));
-      if ((find_field(path)->models & case_of(base(), {}).model()) == 0) continue;
+      if ((find_field(path)->models & in({}).model()) == 0) continue;
       const bool run_up = path.find("run_up") != std::string::npos || path == "input.acceleration";
       if (run_up && (find_field(path)->use.by & GetParam().analysis) == 0) continue;
       settings.push_back(in_set(setting));
@@ -100,11 +100,11 @@ class EveryField : public testing::TestWithParam<Subject> {
   Verdict judge(const Input& input, const std::vector<std::string>& beside, const Change& change) {
     Verdict verdict;
     try {
-      const ResolvedCase other = case_of(base(), changed(input, beside, change));
-      for (const std::string& warning : require_used(other, GetParam().analysis))
+      const std::vector<std::string> settings = changed(input, beside, change);
+      for (const std::string& warning : require_used(in(settings), GetParam().analysis))
         if (warning.starts_with(input.path + ":")) verdict.text += warning;
       verdict.warned = !verdict.text.empty();
-      verdict.changed = result(changed(input, beside, change)) != result(beside);
+      verdict.changed = result(settings) != result(beside);
     } catch (const BadInput& refusal) {
       verdict.refused = true;
       verdict.text = refusal.what();
@@ -113,8 +113,8 @@ class EveryField : public testing::TestWithParam<Subject> {
   }
 
   Standing row_standing(const Input& input, const std::vector<std::string>& beside,
-                        const Change& change) const {
-    return standing_of(case_of(base(), changed(input, beside, change)), input, GetParam().analysis);
+                        const Change& change) {
+    return standing_of(in(changed(input, beside, change)), input, GetParam().analysis);
   }
 
   const Base& base() const { return *GetParam().base; }
@@ -124,9 +124,17 @@ class EveryField : public testing::TestWithParam<Subject> {
   const std::string& result(const std::vector<std::string>& settings) {
     const auto found = results_.find(settings);
     if (found != results_.end()) return found->second;
-    return results_[settings] = result_of(case_of(base(), settings), GetParam().analysis);
+    return results_[settings] = result_of(in(settings), GetParam().analysis);
   }
 
+  // Reading a case takes as long as many a result.
+  const ResolvedCase& in(const std::vector<std::string>& settings) {
+    const auto found = cases_.find(settings);
+    if (found != cases_.end()) return found->second;
+    return cases_.emplace(settings, case_of(base(), settings)).first->second;
+  }
+
+  std::map<std::vector<std::string>, ResolvedCase> cases_;
   std::map<std::vector<std::string>, std::string> results_;
 };
 
