@@ -140,8 +140,8 @@ def number(value):
 
 
 # Signals in time, a second to five each.
-SLOW = {"cwru_6203", "cwru_6205", "fault_factors_case_western", "fault_factors_za2115", "femto_6804", "mfpt_nice", "planet_scratch",
-        "scratch_defect"}
+SLOW = {"cwru_6203", "cwru_6205", "fault_factors_case_western", "fault_factors_za2115", "femto_6804", "hit_6205", "mfpt_nice",
+        "planet_scratch", "scratch_defect"}
 
 if __name__ == "__main__":
     unittest.main()
