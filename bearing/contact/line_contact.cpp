@@ -23,6 +23,10 @@ double LineContact::compliance(double load) const {
   return kLineApproachExponent * inverse_power_ * std::pow(load, kLineApproachExponent - 1.0);
 }
 
+double LineContact::compliance(double load, double approach) {
+  return kLineApproachExponent * approach / load;
+}
+
 double LineContact::stiffness(double approach) const {
   return approach > 0.0 ? kLineExponent * stiffness_ * std::pow(approach, kLineExponent - 1.0) : 0.0;
 }

@@ -17,6 +17,8 @@ class LineContact {
   double approach(double load) const;
   /// d(approach)/d(load) [m/N] at load > 0.
   double compliance(double load) const;
+  /// The same at a load > 0 whose elastic approach [m] is known.
+  static double compliance(double load, double approach);
   /// Tangent stiffness dQ/d(approach) [N/m].
   double stiffness(double approach) const;
   /// Stored energy [J].

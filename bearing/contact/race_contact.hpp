@@ -19,6 +19,15 @@ class RaceContact {
   double approach(double load) const { return elastic_.approach(load) - film_.central(load); }
   /// d(approach)/d(load) [m/N] at load > 0.
   double compliance(double load) const { return elastic_.compliance(load) - film_.slope(load); }
+  /// Both at a load > 0, from one power.
+  struct Response {
+    double approach = 0.0;    // [m]
+    double compliance = 0.0;  // [m/N]
+  };
+  Response response(double load) const {
+    const double elastic = elastic_.approach(load);
+    return {elastic - film_.central(load), LineContact::compliance(load, elastic) - film_.slope(load)};
+  }
   /// Approach [m] at which the load begins.
   double onset() const { return -film_.cap(); }
   /// Stored energy [J] at contact load `load`: elastic energy and what the thinning film holds.

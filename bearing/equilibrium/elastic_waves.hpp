@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "bearing/elastic_race.hpp"
+#include "mechanics/convex_search.hpp"
 
 namespace orbearing::bearing {
 
@@ -26,5 +27,14 @@ void add_form(const Eigen::VectorXd& waves, double share, const Eigen::ArrayXd& 
 
 /// Stiffness against the first `kept` coordinates where all that come after them follow without force.
 Eigen::MatrixXd without_waves(const Eigen::MatrixXd& stiffness, Eigen::Index kept);
+
+/// [N/m]  of the ring against its displacement, where the waves follow without force.
+template <int N>
+Eigen::Matrix2d without_waves(const mechanics::Imbalance<N>& balance) {
+  if constexpr (N == 2)
+    return balance.stiffness;
+  else
+    return without_waves(balance.stiffness, 2);
+}
 
 }  // namespace orbearing::bearing

@@ -182,6 +182,7 @@ mechanics::SearchReport settle_ring(const Rollers& rollers, const LaminaState* n
       [&](const Eigen::Vector<double, N>& at) { return imbalance_at<N>(rollers, ring, at); },
       limits_of(rollers), place, now);
   state.displacement = place.template head<2>();
+  state.stiffness = without_waves<N>(now);
   state.waves = place.tail(place.size() - 2);
   return search;
 }

@@ -35,6 +35,7 @@ class LaminaBearing {
 struct LaminaState {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]    bore relative to pin, in the middle
   Eigen::VectorXd waves;  // [m]  of an elastic outer race, as RingCoordinates has them
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]  of the bore against its displacement
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // [N m]  of the rollers on the bore, against its tilt
   Eigen::ArrayXd angle;                              // [rad]  (rollers)
   std::vector<RollerState> rollers;

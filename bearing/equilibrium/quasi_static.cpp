@@ -133,9 +133,10 @@ QuasiStaticResult quasi_static_bearing(const Bearing& bearing, const OperatingPo
   result.race_form = Eigen::ArrayXd::Zero(places);
   result.total_bore_load = total_bore_load(bearing, geometry, point, options.inertia);
   result.report.converged = true;
+  QuasiStaticState state;
   for (int position = 0; position < positions; ++position) {
-    const QuasiStaticState state =
-        solve(quasi_static_problem(bearing, geometry, point, options, result.angle[position]));
+    state = solve(quasi_static_problem(bearing, geometry, point, options, result.angle[position]),
+                  position > 0 ? &state : nullptr);
     for (int roller = 0; roller < rollers; ++roller) {
       result.inner_load[position + roller * positions] = state.inner_load[roller];
       result.outer_load[position + roller * positions] = state.outer_load[roller];

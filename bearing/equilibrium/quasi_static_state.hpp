@@ -18,6 +18,7 @@ struct QuasiStaticState {
   Eigen::Vector2d displacement = Eigen::Vector2d::Zero();  // [m]  outer ring relative to inner ring
   Eigen::VectorXd waves;      // [m]  of an elastic race, as RingCoordinates has them
   Eigen::ArrayXd angle;       // [rad]  place of each roller
+  Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]  of the ring against its displacement
   Eigen::ArrayXd inner_load;  // [N]
   Eigen::ArrayXd outer_load;  // [N]
   SolverReport report;

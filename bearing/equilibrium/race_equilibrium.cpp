@@ -58,9 +58,10 @@ mechanics::Imbalance<N> imbalance_at(const RaceEquilibrium& problem, const RingC
 }
 
 template <int N>
-QuasiStaticState solve_in(const RaceEquilibrium& problem) {
+QuasiStaticState solve_in(const RaceEquilibrium& problem, const QuasiStaticState* near) {
   const RingCoordinates<N> ring(problem);
-  Eigen::Vector<double, N> place = ring.start(first_displacement(problem));
+  Eigen::Vector<double, N> place = ring.start(near ? near->displacement : first_displacement(problem));
+  if (near) place.tail(near->waves.size()) = near->waves;
   mechanics::Imbalance<N> now;
   QuasiStaticState state;
   state.report = {mechanics::find_balance<N>(
@@ -68,6 +69,7 @@ QuasiStaticState solve_in(const RaceEquilibrium& problem) {
       search_limits(problem), place, now)};
   if (!state.report.converged) state.report.message = failure_text(problem, state.report.residual);
   fill_loads<N>(problem, ring, place, state);
+  state.stiffness = without_waves<N>(now);
   return state;
 }
 
@@ -145,8 +147,8 @@ mechanics::SearchLimits search_limits(const RaceEquilibrium& problem) {
   return {.reach = std::max(gap, 1e-6) + elastic + wave_reach(problem, all), .size = gap};
 }
 
-QuasiStaticState solve(const RaceEquilibrium& problem) {
-  return problem.outer_race.is_rigid() ? solve_in<2>(problem) : solve_in<Eigen::Dynamic>(problem);
+QuasiStaticState solve(const RaceEquilibrium& problem, const QuasiStaticState* near) {
+  return problem.outer_race.is_rigid() ? solve_in<2>(problem, near) : solve_in<Eigen::Dynamic>(problem, near);
 }
 
 namespace {

@@ -79,8 +79,10 @@ extern template class RingCoordinates<Eigen::Dynamic>;
 Eigen::Vector2d first_displacement(const RaceEquilibrium& problem);
 mechanics::SearchLimits search_limits(const RaceEquilibrium& problem);
 
-/// Displacement, and waves of the outer race, at which the forces on the outer ring balance.
-QuasiStaticState solve(const RaceEquilibrium& problem);
+/// Displacement, and waves of the outer race, at which the forces on the outer ring balance. The search starts
+/// where the ring stands in `near`, if one is given: the balance of the same bearing under another load or at
+/// another cage angle.
+QuasiStaticState solve(const RaceEquilibrium& problem, const QuasiStaticState* near = nullptr);
 
 /// Load on the outer race by the approach of the races, of each roller at the balance `state` [N/m].
 Eigen::ArrayXd roller_stiffness(const RaceEquilibrium& problem, const QuasiStaticState& state);

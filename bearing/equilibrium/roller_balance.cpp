@@ -22,8 +22,10 @@ struct SqueezedRoller {
   double approach(double s) const {
     return inner.approach(s + inner_extra) + outer.approach(s + outer_extra);
   }
-  double compliance(double s) const {
-    return inner.compliance(s + inner_extra) + outer.compliance(s + outer_extra);
+  /// At s > 0.
+  RaceContact::Response response(double s) const {
+    const RaceContact::Response in = inner.response(s + inner_extra), out = outer.response(s + outer_extra);
+    return {in.approach + out.approach, in.compliance + out.compliance};
   }
 };
 
@@ -41,10 +43,11 @@ double squeeze_load(const SqueezedRoller& roller, double approach) {
   double low = 0.0;
   double high = upper_bound(roller, approach);
   double s = high;
-  for (int i = 0; i < kMostBisections; ++i) {
-    const double excess = roller.approach(s) - approach;
+  for (int i = 0; i < kMostBisections && s > 0.0; ++i) {
+    const RaceContact::Response now = roller.response(s);
+    const double excess = now.approach - approach;
     (excess > 0.0 ? high : low) = s;
-    double next = s - excess / roller.compliance(s);
+    double next = s - excess / now.compliance;
     if (next < low || next > high) next = low > 0.0 ? 0.5 * (low + high) : 0.1 * high;
     if (std::abs(next - s) <= kRollerRoundOff * s) return next;
     s = next;
@@ -61,7 +64,7 @@ RollerBalance balance_roller(const RaceContact& inner, const RaceContact& outer,
   if (!squeezed) return {roller.inner_extra, roller.outer_extra, 0.0};
   const double s = squeeze_load(roller, approach);
   if (s <= 0.0) return {roller.inner_extra, roller.outer_extra, 0.0};
-  return {s + roller.inner_extra, s + roller.outer_extra, 1.0 / roller.compliance(s)};
+  return {s + roller.inner_extra, s + roller.outer_extra, 1.0 / roller.response(s).compliance};
 }
 
 }  // namespace orbearing::bearing

@@ -20,68 +20,110 @@ namespace orbearing::study {
 namespace {
 
 using boost::math::double_constants::two_pi;
+using Eigen::Matrix2d;
+using Eigen::Matrix2Xd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using gearset::dynamics::SetModel;
 
 constexpr int kMostRounds = 100;
-constexpr double kSameForce = 1e-9;  // [-]  of the largest force
+constexpr int kNewtonRounds = 8;
+constexpr int kTangentRounds = 30;
+constexpr double kSameForce = 1e-9;          // [-]  of the largest force
+constexpr double kSameTangentForce = 1e-10;  // [-]  the same on tangents
+
+// How far the bearings of a planet and their pin give way to a force that they exert on it.
+struct Give {
+  Vector2d displacement;  // [m]    of the planet from the place of its pin
+  Matrix2d compliance;    // [m/N]  -d(displacement)/d(force)
+};
 
 // The bearings of the planets under the forces [N] that they exert on them.
 class PlanetSupport {
  public:
-  PlanetSupport(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty)
+  PlanetSupport(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                const BearingDuty& duty)
       : drivetrain_(drivetrain),
         bearing_(of_like_rollers(drivetrain.bearing)),
+        geometry_(geometry.bearing),
         duty_(duty),
         options_(quasi_static_options(drivetrain)),
-        settled_(static_cast<std::size_t>(drivetrain.set.planets)) {
+        whole_(static_cast<std::size_t>(drivetrain.set.planets)),
+        cut_states_(whole_.size()) {
     if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
   }
 
-  /// Of that planet from the place of its pin [m]; laminae are searched from where they last settled.
-  Vector2d displacement(std::size_t planet, const Vector2d& force) {
+  Give give(std::size_t planet, const Vector2d& force) {
     const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
-    return (cut_ ? on_laminae(point, settled_[planet])
-                 : balanced(bearing::quasi_static_bearing(bearing_, point, options_))) +
-           point.bore_load / drivetrain_.dynamics.support.stiffness;
+    return cut_ ? mean_over_angles(point, cut_states_, planet,
+                                   [&](double first_roller, const bearing::laminae::LaminaState* near) {
+                                     return lamina_state(*cut_, point, options_, first_roller, near);
+                                   })
+                : mean_over_angles(point, whole_, planet,
+                                   [&](double first_roller, const bearing::QuasiStaticState* near) {
+                                     return solve(quasi_static_problem(bearing_, geometry_, point, options_,
+                                                                       first_roller),
+                                                  near);
+                                   });
   }
 
  private:
-  using LaminaStates = std::vector<bearing::laminae::LaminaState>;
+  // The balances of one planet at all cage angles, and the load of one bearing [N] under which they settled.
+  template <class State>
+  struct Settled {
+    std::vector<State> states;
+    Vector2d load = Vector2d::Zero();
+  };
 
-  // Mean over the cage angles.
-  Vector2d on_laminae(const bearing::OperatingPoint& point, LaminaStates& settled) const {
+  // Each search starts where the bearing last settled at that cage angle, displaced along its tangent by
+  // what the load has changed; else from the first planet that settled, or from the cage angle before.
+  template <class State, class Search>
+  Give mean_over_angles(const bearing::OperatingPoint& point, std::vector<Settled<State>>& planets,
+                        std::size_t planet, const Search& search) const {
     const int positions = options_.cage_positions;
     const double step = two_pi / (positions * bearing_.rollers().count);
-    const bool known = !settled.empty();
-    Vector2d mean = Vector2d::Zero();
+    Settled<State>& own = planets[planet];
+    if (own.states.empty()) own = planets.front();
+    const bool known = !own.states.empty();
+    Give mean{point.bore_load / drivetrain_.dynamics.support.stiffness,
+              Matrix2d::Identity() / drivetrain_.dynamics.support.stiffness};
     for (int i = 0; i < positions; ++i) {
-      const bearing::laminae::LaminaState* near = known             ? &settled[static_cast<std::size_t>(i)]
-                                                  : settled.empty() ? nullptr
-                                                                    : &settled.back();
-      bearing::laminae::LaminaState state =
-          lamina_state(*cut_, point, options_, options_.first_roller + i * step, near);
-      mean += balanced(state) / positions;
+      State* near = nullptr;
+      if (known) {
+        near = &own.states[static_cast<std::size_t>(i)];
+        near->displacement += mechanics::lengths_under<2>(point.bore_load - own.load, near->stiffness);
+      } else if (!own.states.empty()) {
+        near = &own.states.back();
+      }
+      State state = search(options_.first_roller + i * step, near);
+      if (!state.report.converged) throw std::runtime_error("load sharing: " + state.report.message);
+      mean.displacement += state.displacement / positions;
+      mean.compliance += compliance_of(state.stiffness) / positions;
       if (known)
-        settled[static_cast<std::size_t>(i)] = std::move(state);
+        *near = std::move(state);
       else
-        settled.push_back(std::move(state));
+        own.states.push_back(std::move(state));
     }
+    own.load = point.bore_load;
+    mean.compliance /= drivetrain_.bearings_per_planet;
     return mean;
   }
-  template <class Result>
-  static Vector2d balanced(const Result& result) {
-    if (!result.report.converged) throw std::runtime_error("load sharing: " + result.report.message);
-    return result.displacement;
+
+  static Matrix2d compliance_of(const Matrix2d& stiffness) {
+    Matrix2d compliance;
+    for (int i = 0; i < 2; ++i)
+      compliance.col(i) = mechanics::lengths_under<2>(Vector2d(Matrix2d::Identity().col(i)), stiffness);
+    return compliance;
   }
 
   const PlanetaryDrivetrain& drivetrain_;
   bearing::Bearing bearing_;
+  bearing::BearingGeometry geometry_;
   BearingDuty duty_;
   bearing::QuasiStaticOptions options_;
   std::optional<bearing::laminae::LaminaBearing> cut_;
-  std::vector<LaminaStates> settled_;  // (planets, cage angles)
+  std::vector<Settled<bearing::QuasiStaticState>> whole_;  // (planets)
+  std::vector<Settled<bearing::laminae::LaminaState>> cut_states_;
 };
 
 // Fixed point of a map by what its last steps say of its slope: Anderson's mixing of type II.
@@ -170,23 +212,61 @@ struct OnSprings {
   AtRest now;
 };
 
+void put_on_springs(const SetModel& set, const Matrix2Xd& offset, SetModel& springs) {
+  for (Eigen::Index i = 0; i < offset.cols(); ++i) {
+    const auto planet = static_cast<std::size_t>(i);
+    springs.bearings[planet].pin_error = set.bearings[planet].pin_error + offset.col(i);
+  }
+}
+
+double largest_change(const Matrix2Xd& before, const Matrix2Xd& now) {
+  return (now - before).colwise().norm().maxCoeff() / now.colwise().norm().maxCoeff();
+}
+
+// Forces where gears balance on bearings that give way along their tangents at the forces `tried`: only a
+// start for the next round, and the same search without a bearing in it. Forces after kTangentRounds where
+// it does not end.
+Matrix2Xd balanced_on_tangents(const SetModel& set, const std::vector<Give>& gives, const Matrix2Xd& tried,
+                               const Matrix2Xd& first) {
+  const double stiffness = set.parameters.planet.bearing_stiffness;
+  SetModel springs = set;
+  Matrix2Xd at = tried, found = first, offset(2, tried.cols());
+  Mixing mixing;
+  for (int round = 0; round < kTangentRounds && largest_change(at, found) > kSameTangentForce; ++round) {
+    at.reshaped() = mixing.next(at.reshaped(), found.reshaped());
+    for (Eigen::Index i = 0; i < at.cols(); ++i) {
+      const Give& give = gives[static_cast<std::size_t>(i)];
+      offset.col(i) =
+          give.displacement - give.compliance * (at.col(i) - tried.col(i)) + at.col(i) / stiffness;
+    }
+    put_on_springs(set, offset, springs);
+    found = at_rest(springs).forces;
+  }
+  return found;
+}
+
+// Newton's method in the bearings' tangents; where that does not end, rollers that come and go, by mixing.
 OnSprings balanced(const SetModel& set, PlanetSupport support) {
   SetModel springs = set;
   AtRest now = at_rest(springs);
-  Eigen::Matrix2Xd tried = now.forces;
+  Matrix2Xd tried = now.forces, offset(2, tried.cols());
+  std::vector<Give> gives(static_cast<std::size_t>(tried.cols()));
   Mixing mixing;
   double change = 0.0;
   for (int round = 0; round < kMostRounds; ++round) {
     for (Eigen::Index i = 0; i < tried.cols(); ++i) {
-      const auto planet = static_cast<std::size_t>(i);
-      springs.bearings[planet].pin_error = set.bearings[planet].pin_error +
-                                           support.displacement(planet, tried.col(i)) +
-                                           tried.col(i) / set.parameters.planet.bearing_stiffness;
+      Give& give = gives[static_cast<std::size_t>(i)];
+      give = support.give(static_cast<std::size_t>(i), tried.col(i));
+      offset.col(i) = give.displacement + tried.col(i) / set.parameters.planet.bearing_stiffness;
     }
+    put_on_springs(set, offset, springs);
     now = at_rest(springs);
-    change = (now.forces - tried).colwise().norm().maxCoeff() / now.forces.colwise().norm().maxCoeff();
+    change = largest_change(tried, now.forces);
     if (change <= kSameForce) return {std::move(springs), std::move(now)};
-    tried.reshaped() = mixing.next(tried.reshaped(), now.forces.reshaped());
+    if (round < kNewtonRounds)
+      tried = balanced_on_tangents(set, gives, tried, now.forces);
+    else
+      tried.reshaped() = mixing.next(tried.reshaped(), now.forces.reshaped());
   }
   std::ostringstream text;
   text << "load sharing: after " << kMostRounds << " rounds the planets' loads still change by " << change
@@ -209,7 +289,7 @@ PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const Drivet
   require_gears(drivetrain);
   const double stiffness = planet_bearing_stiffness(drivetrain, geometry);
   const SetModel set = on_springs(drivetrain, stiffness);
-  const OnSprings found = balanced(set, {drivetrain, even});
+  const OnSprings found = balanced(set, {drivetrain, geometry, even});
   PlanetBalance result{shares_at(set, found.now.state, even), found.now.forces,
                        Eigen::Matrix2Xd(2, found.now.forces.cols()), stiffness};
   for (Eigen::Index i = 0; i < result.offset.cols(); ++i) {

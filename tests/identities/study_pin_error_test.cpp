@@ -1,8 +1,12 @@
 // Planets whose pins stand off their places: who carries how much, and that every fidelity says the same.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <boost/math/constants/constants.hpp>
 #include <numeric>
 
+#include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/race_equilibrium.hpp"
 #include "coupling/study/load_sharing.hpp"
 #include "coupling/study/operating_point.hpp"
 #include "tests/coupled_reducer.hpp"
@@ -53,6 +57,58 @@ TEST(LoadSharing, OfFourPlanetsAboutAFloatingSunGoesByPairs) {
   EXPECT_NEAR(sum(shares), 4.0, kBalance);
   // The pin that is ahead stands where the teeth push its planet to: they press it less.
   EXPECT_LT(shares[0], shares[1] - 0.1);
+}
+
+// Issue 18, Build 4: searches of the last round start near their balances and still end there. Bearings
+// balanced anew from nothing give way to each planet's force as far as the balance says.
+TEST(LoadSharing, EndsWhereBearingsBalancedFromNothingStand) {
+  for (const int laminae : {0, 20}) {
+    PlanetaryDrivetrain drivetrain = displaced(4, 5e-6, false);
+    drivetrain.bearing.rollers().laminae = laminae;
+    const DrivetrainGeometry geometry = derive(drivetrain);
+    const BearingDuty even = bearing_duty(drivetrain, geometry);
+    const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
+    const PlanetBalance balance = planet_balance(drivetrain, geometry);
+    for (Eigen::Index i = 0; i < balance.forces.cols(); ++i) {
+      const Eigen::Vector2d force = balance.forces.col(i);
+      const bearing::OperatingPoint point = point_under(drivetrain, even, force);
+      Eigen::Vector2d moved = point.bore_load / drivetrain.dynamics.support.stiffness;
+      for (int k = 0; k < options.cage_positions; ++k) {
+        const double first =
+            k * boost::math::double_constants::two_pi /
+            (options.cage_positions * drivetrain.bearing.rollers().count);
+        moved += (laminae > 0
+                      ? lamina_state(bearing::laminae::LaminaBearing(drivetrain.bearing), point, options, first)
+                            .displacement
+                      : quasi_static_state(drivetrain.bearing, point, options, first).displacement) /
+                 options.cage_positions;
+      }
+      const Eigen::Vector2d expected = moved + force / balance.stiffness;
+      EXPECT_LT((balance.offset.col(i) - expected).norm(), 1e-8 * force.norm() / balance.stiffness)
+          << laminae << " laminae, planet " << i;
+    }
+  }
+}
+
+// Issue 18, Build 4: a search that starts near ends where one from nothing does, and sooner.
+TEST(LoadSharing, SearchesThatStartNearEndAlike) {
+  const PlanetaryDrivetrain drivetrain = displaced(4, 0.0, false);
+  const DrivetrainGeometry geometry = derive(drivetrain);
+  bearing::OperatingPoint point = bearing_duty(drivetrain, geometry).point;
+  const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
+  const auto problem = [&] {
+    return quasi_static_problem(drivetrain.bearing, geometry.bearing, point, options, 0.1);
+  };
+  bearing::QuasiStaticState near = solve(problem());
+  const Eigen::Vector2d more = 1e-3 * point.bore_load.norm() * Eigen::Vector2d(0.6, 0.8);
+  point.bore_load += more;
+  const bearing::QuasiStaticState anew = solve(problem());
+  const Eigen::Vector2d along = near.stiffness.inverse() * more;
+  EXPECT_LT((anew.displacement - near.displacement - along).norm(), 1e-2 * along.norm());
+  near.displacement += along;
+  const bearing::QuasiStaticState again = solve(problem(), &near);
+  EXPECT_LT((again.displacement - anew.displacement).norm(), kRoundOff * anew.displacement.norm());
+  EXPECT_LT(again.report.iterations, anew.report.iterations);
 }
 
 // The planet that carries most after one error carries least after the opposite one; small errors act alike.
