@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "app/case/case_file.hpp"
 #include "app/case/field_table.hpp"
@@ -73,12 +74,22 @@ double slope_of_program(const ResolvedCase& in, const LifeDerivative& one, doubl
 
 enum class Elements { left_out, compared };
 
+// A life by elastic rings, or of planets that load unevenly on laminae, takes so long that every day a third
+// of its derivatives are compared; all with ORBEARING_FULL=yes.
+std::size_t every_day(const ResolvedCase& in) {
+  const char* full = std::getenv("ORBEARING_FULL");
+  const bool all = full != nullptr && std::string(full) == "yes";
+  const std::string name = in.text("name");
+  return !all && (name == "reducer_150kW_as_built" || name == "reducer_150kW_uncertain") ? 3 : 1;
+}
+
 void expect_those_of_the_program(const ResolvedCase& in, Elements elements = Elements::left_out) {
   const LifeDerivatives derivatives = life_derivatives(in);
   EXPECT_NEAR(std::log(derivatives.life), log_life(in), 1e-9);
   double worst = 0.0;
   std::string where;
-  for (const LifeDerivative& one : derivatives.inputs) {
+  for (std::size_t i = 0; i < derivatives.inputs.size(); i += every_day(in)) {
+    const LifeDerivative& one = derivatives.inputs[i];
     if (is_element(one) && (elements == Elements::left_out || one.value == 0.0)) continue;
     const double scale = one.value != 0.0 ? std::abs(one.value) : 1.0;
     const double ours = one.derivative * scale / derivatives.life;
@@ -89,8 +100,8 @@ void expect_those_of_the_program(const ResolvedCase& in, Elements elements = Ele
     worst = deviation;
     where = one.path;
   }
-  fmt::print("{}: {} derivatives, worst deviation {:.1e} ({})\n", in.text("name"), derivatives.inputs.size(),
-             worst, where);
+  fmt::print("{}: {} derivatives, one in {} compared, worst deviation {:.1e} ({})\n", in.text("name"),
+             derivatives.inputs.size(), every_day(in), worst, where);
   EXPECT_GE(derivatives.inputs.size(), 4u);
 }
 

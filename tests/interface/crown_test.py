@@ -279,7 +279,8 @@ class Folders(unittest.TestCase):
         except ImportError:
             self.skipTest("matplotlib is missing")
         out = pathlib.Path(self.place.name) / "computed"
-        self.assertEqual(call("crown", REDUCER, "-o", out, "--quiet", "--starts", "1", "--tilt-tolerance", "0.2 mrad").returncode, 0)
+        self.assertEqual(call("crown", REDUCER, "-o", out, "--quiet", "--starts", "1", "--tilt-tolerance", "0.2 mrad",
+                              "--set", "bearing.laminae=16").returncode, 0)
         self.assertEqual(call("report", out).returncode, 0)
         page = (out / "report.html").read_text(encoding="utf-8")
         for text in ("No crown is needed", "bearing 2 of a planet", "unloaded pin is inclined", "normal distribution"):
