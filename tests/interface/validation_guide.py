@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The validation guide: its statistics, its page, and verdicts beside those recorded.
 
-Issue 19, Build 1, 3 and 4. Verdicts of all cases: tools/test --full; else of all but signals in time.
+Issue 19, Build 1 to 4. Verdicts of all cases: tools/test --full; else of all but signals in time.
 Needs ORBEARING and ORBEARING_SOURCE_DIR.
 """
 
@@ -106,6 +106,18 @@ class Verdicts(unittest.TestCase):
     def test_names_of_cases_are_unlike(self):
         names = [path.parent.name for pattern in ("*/case.yaml", "validation/*/case.yaml") for path in CASES.glob(pattern)]
         self.assertEqual(len(names), len(set(names)))
+
+    def test_sources_are_many_and_some_of_them_measured(self):
+        """Issue 19, Build 2; each bracketed key is an entry of REFERENCES.md."""
+        counted = [row for row in validation.distinct(validation.read([RECORDED])) if row.counts]
+        references = (SOURCE / "REFERENCES.md").read_text(encoding="utf-8")
+        measured = [row for row in counted if row.kind == "measurement"]
+        sources, rigs = ({row.key for row in rows} for rows in (counted, measured))
+        self.assertEqual([key for key in sources if f"| {key} |" not in references], [])
+        self.assertGreaterEqual(len(counted), 300)
+        self.assertGreaterEqual(len(sources), 20)
+        self.assertGreaterEqual(len(measured), 40)
+        self.assertGreaterEqual(len(rigs), 6)
 
     def test_every_case_with_published_values_is_recorded(self):
         """Rows of expected.yaml are those of the record: a value that was added has been compared."""
