@@ -342,13 +342,27 @@ TEST(ToothPairs, ReliefGrowsTowardsTheTip) {
   }
 }
 
+// Where roots are as deep as the rack cuts them no tip reaches a fillet. Short planet teeth on shallow roots
+// leave the ring's tip no room: under load it touches their trochoid, the sooner the less clearance there is.
 TEST(EdgeWarnings, TellWhereATipReachesAFillet) {
-  const PlanetarySet set = reducer();
-  const PlanetaryMeshes meshes = meshes_of(set);
-  SetTeeth teeth = set_teeth(set, meshes);
-  EXPECT_TRUE(edge_warnings(teeth, 1000.0).empty());
-  teeth.ring.sound = 5e-6;
-  const Warnings warnings = edge_warnings(teeth, 10000.0);
+  PlanetarySet set = standard_set();
+  set.planet_teeth = 37;
+  set.ring_teeth = 104;
+  const auto teeth_of = [](const PlanetarySet& one) { return set_teeth(one, meshes_of(one)); };
+  EXPECT_FALSE(std::isfinite(teeth_of(set).ring.sound));
+  EXPECT_TRUE(edge_warnings(teeth_of(set), 10000.0).empty());
+  set.planet_heights = {.addendum = 0.8, .clearance = 0.1};
+  set.ring_heights.addendum = 1.0;
+  const SetTeeth deeper = teeth_of(set);
+  set.planet_heights.clearance = 0.02;
+  const SetTeeth shallow = teeth_of(set);
+  EXPECT_FALSE(std::isfinite(shallow.sun.sound));
+  EXPECT_GT(shallow.ring.sound, 5e-6);
+  EXPECT_LT(shallow.ring.sound, 30e-6);
+  EXPECT_GT(deeper.ring.sound, 2.0 * shallow.ring.sound);
+  EXPECT_TRUE(edge_warnings(shallow, 1000.0).empty());
+  EXPECT_TRUE(edge_warnings(deeper, 10000.0).empty());
+  const Warnings warnings = edge_warnings(shallow, 10000.0);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_THAT(warnings.front().text, testing::HasSubstr("ring and planet"));
 }
