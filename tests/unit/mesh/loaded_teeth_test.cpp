@@ -345,12 +345,14 @@ TEST(ToothPairs, ReliefGrowsTowardsTheTip) {
 // Where roots are as deep as the rack cuts them no tip reaches a fillet. Short planet teeth on shallow roots
 // leave the ring's tip no room: under load it touches their trochoid, the sooner the less clearance there is.
 TEST(EdgeWarnings, TellWhereATipReachesAFillet) {
+  const auto teeth_of = [](const PlanetarySet& one) { return set_teeth(one, meshes_of(one)); };
+  EXPECT_TRUE(edge_warnings(teeth_of(reducer()), 1000.0).empty());
   PlanetarySet set = standard_set();
   set.planet_teeth = 37;
   set.ring_teeth = 104;
-  const auto teeth_of = [](const PlanetarySet& one) { return set_teeth(one, meshes_of(one)); };
-  EXPECT_FALSE(std::isfinite(teeth_of(set).ring.sound));
-  EXPECT_TRUE(edge_warnings(teeth_of(set), 10000.0).empty());
+  const SetTeeth usual = teeth_of(set);
+  EXPECT_FALSE(std::isfinite(usual.ring.sound));
+  EXPECT_TRUE(edge_warnings(usual, 10000.0).empty());
   set.planet_heights = {.addendum = 0.8, .clearance = 0.1};
   set.ring_heights.addendum = 1.0;
   const SetTeeth deeper = teeth_of(set);
