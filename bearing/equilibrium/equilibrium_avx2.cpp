@@ -8,7 +8,7 @@
 namespace orbearing::bearing::vectorised {
 
 EquilibriumEngine* avx2_equilibrium(const EquilibriumConstants& constants) {
-  return new packs_avx2::PackEquilibrium(constants);
+  return new packs_avx2::PackEquilibrium<packs_avx2::WholeContacts>(constants);
 }
 
 }  // namespace orbearing::bearing::vectorised

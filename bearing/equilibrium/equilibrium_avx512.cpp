@@ -8,7 +8,7 @@
 namespace orbearing::bearing::vectorised {
 
 EquilibriumEngine* avx512_equilibrium(const EquilibriumConstants& constants) {
-  return new packs_avx512::PackEquilibrium(constants);
+  return new packs_avx512::PackEquilibrium<packs_avx512::WholeContacts>(constants);
 }
 
 }  // namespace orbearing::bearing::vectorised

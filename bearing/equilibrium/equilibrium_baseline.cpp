@@ -7,7 +7,7 @@
 namespace orbearing::bearing::vectorised {
 
 EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants) {
-  return new packs_baseline::PackEquilibrium(constants);
+  return new packs_baseline::PackEquilibrium<packs_baseline::WholeContacts>(constants);
 }
 
 }  // namespace orbearing::bearing::vectorised

@@ -40,30 +40,30 @@ void resize(EquilibriumResults& results, std::size_t points, int rollers) {
 
 }  // namespace
 
-EquilibriumBatch::EquilibriumBatch(const Bearing& bearing, const InertiaSwitches& inertia,
-                                   mechanics::InstructionSet set)
-    : bearing_(bearing),
-      geometry_(geometry_of(bearing)),
+EquilibriumBlock::EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia)
+    : geometry_(geometry_of(bearing)),
       inertia_(inertia),
       unit_length_(roller_race_contact(bearing.contact_law, bearing.rollers().length).approach(1.0)),
       round_(bearing.inner.form.empty() && bearing.outer.form.empty() &&
              bearing.rollers().diameter_deviation.empty()),
       cage_mass_(mass_through_cage(bearing, geometry_)) {
-  const auto rollers = static_cast<std::size_t>(bearing.rollers().count);
-  for (std::size_t j = 0; j < rollers; ++j) {
-    const double angle = two_pi * static_cast<double>(j) / static_cast<double>(rollers);
+  const int rollers = bearing.rollers().count;
+  for (int j = 0; j < rollers; ++j) {
+    const double angle = two_pi * j / rollers;
     pocket_cosine_.push_back(std::cos(angle));
     pocket_sine_.push_back(std::sin(angle));
   }
-  inner_.resize(rollers * kBlock);
-  outer_.resize(rollers * kBlock);
-  engine_.reset(make_engine(set, {bearing.rollers().count, 0.5 * bearing.radial_clearance / unit_length_,
-                                  pocket_cosine_.data(), pocket_sine_.data()}));
+}
+
+EquilibriumConstants EquilibriumBlock::constants(double half_clearance) const {
+  return {.rollers = static_cast<int>(pocket_cosine_.size()),
+          .half_clearance = half_clearance / unit_length_,
+          .pocket_cosine = pocket_cosine_.data(),
+          .pocket_sine = pocket_sine_.data()};
 }
 
 // The inertial load of a roller is radial_inertial_acceleration() on the pitch circle, split by its angle.
-void EquilibriumBatch::fill(const EquilibriumPoint& at, int lane) {
-  const OperatingPoint& point = at.point;
+void EquilibriumBlock::put(const OperatingPoint& point, double first_roller, int lane) {
   const CarrierFrame frame = carrier_frame(point.carrier, inertia_);
   const double cage_speed = kinematic_cage_speed(geometry_, point.inner_speed, point.outer_speed);
   const double mass = geometry_.element_mass;
@@ -77,7 +77,16 @@ void EquilibriumBatch::fill(const EquilibriumPoint& at, int lane) {
   input_.cosine[lane] = mass * frame.centrifugal * frame.orbit_radius;
   input_.sine[lane] = -mass * frame.euler * frame.orbit_radius;
   input_.first_roller[lane] =
-      std::abs(at.first_roller) < 1e6 ? at.first_roller : std::remainder(at.first_roller, two_pi);
+      std::abs(first_roller) < 1e6 ? first_roller : std::remainder(first_roller, two_pi);
+}
+
+EquilibriumBatch::EquilibriumBatch(const Bearing& bearing, const InertiaSwitches& inertia,
+                                   mechanics::InstructionSet set)
+    : bearing_(bearing), inertia_(inertia), block_(bearing, inertia) {
+  const auto rollers = static_cast<std::size_t>(bearing.rollers().count);
+  inner_.resize(rollers * kBlock);
+  outer_.resize(rollers * kBlock);
+  engine_.reset(make_engine(set, block_.constants(0.5 * bearing.radial_clearance)));
 }
 
 void EquilibriumBatch::solve_singly(const EquilibriumPoint& point, std::size_t index,
@@ -99,15 +108,17 @@ void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, Equilibri
   const bool all_rigid = std::all_of(points.begin(), points.end(), [](const EquilibriumPoint& at) {
     return at.point.outer_race.is_rigid();
   });
-  if (!round_ || !all_rigid) {
+  if (!block_.is_round() || !all_rigid) {
     for (std::size_t index = 0; index < points.size(); ++index) solve_singly(points[index], index, results);
     return;
   }
   for (std::size_t first = 0; first < points.size(); first += kBlock) {
     const std::size_t count = std::min<std::size_t>(kBlock, points.size() - first);
-    for (int lane = 0; lane < kBlock; ++lane)
-      fill(points[first + std::min(count - 1, static_cast<std::size_t>(lane))], lane);
-    engine_->solve(input_, output_, inner_.data(), outer_.data());
+    for (int lane = 0; lane < kBlock; ++lane) {
+      const EquilibriumPoint& at = points[first + std::min(count - 1, static_cast<std::size_t>(lane))];
+      block_.put(at.point, at.first_roller, lane);
+    }
+    engine_->solve(block_.input(), output_, inner_.data(), outer_.data());
     const auto row = static_cast<Eigen::Index>(first);
     const auto rows = static_cast<Eigen::Index>(count);
     for (Eigen::Index j = 0; j < bearing_.rollers().count; ++j) {
@@ -115,8 +126,8 @@ void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, Equilibri
       std::copy_n(outer_.data() + j * kBlock, rows, results.outer_load.col(j).data() + row);
     }
     for (Eigen::Index lane = 0; lane < rows; ++lane) {
-      results.displacement(0, row + lane) = unit_length_ * output_.displacement_x[lane];
-      results.displacement(1, row + lane) = unit_length_ * output_.displacement_y[lane];
+      results.displacement(0, row + lane) = block_.unit_length() * output_.displacement_x[lane];
+      results.displacement(1, row + lane) = block_.unit_length() * output_.displacement_y[lane];
       results.residual[row + lane] = output_.residual[lane];
       results.iterations[row + lane] = static_cast<int>(output_.iterations[lane]);
       if (output_.converged[lane] == 0.0) {

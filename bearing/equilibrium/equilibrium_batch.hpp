@@ -37,6 +37,31 @@ struct EquilibriumResults {
   long solved_singly = 0;                    // [-]  points left to quasi_static_state()
 };
 
+/// What an engine is told of the operating points of one bearing.
+class EquilibriumBlock {
+ public:
+  EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia);
+
+  void put(const OperatingPoint& point, double first_roller, int lane);
+  const EquilibriumInput& input() const { return input_; }
+  /// Without laminae. `half_clearance` in [m]; this must outlive who is given them.
+  EquilibriumConstants constants(double half_clearance) const;
+
+  const BearingGeometry& geometry() const { return geometry_; }
+  double unit_length() const { return unit_length_; }  // [m]  approach of one contact under 1 N
+  /// Round races and rollers that are alike: what engines know.
+  bool is_round() const { return round_; }
+
+ private:
+  BearingGeometry geometry_;
+  InertiaSwitches inertia_;
+  double unit_length_;
+  bool round_;
+  double cage_mass_;  // [kg]  whose inertial load reaches the outer ring
+  std::vector<double> pocket_cosine_, pocket_sine_;
+  EquilibriumInput input_{};
+};
+
 /// The solver for one bearing. Not for use by two threads at once.
 class EquilibriumBatch {
  public:
@@ -49,20 +74,13 @@ class EquilibriumBatch {
   void solve(std::span<const EquilibriumPoint> points, EquilibriumResults& results);
 
  private:
-  void fill(const EquilibriumPoint& point, int lane);
   void solve_singly(const EquilibriumPoint& point, std::size_t index, EquilibriumResults& results) const;
 
   Bearing bearing_;
-  BearingGeometry geometry_;
   InertiaSwitches inertia_;
-  double unit_length_;  // [m]   approach of one contact under 1 N
-  bool round_;          // round races and equal rollers: what the engine knows
-  double cage_mass_;    // [kg]  whose inertial load reaches the outer ring
-  std::vector<double> pocket_cosine_;
-  std::vector<double> pocket_sine_;
+  EquilibriumBlock block_;
   std::vector<double> inner_;  // [N]  (rollers, kBlock)
   std::vector<double> outer_;  // [N]
-  EquilibriumInput input_{};
   EquilibriumOutput output_{};
   std::unique_ptr<EquilibriumEngine> engine_;
 };

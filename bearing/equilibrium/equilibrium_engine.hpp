@@ -8,12 +8,17 @@ namespace orbearing::bearing::vectorised {
 inline constexpr int kBlock = 16;
 
 /// What all operating points of a bearing share. Lengths are divided by the approach of one contact under
-/// 1 N, so that a contact carries Q = x^(10/9) with Q in [N].
+/// 1 N, so that a contact carries Q = x^(10/9) with Q in [N]. Of a contact that is cut, laminae of like drop
+/// are one; drops count from the least, and the clearance holds twice that. What is pointed to outlives the
+/// engine.
 struct EquilibriumConstants {
   int rollers = 0;
   double half_clearance = 0.0;            // [N^0.9]
-  const double* pocket_cosine = nullptr;  // [-]  of each roller's angle from the first; outlives the engine
+  const double* pocket_cosine = nullptr;  // [-]  of each roller's angle from the first
   const double* pocket_sine = nullptr;    // [-]
+  int laminae = 0;                        // of unlike drops
+  const double* drop = nullptr;           // [N^0.9]  (laminae)  rising from 0
+  const double* share = nullptr;          // [-]      (laminae)  of the contact's length
 };
 
 /// What distinguishes them, an entry for each point. The inertial load of the roller at angle a is
@@ -27,12 +32,18 @@ struct EquilibriumInput {
   double first_roller[kBlock];  // [rad]  place of the first roller, below 1e8
 };
 
+/// `lamina_loads` where it is asked for: loads [N] per share of the length, of the laminae at the inner race,
+/// then at the outer one, kBlock entries for each roller of each of them.
 struct EquilibriumOutput {
   double displacement_x[kBlock];  // [N^0.9]  outer ring relative to inner ring
   double displacement_y[kBlock];  // [N^0.9]
   double residual[kBlock];        // [N]  force out of balance on the outer ring
   double iterations[kBlock];      // [-]
   double converged[kBlock];       // [-]  1 or 0
+  double stiffness_xx[kBlock];    // [N^0.1]  of the outer ring against its displacement
+  double stiffness_xy[kBlock];    // [N^0.1]
+  double stiffness_yy[kBlock];    // [N^0.1]
+  double* lamina_loads = nullptr;
 };
 
 /// Not for use by two threads at once; nothing is allocated after construction.
@@ -44,11 +55,15 @@ class EquilibriumEngine {
                      double* outer_load) = 0;
 };
 
-/// One for each instruction set; each stands in its own file with its own compiler options.
+/// One for each instruction set; each stands in its own file with its own compiler options. Those of level
+/// rollers on laminae give the same bits in all sets.
 EquilibriumEngine* baseline_equilibrium(const EquilibriumConstants& constants);
+EquilibriumEngine* baseline_level_equilibrium(const EquilibriumConstants& constants);
 #if defined(__x86_64__) && !defined(_WIN32)
 EquilibriumEngine* avx2_equilibrium(const EquilibriumConstants& constants);
+EquilibriumEngine* avx2_level_equilibrium(const EquilibriumConstants& constants);
 EquilibriumEngine* avx512_equilibrium(const EquilibriumConstants& constants);
+EquilibriumEngine* avx512_level_equilibrium(const EquilibriumConstants& constants);
 #endif
 
 }  // namespace orbearing::bearing::vectorised

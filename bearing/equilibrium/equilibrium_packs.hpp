@@ -4,6 +4,7 @@
 // In the lengths of EquilibriumConstants a squeezed roller with inertial load I and e = |I| has
 //   y^(10/9) - x^(10/9) = e,   x + y = A = -half clearance - u . e_r
 // with x on the race that feels the squeeze alone. Eliminating x roller by roller leaves two equations for u.
+// The contacts of rollers on laminae take the place of the powers where these are cut (level_contacts.hpp).
 #pragma once
 
 #include "bearing/contact/line_law.hpp"
@@ -22,10 +23,33 @@ struct RingBalance {
   Pack error{};                 // [N]  of the force, as the rollers are not yet in balance
 };
 
+/// Loads [N] of both contacts of a roller, and their slopes over 10/9 [N^0.1].
+struct ContactPair {
+  Pack p, q;
+  Pack root_x, root_y;
+};
+
+/// Contacts of whole rollers.
+struct WholeContacts {
+  static constexpr double kBend = 1.0 / 16.0;  // curvature of the law of a contact, from above
+  static constexpr double kOnset = 0.0;  // share of a step's load that comes to bear only within the step
+
+  explicit WholeContacts(const EquilibriumConstants&) {}
+  /// Under the approaches `x` and `y` [N^0.9].
+  static ContactPair loads(const Pack& x, const Pack& y) {
+    const Pack root_x = ninth_root(x), root_y = ninth_root(y);
+    return {x * root_x, y * root_y, root_x, root_y};
+  }
+  /// Nothing but the loads is asked of them.
+  void put(const AlignedArray<RollerUnknown>&, int, const PlaneVector&, double, int,
+           const EquilibriumOutput&) const {}
+};
+
+template <class Contacts>
 class PackEquilibrium final : public EquilibriumEngine {
  public:
   explicit PackEquilibrium(const EquilibriumConstants& constants)
-      : c_(constants), roller_(constants.rollers) {}
+      : c_(constants), contacts_(constants), roller_(constants.rollers) {}
 
   void solve(const EquilibriumInput& input, EquilibriumOutput& output, double* inner_load,
              double* outer_load) override {
@@ -38,7 +62,6 @@ class PackEquilibrium final : public EquilibriumEngine {
   static constexpr int kPatience = 8;          // iterations before move() becomes patient
   static constexpr double kTolerance = 2e-11;  // of the largest force at hand
   static constexpr double kAcceptable = 1e-9;  // of the largest force, where round-off ends the iteration
-  static constexpr double kBend = 1.0 / 16.0;  // curvature of the law of a contact, from above
   static constexpr double kTrusted = 0.1;      // error of a force whose sign is relied on
   static constexpr double kRoundOff = 1e-15;   // of the lengths whose difference is the approach
 
@@ -56,6 +79,7 @@ class PackEquilibrium final : public EquilibriumEngine {
   }
 
   EquilibriumConstants c_;
+  Contacts contacts_;
   AlignedArray<RollerUnknown> roller_;
   PlaneVector load_;   // [N]      on the outer ring
   Pack scale_;         // [N]      largest force at hand
@@ -67,7 +91,8 @@ class PackEquilibrium final : public EquilibriumEngine {
   Mask trusted_;       // that force was known well enough to judge the step by
 };
 
-inline void PackEquilibrium::place_rollers(const EquilibriumInput& input, int first) {
+template <class Contacts>
+inline void PackEquilibrium<Contacts>::place_rollers(const EquilibriumInput& input, int first) {
   const auto [sine, cosine] = sine_cosine(load(input.first_roller + first));
   const Pack steady = load(input.steady + first), by_x = load(input.cosine + first),
              by_y = load(input.sine + first);
@@ -93,15 +118,17 @@ inline void PackEquilibrium::place_rollers(const EquilibriumInput& input, int fi
   reach_ = 2.0 * __builtin_fabs(c_.half_clearance) + 2.5 * rough_power(forces, kLineApproachExponent);
 }
 
-inline void PackEquilibrium::start() {
+template <class Contacts>
+inline void PackEquilibrium<Contacts>::start() {
   u_ = starting_displacement(roller_, c_.rollers, c_.half_clearance, load_);
   moved_ = trial_ = {};
   slope_ = Pack{};
   trusted_ = Mask{};
 }
 
-inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& done,
-                                            RingBalance& sums) const {
+template <class Contacts>
+inline void PackEquilibrium<Contacts>::balance_roller(RollerUnknown& roller, const Mask& done,
+                                                      RingBalance& sums) const {
   const Pack approach = -c_.half_clearance - (u_.x * roller.e_x + u_.y * roller.e_y);
   const Pack outward = larger(roller.inertial, Pack{});
   if (!any(approach > 0.0)) {
@@ -115,8 +142,7 @@ inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& d
   const Pack moved = larger(roller.x + roller.step + roller.slope * change, Pack{});
   const Pack x = smaller(select(done, roller.x, moved), 0.5 * a);
   const Pack y = a - x;
-  const Pack root_x = ninth_root(x), root_y = ninth_root(y);
-  const Pack p = x * root_x, q = y * root_y;
+  const auto [p, q, root_x, root_y] = contacts_.loads(x, y);
   const Pack residual = q - p - absolute(roller.inertial);
   const Pack size = absolute(residual);
   const Pack inverse = 1.0 / ((root_x + root_y) * (p + size + 1e-200));
@@ -134,21 +160,25 @@ inline void PackEquilibrium::balance_roller(RollerUnknown& roller, const Mask& d
   sums.k_yy += stiffness * roller.e_y * roller.e_y;
   // The step leaves an error of its square over the load, times the bend of the law.
   const Mask counts = (approach > 0.0) & ((x > 0.0) | (residual > 0.0));
-  sums.error += only(counts, kBend * (residual * residual) * (inverse * (root_x + root_y)));
+  Pack error = Contacts::kBend * (residual * residual) * (inverse * (root_x + root_y));
+  if constexpr (Contacts::kOnset > 0.0) error += Contacts::kOnset * size;
+  sums.error += only(counts, error);
   roller.x = x;
   roller.step = select(squeezed, step, -x);
   roller.slope = only(squeezed, share_y);
   roller.squeeze = load;
 }
 
-inline RingBalance PackEquilibrium::balance(const Mask& done) {
+template <class Contacts>
+inline RingBalance PackEquilibrium<Contacts>::balance(const Mask& done) {
   RingBalance sums{load_};
   for (int j = 0; j < c_.rollers; ++j) balance_roller(roller_[j], done, sums);
   return sums;
 }
 
 // As in race_equilibrium: a little is added to the stiffness, and the step kept within reach.
-inline PlaneVector PackEquilibrium::newton_step(const RingBalance& now) const {
+template <class Contacts>
+inline PlaneVector PackEquilibrium<Contacts>::newton_step(const RingBalance& now) const {
   const Pack lift = 1e-12 * (now.k_xx + now.k_yy) + 1e-30;
   const Pack k_xx = now.k_xx + lift, k_yy = now.k_yy + lift;
   const Pack inverse = 1.0 / (k_xx * k_yy - now.k_xy * now.k_xy);
@@ -161,7 +191,8 @@ inline PlaneVector PackEquilibrium::newton_step(const RingBalance& now) const {
 // The forces are the slope of a convex energy: a step after which the force along it points back by more than
 // 0.7 of what it was went too far, and is halved. That judgement needs forces that are known; a patient
 // iteration waits with the rings until the rollers are nearly in balance.
-inline Mask PackEquilibrium::move(const RingBalance& now, const Mask& done, bool patient) {
+template <class Contacts>
+inline Mask PackEquilibrium<Contacts>::move(const RingBalance& now, const Mask& done, bool patient) {
   const Mask known = now.error * now.error < kTrusted * kTrusted * dot(now.force, now.force);
   const Mask waiting = patient ? ~known : Mask{};
   const Mask too_far = trusted_ & (dot(now.force, trial_) < -0.7 * slope_);
@@ -180,14 +211,17 @@ inline Mask PackEquilibrium::move(const RingBalance& now, const Mask& done, bool
   return lost;
 }
 
-inline void PackEquilibrium::solve(const EquilibriumInput& input, int first, EquilibriumOutput& output,
-                                   double* inner_load, double* outer_load) {
+template <class Contacts>
+inline void PackEquilibrium<Contacts>::solve(const EquilibriumInput& input, int first,
+                                             EquilibriumOutput& output, double* inner_load,
+                                             double* outer_load) {
   place_rollers(input, first);
   start();
   Mask done{}, converged{};
   Pack iterations{};
+  RingBalance now;
   for (int i = 0; i < kMostIterations; ++i) {
-    const RingBalance now = balance(done);
+    now = balance(done);
     const Pack residual = root(dot(now.force, now.force));
     store(residual, output.residual + first);
     const Mask balanced = residual + now.error < kTolerance * scale_ + kNothing;
@@ -204,6 +238,10 @@ inline void PackEquilibrium::solve(const EquilibriumInput& input, int first, Equ
   store(u_.y, output.displacement_y + first);
   store(iterations, output.iterations + first);
   store(only(converged, spread(1.0)), output.converged + first);
+  store(now.k_xx, output.stiffness_xx + first);
+  store(now.k_xy, output.stiffness_xy + first);
+  store(now.k_yy, output.stiffness_yy + first);
+  contacts_.put(roller_, c_.rollers, u_, c_.half_clearance, first, output);
   for (int j = 0; j < c_.rollers; ++j) {
     const RollerUnknown& roller = roller_[j];
     store(roller.squeeze + larger(-roller.inertial, Pack{}), inner_load + j * kBlock + first);

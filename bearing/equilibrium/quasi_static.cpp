@@ -39,15 +39,6 @@ std::string not_finite_text(const OperatingPoint& point) {
   return text.str();
 }
 
-void require_finite(const OperatingPoint& point) {
-  const CarrierMotion& carrier = point.carrier;
-  const bool finite = point.bore_load.allFinite() && std::isfinite(carrier.speed) &&
-                      std::isfinite(carrier.acceleration) && std::isfinite(carrier.orbit_radius) &&
-                      std::isfinite(point.inner_speed) && std::isfinite(point.outer_speed) &&
-                      point.bore_tilt.allFinite();
-  if (!finite) throw std::invalid_argument(not_finite_text(point));
-}
-
 // What waves of the races and unequal rollers add to the approach of the races; empty where there are none.
 Eigen::ArrayXd extra_approach(const Bearing& bearing, const Eigen::ArrayXd& angle) {
   if (bearing.inner.form.empty() && bearing.outer.form.empty() &&
@@ -62,6 +53,15 @@ Eigen::ArrayXd extra_approach(const Bearing& bearing, const Eigen::ArrayXd& angl
 }
 
 }  // namespace
+
+void require_finite(const OperatingPoint& point) {
+  const CarrierMotion& carrier = point.carrier;
+  const bool finite = point.bore_load.allFinite() && std::isfinite(carrier.speed) &&
+                      std::isfinite(carrier.acceleration) && std::isfinite(carrier.orbit_radius) &&
+                      std::isfinite(point.inner_speed) && std::isfinite(point.outer_speed) &&
+                      point.bore_tilt.allFinite();
+  if (!finite) throw std::invalid_argument(not_finite_text(point));
+}
 
 Eigen::Vector2d load_through_cage(const Bearing& bearing, const BearingGeometry& geometry,
                                   const CarrierMotion& carrier, const InertiaSwitches& inertia) {

@@ -36,6 +36,9 @@ struct QuasiStaticResult {
   SolverReport report;                                        // the worst over the cage angles
 };
 
+/// Throws std::invalid_argument where a load, a tilt or a speed is not finite.
+void require_finite(const OperatingPoint& point);
+
 /// Load [N] that cage and rollers add to the ring that guides the cage: the cage's inertial load and the
 /// tangential halves of the rollers', which reach it through the pockets.
 Eigen::Vector2d load_through_cage(const Bearing& bearing, const BearingGeometry& geometry,

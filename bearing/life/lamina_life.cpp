@@ -39,8 +39,16 @@ Eigen::ArrayXd mean_power(const Loads& loads, RaceMotion motion) {
 
 // The same by (3).
 Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& powers, RaceMotion motion) {
-  if (motion == RaceMotion::turning) return powers.rowwise().mean();
-  return (powers * powers.sqrt().sqrt().sqrt()).rowwise().mean();
+  // Column by column: Eigen takes the roots of a row one at a time.
+  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(powers.rows());
+  for (Eigen::Index place = 0; place < powers.cols(); ++place) {
+    const auto at = powers.col(place);
+    if (motion == RaceMotion::turning)
+      sum += at;
+    else
+      sum += at * at.sqrt().sqrt().sqrt();
+  }
+  return sum / static_cast<double>(powers.cols());
 }
 
 Eigen::ArrayXd by_lamina(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "mechanics/plane.hpp"
 
@@ -24,39 +25,77 @@ struct RollerTangent {
       Matrix2d::Zero();  // [m s/N]  displacement that damping holds back for a rate of load
 };
 
+// The balance at one cage angle.
+struct AtCageAngle {
+  Vector2d displacement;                  // [m]
+  Matrix2d stiffness;                     // [N/m]
+  Eigen::ArrayXd inner_load, outer_load;  // [N]  (rollers)
+};
+
 // Damping of both contacts of each roller as its series of springs passes it on [N s/m].
-Matrix2d roller_damping(const bearing::RaceEquilibrium& problem, const bearing::QuasiStaticState& balance,
-                        double damping) {
+Matrix2d roller_damping(const bearing::RollerContacts& contacts, const AtCageAngle& balance,
+                        double first_roller, double damping) {
   Matrix2d sum = Matrix2d::Zero();
-  for (Eigen::Index j = 0; j < balance.angle.size(); ++j) {
+  const Eigen::Index rollers = balance.inner_load.size();
+  for (Eigen::Index j = 0; j < rollers; ++j) {
     const double inner = balance.inner_load[j], outer = balance.outer_load[j];
     if (!(inner > 0.0 && outer > 0.0)) continue;
-    const double a = problem.contacts.inner.compliance(inner), b = problem.contacts.outer.compliance(outer);
-    const Vector2d outward = mechanics::direction(balance.angle[j]);
+    const double a = contacts.inner.compliance(inner), b = contacts.outer.compliance(outer);
+    const Vector2d outward =
+        mechanics::direction(first_roller + two_pi * static_cast<double>(j) / static_cast<double>(rollers));
     sum += damping * (inner * a * a + outer * b * b) / ((a + b) * (a + b)) * outward * outward.transpose();
   }
   return sum;
 }
 
+AtCageAngle at_cage_angle(const bearing::RaceEquilibrium& problem) {
+  const bearing::QuasiStaticState balance = bearing::solve(problem);
+  if (!balance.report.converged) throw std::runtime_error(balance.report.message);
+  return {balance.displacement, stiffness_at(problem, balance), balance.inner_load, balance.outer_load};
+}
+
+// Whole contacts, as the bearing in motion has them without laminae.
+std::vector<AtCageAngle> over_a_pitch(const bearing::Bearing& whole, const bearing::BearingGeometry& geometry,
+                                      const bearing::OperatingPoint& point,
+                                      const bearing::QuasiStaticOptions& options) {
+  using bearing::vectorised::LevelPitch;
+  std::vector<AtCageAngle> all;
+  if (LevelPitch::holds(whole, point, options)) {
+    bearing::vectorised::PitchResults pitch;
+    LevelPitch(whole, options).solve(point, pitch);
+    for (std::size_t i = 0; i < pitch.reports.size() && pitch.reports[i].converged; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      all.push_back({pitch.displacement.col(row), pitch.stiffness[i], pitch.inner_load.row(row),
+                     pitch.outer_load.row(row)});
+    }
+  }
+  const double step = two_pi / (whole.rollers().count * options.cage_positions);
+  for (int i = static_cast<int>(all.size()); i < options.cage_positions; ++i)
+    all.push_back(at_cage_angle(bearing::quasi_static_problem(whole, geometry, point, options, i * step)));
+  return all;
+}
+
 RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::BearingGeometry& geometry,
                              const bearing::OperatingPoint& point) {
-  const bearing::Bearing like = of_like_rollers(drivetrain.bearing);
+  bearing::Bearing whole = of_like_rollers(drivetrain.bearing);
+  whole.rollers().laminae = 0;
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
   const bearing::motion::RaceContactParameters& race = drivetrain.dynamics.race;
   const bool damped = race.damping_law == bearing::motion::DampingLaw::approach_speed;
+  const bool filmed = options.film && options.film_approach == bearing::FilmApproach::added;
+  const bearing::RollerContacts contacts = rolling_contacts(
+      whole, geometry, point.inner_speed, point.outer_speed, filmed ? options.film : std::nullopt);
   const double share = 1.0 / options.cage_positions;
-  const double pitch = two_pi / like.rollers().count;
+  const double step = share * two_pi / whole.rollers().count;
   RollerTangent mean;
-  for (int i = 0; i < options.cage_positions; ++i) {
-    const bearing::RaceEquilibrium problem =
-        bearing::quasi_static_problem(like, geometry, point, options, share * i * pitch);
-    const bearing::QuasiStaticState balance = bearing::solve(problem);
-    if (!balance.report.converged) throw std::runtime_error(balance.report.message);
-    const Matrix2d compliance = stiffness_at(problem, balance).inverse();
-    const Matrix2d damping = roller_damping(problem, balance, damped ? race.damping : 0.0);
+  double first_roller = 0.0;
+  for (const AtCageAngle& balance : over_a_pitch(whole, geometry, point, options)) {
+    const Matrix2d compliance = balance.stiffness.inverse();
+    const Matrix2d damping = roller_damping(contacts, balance, first_roller, damped ? race.damping : 0.0);
     mean.displacement += share * balance.displacement;
     mean.compliance += share * compliance;
     mean.retardation += share * compliance * damping * compliance;
+    first_roller += step;
   }
   return mean;
 }

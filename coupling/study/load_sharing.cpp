@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/level_pitch.hpp"
 #include "coupling/study/bearing_tangent.hpp"
 #include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
@@ -19,12 +20,14 @@ namespace orbearing::study {
 
 namespace {
 
+using bearing::vectorised::LevelPitch;
 using boost::math::double_constants::two_pi;
 using Eigen::Matrix2d;
 using Eigen::Matrix2Xd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using gearset::dynamics::SetModel;
+using gearset::dynamics::StaticSet;
 
 constexpr int kMostRounds = 100;
 constexpr int kNewtonRounds = 8;
@@ -50,24 +53,47 @@ class PlanetSupport {
         options_(quasi_static_options(drivetrain)),
         whole_(static_cast<std::size_t>(drivetrain.set.planets)),
         cut_states_(whole_.size()) {
+    if (LevelPitch::holds(bearing_, duty.point, options_)) level_.emplace(bearing_, options_);
     if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
   }
 
   Give give(std::size_t planet, const Vector2d& force) {
     const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
+    if (level_)
+      if (const std::optional<Give> give = give_of_level_rollers(point)) return *give;
     return cut_ ? mean_over_angles(point, cut_states_, planet,
                                    [&](double first_roller, const bearing::laminae::LaminaState* near) {
                                      return lamina_state(*cut_, point, options_, first_roller, near);
                                    })
-                : mean_over_angles(point, whole_, planet,
-                                   [&](double first_roller, const bearing::QuasiStaticState* near) {
-                                     return solve(quasi_static_problem(bearing_, geometry_, point, options_,
-                                                                       first_roller),
-                                                  near);
-                                   });
+                : mean_over_angles(
+                      point, whole_, planet, [&](double first_roller, const bearing::QuasiStaticState* near) {
+                        return solve(quasi_static_problem(bearing_, geometry_, point, options_, first_roller),
+                                     near);
+                      });
   }
 
  private:
+  // Of all cage angles at once; none where one of them does not converge.
+  std::optional<Give> give_of_level_rollers(const bearing::OperatingPoint& point) {
+    if (!point.bore_tilt.isZero(0.0)) return std::nullopt;
+    level_->solve(point, pitch_);
+    const auto positions = static_cast<double>(pitch_.reports.size());
+    Give mean = give_of_support(point);
+    Matrix2d compliance = Matrix2d::Zero();
+    for (std::size_t i = 0; i < pitch_.reports.size(); ++i) {
+      if (!pitch_.reports[i].converged) return std::nullopt;
+      compliance += compliance_of(pitch_.stiffness[i]) / positions;
+    }
+    mean.displacement += pitch_.displacement.rowwise().mean().matrix();
+    mean.compliance = (mean.compliance + compliance) / drivetrain_.bearings_per_planet;
+    return mean;
+  }
+
+  Give give_of_support(const bearing::OperatingPoint& point) const {
+    const double stiffness = drivetrain_.dynamics.support.stiffness;
+    return {point.bore_load / stiffness, Matrix2d::Identity() / stiffness};
+  }
+
   // The balances of one planet at all cage angles, and the load of one bearing [N] under which they settled.
   template <class State>
   struct Settled {
@@ -85,8 +111,7 @@ class PlanetSupport {
     Settled<State>& own = planets[planet];
     if (own.states.empty()) own = planets.front();
     const bool known = !own.states.empty();
-    Give mean{point.bore_load / drivetrain_.dynamics.support.stiffness,
-              Matrix2d::Identity() / drivetrain_.dynamics.support.stiffness};
+    Give mean = give_of_support(point);
     for (int i = 0; i < positions; ++i) {
       State* near = nullptr;
       if (known) {
@@ -121,6 +146,8 @@ class PlanetSupport {
   bearing::BearingGeometry geometry_;
   BearingDuty duty_;
   bearing::QuasiStaticOptions options_;
+  std::optional<LevelPitch> level_;  // where rollers stay level: all cage angles at once
+  bearing::vectorised::PitchResults pitch_;
   std::optional<bearing::laminae::LaminaBearing> cut_;
   std::vector<Settled<bearing::QuasiStaticState>> whole_;  // (planets)
   std::vector<Settled<bearing::laminae::LaminaState>> cut_states_;
@@ -181,20 +208,16 @@ SetModel on_springs(const PlanetaryDrivetrain& drivetrain, double stiffness) {
                                       gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
 }
 
-// The set at rest under its mean loads.
+// The set at rest under its mean loads on springs whose pins are displaced.
 struct AtRest {
   Eigen::VectorXd state;
-  Eigen::Matrix2Xd forces;  // [N]  of the bearings on each planet (2, planets)
+  Matrix2Xd forces;  // [N]  of the bearings on each planet (2, planets)
 };
 
-AtRest at_rest(const SetModel& model) {
-  AtRest result{gearset::dynamics::static_state(model), Eigen::Matrix2Xd(2, model.layout.planets)};
-  const Eigen::VectorXd q = result.state.head(model.layout.freedoms());
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(q.size());
-  for (Eigen::Index i = 0; i < result.forces.cols(); ++i)
-    result.forces.col(i) =
-        bearing_force(model.parameters.planet, model.bearings[static_cast<std::size_t>(i)], q, still);
-  return result;
+AtRest at_rest(StaticSet& set, const Matrix2Xd& offset) {
+  VectorXd state = set.at(offset);
+  Matrix2Xd forces = set.bearing_forces(state, offset);
+  return {std::move(state), std::move(forces)};
 }
 
 std::vector<double> shares_at(const SetModel& set, const VectorXd& state, const BearingDuty& even) {
@@ -208,16 +231,9 @@ std::vector<double> shares_at(const SetModel& set, const VectorXd& state, const 
 // A spring that gives F at the displacement d has the deflection F / k there: the set rests on such springs
 // until they give the forces that the bearings give at their displacements.
 struct OnSprings {
-  SetModel springs;
+  Matrix2Xd offset;  // [m]  of the pins
   AtRest now;
 };
-
-void put_on_springs(const SetModel& set, const Matrix2Xd& offset, SetModel& springs) {
-  for (Eigen::Index i = 0; i < offset.cols(); ++i) {
-    const auto planet = static_cast<std::size_t>(i);
-    springs.bearings[planet].pin_error = set.bearings[planet].pin_error + offset.col(i);
-  }
-}
 
 double largest_change(const Matrix2Xd& before, const Matrix2Xd& now) {
   return (now - before).colwise().norm().maxCoeff() / now.colwise().norm().maxCoeff();
@@ -226,10 +242,8 @@ double largest_change(const Matrix2Xd& before, const Matrix2Xd& now) {
 // Forces where gears balance on bearings that give way along their tangents at the forces `tried`: only a
 // start for the next round, and the same search without a bearing in it. Forces after kTangentRounds where
 // it does not end.
-Matrix2Xd balanced_on_tangents(const SetModel& set, const std::vector<Give>& gives, const Matrix2Xd& tried,
-                               const Matrix2Xd& first) {
-  const double stiffness = set.parameters.planet.bearing_stiffness;
-  SetModel springs = set;
+Matrix2Xd balanced_on_tangents(StaticSet& set, double stiffness, const std::vector<Give>& gives,
+                               const Matrix2Xd& tried, const Matrix2Xd& first) {
   Matrix2Xd at = tried, found = first, offset(2, tried.cols());
   Mixing mixing;
   for (int round = 0; round < kTangentRounds && largest_change(at, found) > kSameTangentForce; ++round) {
@@ -239,17 +253,17 @@ Matrix2Xd balanced_on_tangents(const SetModel& set, const std::vector<Give>& giv
       offset.col(i) =
           give.displacement - give.compliance * (at.col(i) - tried.col(i)) + at.col(i) / stiffness;
     }
-    put_on_springs(set, offset, springs);
-    found = at_rest(springs).forces;
+    found = at_rest(set, offset).forces;
   }
   return found;
 }
 
 // Newton's method in the bearings' tangents; where that does not end, rollers that come and go, by mixing.
-OnSprings balanced(const SetModel& set, PlanetSupport support) {
-  SetModel springs = set;
-  AtRest now = at_rest(springs);
-  Matrix2Xd tried = now.forces, offset(2, tried.cols());
+OnSprings balanced(const SetModel& model, double stiffness, PlanetSupport& support) {
+  StaticSet set(model);
+  Matrix2Xd offset = Matrix2Xd::Zero(2, static_cast<Eigen::Index>(model.bearings.size()));
+  AtRest now = at_rest(set, offset);
+  Matrix2Xd tried = now.forces;
   std::vector<Give> gives(static_cast<std::size_t>(tried.cols()));
   Mixing mixing;
   double change = 0.0;
@@ -257,14 +271,13 @@ OnSprings balanced(const SetModel& set, PlanetSupport support) {
     for (Eigen::Index i = 0; i < tried.cols(); ++i) {
       Give& give = gives[static_cast<std::size_t>(i)];
       give = support.give(static_cast<std::size_t>(i), tried.col(i));
-      offset.col(i) = give.displacement + tried.col(i) / set.parameters.planet.bearing_stiffness;
+      offset.col(i) = give.displacement + tried.col(i) / stiffness;
     }
-    put_on_springs(set, offset, springs);
-    now = at_rest(springs);
+    now = at_rest(set, offset);
     change = largest_change(tried, now.forces);
-    if (change <= kSameForce) return {std::move(springs), std::move(now)};
+    if (change <= kSameForce) return {std::move(offset), std::move(now)};
     if (round < kNewtonRounds)
-      tried = balanced_on_tangents(set, gives, tried, now.forces);
+      tried = balanced_on_tangents(set, stiffness, gives, tried, now.forces);
     else
       tried.reshaped() = mixing.next(tried.reshaped(), now.forces.reshaped());
   }
@@ -289,23 +302,18 @@ PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const Drivet
   require_gears(drivetrain);
   const double stiffness = planet_bearing_stiffness(drivetrain, geometry);
   const SetModel set = on_springs(drivetrain, stiffness);
-  const OnSprings found = balanced(set, {drivetrain, geometry, even});
-  PlanetBalance result{shares_at(set, found.now.state, even), found.now.forces,
-                       Eigen::Matrix2Xd(2, found.now.forces.cols()), stiffness};
-  for (Eigen::Index i = 0; i < result.offset.cols(); ++i) {
-    const auto planet = static_cast<std::size_t>(i);
-    result.offset.col(i) = found.springs.bearings[planet].pin_error - set.bearings[planet].pin_error;
-  }
-  return result;
+  PlanetSupport support(drivetrain, geometry, even);
+  OnSprings found = balanced(set, stiffness, support);
+  return {shares_at(set, found.now.state, even), std::move(found.now.forces), std::move(found.offset),
+          stiffness};
 }
 
 PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                  const Eigen::Matrix2Xd& offset, double stiffness) {
   require_gears(drivetrain);
-  SetModel set = on_springs(drivetrain, stiffness);
-  for (Eigen::Index i = 0; i < offset.cols(); ++i)
-    set.bearings[static_cast<std::size_t>(i)].pin_error += offset.col(i);
-  AtRest now = at_rest(set);
+  const SetModel set = on_springs(drivetrain, stiffness);
+  StaticSet resting(set);
+  AtRest now = at_rest(resting, offset);
   std::vector<double> shares = shares_at(set, now.state, bearing_duty(drivetrain, geometry));
   return {std::move(shares), std::move(now.forces), offset, stiffness};
 }

@@ -9,6 +9,7 @@
 #include "bearing/contact/line_contact.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/equilibrium/lamina_bearing.hpp"
+#include "bearing/equilibrium/level_pitch.hpp"
 #include "bearing/equilibrium/race_equilibrium.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 #include "bearing/life/modified_life.hpp"
@@ -114,9 +115,12 @@ QuasiStaticBearing of_laminae(const PlanetaryDrivetrain& drivetrain, const Drive
 QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
                                       const DrivetrainGeometry& geometry, const BearingDuty& duty) {
   const bearing::laminae::LaminaBearing cut(drivetrain.bearing, mechanics::InstructionSet::baseline);
-  return of_laminae(drivetrain, geometry, duty, cut,
-                    bearing::laminae::quasi_static_laminae(cut, duty.point, quasi_static_options(drivetrain)),
-                    duty.point.bore_tilt);
+  const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
+  std::optional<bearing::laminae::LaminaResult> loads;
+  if (bearing::vectorised::LevelPitch::holds(drivetrain.bearing, duty.point, options))
+    loads = bearing::vectorised::LevelPitch(drivetrain.bearing, options).laminae_under(cut, duty.point);
+  if (!loads) loads = bearing::laminae::quasi_static_laminae(cut, duty.point, options);
+  return of_laminae(drivetrain, geometry, duty, cut, *loads, duty.point.bore_tilt);
 }
 
 // All bearings of a planet: one where they are alike.

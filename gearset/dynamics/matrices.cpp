@@ -107,21 +107,28 @@ MatrixXd stiffness_with(const SetModel& model, const ContactState& contact) {
   return stiffness;
 }
 
+MatrixXd centrifugal_stiffness(const SetModel& model) {
+  const Index n = model.layout.freedoms();
+  const double centrifugal = carrier_turn(model, {}).centrifugal;
+  MatrixXd stiffness = MatrixXd::Zero(n, n);
+  for (Index place = 0; place < n; place += 3) {
+    stiffness(place, place) -= model.mass[place] * centrifugal;
+    if (place < SetLayout::planet(0)) stiffness(place + 1, place + 1) -= model.mass[place] * centrifugal;
+  }
+  return stiffness;
+}
+
 SetMatrices set_matrices(const SetModel& model) {
   const Index n = model.layout.freedoms();
   SetMatrices matrices{.mass = model.mass,
                        .stiffness = mean_stiffness(model),
-                       .centrifugal = MatrixXd::Zero(n, n),
+                       .centrifugal = centrifugal_stiffness(model),
                        .gyroscopic = MatrixXd::Zero(n, n),
                        .damping = damping_matrix(model),
                        .circulatory = MatrixXd::Zero(n, n)};
   const CarrierTurn turn = carrier_turn(model, {});
-  for (Index place = 0; place < n; place += 3) {
-    matrices.centrifugal(place, place) -= model.mass[place] * turn.centrifugal;
-    if (place < SetLayout::planet(0))
-      matrices.centrifugal(place + 1, place + 1) -= model.mass[place] * turn.centrifugal;
+  for (Index place = 0; place < n; place += 3)
     add_turn(place, 2.0 * model.mass[place] * turn.coriolis, matrices.gyroscopic);
-  }
   add_turn(SetLayout::sun(), model.parameters.sun.support.damping * turn.speed, matrices.circulatory);
   add_turn(SetLayout::ring(), model.parameters.ring.support.damping * turn.speed, matrices.circulatory);
   add_turn(SetLayout::carrier(), model.parameters.carrier.support.damping * turn.speed, matrices.circulatory);

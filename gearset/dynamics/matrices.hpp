@@ -21,6 +21,9 @@ struct SetMatrices {
 /// vectors: each spring adds k d d^T.
 SetMatrices set_matrices(const SetModel& model);
 
+/// [N/m]  what the turning frame adds to the stiffness at the nominal speed.
+Eigen::MatrixXd centrifugal_stiffness(const SetModel& model);
+
 /// Which flanks carry, for `stiffness_at`: one entry a mesh.
 struct ContactState {
   std::vector<bool> loaded;

@@ -1,7 +1,9 @@
 #include "gearset/dynamics/static_state.hpp"
 
 #include <stdexcept>
+#include <utility>
 
+#include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/equations.hpp"
 #include "gearset/dynamics/matrices.hpp"
 #include "mechanics/linear_algebra.hpp"
@@ -11,6 +13,8 @@ namespace orbearing::gearset::dynamics {
 namespace {
 
 using Eigen::Index;
+using Eigen::Matrix2Xd;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 struct FlankPlace {
@@ -60,19 +64,20 @@ VectorXd loads_with(const SetModel& model, const ContactState& contact) {
 }
 
 // The shortest solution, since rotations as a rigid body have no stiffness. Held freedoms are left out.
-VectorXd solve(const SetModel& model, Eigen::MatrixXd stiffness, VectorXd force) {
-  for (Index i = 0; i < force.size(); ++i) {
+// One column for each load.
+MatrixXd solve(const SetModel& model, MatrixXd stiffness, MatrixXd force) {
+  for (Index i = 0; i < force.rows(); ++i) {
     if (model.mobility[i] > 0.0) continue;
     stiffness.row(i).setZero();
     stiffness.col(i).setZero();
-    force[i] = 0.0;
+    force.row(i).setZero();
   }
   constexpr double kRigid = 1e-10;  // between the rigid body's round-off and the softest support
   return mechanics::least_squares(stiffness, force, kRigid);
 }
 
 // Forces out of balance, where the teeth that touch are those that touch at `q`. Held freedoms have none.
-VectorXd imbalance(const SetModel& model, const Eigen::MatrixXd& centrifugal, const VectorXd& q) {
+VectorXd imbalance(const SetModel& model, const MatrixXd& centrifugal, const VectorXd& q) {
   const ContactState contact = contact_at(model, q);
   const VectorXd force = loads_with(model, contact) - (stiffness_with(model, contact) + centrifugal) * q;
   return (model.mobility.array() > 0.0).select(force, 0.0);
@@ -80,7 +85,7 @@ VectorXd imbalance(const SetModel& model, const Eigen::MatrixXd& centrifugal, co
 
 // The share of a step at which the force along it vanishes, at most all of it: the energy of teeth that only
 // push is convex, so the force falls on the way.
-double share_of_step(const SetModel& model, const Eigen::MatrixXd& centrifugal, const VectorXd& from,
+double share_of_step(const SetModel& model, const MatrixXd& centrifugal, const VectorXd& from,
                      const VectorXd& step) {
   const auto force = [&](double share) {
     return imbalance(model, centrifugal, from + share * step).dot(step);
@@ -96,24 +101,23 @@ double share_of_step(const SetModel& model, const Eigen::MatrixXd& centrifugal, 
   return 0.5 * (low + high);
 }
 
-}  // namespace
+// Positions at rest, and the flanks in contact there.
+struct Rest {
+  VectorXd positions;
+  ContactState contact;
+};
 
 // Newton's method from the state with all loaded flanks in contact. Steps from one state to the next leave
 // alone what has no stiffness there, such as the rotation of a planet whose teeth have parted.
-VectorXd static_state(const SetModel& model) {
+Rest found_rest(const SetModel& model, const MatrixXd& centrifugal) {
   constexpr int most_steps = 100;
-  const Eigen::MatrixXd centrifugal = set_matrices(model).centrifugal;
   ContactState contact{std::vector<bool>(model.meshes.size(), true),
                        std::vector<bool>(model.meshes.size(), false)};
   VectorXd q = solve(model, stiffness_with(model, contact) + centrifugal, loads_with(model, contact));
   double share = 1.0;
   for (int step = 0; step < most_steps; ++step) {
     const ContactState found = contact_at(model, q);
-    if (found == contact && share == 1.0) {
-      VectorXd x = VectorXd::Zero(model.layout.size());
-      x.head(q.size()) = q;
-      return x;
-    }
+    if (found == contact && share == 1.0) return {std::move(q), std::move(contact)};
     contact = found;
     const VectorXd move =
         solve(model, stiffness_with(model, contact) + centrifugal, imbalance(model, centrifugal, q));
@@ -122,6 +126,69 @@ VectorXd static_state(const SetModel& model) {
   }
   throw std::runtime_error(
       "no static equilibrium of the gear set was found; its supports or its teeth do not hold it under load");
+}
+
+VectorXd at_rest(const SetModel& model, const VectorXd& positions) {
+  VectorXd x = VectorXd::Zero(model.layout.size());
+  x.head(positions.size()) = positions;
+  return x;
+}
+
+// Loads by displacements of the pins: minus the slope of the energy of each bearing's springs.
+MatrixXd loads_of_pins(const SetModel& model) {
+  const Eigen::Matrix2d stiffness = bearing_law(model.parameters.planet).stiffness;
+  MatrixXd loads = MatrixXd::Zero(model.layout.freedoms(), 2 * static_cast<Index>(model.bearings.size()));
+  Index column = 0;
+  for (const PlanetBearing& bearing : model.bearings) {
+    const auto along = [&](Index place, const Eigen::Vector3d& radial, const Eigen::Vector3d& tangential) {
+      loads.block<3, 1>(place, column) = -(radial * stiffness(0, 0) + tangential * stiffness(1, 0));
+      loads.block<3, 1>(place, column + 1) = -(radial * stiffness(0, 1) + tangential * stiffness(1, 1));
+    };
+    const Index carrier = SetLayout::carrier();
+    along(carrier, bearing.radial.central, bearing.tangential.central);
+    along(bearing.place, bearing.radial.planet, bearing.tangential.planet);
+    column += 2;
+  }
+  return loads;
+}
+
+}  // namespace
+
+VectorXd static_state(const SetModel& model) {
+  return at_rest(model, found_rest(model, centrifugal_stiffness(model)).positions);
+}
+
+StaticSet::StaticSet(SetModel model) : model_(std::move(model)), centrifugal_(centrifugal_stiffness(model_)) {
+  rest(Matrix2Xd::Zero(2, static_cast<Index>(model_.bearings.size())));
+}
+
+void StaticSet::rest(const Matrix2Xd& offset) {
+  SetModel displaced = model_;
+  for (Index i = 0; i < offset.cols(); ++i)
+    displaced.bearings[static_cast<std::size_t>(i)].pin_error += offset.col(i);
+  Rest found = found_rest(displaced, centrifugal_);
+  by_offset_ = solve(model_, stiffness_with(model_, found.contact) + centrifugal_, loads_of_pins(model_));
+  contact_ = std::move(found.contact);
+  positions_ = std::move(found.positions);
+  offset_ = offset;
+}
+
+VectorXd StaticSet::at(const Matrix2Xd& offset) {
+  const VectorXd followed = positions_ + by_offset_ * (offset - offset_).reshaped();
+  if (contact_at(model_, followed) == contact_) return at_rest(model_, followed);
+  rest(offset);
+  return at_rest(model_, positions_);
+}
+
+Matrix2Xd StaticSet::bearing_forces(const VectorXd& state, const Matrix2Xd& offset) const {
+  const VectorXd q = state.head(model_.layout.freedoms()), still = VectorXd::Zero(q.size());
+  const Eigen::Matrix2d stiffness = bearing_law(model_.parameters.planet).stiffness;
+  Matrix2Xd forces(2, offset.cols());
+  for (Index i = 0; i < forces.cols(); ++i)
+    forces.col(i) =
+        bearing_force(model_.parameters.planet, model_.bearings[static_cast<std::size_t>(i)], q, still) +
+        stiffness * offset.col(i);
+  return forces;
 }
 
 }  // namespace orbearing::gearset::dynamics

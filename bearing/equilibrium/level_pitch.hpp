@@ -1,0 +1,56 @@
+// Quasi-static equilibria of a bearing whose rollers stay level, over one roller pitch of cage angles,
+// vectorised over these: what lamina_state() or quasi_static_state() gives at each, for studies that ask for
+// a great many. All instruction sets give the same bits.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "bearing/equilibrium/equilibrium_batch.hpp"
+#include "bearing/equilibrium/lamina_bearing.hpp"
+
+namespace orbearing::bearing::vectorised {
+
+/// Equilibria at all cage angles, arrays over these (positions) and rollers.
+struct PitchResults {
+  Eigen::Array2Xd displacement;            // [m]    (x and y, positions)  outer ring relative to inner ring
+  std::vector<Eigen::Matrix2d> stiffness;  // [N/m]  (positions)
+  Eigen::ArrayXXd inner_load, outer_load;  // [N]    (positions, rollers)
+  std::vector<SolverReport> reports;       // (positions)
+};
+
+/// The solver for one bearing: whole contacts, or laminae whose drops are the same at both ends and on both
+/// races, dry. Not for use by two threads at once.
+class LevelPitch {
+ public:
+  /// Whether all rollers of `bearing` stay level at `point`, between rigid round races without film.
+  static bool holds(const Bearing& bearing, const OperatingPoint& point, const QuasiStaticOptions& options);
+
+  /// Throws std::invalid_argument where the bearing has an unsound profile.
+  LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options,
+             mechanics::InstructionSet set = mechanics::best_instruction_set());
+
+  /// At cage angles evenly spaced over a pitch from options.first_roller on. Where a position's report says
+  /// that it did not converge, its loads are those of the last iterate. Throws std::invalid_argument where a
+  /// load or speed is not finite.
+  void solve(const OperatingPoint& point, PitchResults& results);
+  /// The same as a LaminaResult without its states, of a bearing with laminae; none where a position did not
+  /// converge.
+  std::optional<laminae::LaminaResult> laminae_under(const laminae::LaminaBearing& cut,
+                                                     const OperatingPoint& point);
+
+ private:
+  void solve(const OperatingPoint& point, PitchResults& results, double* lamina_loads);
+
+  Bearing bearing_;
+  QuasiStaticOptions options_;
+  EquilibriumBlock block_;
+  std::vector<double> drop_, share_;    // of EquilibriumConstants
+  std::vector<std::size_t> lamina_of_;  // (laminae of a contact)  which of these it is
+  std::vector<double> inner_, outer_;   // [N]  (rollers, kBlock)
+  EquilibriumOutput output_{};
+  std::unique_ptr<EquilibriumEngine> engine_;
+};
+
+}  // namespace orbearing::bearing::vectorised

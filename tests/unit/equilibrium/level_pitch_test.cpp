@@ -1,0 +1,157 @@
+// Level rollers on laminae, all cage angles of a pitch at once, against the readable searches, on bearings,
+// loads and motions drawn at random. Issue 18, Build 4.
+#include "bearing/equilibrium/level_pitch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/constants/constants.hpp>
+#include <string>
+
+#include "tests/random_bearings.hpp"
+
+namespace orbearing::bearing::vectorised::level_pitch_test {
+namespace {
+
+using laminae::LaminaBearing;
+using laminae::LaminaResult;
+using mechanics::InstructionSet;
+
+constexpr double kAgreement = 1e-9;  // of the largest force at hand, as both searches require
+constexpr double kSlopes = 1e-6;     // of the largest stiffness: a contact that just touches has none
+constexpr int kBearings = 60;
+
+// Whole contacts, straight rollers and crowned ones on even and uneven numbers of laminae.
+Draw next_level(RandomBearings& bearings, int kind) {
+  Draw draw = bearings.next();
+  CylindricalRollers& rollers = draw.bearing.rollers();
+  rollers.laminae = std::array{0, 1, 7, 12, 30}[static_cast<std::size_t>(kind % 5)];
+  if (kind % 5 > 2) rollers.profile = profile::Iso16281{rollers.length, rollers.diameter, 1.0};
+  draw.options.film.reset();
+  draw.options.cage_positions = kind % 3 == 0 ? 20 : 4;  // more than a block, and less
+  draw.point.bore_tilt.setZero();
+  return draw;
+}
+
+struct Loads {
+  Eigen::ArrayXd inner, outer;
+  Eigen::Vector2d displacement;
+};
+
+Loads by_search(const Draw& draw) {
+  if (draw.bearing.rollers().laminae == 0) {
+    const QuasiStaticResult found = quasi_static_bearing(draw.bearing, draw.point, draw.options);
+    return {found.inner_load, found.outer_load, found.displacement};
+  }
+  const LaminaResult found = quasi_static_laminae(LaminaBearing(draw.bearing), draw.point, draw.options);
+  return {found.inner_load, found.outer_load, found.displacement};
+}
+
+TEST(LevelPitch, RandomBearingsAgreeWithTheReadableSearches) {
+  RandomBearings bearings;
+  int unbalanced = 0;
+  for (int i = 0; i < kBearings; ++i) {
+    const Draw draw = next_level(bearings, i);
+    ASSERT_TRUE(LevelPitch::holds(draw.bearing, draw.point, draw.options)) << draw;
+    LevelPitch level(draw.bearing, draw.options);
+    PitchResults pitch;
+    level.solve(draw.point, pitch);
+    const Loads expected = by_search(draw);
+    const double allowed = kAgreement * std::max({draw.point.bore_load.norm(), expected.inner.maxCoeff(),
+                                                  expected.outer.maxCoeff()});
+    for (Eigen::Index p = 0; p < pitch.inner_load.rows(); ++p) {
+      if (!pitch.reports[static_cast<std::size_t>(p)].converged) {
+        ++unbalanced;
+        continue;
+      }
+      for (Eigen::Index j = 0; j < pitch.inner_load.cols(); ++j) {
+        const Eigen::Index place = p + j * pitch.inner_load.rows();
+        EXPECT_NEAR(pitch.inner_load(p, j), expected.inner[place], allowed)
+            << "bearing " << i << ": " << draw;
+        EXPECT_NEAR(pitch.outer_load(p, j), expected.outer[place], allowed)
+            << "bearing " << i << ": " << draw;
+      }
+    }
+  }
+  RecordProperty("unbalanced", unbalanced);
+  EXPECT_LE(unbalanced, kBearings / 20);
+}
+
+TEST(LevelPitch, LaminaLoadsAndMeansAreThoseOfTheReadableSearch) {
+  RandomBearings bearings;
+  for (int i = 0; i < kBearings; ++i) {
+    const Draw draw = next_level(bearings, i);
+    if (draw.bearing.rollers().laminae == 0) continue;
+    const LaminaBearing cut(draw.bearing);
+    const std::optional<LaminaResult> found =
+        LevelPitch(draw.bearing, draw.options).laminae_under(cut, draw.point);
+    if (!found) continue;
+    const LaminaResult expected = quasi_static_laminae(cut, draw.point, draw.options);
+    const double largest = std::max(
+        {draw.point.bore_load.norm(), expected.inner_load.maxCoeff(), expected.outer_load.maxCoeff()});
+    EXPECT_LE((found->inner_lamina_load - expected.inner_lamina_load).abs().maxCoeff(), kAgreement * largest)
+        << draw;
+    EXPECT_LE((found->outer_lamina_load - expected.outer_lamina_load).abs().maxCoeff(), kAgreement * largest)
+        << draw;
+    EXPECT_LE((found->angle - expected.angle).abs().maxCoeff(), 0.0);
+    EXPECT_EQ(found->total_bore_load, expected.total_bore_load);
+  }
+}
+
+TEST(LevelPitch, StiffnessIsTheSlopeOfTheForces) {
+  RandomBearings bearings;
+  for (int i = 0; i < kBearings; ++i) {
+    const Draw draw = next_level(bearings, i);
+    LevelPitch level(draw.bearing, draw.options);
+    PitchResults pitch;
+    level.solve(draw.point, pitch);
+    for (std::size_t p = 0; p < pitch.reports.size(); ++p) {
+      if (!pitch.reports[p].converged) continue;
+      const double angle = draw.options.first_roller +
+                           boost::math::double_constants::two_pi * static_cast<double>(p) /
+                               static_cast<double>(pitch.reports.size()) / draw.bearing.rollers().count;
+      const Eigen::Matrix2d expected =
+          draw.bearing.rollers().laminae == 0
+              ? quasi_static_state(draw.bearing, draw.point, draw.options, angle).stiffness
+              : lamina_state(LaminaBearing(draw.bearing), draw.point, draw.options, angle).stiffness;
+      EXPECT_LE((pitch.stiffness[p] - expected).cwiseAbs().maxCoeff(),
+                kSlopes * expected.cwiseAbs().maxCoeff() + 1.0)
+          << draw;
+    }
+  }
+}
+
+TEST(LevelPitch, EveryInstructionSetGivesTheSameBits) {
+  RandomBearings bearings;
+  for (int i = 0; i < kBearings; ++i) {
+    const Draw draw = next_level(bearings, i);
+    PitchResults first;
+    LevelPitch(draw.bearing, draw.options, InstructionSet::baseline).solve(draw.point, first);
+    for (const InstructionSet set : mechanics::instruction_sets()) {
+      PitchResults again;
+      LevelPitch(draw.bearing, draw.options, set).solve(draw.point, again);
+      EXPECT_TRUE((again.inner_load == first.inner_load).all()) << name_of(set) << ": " << draw;
+      EXPECT_TRUE((again.outer_load == first.outer_load).all()) << name_of(set) << ": " << draw;
+      EXPECT_TRUE((again.displacement == first.displacement).all()) << name_of(set) << ": " << draw;
+      EXPECT_EQ(again.stiffness, first.stiffness) << name_of(set) << ": " << draw;
+    }
+  }
+}
+
+TEST(LevelPitch, LeavesTiltsFilmsAndRacesThatAreNotRoundToOthers) {
+  RandomBearings bearings;
+  const Draw level = next_level(bearings, 3);
+  ASSERT_TRUE(LevelPitch::holds(level.bearing, level.point, level.options));
+  Draw tilted = level, filmed = level, oval = level, unlike = level;
+  tilted.point.bore_tilt.x() = 1e-4;
+  filmed.options.film = Lubricant{};
+  oval.bearing.outer.form.push_back({.order = 2, .amplitude = 20e-6});
+  unlike.bearing.inner.profile =
+      profile::Iso16281{level.bearing.rollers().length, level.bearing.rollers().diameter, 1.0};
+  for (const Draw* draw : {&tilted, &filmed, &oval, &unlike})
+    EXPECT_FALSE(LevelPitch::holds(draw->bearing, draw->point, draw->options));
+}
+
+}  // namespace
+}  // namespace orbearing::bearing::vectorised::level_pitch_test
