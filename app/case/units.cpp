@@ -8,8 +8,11 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "app/case/printable.hpp"
 
@@ -96,14 +99,40 @@ Reading<double> fault(std::string text) {
   return {std::nullopt, std::move(text)};
 }
 
-Reading<double> convert_units(double value, const ut_unit* unit, const ut_unit* target,
-                              std::string_view name) {
-  const Converter converter(ut_get_converter(const_cast<ut_unit*>(unit), const_cast<ut_unit*>(target)));
+// How numbers of one unit become those of another, or why they cannot.
+struct Conversion {
+  Converter converter{};
+  std::string fault{};
+};
+
+Conversion no_conversion(std::string text) {
+  return {nullptr, std::move(text)};
+}
+
+Conversion make_conversion(std::string_view unit, std::string_view target_unit) {
+  const std::lock_guard lock(udunits_mutex());
+  if (unit_system() == nullptr) return no_conversion("the unit database of udunits2 cannot be read");
+  const Unit target = parse_unit(target_unit);
+  assert(target && "unit of the field table");
+  const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;
+  if (!parsed) return no_conversion(fmt::format("its unit {} is not known", quote(unit)));
+  if (!same_dimension(parsed.get(), target.get()))
+    return no_conversion(
+        fmt::format("its unit {} does not measure the same as '{}'", quote(unit), target_unit));
+  if (!same_angle_content(parsed.get(), target.get()))
+    return no_conversion(fmt::format("its unit {} does not say how much angle one unit is, as '{}' does",
+                                     quote(unit), target_unit));
+  Converter converter(ut_get_converter(parsed.get(), target.get()));
   if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)
-    return fault(fmt::format("its unit {} has a zero point of its own", quote(name)));
-  const double converted = cv_convert_double(converter.get(), value);
-  if (!std::isfinite(converted)) return fault("its value is too large");
-  return {converted, {}};
+    return no_conversion(fmt::format("its unit {} has a zero point of its own", quote(unit)));
+  return {std::move(converter), {}};
+}
+
+Reading<double> converted(double value, const Conversion& conversion) {
+  if (!conversion.converter) return fault(conversion.fault);
+  const double result = cv_convert_double(conversion.converter.get(), value);
+  if (!std::isfinite(result)) return fault("its value is too large");
+  return {result, {}};
 }
 
 }  // namespace
@@ -132,20 +161,17 @@ Reading<WrittenQuantity> split_quantity(std::string_view text) {
   return {WrittenQuantity{value, std::string(trim(rest))}, {}};
 }
 
+// A study converts the same few units in every variant: those that are known are kept, each thread its own.
 Reading<double> convert(double value, std::string_view unit, std::string_view target_unit) {
   if (unit == target_unit) return {value, {}};
-  const std::lock_guard lock(udunits_mutex());
-  if (unit_system() == nullptr) return fault("the unit database of udunits2 cannot be read");
-  const Unit target = parse_unit(target_unit);
-  assert(target && "unit of the field table");
-  const Unit parsed = is_plain_unit(unit) ? parse_unit(unit) : nullptr;
-  if (!parsed) return fault(fmt::format("its unit {} is not known", quote(unit)));
-  if (!same_dimension(parsed.get(), target.get()))
-    return fault(fmt::format("its unit {} does not measure the same as '{}'", quote(unit), target_unit));
-  if (!same_angle_content(parsed.get(), target.get()))
-    return fault(fmt::format("its unit {} does not say how much angle one unit is, as '{}' does", quote(unit),
-                             target_unit));
-  return convert_units(value, parsed.get(), target.get(), unit);
+  thread_local std::map<std::pair<std::string, std::string>, Conversion> known;
+  std::pair<std::string, std::string> units(unit, target_unit);
+  const auto found = known.find(units);
+  if (found != known.end()) return converted(value, found->second);
+  Conversion conversion = make_conversion(unit, target_unit);
+  const Reading<double> result = converted(value, conversion);
+  if (conversion.converter) known.emplace(std::move(units), std::move(conversion));
+  return result;
 }
 
 Reading<double> read_quantity(std::string_view text, const Dimension& dimension) {

@@ -43,6 +43,12 @@ class EquilibriumBlock {
   EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia);
 
   void put(const OperatingPoint& point, double first_roller, int lane);
+  /// All searches of the next blocks start by themselves, or each where start_at() says.
+  void start_at_places(bool given) { input_.started = given; }
+  void start_at(const Eigen::Vector2d& displacement, int lane) {
+    input_.start_x[lane] = displacement.x() / unit_length_;
+    input_.start_y[lane] = displacement.y() / unit_length_;
+  }
   const EquilibriumInput& input() const { return input_; }
   /// Without laminae. `half_clearance` in [m]; this must outlive who is given them.
   EquilibriumConstants constants(double half_clearance) const;

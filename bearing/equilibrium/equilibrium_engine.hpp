@@ -30,6 +30,9 @@ struct EquilibriumInput {
   double cosine[kBlock];        // [N]
   double sine[kBlock];          // [N]
   double first_roller[kBlock];  // [rad]  place of the first roller, below 1e8
+  bool started = false;         // where the search starts is given
+  double start_x[kBlock];       // [N^0.9]  of the outer ring
+  double start_y[kBlock];       // [N^0.9]
 };
 
 /// `lamina_loads` where it is asked for: loads [N] per share of the length, of the laminae at the inner race,

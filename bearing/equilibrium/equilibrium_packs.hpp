@@ -68,7 +68,7 @@ class PackEquilibrium final : public EquilibriumEngine {
   void solve(const EquilibriumInput& input, int first, EquilibriumOutput& output, double* inner_load,
              double* outer_load);
   void place_rollers(const EquilibriumInput& input, int first);
-  void start();
+  void start(const EquilibriumInput& input, int first);
   RingBalance balance(const Mask& done);
   void balance_roller(RollerUnknown& roller, const Mask& done, RingBalance& sums) const;
   PlaneVector newton_step(const RingBalance& now) const;
@@ -119,8 +119,11 @@ inline void PackEquilibrium<Contacts>::place_rollers(const EquilibriumInput& inp
 }
 
 template <class Contacts>
-inline void PackEquilibrium<Contacts>::start() {
-  u_ = starting_displacement(roller_, c_.rollers, c_.half_clearance, load_);
+inline void PackEquilibrium<Contacts>::start(const EquilibriumInput& input, int first) {
+  if (input.started)
+    u_ = {load(input.start_x + first), load(input.start_y + first)};
+  else
+    u_ = starting_displacement(roller_, c_.rollers, c_.half_clearance, load_);
   moved_ = trial_ = {};
   slope_ = Pack{};
   trusted_ = Mask{};
@@ -216,7 +219,7 @@ inline void PackEquilibrium<Contacts>::solve(const EquilibriumInput& input, int 
                                              EquilibriumOutput& output, double* inner_load,
                                              double* outer_load) {
   place_rollers(input, first);
-  start();
+  start(input, first);
   Mask done{}, converged{};
   Pack iterations{};
   RingBalance now;

@@ -19,7 +19,10 @@ class LevelContacts {
       1.0;  // of the law of a contact without laminae that come to bear, from above
   static constexpr double kOnset = 0.01;  // share of a step's load that these bear, as a rule
 
-  explicit LevelContacts(const EquilibriumConstants& constants) : c_(constants) {}
+  explicit LevelContacts(const EquilibriumConstants& constants)
+      : c_(constants), load_at_drop_(constants.laminae) {
+    for (int k = 0; k < c_.laminae; ++k) load_at_drop_[k] = contact(spread(c_.drop[k])).load.low[0];
+  }
 
   ContactPair loads(const Pack& x, const Pack& y) const {
     const CutContact p = contact(x), q = contact(y);
@@ -58,13 +61,15 @@ class LevelContacts {
     return sum;
   }
 
-  /// The approach under `load`, by Newton's method from above, where the load is convex: it falls towards it.
-  /// Not sought where `known`.
+  /// The approach under `load`, by Newton's method from above, where the load is convex: it falls towards it,
+  /// from the first drop at which the load is larger. Not sought where `known`.
   Pack approach_under(const Pack& load, const Mask& known) const {
     const Mask sought = (load > 0.0) & ~known;
     if (!any(sought)) return Pack{};
-    Pack approach = only(sought, c_.drop[c_.laminae - 1] + load);  // 1 N and more: x < x^(10/9)
-    approach = larger(approach, only(sought, c_.drop[c_.laminae - 1] + spread(1.0)));
+    Pack approach = larger(load, spread(1.0)) + c_.drop[c_.laminae - 1];  // x <= x^(10/9) from 1 on
+    for (int k = c_.laminae - 1; k > 0; --k)
+      approach = select(spread(load_at_drop_[k]) > load, spread(c_.drop[k]), approach);
+    approach = only(sought, approach);
     Mask moving = sought;
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
       const CutContact now = contact(approach);
@@ -84,6 +89,7 @@ class LevelContacts {
   }
 
   EquilibriumConstants c_;
+  AlignedArray<double> load_at_drop_;  // [N]  (laminae)
 };
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

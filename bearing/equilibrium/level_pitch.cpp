@@ -13,7 +13,7 @@ namespace {
 using boost::math::double_constants::two_pi;
 
 EquilibriumEngine* level_engine([[maybe_unused]] mechanics::InstructionSet set,
-                               const EquilibriumConstants& constants) {
+                                const EquilibriumConstants& constants) {
 #if defined(__x86_64__) && !defined(_WIN32)
   if (set == mechanics::InstructionSet::avx512) return avx512_level_equilibrium(constants);
   if (set == mechanics::InstructionSet::avx2) return avx2_level_equilibrium(constants);
@@ -86,15 +86,23 @@ LevelPitch::LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options
   engine_.reset(level_engine(set, constants));
 }
 
-void LevelPitch::solve(const OperatingPoint& point, PitchResults& results) {
-  solve(point, results, nullptr);
+void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
+  solve(point, results, near, nullptr);
+}
+
+Eigen::Vector2d LevelPitch::start(const OperatingPoint& point, const PitchResults& near, int position) const {
+  return near.displacement.col(position).matrix() +
+         mechanics::lengths_under<2>(Eigen::Vector2d(point.bore_load - near.load),
+                                     near.stiffness[static_cast<std::size_t>(position)]);
 }
 
 // `lamina_loads` has room for the loads of all blocks.
-void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, double* lamina_loads) {
+void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,
+                       double* lamina_loads) {
   require_finite(point);
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   const std::size_t room = 2 * drop_.size() * static_cast<std::size_t>(rollers) * kBlock;
+  results.load = point.bore_load;
   results.displacement.resize(2, positions);
   results.inner_load.resize(positions, rollers);
   results.outer_load.resize(positions, rollers);
@@ -103,8 +111,12 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, doubl
   const double step = two_pi / (positions * rollers), unit = block_.unit_length();
   for (int first = 0; first < positions; first += kBlock) {
     const int count = std::min(kBlock, positions - first);
-    for (int lane = 0; lane < kBlock; ++lane)
-      block_.put(point, options_.first_roller + step * (first + std::min(lane, count - 1)), lane);
+    block_.start_at_places(near != nullptr);
+    for (int lane = 0; lane < kBlock; ++lane) {
+      const int position = first + std::min(lane, count - 1);
+      block_.put(point, options_.first_roller + step * position, lane);
+      if (near != nullptr) block_.start_at(start(point, *near, position), lane);
+    }
     output_.lamina_loads = lamina_loads;
     if (lamina_loads != nullptr) lamina_loads += room;
     engine_->solve(block_.input(), output_, inner_.data(), outer_.data());
@@ -136,7 +148,7 @@ std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::La
   const std::size_t of_one_race = unlike * static_cast<std::size_t>(rollers) * kBlock;
   std::vector<double> lamina_loads(2 * of_one_race * blocks);
   PitchResults pitch;
-  solve(point, pitch, lamina_loads.data());
+  solve(point, pitch, nullptr, lamina_loads.data());
   laminae::LaminaResult result = laminae::empty_result(cut, point, options_);
   const auto laminae = static_cast<double>(lamina_of_.size());
   for (int position = 0; position < positions; ++position) {

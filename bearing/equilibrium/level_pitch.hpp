@@ -14,6 +14,7 @@ namespace orbearing::bearing::vectorised {
 
 /// Equilibria at all cage angles, arrays over these (positions) and rollers.
 struct PitchResults {
+  Eigen::Vector2d load = Eigen::Vector2d::Zero();  // [N]  on the bore
   Eigen::Array2Xd displacement;            // [m]    (x and y, positions)  outer ring relative to inner ring
   std::vector<Eigen::Matrix2d> stiffness;  // [N/m]  (positions)
   Eigen::ArrayXXd inner_load, outer_load;  // [N]    (positions, rollers)
@@ -33,15 +34,18 @@ class LevelPitch {
 
   /// At cage angles evenly spaced over a pitch from options.first_roller on. Where a position's report says
   /// that it did not converge, its loads are those of the last iterate. Throws std::invalid_argument where a
-  /// load or speed is not finite.
-  void solve(const OperatingPoint& point, PitchResults& results);
+  /// load or speed is not finite. The searches start by themselves; or, where `near` holds the results of
+  /// this bearing under another load, along their tangents.
+  void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near = nullptr);
   /// The same as a LaminaResult without its states, of a bearing with laminae; none where a position did not
   /// converge.
   std::optional<laminae::LaminaResult> laminae_under(const laminae::LaminaBearing& cut,
                                                      const OperatingPoint& point);
 
  private:
-  void solve(const OperatingPoint& point, PitchResults& results, double* lamina_loads);
+  void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,
+             double* lamina_loads);
+  Eigen::Vector2d start(const OperatingPoint& point, const PitchResults& near, int position) const;
 
   Bearing bearing_;
   QuasiStaticOptions options_;

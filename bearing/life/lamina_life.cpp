@@ -43,6 +43,7 @@ Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& po
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(powers.rows());
   for (Eigen::Index place = 0; place < powers.cols(); ++place) {
     const auto at = powers.col(place);
+    if (!(at.maxCoeff() > 0.0)) continue;  // not touched there
     if (motion == RaceMotion::turning)
       sum += at;
     else
@@ -104,18 +105,20 @@ BearingLife lamina_life(const LaminaRating& rating, const Loads& inner, const Lo
   return lives(rating, mean_power(inner, rating.motions.inner), mean_power(outer, rating.motions.outer));
 }
 
-BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
-  return lives(rating, mean_of_fourth_powers(inner, rating.motions.inner),
-               mean_of_fourth_powers(outer, rating.motions.outer));
+LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
+                         const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
+  return {mean_of_fourth_powers(inner, motions.inner), mean_of_fourth_powers(outer, motions.outer)};
 }
 
-LaminaDamage lamina_damage(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
-                           const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
-  return {by_lamina(rating.inner_weight, mean_of_fourth_powers(inner, rating.motions.inner),
-                    rating.motions.inner),
-          by_lamina(rating.outer_weight, mean_of_fourth_powers(outer, rating.motions.outer),
-                    rating.motions.outer)};
+BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
+                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
+  const LaminaMeans means = lamina_means(rating.motions, inner, outer);
+  return lives(rating, means.inner, means.outer);
+}
+
+LaminaDamage lamina_damage(const LaminaRating& rating, const LaminaMeans& means) {
+  return {by_lamina(rating.inner_weight, means.inner, rating.motions.inner),
+          by_lamina(rating.outer_weight, means.outer, rating.motions.outer)};
 }
 
 LogLife log_life(const LaminaRating& rating, const Loads& inner, const Loads& outer) {

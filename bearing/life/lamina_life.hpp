@@ -49,15 +49,22 @@ BearingLife lamina_life(const LaminaRating& rating, const LaminaLoads& inner, co
 BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
                                   const Eigen::Ref<const Eigen::ArrayXXd>& outer);
 
+/// Means over the places by (3), [N^4] of a turning race, [N^4.5] of a standing one (laminae).
+struct LaminaMeans {
+  Eigen::ArrayXd inner, outer;
+};
+
+/// From fourth powers [N^4] (laminae, places).
+LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
+                         const Eigen::Ref<const Eigen::ArrayXXd>& outer);
+
 /// Terms of the sum in (1), by race and lamina.
 struct LaminaDamage {
   Eigen::ArrayXd inner;  // [-]  (laminae)
   Eigen::ArrayXd outer;  // [-]  (laminae)
 };
 
-/// By (3), from fourth powers [N^4] (laminae, places).
-LaminaDamage lamina_damage(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
-                           const Eigen::Ref<const Eigen::ArrayXXd>& outer);
+LaminaDamage lamina_damage(const LaminaRating& rating, const LaminaMeans& means);
 
 /// Life [rev] of damages that add up to `damage` [-]; infinite without.
 double life_of_damage(double damage);

@@ -18,14 +18,10 @@ double load_of_damage(double capacity, double damage) {
 }
 
 // Loads of whole contacts are those of one lamina.
-life::LaminaDamage damage_of(const ContactCapacities& capacities, const Bearing& bearing,
-                             const motion::RaceDamage& inner, const motion::RaceDamage& outer) {
-  const auto laminae = static_cast<int>(inner.laminae.rows());
-  if (laminae > 0)
-    return life::lamina_damage(life::lamina_rating(capacities, laminae, bearing.motions), inner.laminae,
-                               outer.laminae);
-  return life::lamina_damage(life::lamina_rating(capacities, 1, bearing.motions), inner.whole.transpose(),
-                             outer.whole.transpose());
+life::LaminaMeans means_of(const RaceMotions& motions, const motion::RaceDamage& inner,
+                           const motion::RaceDamage& outer) {
+  if (inner.laminae.rows() > 0) return life::lamina_means(motions, inner.laminae, outer.laminae);
+  return life::lamina_means(motions, inner.whole.transpose(), outer.whole.transpose());
 }
 
 }  // namespace
@@ -36,8 +32,12 @@ std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda,
   if (!(oil.viscosity_ratio >= kLeastViscosityRatio)) return std::nullopt;
   const ContactCapacities own{contact_capacity(bearing, Race::inner, lambda),
                               contact_capacity(bearing, Race::outer, lambda)};
-  const life::LaminaDamage plain = damage_of(own, bearing, inner, outer);
-  const life::LaminaDamage standard = damage_of(ratings.contacts, bearing, inner, outer);
+  const life::LaminaMeans means = means_of(bearing.motions, inner, outer);
+  const auto damage_of = [&](const ContactCapacities& capacities) {
+    const auto laminae = static_cast<int>(means.inner.size());
+    return life::lamina_damage(life::lamina_rating(capacities, laminae, bearing.motions), means);
+  };
+  const life::LaminaDamage plain = damage_of(own), standard = damage_of(ratings.contacts);
   const auto laminae = static_cast<double>(plain.inner.size());
   const double capacity = ratings.dynamic_capacity / roller_set(bearing).lambda;
   double modified_inner = 0.0, modified_outer = 0.0;

@@ -21,6 +21,7 @@ namespace orbearing::study {
 namespace {
 
 using bearing::vectorised::LevelPitch;
+using bearing::vectorised::PitchResults;
 using boost::math::double_constants::two_pi;
 using Eigen::Matrix2d;
 using Eigen::Matrix2Xd;
@@ -51,8 +52,9 @@ class PlanetSupport {
         geometry_(geometry.bearing),
         duty_(duty),
         options_(quasi_static_options(drivetrain)),
-        whole_(static_cast<std::size_t>(drivetrain.set.planets)),
-        cut_states_(whole_.size()) {
+        pitches_(static_cast<std::size_t>(drivetrain.set.planets)),
+        whole_(pitches_.size()),
+        cut_states_(pitches_.size()) {
     if (LevelPitch::holds(bearing_, duty.point, options_)) level_.emplace(bearing_, options_);
     if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
   }
@@ -60,7 +62,7 @@ class PlanetSupport {
   Give give(std::size_t planet, const Vector2d& force) {
     const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
     if (level_)
-      if (const std::optional<Give> give = give_of_level_rollers(point)) return *give;
+      if (const std::optional<Give> give = give_of_level_rollers(planet, point)) return *give;
     return cut_ ? mean_over_angles(point, cut_states_, planet,
                                    [&](double first_roller, const bearing::laminae::LaminaState* near) {
                                      return lamina_state(*cut_, point, options_, first_roller, near);
@@ -74,18 +76,20 @@ class PlanetSupport {
 
  private:
   // Of all cage angles at once; none where one of them does not converge.
-  std::optional<Give> give_of_level_rollers(const bearing::OperatingPoint& point) {
+  std::optional<Give> give_of_level_rollers(std::size_t planet, const bearing::OperatingPoint& point) {
     if (!point.bore_tilt.isZero(0.0)) return std::nullopt;
-    level_->solve(point, pitch_);
-    const auto positions = static_cast<double>(pitch_.reports.size());
+    const PitchResults& near = pitches_[planet].reports.empty() ? pitches_.front() : pitches_[planet];
+    level_->solve(point, found_, near.reports.empty() ? nullptr : &near);
+    const auto positions = static_cast<double>(found_.reports.size());
     Give mean = give_of_support(point);
     Matrix2d compliance = Matrix2d::Zero();
-    for (std::size_t i = 0; i < pitch_.reports.size(); ++i) {
-      if (!pitch_.reports[i].converged) return std::nullopt;
-      compliance += compliance_of(pitch_.stiffness[i]) / positions;
+    for (std::size_t i = 0; i < found_.reports.size(); ++i) {
+      if (!found_.reports[i].converged) return std::nullopt;
+      compliance += compliance_of(found_.stiffness[i]) / positions;
     }
-    mean.displacement += pitch_.displacement.rowwise().mean().matrix();
+    mean.displacement += found_.displacement.rowwise().mean().matrix();
     mean.compliance = (mean.compliance + compliance) / drivetrain_.bearings_per_planet;
+    std::swap(pitches_[planet], found_);
     return mean;
   }
 
@@ -146,8 +150,9 @@ class PlanetSupport {
   bearing::BearingGeometry geometry_;
   BearingDuty duty_;
   bearing::QuasiStaticOptions options_;
-  std::optional<LevelPitch> level_;  // where rollers stay level: all cage angles at once
-  bearing::vectorised::PitchResults pitch_;
+  std::optional<LevelPitch> level_;    // where rollers stay level: all cage angles at once
+  std::vector<PitchResults> pitches_;  // (planets)  where they last settled
+  PitchResults found_;
   std::optional<bearing::laminae::LaminaBearing> cut_;
   std::vector<Settled<bearing::QuasiStaticState>> whole_;  // (planets)
   std::vector<Settled<bearing::laminae::LaminaState>> cut_states_;
