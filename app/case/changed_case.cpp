@@ -110,12 +110,12 @@ ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings) const {
 }
 
 ResolvedCase ResolvedCase::with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const {
-  return changed(data_, model(), settings, mistakes);
+  return changed(*data_, model(), settings, mistakes);
 }
 
 ResolvedCase ResolvedCase::with_numbers(const std::vector<NumberSetting>& settings) const {
   std::vector<Mistake> mistakes;
-  ResolvedCase result = changed(data_, model(), settings, mistakes);
+  ResolvedCase result = changed(*data_, model(), settings, mistakes);
   if (!mistakes.empty()) throw_mistakes(file(), std::move(mistakes));
   return result;
 }
@@ -126,7 +126,7 @@ ResolvedCase ResolvedCase::with(const std::string& path, const std::string& text
 
 ResolvedCase ResolvedCase::of_set(std::string_view set) const {
   const std::string prefix = set_prefix(set);
-  CaseData data{.file = data_.file, .shape = {.defect = false}};
+  CaseData data{.file = data_->file, .shape = {.defect = false}};
   const auto take = [&](const auto& from, auto& into) {
     for (const auto& [path, value] : from)
       if (path.starts_with(prefix))
@@ -134,8 +134,8 @@ ResolvedCase ResolvedCase::of_set(std::string_view set) const {
       else if (!path.starts_with("sets.") && !path.starts_with("shafts."))
         into.emplace(path, value);
   };
-  take(data_.values, data.values);
-  take(data_.assumed, data.assumed);
+  take(data_->values, data.values);
+  take(data_->assumed, data.assumed);
   fill_derived_defaults(data);
   return ResolvedCase(std::move(data));
 }

@@ -10,8 +10,8 @@
 namespace orbearing::app {
 
 const StoredValue& ResolvedCase::stored(std::string_view path) const {
-  const auto found = data_.values.find(path);
-  if (found == data_.values.end())
+  const auto found = data_->values.find(path);
+  if (found == data_->values.end())
     throw std::logic_error(fmt::format("the case has no value for '{}'", path));
   return found->second;
 }
@@ -48,7 +48,7 @@ const std::vector<std::string>& ResolvedCase::texts(std::string_view path) const
 }
 
 bool ResolvedCase::has(std::string_view path) const {
-  return data_.values.find(path) != data_.values.end();
+  return data_->values.find(path) != data_->values.end();
 }
 const std::string& ResolvedCase::given(std::string_view path) const {
   return stored(path).value.given;
@@ -71,7 +71,7 @@ std::string ResolvedCase::origin(std::string_view path) const {
   const StoredValue& value = stored(path);
   if (value.from_default) return "default";
   if (value.place.option) return "--set";
-  return fmt::format("{}:{}:{}", data_.file, value.place.line, value.place.column);
+  return fmt::format("{}:{}:{}", data_->file, value.place.line, value.place.column);
 }
 
 Model ResolvedCase::model() const {
@@ -80,17 +80,17 @@ Model ResolvedCase::model() const {
 }
 
 ResolvedCase ResolvedCase::without_sweep() const {
-  CaseData data = data_;
+  CaseData data = *data_;
   data.axes = CaseData{}.axes;
   return ResolvedCase(std::move(data));
 }
 
 bool ResolvedCase::operator==(const ResolvedCase& other) const {
-  if (data_.values.size() != other.data_.values.size()) return false;
-  for (const auto& [path, stored] : data_.values)
+  if (data_->values.size() != other.data_->values.size()) return false;
+  for (const auto& [path, stored] : data_->values)
     if (!other.has(path) || !(other.stored(path).value == stored.value)) return false;
-  return data_.shape == other.data_.shape && data_.assumed == other.data_.assumed && axes() == other.axes() &&
-         uncertain() == other.uncertain();
+  return data_->shape == other.data_->shape && data_->assumed == other.data_->assumed &&
+         axes() == other.axes() && uncertain() == other.uncertain();
 }
 
 std::size_t sweep_size(const ResolvedCase& resolved) {

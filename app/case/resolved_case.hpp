@@ -34,8 +34,9 @@ struct SweepAxis {
 /// A number that is not known for sure, as the case states it; an entry for each key of the block.
 struct StatedUncertain {
   std::string path;
-  std::string kind;                       // normal, uniform, triangular or class
-  std::map<std::string, double> numbers;  // [SI] those that are given: mean, standard_deviation, from, peak, to
+  std::string kind;  // normal, uniform, triangular or class
+  std::map<std::string, double>
+      numbers;  // [SI] those that are given: mean, standard_deviation, from, peak, to
   std::string clearance_class;
   std::string written;  // as the resolved case repeats it (YAML flow style)
   std::string reason;
@@ -77,11 +78,19 @@ struct StoredValue {
   std::string replaced{};            // as written, where another input stands in its place
 };
 
+/// An order of paths that seldom has to read them.
+struct ByLengthAndText {
+  using is_transparent = void;
+  bool operator()(std::string_view a, std::string_view b) const {
+    return a.size() != b.size() ? a.size() < b.size() : a < b;
+  }
+};
+
 /// What a resolved case consists of.
 struct CaseData {
   std::string file;
   CaseShape shape;
-  std::map<std::string, StoredValue, std::less<>> values;
+  std::map<std::string, StoredValue, ByLengthAndText> values;
   std::map<std::string, std::string, std::less<>> assumed;  // reasons by path
   /// Shared, since every operating point is a copy of the case and an axis may hold a hundred thousand
   /// values.
@@ -91,7 +100,7 @@ struct CaseData {
 
 class ResolvedCase {
  public:
-  explicit ResolvedCase(CaseData data) : data_(std::move(data)) {}
+  explicit ResolvedCase(CaseData data) : data_(std::make_shared<const CaseData>(std::move(data))) {}
 
   /// Values by path. Asking for a field that has no value is an error of the program (std::logic_error).
   double quantity(std::string_view path) const;  // [SI]
@@ -117,16 +126,16 @@ class ResolvedCase {
   Place item_place(std::string_view path, std::size_t item) const;
 
   Model model() const;
-  const CaseShape& shape() const { return data_.shape; }
+  const CaseShape& shape() const { return data_->shape; }
   /// All that may stand in this case, in the order in which it is written.
-  std::vector<Input> inputs() const { return inputs_of(model(), data_.shape); }
-  const std::string& file() const { return data_.file; }
-  const std::vector<SweepAxis>& axes() const { return *data_.axes; }
-  const StatedUncertainty& uncertain() const { return *data_.uncertain; }
+  std::vector<Input> inputs() const { return inputs_of(model(), data_->shape); }
+  const std::string& file() const { return data_->file; }
+  const std::vector<SweepAxis>& axes() const { return *data_->axes; }
+  const StatedUncertainty& uncertain() const { return *data_->uncertain; }
   /// Whether another input stands in the place of this one.
   bool is_replaced(std::string_view path) const { return !stored(path).replaced.empty(); }
   /// Reasons by path; defaults in use are among them.
-  const std::map<std::string, std::string, std::less<>>& assumed() const { return data_.assumed; }
+  const std::map<std::string, std::string, std::less<>>& assumed() const { return data_->assumed; }
 
   /// Copy with independent values replaced, checked singly and together. Throws BadInput.
   ResolvedCase with(const std::vector<Setting>& settings) const;
@@ -148,7 +157,7 @@ class ResolvedCase {
   const StoredValue& stored(std::string_view path) const;
   const StoredValue& stored(std::string_view path, Kind kind) const;
 
-  CaseData data_;
+  std::shared_ptr<const CaseData> data_;  // copies share it: a case does not change
 };
 
 /// Number of operating points: the product of the axes, 1 without a sweep.

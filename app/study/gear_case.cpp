@@ -42,8 +42,8 @@ double planet_rings(const study::PlanetaryDrivetrain& drivetrain, const study::D
   return drivetrain.bearings_per_planet * geometry.bearing.outer_ring_mass;
 }
 
-gearset::dynamics::SetModel geometric_model(const ResolvedCase& in) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
+gearset::dynamics::SetModel geometric_model(const ResolvedCase& in,
+                                            const study::PlanetaryDrivetrain& drivetrain) {
   const study::GearDynamicsChoice choice = gears_of(in);
   double rings = 0.0, stiffness = 0.0;
   study::DrivetrainGeometry geometry;
@@ -51,12 +51,14 @@ gearset::dynamics::SetModel geometric_model(const ResolvedCase& in) {
     geometry = study::derive(drivetrain);
     rings = planet_rings(drivetrain, geometry);
     if (!choice.bearing_stiffness) stiffness = study::planet_bearing_stiffness(drivetrain, geometry);
+  } else {
+    geometry.gears = gearset::working_geometry(drivetrain.set);
   }
   gearset::dynamics::Operation operation = gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive);
   operation.run_up = choice.run_up;
   gearset::dynamics::SetParameters set =
-      study::geometric_set(choice, drivetrain.set, gearset::working_geometry(drivetrain.set),
-                           planetary_meshes_of(in), rings, stiffness);
+      study::geometric_set(choice, drivetrain.set, geometry.gears,
+                           planetary_meshes_of(in, drivetrain, geometry.gears), rings, stiffness);
   linearise_meshes(set, operation);
   if (geometry.rim)
     set.planet.linked = {study::planet_stiffness(drivetrain, geometry, set.sun_mesh.stiffness.mean(),
@@ -79,13 +81,21 @@ Derived row(const std::string& path, double value, const char* unit, const char*
 
 }  // namespace
 
-gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed) {
+gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
+                                          const study::PlanetaryDrivetrain& drivetrain) {
   require_one_set(resolved);
+  if (!resolved.shape().teeth) return lumped_model(resolved, 0.0);
   try {
-    return resolved.shape().teeth ? geometric_model(resolved) : lumped_model(resolved, carrier_speed);
+    return geometric_model(resolved, drivetrain);
   } catch (const std::domain_error& error) {
     throw BadInput(resolved.file() + ": gearset: " + error.what());
   }
+}
+
+gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed) {
+  require_one_set(resolved);
+  return resolved.shape().teeth ? gear_model_of(resolved, drivetrain_without_gear_set(resolved))
+                                : lumped_model(resolved, carrier_speed);
 }
 
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved) {

@@ -14,7 +14,11 @@ namespace orbearing::app {
 /// nor speed: see `gear_model_at`. Throws BadInput for another case.
 gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved);
 
-/// The same, its carrier turning at `carrier_speed` [rad/s] if the set has no teeth.
+/// The same where the drivetrain of the case is at hand.
+gearset::dynamics::SetModel gear_model_of(const ResolvedCase& resolved,
+                                          const study::PlanetaryDrivetrain& drivetrain);
+
+/// That of the case, its carrier turning at `carrier_speed` [rad/s] if the set has no teeth.
 gearset::dynamics::SetModel gear_model_at(const ResolvedCase& resolved, double carrier_speed);
 
 /// As they move in time: their meshes keep the mean stiffness where the case has no mesh variation.

@@ -123,8 +123,11 @@ class KnownMeshes {
   std::mutex one_at_a_time_;
 };
 
-gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain,
-                                   const gearset::WorkingGeometry& geometry) {
+}  // namespace
+
+gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& in,
+                                             const study::PlanetaryDrivetrain& drivetrain,
+                                             const gearset::WorkingGeometry& geometry) {
   static KnownMeshes known;
   const gearset::MeanLoads loads = gearset::mean_loads(drivetrain.set, geometry, drivetrain.drive);
   const gearset::MeshMotion motion =
@@ -138,6 +141,8 @@ gearset::PlanetaryMeshes meshes_of(const ResolvedCase& in, const study::Planetar
   });
 }
 
+namespace {
+
 void load_teeth(const gearset::LoadedTeeth& teeth, double force, NamedMesh& mesh) {
   mesh.stiffness.curve = gearset::tangent_spring(teeth, force).stiffness;
   mesh.error = gearset::transmission_error(teeth, force);
@@ -147,7 +152,7 @@ MeshStudy set_study(const ResolvedCase& in) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(in);
   const gearset::PlanetarySet& set = drivetrain.set;
   const gearset::WorkingGeometry geometry = gearset::working_geometry(set);
-  const gearset::PlanetaryMeshes meshes = meshes_of(in, drivetrain, geometry);
+  const gearset::PlanetaryMeshes meshes = planetary_meshes_of(in, drivetrain, geometry);
   const mechanics::Material material = elasticity_of(in);
   const double shift = geometry.planet_shift;
   NamedMesh sun{.first = "sun", .second = "planet", .stiffness = meshes.sun, .face_width = set.face_width};
@@ -226,7 +231,7 @@ MeshStudy mesh_study(const ResolvedCase& resolved) {
 
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_without_gear_set(resolved);
-  return meshes_of(resolved, drivetrain, gearset::working_geometry(drivetrain.set));
+  return planetary_meshes_of(resolved, drivetrain, gearset::working_geometry(drivetrain.set));
 }
 
 std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study) {

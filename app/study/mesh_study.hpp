@@ -8,6 +8,7 @@
 
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
+#include "coupling/study/drivetrain.hpp"
 #include "gearset/mean_loads.hpp"
 #include "gearset/mesh/iso6336.hpp"
 #include "gearset/mesh/loaded/transmission_error.hpp"
@@ -49,6 +50,10 @@ MeshStudy mesh_study(const ResolvedCase& resolved);
 
 /// Meshes of the set of a case of the model planetary-drivetrain, as its members turn at its drive.
 gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved);
+/// The same where drivetrain and geometry of the case are at hand.
+gearset::PlanetaryMeshes planetary_meshes_of(const ResolvedCase& resolved,
+                                             const study::PlanetaryDrivetrain& drivetrain,
+                                             const gearset::WorkingGeometry& geometry);
 
 /// What follows from the inputs of a gear-pair, for `orbearing check`.
 std::vector<Derived> pair_quantities(const ResolvedCase& resolved, const MeshStudy& study);

@@ -152,13 +152,14 @@ std::vector<std::string> clearance_warnings(const ResolvedCase& resolved) {
 namespace {
 
 // Built where it is first asked for, from any thread: teeth take a while, and each analysis asks again.
-std::function<gearset::dynamics::SetParameters()> gears_built_once(const ResolvedCase& in) {
+std::function<gearset::dynamics::SetParameters()> gears_built_once(
+    const ResolvedCase& in, const study::PlanetaryDrivetrain& drivetrain) {
   struct Built {
     std::once_flag once;
     gearset::dynamics::SetParameters set;
   };
-  return [in, built = std::make_shared<Built>()] {
-    std::call_once(built->once, [&] { built->set = gear_model_of(in).parameters; });
+  return [in, drivetrain, built = std::make_shared<Built>()] {
+    std::call_once(built->once, [&] { built->set = gear_model_of(in, drivetrain).parameters; });
     return built->set;
   };
 }
@@ -195,7 +196,7 @@ std::vector<std::string> overturning_warnings(const ResolvedCase& resolved) {
 
 study::PlanetaryDrivetrain drivetrain_of(const ResolvedCase& in) {
   study::PlanetaryDrivetrain out = drivetrain_without_gear_set(in);
-  if (in.has("bearing.rollers")) out.gear_set = gears_built_once(in);
+  if (in.has("bearing.rollers")) out.gear_set = gears_built_once(in, out);
   return out;
 }
 
