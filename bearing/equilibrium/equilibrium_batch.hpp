@@ -43,11 +43,14 @@ class EquilibriumBlock {
   EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia);
 
   void put(const OperatingPoint& point, double first_roller, int lane);
-  /// All searches of the next blocks start by themselves, or each where start_at() says.
-  void start_at_places(bool given) { input_.started = given; }
-  void start_at(const Eigen::Vector2d& displacement, int lane) {
-    input_.start_x[lane] = displacement.x() / unit_length_;
-    input_.start_y[lane] = displacement.y() / unit_length_;
+  /// Searches of the next block start by themselves where `rollers` is null, else each from a neighbouring
+  /// one, EquilibriumOutput::rollers and the displacement there, at the displacement `start` [m].
+  void start_near(const double* rollers) { input_.near_rollers = rollers; }
+  void start_at(const Eigen::Vector2d& near, const Eigen::Vector2d& start, int lane) {
+    input_.near_x[lane] = near.x() / unit_length_;
+    input_.near_y[lane] = near.y() / unit_length_;
+    input_.start_x[lane] = start.x() / unit_length_;
+    input_.start_y[lane] = start.y() / unit_length_;
   }
   const EquilibriumInput& input() const { return input_; }
   /// Without laminae. `half_clearance` in [m]; this must outlive who is given them.

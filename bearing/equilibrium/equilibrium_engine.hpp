@@ -30,9 +30,11 @@ struct EquilibriumInput {
   double cosine[kBlock];        // [N]
   double sine[kBlock];          // [N]
   double first_roller[kBlock];  // [rad]  place of the first roller, below 1e8
-  bool started = false;         // where the search starts is given
-  double start_x[kBlock];       // [N^0.9]  of the outer ring
-  double start_y[kBlock];       // [N^0.9]
+  // Where the search starts, if it is given: the output of a neighbouring search, and the place of the outer
+  // ring.
+  const double* near_rollers = nullptr;
+  double near_x[kBlock], near_y[kBlock];    // [N^0.9]
+  double start_x[kBlock], start_y[kBlock];  // [N^0.9]
 };
 
 /// `lamina_loads` where it is asked for: loads [N] per share of the length, of the laminae at the inner race,
@@ -47,6 +49,8 @@ struct EquilibriumOutput {
   double stiffness_xy[kBlock];    // [N^0.1]
   double stiffness_yy[kBlock];    // [N^0.1]
   double* lamina_loads = nullptr;
+  double* rollers = nullptr;  // where it is asked for: what a neighbouring search takes of each roller, twice
+                              // kBlock entries
 };
 
 /// Not for use by two threads at once; nothing is allocated after construction.

@@ -120,13 +120,18 @@ inline void PackEquilibrium<Contacts>::place_rollers(const EquilibriumInput& inp
 
 template <class Contacts>
 inline void PackEquilibrium<Contacts>::start(const EquilibriumInput& input, int first) {
-  if (input.started)
-    u_ = {load(input.start_x + first), load(input.start_y + first)};
-  else
-    u_ = starting_displacement(roller_, c_.rollers, c_.half_clearance, load_);
+  u_ = input.near_rollers == nullptr ? starting_displacement(roller_, c_.rollers, c_.half_clearance, load_)
+                                     : PlaneVector{load(input.start_x + first), load(input.start_y + first)};
   moved_ = trial_ = {};
   slope_ = Pack{};
   trusted_ = Mask{};
+  if (input.near_rollers == nullptr) return;
+  moved_ = {u_.x - load(input.near_x + first), u_.y - load(input.near_y + first)};
+  for (int j = 0; j < c_.rollers; ++j) {
+    const double* near = input.near_rollers + 2 * j * kBlock + first;
+    roller_[j].x = load(near);
+    roller_[j].slope = load(near + kBlock);
+  }
 }
 
 template <class Contacts>
@@ -249,6 +254,9 @@ inline void PackEquilibrium<Contacts>::solve(const EquilibriumInput& input, int 
     const RollerUnknown& roller = roller_[j];
     store(roller.squeeze + larger(-roller.inertial, Pack{}), inner_load + j * kBlock + first);
     store(roller.squeeze + larger(roller.inertial, Pack{}), outer_load + j * kBlock + first);
+    if (output.rollers == nullptr) continue;
+    store(roller.x + roller.step, output.rollers + 2 * j * kBlock + first);
+    store(roller.slope, output.rollers + (2 * j + 1) * kBlock + first);
   }
 }
 

@@ -103,6 +103,8 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   const std::size_t room = 2 * drop_.size() * static_cast<std::size_t>(rollers) * kBlock;
   results.load = point.bore_load;
+  results.rollers.resize(
+      static_cast<std::size_t>(2 * rollers * ((positions + kBlock - 1) / kBlock) * kBlock));
   results.displacement.resize(2, positions);
   results.inner_load.resize(positions, rollers);
   results.outer_load.resize(positions, rollers);
@@ -111,12 +113,15 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
   const double step = two_pi / (positions * rollers), unit = block_.unit_length();
   for (int first = 0; first < positions; first += kBlock) {
     const int count = std::min(kBlock, positions - first);
-    block_.start_at_places(near != nullptr);
+    double* const of_rollers = results.rollers.data() + 2 * rollers * first;
+    block_.start_near(near == nullptr ? nullptr : near->rollers.data() + 2 * rollers * first);
     for (int lane = 0; lane < kBlock; ++lane) {
       const int position = first + std::min(lane, count - 1);
       block_.put(point, options_.first_roller + step * position, lane);
-      if (near != nullptr) block_.start_at(start(point, *near, position), lane);
+      if (near != nullptr)
+        block_.start_at(near->displacement.col(position).matrix(), start(point, *near, position), lane);
     }
+    output_.rollers = of_rollers;
     output_.lamina_loads = lamina_loads;
     if (lamina_loads != nullptr) lamina_loads += room;
     engine_->solve(block_.input(), output_, inner_.data(), outer_.data());

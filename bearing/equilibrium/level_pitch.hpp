@@ -18,6 +18,7 @@ struct PitchResults {
   Eigen::Array2Xd displacement;            // [m]    (x and y, positions)  outer ring relative to inner ring
   std::vector<Eigen::Matrix2d> stiffness;  // [N/m]  (positions)
   Eigen::ArrayXXd inner_load, outer_load;  // [N]    (positions, rollers)
+  std::vector<double> rollers;             // of EquilibriumOutput, block by block
   std::vector<SolverReport> reports;       // (positions)
 };
 
