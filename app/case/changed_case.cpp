@@ -54,7 +54,7 @@ std::optional<std::pair<std::string, std::size_t>> element_of(const std::string&
   return std::pair{path.substr(0, bracket), element};
 }
 
-// One number of a list, which is read anew as a whole.
+// One number of a list, which is checked anew as a whole.
 void replace_element(CaseData& data, const Field& field, const std::string& path, std::size_t element,
                      double value, Place place, std::vector<Mistake>& mistakes) {
   const auto stored = data.values.find(path);
@@ -69,9 +69,10 @@ void replace_element(CaseData& data, const Field& field, const std::string& path
   }
   std::vector<double> list = stored->second.value.list;
   list[element] = value;
-  std::vector<std::string> texts;
-  for (const double one : list) texts.push_back(fmt::format("{} {}", one, field.dimension.si));
-  put(data, path, read_field_text(field, fmt::format("[{}]", fmt::join(texts, ", "))), place, mistakes);
+  Entry entry = make_entry(Entry::Shape::list, place);
+  for (const double one : list)
+    entry.items.push_back(make_scalar(fmt::format("{} {}", one, field.dimension.si)));
+  put(data, path, read_field(field, entry), place, mistakes);
 }
 
 void replace(CaseData& data, unsigned model, const NumberSetting& setting, Place place,

@@ -146,14 +146,15 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
 }
 
 std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::LaminaBearing& cut,
-                                                               const OperatingPoint& point) {
+                                                               const OperatingPoint& point,
+                                                               const PitchResults* near) {
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   const std::size_t unlike = drop_.size(),
                     blocks = static_cast<std::size_t>((positions + kBlock - 1) / kBlock);
   const std::size_t of_one_race = unlike * static_cast<std::size_t>(rollers) * kBlock;
   std::vector<double> lamina_loads(2 * of_one_race * blocks);
   PitchResults pitch;
-  solve(point, pitch, nullptr, lamina_loads.data());
+  solve(point, pitch, near, lamina_loads.data());
   laminae::LaminaResult result = laminae::empty_result(cut, point, options_);
   const auto laminae = static_cast<double>(lamina_of_.size());
   for (int position = 0; position < positions; ++position) {

@@ -41,7 +41,8 @@ class LevelPitch {
   /// The same as a LaminaResult without its states, of a bearing with laminae; none where a position did not
   /// converge.
   std::optional<laminae::LaminaResult> laminae_under(const laminae::LaminaBearing& cut,
-                                                     const OperatingPoint& point);
+                                                     const OperatingPoint& point,
+                                                     const PitchResults* near = nullptr);
 
  private:
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,

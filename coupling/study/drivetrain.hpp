@@ -24,6 +24,10 @@
 #include "gearset/rim/rim_influence.hpp"
 #include "gearset/working_geometry.hpp"
 
+namespace orbearing::bearing::vectorised {
+struct PitchResults;
+}
+
 namespace orbearing::study {
 
 /// Growth of the input speed at constant power, for the dynamic bearing.
@@ -274,6 +278,8 @@ struct BearingDuty {
   bearing::OperatingPoint point;  // bore_load: both meshes and the planet's inertia, shared by its bearings
   int planet = 0;                 // [-]  whose, counted from 0
   double share = 1.0;             // [-]  of its planet's load, over the mean of that planet's bearings
+  /// Balances of the bearing under nearly that load, where some are known.
+  std::shared_ptr<const bearing::vectorised::PitchResults> near{};
 };
 
 /// Film, inertia and cage angles of the quasi-static bearing.

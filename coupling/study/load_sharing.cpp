@@ -74,6 +74,16 @@ class PlanetSupport {
                       });
   }
 
+  /// Where the bearing of each planet last settled; none where cage angles were searched one by one.
+  std::vector<std::shared_ptr<const PitchResults>> pitches() {
+    std::vector<std::shared_ptr<const PitchResults>> all;
+    for (PitchResults& one : pitches_) {
+      if (one.reports.empty()) return {};
+      all.push_back(std::make_shared<const PitchResults>(std::move(one)));
+    }
+    return all;
+  }
+
  private:
   // Of all cage angles at once; none where one of them does not converge.
   std::optional<Give> give_of_level_rollers(std::size_t planet, const bearing::OperatingPoint& point) {
@@ -310,7 +320,7 @@ PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const Drivet
   PlanetSupport support(drivetrain, geometry, even);
   OnSprings found = balanced(set, stiffness, support);
   return {shares_at(set, found.now.state, even), std::move(found.now.forces), std::move(found.offset),
-          stiffness};
+          stiffness, support.pitches()};
 }
 
 PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
@@ -320,7 +330,8 @@ PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const Dr
   StaticSet resting(set);
   AtRest now = at_rest(resting, offset);
   std::vector<double> shares = shares_at(set, now.state, bearing_duty(drivetrain, geometry));
-  return {std::move(shares), std::move(now.forces), offset, stiffness};
+  return {
+      .shares = std::move(shares), .forces = std::move(now.forces), .offset = offset, .stiffness = stiffness};
 }
 
 std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
@@ -330,7 +341,10 @@ std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const Dri
 std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
                                        const DrivetrainGeometry& geometry) {
   if (!drivetrain.uneven_planets) return {bearing_duty(drivetrain, geometry)};
-  return duties_with_shares(drivetrain, geometry, load_shares(drivetrain, geometry));
+  const PlanetBalance balance = planet_balance(drivetrain, geometry);
+  std::vector<BearingDuty> duties = duties_with_shares(drivetrain, geometry, balance.shares);
+  for (std::size_t i = 0; i < balance.pitches.size(); ++i) duties[i].near = balance.pitches[i];
+  return duties;
 }
 
 std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,

@@ -15,6 +15,8 @@ struct PlanetBalance {
   Eigen::Matrix2Xd forces;     // [N]  (2, planets)  of the bearings on each planet
   Eigen::Matrix2Xd offset;  // [m]  (2, planets)  of the pins: displacement by the bearings, force / stiffness
   double stiffness = 0.0;   // [N/m]  of the springs
+  /// Balances of the bearing of each planet under these forces, where all cage angles were found at once.
+  std::vector<std::shared_ptr<const bearing::vectorised::PitchResults>> pitches{};
 };
 
 /// Found by the search of load_shares(); throws as that does.

@@ -118,7 +118,8 @@ QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
   std::optional<bearing::laminae::LaminaResult> loads;
   if (bearing::vectorised::LevelPitch::holds(drivetrain.bearing, duty.point, options))
-    loads = bearing::vectorised::LevelPitch(drivetrain.bearing, options).laminae_under(cut, duty.point);
+    loads = bearing::vectorised::LevelPitch(drivetrain.bearing, options)
+                .laminae_under(cut, duty.point, duty.near.get());
   if (!loads) loads = bearing::laminae::quasi_static_laminae(cut, duty.point, options);
   return of_laminae(drivetrain, geometry, duty, cut, *loads, duty.point.bore_tilt);
 }

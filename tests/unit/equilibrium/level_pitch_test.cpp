@@ -122,6 +122,36 @@ TEST(LevelPitch, StiffnessIsTheSlopeOfTheForces) {
   }
 }
 
+// From the balances under another load, near and far.
+TEST(LevelPitch, BalancesFromNeighboursAreTheSame) {
+  RandomBearings bearings;
+  int from_near = 0, by_itself = 0;
+  for (int i = 0; i < kBearings; ++i) {
+    Draw draw = next_level(bearings, i);
+    LevelPitch level(draw.bearing, draw.options);
+    PitchResults near, alone, found;
+    level.solve(draw.point, near);
+    for (const double share : {0.0, 1e-6, 0.03, 0.5}) {
+      OperatingPoint other = draw.point;
+      other.bore_load += share * Eigen::Vector2d(draw.point.bore_load.y(), draw.point.bore_load.x());
+      level.solve(other, alone);
+      level.solve(other, found, &near);
+      const double largest = std::max(other.bore_load.norm(), alone.outer_load.maxCoeff());
+      for (std::size_t p = 0; p < found.reports.size(); ++p) {
+        if (!found.reports[p].converged || !alone.reports[p].converged || !near.reports[p].converged)
+          continue;
+        const auto row = static_cast<Eigen::Index>(p);
+        EXPECT_LE((found.outer_load.row(row) - alone.outer_load.row(row)).abs().maxCoeff(),
+                  kAgreement * largest)
+            << share << ": " << draw;
+        from_near += found.reports[p].iterations;
+        by_itself += alone.reports[p].iterations;
+      }
+    }
+  }
+  EXPECT_LT(2 * from_near, by_itself);  // or it would not pay
+}
+
 TEST(LevelPitch, EveryInstructionSetGivesTheSameBits) {
   RandomBearings bearings;
   for (int i = 0; i < kBearings; ++i) {
