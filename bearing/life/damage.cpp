@@ -123,8 +123,8 @@ void DamageSums::add(double time, Eigen::Index rollers, const RollerLoads& loads
   }
 }
 
-BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamage& inner,
-                       const RaceDamage& outer) {
+BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamageView& inner,
+                       const RaceDamageView& outer) {
   if (inner.laminae.rows() == 0)
     return lundberg_palmgren_life(bearing, lambda, inner.whole.pow(0.25), outer.whole.pow(0.25));
   const life::LaminaRating rating =
@@ -133,8 +133,9 @@ BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamage& 
 }
 
 BearingLife DamageSums::life(const Bearing& bearing, double lambda) const {
-  return life_under(bearing, lambda, {inner.damage(), inner.lamina_damage()},
-                    {outer.damage(), outer.lamina_damage()});
+  const RaceDamage of_inner{inner.damage(), inner.lamina_damage()},
+      of_outer{outer.damage(), outer.lamina_damage()};
+  return life_under(bearing, lambda, of_inner, of_outer);
 }
 
 }  // namespace orbearing::bearing::motion

@@ -104,12 +104,22 @@ struct RaceDamage {
   Eigen::ArrayXXd laminae;  // [N^4]  (laminae, places)  no rows: every lamina carries alike
 };
 
+/// The same where it stands, which must outlive this.
+struct RaceDamageView {
+  Eigen::Ref<const Eigen::ArrayXd> whole;
+  Eigen::Ref<const Eigen::ArrayXXd> laminae;
+
+  RaceDamageView(const Eigen::ArrayXd& of_whole, const Eigen::ArrayXXd& of_laminae)
+      : whole(of_whole), laminae(of_laminae) {}
+  RaceDamageView(const RaceDamage& damage) : RaceDamageView(damage.whole, damage.laminae) {}
+};
+
 /// Life by Lundberg and Palmgren from both races' damage, as if each place were loaded evenly by its fourth
 /// root: the standing race takes each place's own life, [(1/2pi) integral D^(4.5/4)]^(1/4.5); the turning
 /// race shares all passages, [(1/2pi) integral D]^(1/4). By bearing/life, lamina by lamina, where laminae are
 /// counted. Arguments as in lundberg_palmgren_life().
-BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamage& inner,
-                       const RaceDamage& outer);
+BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamageView& inner,
+                       const RaceDamageView& outer);
 
 /// Sums of both races since the start.
 class DamageSums {

@@ -18,8 +18,8 @@ double load_of_damage(double capacity, double damage) {
 }
 
 // Loads of whole contacts are those of one lamina.
-life::LaminaMeans means_of(const RaceMotions& motions, const motion::RaceDamage& inner,
-                           const motion::RaceDamage& outer) {
+life::LaminaMeans means_of(const RaceMotions& motions, const motion::RaceDamageView& inner,
+                           const motion::RaceDamageView& outer) {
   if (inner.laminae.rows() > 0) return life::lamina_means(motions, inner.laminae, outer.laminae);
   return life::lamina_means(motions, inner.whole.transpose(), outer.whole.transpose());
 }
@@ -27,8 +27,8 @@ life::LaminaMeans means_of(const RaceMotions& motions, const motion::RaceDamage&
 }  // namespace
 
 std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
-                                          const OilCondition& oil, const motion::RaceDamage& inner,
-                                          const motion::RaceDamage& outer) {
+                                          const OilCondition& oil, const motion::RaceDamageView& inner,
+                                          const motion::RaceDamageView& outer) {
   if (!(oil.viscosity_ratio >= kLeastViscosityRatio)) return std::nullopt;
   const ContactCapacities own{contact_capacity(bearing, Race::inner, lambda),
                               contact_capacity(bearing, Race::outer, lambda)};

@@ -33,7 +33,7 @@ struct ModifiedLife {
 /// None where kappa is below 0.1, where [ISO281] gives no a_ISO. `inner` and `outer` as in
 /// motion::life_under(), `lambda` [-] likewise.
 std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
-                                          const OilCondition& oil, const motion::RaceDamage& inner,
-                                          const motion::RaceDamage& outer);
+                                          const OilCondition& oil, const motion::RaceDamageView& inner,
+                                          const motion::RaceDamageView& outer);
 
 }  // namespace orbearing::bearing::rating

@@ -119,7 +119,7 @@ WindowStatistics StatisticsCollector::means() const {
   return result;
 }
 
-RaceDamage damage_of(const RaceStatistics& race) {
+RaceDamageView damage_of(const RaceStatistics& race) {
   return {race.damage, race.lamina_damage};
 }
 

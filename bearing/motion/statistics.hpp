@@ -82,7 +82,7 @@ class StatisticsCollector {
 };
 
 /// What a race has taken of its life.
-RaceDamage damage_of(const RaceStatistics& race);
+RaceDamageView damage_of(const RaceStatistics& race);
 
 /// Life by Lundberg and Palmgren from dynamic loads; arguments as in lundberg_palmgren_life().
 BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics);

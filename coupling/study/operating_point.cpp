@@ -27,6 +27,7 @@ namespace orbearing::study {
 namespace {
 
 using bearing::Race;
+using bearing::vectorised::LevelPitch;
 
 std::vector<double> as_vector(const Eigen::ArrayXd& array) {
   return {array.begin(), array.end()};
@@ -111,36 +112,51 @@ QuasiStaticBearing of_laminae(const PlanetaryDrivetrain& drivetrain, const Drive
   return result;
 }
 
-// One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
-QuasiStaticBearing bearing_on_laminae(const PlanetaryDrivetrain& drivetrain,
-                                      const DrivetrainGeometry& geometry, const BearingDuty& duty) {
-  const bearing::laminae::LaminaBearing cut(drivetrain.bearing, mechanics::InstructionSet::baseline);
-  const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);
-  std::optional<bearing::laminae::LaminaResult> loads;
-  if (bearing::vectorised::LevelPitch::holds(drivetrain.bearing, duty.point, options))
-    loads = bearing::vectorised::LevelPitch(drivetrain.bearing, options)
-                .laminae_under(cut, duty.point, duty.near.get());
-  if (!loads) loads = bearing::laminae::quasi_static_laminae(cut, duty.point, options);
-  return of_laminae(drivetrain, geometry, duty, cut, *loads, duty.point.bore_tilt);
-}
+// The bearings of planets at rest, planet by planet.
+class BearingsAtRest {
+ public:
+  BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry)
+      : drivetrain_(drivetrain), geometry_(geometry), options_(quasi_static_options(drivetrain)) {
+    // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
+    if (drivetrain.bearing.rollers().laminae > 0)
+      cut_.emplace(drivetrain.bearing, mechanics::InstructionSet::baseline);
+  }
 
-// All bearings of a planet: one where they are alike.
-std::vector<QuasiStaticBearing> bearings_at_rest(const PlanetaryDrivetrain& drivetrain,
-                                                 const DrivetrainGeometry& geometry,
-                                                 const BearingDuty& duty) {
-  if (drivetrain.seats.tilt == TiltState::computed) {
-    const bearing::laminae::LaminaBearing cut(drivetrain.bearing, mechanics::InstructionSet::baseline);
-    const bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain, duty);
+  /// All bearings of a planet: one where they are alike.
+  std::vector<QuasiStaticBearing> of(const BearingDuty& duty) {
+    if (drivetrain_.seats.tilt == TiltState::computed) return on_their_pin(duty);
+    if (cut_)
+      return {of_laminae(drivetrain_, geometry_, duty, *cut_, loads_of_laminae(duty), duty.point.bore_tilt)};
+    return {bearing_under(drivetrain_, geometry_, duty,
+                          bearing::quasi_static_bearing(drivetrain_.bearing, duty.point, options_))};
+  }
+
+ private:
+  std::vector<QuasiStaticBearing> on_their_pin(const BearingDuty& duty) const {
+    const bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
     std::vector<QuasiStaticBearing> all;
     for (std::size_t k = 0; k < planet.bearings.size(); ++k)
-      all.push_back(of_laminae(drivetrain, geometry, duty, cut, planet.bearings[k], planet.bearing_tilt[k]));
+      all.push_back(
+          of_laminae(drivetrain_, geometry_, duty, *cut_, planet.bearings[k], planet.bearing_tilt[k]));
     return all;
   }
-  if (drivetrain.bearing.rollers().laminae > 0) return {bearing_on_laminae(drivetrain, geometry, duty)};
-  return {bearing_under(
-      drivetrain, geometry, duty,
-      bearing::quasi_static_bearing(drivetrain.bearing, duty.point, quasi_static_options(drivetrain)))};
-}
+
+  // Whether rollers stay level is the same for all planets but for their tilts.
+  bearing::laminae::LaminaResult loads_of_laminae(const BearingDuty& duty) {
+    if (level_ ? duty.point.bore_tilt.isZero(0.0) && duty.point.outer_race.is_rigid()
+               : LevelPitch::holds(drivetrain_.bearing, duty.point, options_)) {
+      if (!level_) level_.emplace(drivetrain_.bearing, options_);
+      if (auto loads = level_->laminae_under(*cut_, duty.point, duty.near.get())) return *std::move(loads);
+    }
+    return bearing::laminae::quasi_static_laminae(*cut_, duty.point, options_);
+  }
+
+  const PlanetaryDrivetrain& drivetrain_;
+  const DrivetrainGeometry& geometry_;
+  bearing::QuasiStaticOptions options_;
+  std::optional<bearing::laminae::LaminaBearing> cut_;
+  std::optional<LevelPitch> level_;
+};
 
 // The one life of all fidelities.
 bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means) {
@@ -268,11 +284,12 @@ void put_seats(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, c
 
 PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                                const std::vector<BearingDuty>& duties) {
+  BearingsAtRest at_rest(drivetrain, geometry);
   std::vector<QuasiStaticBearing> bearings;
   std::vector<WindowStatistics> means;
   for (const BearingDuty& duty : duties)
-    for (QuasiStaticBearing& one : bearings_at_rest(drivetrain, geometry, duty)) {
-      means.push_back(one.means);
+    for (QuasiStaticBearing& one : at_rest.of(duty)) {
+      means.push_back(std::move(one.means));
       bearings.push_back(std::move(one));
     }
   const WindowStatistics all = system::pooled(means);
@@ -283,17 +300,16 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   result.distribution = {as_vector(angle), as_vector(all.inner.mean_load), as_vector(all.outer.mean_load),
                          as_vector(bearings.front().race_form)};
   put_life(drivetrain, duties.front(), all, result);
-  result.laminae = bearings.front().laminae;
   if (drivetrain.seats.tilt == TiltState::computed) {
     std::vector<Eigen::Vector2d> tilts;
     for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.laminae->bore_tilt);
     put_seats(drivetrain, duties.front(), angle, means, tilts, result);
-    return result;
+  } else if (duties.size() > 1) {
+    put_planets(drivetrain, duties.front(), angle, means, result);
+    put_system_life(drivetrain, result);
   }
-  if (duties.size() == 1) return result;
-  put_planets(drivetrain, duties.front(), angle, means, result);
-  result.laminae = bearings[shortest_lived(result.planets)].laminae;
-  put_system_life(drivetrain, result);
+  const std::size_t shown = result.planets.empty() ? 0 : shortest_lived(result.planets);
+  result.laminae = std::move(bearings[shown].laminae);
   return result;
 }
 

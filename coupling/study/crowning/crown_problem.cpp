@@ -189,8 +189,8 @@ double modified_duty_hours(const CrownProblem& problem, const DutyLoads& loads, 
   const auto oil = bearing::rating::oil_condition(problem.rated->oil, speed, problem.bearing.pitch_diameter);
   const auto modified =
       bearing::rating::modified_life(problem.bearing, problem.lambda, problem.rated->ratings, oil,
-                                     {.whole = {}, .laminae = loads.inner_lamina_load().pow(4)},
-                                     {.whole = {}, .laminae = loads.outer_lamina_load().pow(4)});
+                                     bearing::motion::RaceDamage{{}, loads.inner_lamina_load().pow(4)},
+                                     bearing::motion::RaceDamage{{}, loads.outer_lamina_load().pow(4)});
   return modified ? problem.rated->reliability_factor * bearing::hours(modified->life.bearing, speed) : none;
 }
 
