@@ -78,7 +78,8 @@ struct QuasiStaticBearing {
   Eigen::ArrayXd angle;      // [rad]  (places)
   Eigen::ArrayXd race_form;  // [m]    (places)  of an elastic outer race; else empty
   WindowStatistics means;
-  std::optional<LaminaRecord> laminae;
+  std::optional<bearing::laminae::LaminaResult> laminae;
+  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();  // [rad]  of the bore, of laminae
 };
 
 // Loads by place of either model.
@@ -97,19 +98,24 @@ QuasiStaticBearing bearing_under(const PlanetaryDrivetrain& drivetrain, const Dr
 }
 
 QuasiStaticBearing of_laminae(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                              const BearingDuty& duty, const bearing::laminae::LaminaBearing& cut,
-                              const bearing::laminae::LaminaResult& loads, const Eigen::Vector2d& tilt) {
+                              const BearingDuty& duty, bearing::laminae::LaminaResult loads,
+                              const Eigen::Vector2d& tilt) {
   QuasiStaticBearing result = bearing_under(drivetrain, geometry, duty, loads);
   put_laminae(loads.inner_lamina_load, result.means.inner);
   put_laminae(loads.outer_lamina_load, result.means.outer);
-  const Eigen::ArrayXd places = cut.half_length() * cut.contact(Race::inner).places();
-  result.laminae = {.lamina_place = as_vector(places),
-                    .inner_load = as_vector(loads.inner_lamina_load),
-                    .outer_load = as_vector(loads.outer_lamina_load),
-                    .roller_tilt = as_vector(loads.roller_tilt),
-                    .bore_tilt = tilt,
-                    .moment = loads.moment};
+  result.laminae = std::move(loads);
+  result.tilt = tilt;
   return result;
+}
+
+LaminaRecord record_of(const bearing::laminae::LaminaBearing& cut, const QuasiStaticBearing& bearing) {
+  const bearing::laminae::LaminaResult& loads = *bearing.laminae;
+  return {.lamina_place = as_vector(Eigen::ArrayXd(cut.half_length() * cut.contact(Race::inner).places())),
+          .inner_load = as_vector(loads.inner_lamina_load),
+          .outer_load = as_vector(loads.outer_lamina_load),
+          .roller_tilt = as_vector(loads.roller_tilt),
+          .bore_tilt = bearing.tilt,
+          .moment = loads.moment};
 }
 
 // The bearings of planets at rest, planet by planet.
@@ -125,19 +131,23 @@ class BearingsAtRest {
   /// All bearings of a planet: one where they are alike.
   std::vector<QuasiStaticBearing> of(const BearingDuty& duty) {
     if (drivetrain_.seats.tilt == TiltState::computed) return on_their_pin(duty);
-    if (cut_)
-      return {of_laminae(drivetrain_, geometry_, duty, *cut_, loads_of_laminae(duty), duty.point.bore_tilt)};
+    if (cut_) return {of_laminae(drivetrain_, geometry_, duty, loads_of_laminae(duty), duty.point.bore_tilt)};
     return {bearing_under(drivetrain_, geometry_, duty,
                           bearing::quasi_static_bearing(drivetrain_.bearing, duty.point, options_))};
   }
 
+  std::optional<LaminaRecord> record_of_laminae(const QuasiStaticBearing& bearing) const {
+    if (!cut_) return std::nullopt;
+    return record_of(*cut_, bearing);
+  }
+
  private:
   std::vector<QuasiStaticBearing> on_their_pin(const BearingDuty& duty) const {
-    const bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
+    bearing::laminae::PlanetOnPinResult planet = tilting_planet(drivetrain_, duty);
     std::vector<QuasiStaticBearing> all;
     for (std::size_t k = 0; k < planet.bearings.size(); ++k)
       all.push_back(
-          of_laminae(drivetrain_, geometry_, duty, *cut_, planet.bearings[k], planet.bearing_tilt[k]));
+          of_laminae(drivetrain_, geometry_, duty, std::move(planet.bearings[k]), planet.bearing_tilt[k]));
     return all;
   }
 
@@ -302,14 +312,14 @@ PointResult quasi_static_point(const PlanetaryDrivetrain& drivetrain, const Driv
   put_life(drivetrain, duties.front(), all, result);
   if (drivetrain.seats.tilt == TiltState::computed) {
     std::vector<Eigen::Vector2d> tilts;
-    for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.laminae->bore_tilt);
+    for (const QuasiStaticBearing& one : bearings) tilts.push_back(one.tilt);
     put_seats(drivetrain, duties.front(), angle, means, tilts, result);
   } else if (duties.size() > 1) {
     put_planets(drivetrain, duties.front(), angle, means, result);
     put_system_life(drivetrain, result);
   }
   const std::size_t shown = result.planets.empty() ? 0 : shortest_lived(result.planets);
-  result.laminae = std::move(bearings[shown].laminae);
+  result.laminae = at_rest.record_of_laminae(bearings[shown]);
   return result;
 }
 
