@@ -2,7 +2,7 @@
 """How fast studies are: 200 sweeps of 12 speeds in one call, and Dask's workers beside threads of one process.
 
     ORBEARING=build/release/bin/orbearing benchmarks/dask_study.py [--static N] [--dynamic N] [--kills N] [--workers N] [--revolutions N]
-        [--speeds RPM ...]
+        [--speeds RPM ...] [--set PATH=VALUE ...]
 
 N points each; prints one line of JSON for each comparison: seconds, the ratio of throughputs (threads / Dask in time, and in time of the processors), seconds to the first result, workers
 killed, how often each point stands in the journal, and whether both stores are the same to the last byte. Needs Dask (Debian: python3-distributed).
@@ -113,12 +113,14 @@ def main():
     options.add_argument("--workers", type=int, default=4)
     options.add_argument("--revolutions", type=int, help="of the carrier that points in motion are observed for; default: the case's")
     options.add_argument("--speeds", nargs="+", help="of points in motion; default: the case's")
+    options.add_argument("--set", metavar="PATH=VALUE", dest="settings", action="append", default=[], help="of points in motion; repeatable")
     given = options.parse_args()
     observed = {"simulation.observed_revolutions": given.revolutions, "simulation.most_revolutions": given.revolutions} if given.revolutions else {}
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     sweeps()
     if given.speeds:
         observed["sweep.input.speed"] = given.speeds
+    observed |= dict(setting.split("=", 1) for setting in given.settings)
     for points, fidelity, settings in ((given.static, "quasi-static", {}), (given.dynamic, "dynamic", observed)):
         if points:
             beside_threads(points, fidelity, given.workers, given.kills, settings)
