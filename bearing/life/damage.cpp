@@ -4,8 +4,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "bearing/life/lamina_life.hpp"
-
 namespace orbearing::bearing::motion {
 
 using boost::math::double_constants::two_pi;
@@ -121,6 +119,12 @@ void DamageSums::add(double time, Eigen::Index rollers, const RollerLoads& loads
     sums->inner.rolling += all * std::abs(races.cage - races.inner);
     sums->outer.rolling += all * std::abs(races.cage - races.outer);
   }
+}
+
+life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inner,
+                           const RaceDamageView& outer) {
+  if (inner.laminae.rows() > 0) return life::lamina_means(motions, inner.laminae, outer.laminae);
+  return life::lamina_means(motions, inner.whole.transpose(), outer.whole.transpose());
 }
 
 BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamageView& inner,

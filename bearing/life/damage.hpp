@@ -7,6 +7,7 @@
 
 #include "bearing/contact/lamina_races.hpp"
 #include "bearing/geometry.hpp"
+#include "bearing/life/lamina_life.hpp"
 #include "bearing/life/lundberg_palmgren.hpp"
 
 namespace orbearing::bearing::motion {
@@ -114,6 +115,10 @@ struct RaceDamageView {
   RaceDamageView(const RaceDamage& damage) : RaceDamageView(damage.whole, damage.laminae) {}
 };
 
+/// Means over the places, lamina by lamina; contacts that are not cut are those of one lamina.
+life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inner,
+                           const RaceDamageView& outer);
+
 /// Life by Lundberg and Palmgren from both races' damage, as if each place were loaded evenly by its fourth
 /// root: the standing race takes each place's own life, [(1/2pi) integral D^(4.5/4)]^(1/4.5); the turning
 /// race shares all passages, [(1/2pi) integral D]^(1/4). By bearing/life, lamina by lamina, where laminae are
@@ -132,8 +137,8 @@ class DamageSums {
                       DamagePower power = DamagePower::of_lines)
       : inner(places, laminae, power), outer(places, laminae, power), lamina_forces_(laminae) {}
 
-  /// `rollers` rollers whose loads last for `time` [s]; also into `other`, where there is one: the same numbers as
-  /// one after the other, for less work.
+  /// `rollers` rollers whose loads last for `time` [s]; also into `other`, where there is one: the same
+  /// numbers as one after the other, for less work.
   void add(double time, Eigen::Index rollers, const RollerLoads& loads, DamageSums* other = nullptr);
   /// Life [rev] were it to go on like this; infinite where nothing was loaded or nothing turned.
   BearingLife life(const Bearing& bearing, double lambda) const;

@@ -112,7 +112,10 @@ LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eige
 
 BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
                                   const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
-  const LaminaMeans means = lamina_means(rating.motions, inner, outer);
+  return life_of_means(rating, lamina_means(rating.motions, inner, outer));
+}
+
+BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means) {
   return lives(rating, means.inner, means.outer);
 }
 

@@ -58,6 +58,9 @@ struct LaminaMeans {
 LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
                          const Eigen::Ref<const Eigen::ArrayXXd>& outer);
 
+/// Life [rev] under them; infinite at no load.
+BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means);
+
 /// Terms of the sum in (1), by race and lamina.
 struct LaminaDamage {
   Eigen::ArrayXd inner;  // [-]  (laminae)

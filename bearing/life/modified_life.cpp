@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "bearing/life/lamina_life.hpp"
 #include "bearing/life/life_modification.hpp"
 #include "bearing/life/roller_capacity.hpp"
 
@@ -17,22 +16,19 @@ double load_of_damage(double capacity, double damage) {
   return capacity * std::pow(damage, 2.0 / 9.0);
 }
 
-// Loads of whole contacts are those of one lamina.
-life::LaminaMeans means_of(const RaceMotions& motions, const motion::RaceDamageView& inner,
-                           const motion::RaceDamageView& outer) {
-  if (inner.laminae.rows() > 0) return life::lamina_means(motions, inner.laminae, outer.laminae);
-  return life::lamina_means(motions, inner.whole.transpose(), outer.whole.transpose());
-}
-
 }  // namespace
 
 std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
                                           const OilCondition& oil, const motion::RaceDamageView& inner,
                                           const motion::RaceDamageView& outer) {
+  return modified_life(bearing, lambda, ratings, oil, motion::means_of(bearing.motions, inner, outer));
+}
+
+std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
+                                          const OilCondition& oil, const life::LaminaMeans& means) {
   if (!(oil.viscosity_ratio >= kLeastViscosityRatio)) return std::nullopt;
   const ContactCapacities own{contact_capacity(bearing, Race::inner, lambda),
                               contact_capacity(bearing, Race::outer, lambda)};
-  const life::LaminaMeans means = means_of(bearing.motions, inner, outer);
   const auto damage_of = [&](const ContactCapacities& capacities) {
     const auto laminae = static_cast<int>(means.inner.size());
     return life::lamina_damage(life::lamina_rating(capacities, laminae, bearing.motions), means);

@@ -17,6 +17,7 @@
 #include <optional>
 
 #include "bearing/life/damage.hpp"
+#include "bearing/life/lamina_life.hpp"
 #include "bearing/life/life_modification.hpp"
 #include "bearing/life/standard_life.hpp"
 
@@ -35,5 +36,8 @@ struct ModifiedLife {
 std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
                                           const OilCondition& oil, const motion::RaceDamageView& inner,
                                           const motion::RaceDamageView& outer);
+/// The same from means over the places; a contact that is not cut is one lamina.
+std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
+                                          const OilCondition& oil, const life::LaminaMeans& means);
 
 }  // namespace orbearing::bearing::rating

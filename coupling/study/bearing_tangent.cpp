@@ -76,7 +76,8 @@ std::vector<AtCageAngle> over_a_pitch(const bearing::Bearing& whole, const beari
 }
 
 RollerTangent roller_tangent(const PlanetaryDrivetrain& drivetrain, const bearing::BearingGeometry& geometry,
-                             const bearing::OperatingPoint& point) {
+                             bearing::OperatingPoint point) {
+  point.bore_tilt.setZero();  // which whole contacts do not feel
   bearing::Bearing whole = of_like_rollers(drivetrain.bearing);
   whole.rollers().laminae = 0;
   const bearing::QuasiStaticOptions options = quasi_static_options(drivetrain);

@@ -184,15 +184,18 @@ bearing::rating::OilCondition oil_of(const PlanetaryDrivetrain& drivetrain, cons
 }
 
 // Of one bearing; the system's life follows where its planets are known.
-std::optional<ModifiedRecord> modified_under_means(const PlanetaryDrivetrain& drivetrain,
-                                                   const BearingDuty& duty, const WindowStatistics& means) {
-  if (!drivetrain.rated) return std::nullopt;
+struct LifeRecord {
+  bearing::BearingLife life;  // [rev]
+  std::optional<ModifiedRecord> modified;
+};
+
+ModifiedRecord modified_record(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+                               const WindowStatistics& means, const bearing::life::LaminaMeans& powers) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const bearing::rating::OilCondition oil = oil_of(drivetrain, duty, means);
   ModifiedRecord record{oil.viscosity_ratio, oil.contamination_factor, none, none, none, none, none};
-  const auto modified =
-      bearing::rating::modified_life(drivetrain.bearing, drivetrain.lambda, drivetrain.rated->ratings, oil,
-                                     damage_of(means.inner), damage_of(means.outer));
+  const auto modified = bearing::rating::modified_life(drivetrain.bearing, drivetrain.lambda,
+                                                       drivetrain.rated->ratings, oil, powers);
   if (!modified) return record;
   const double reliability = drivetrain.rated->reliability_factor;
   record.life_modification = modified->factor;
@@ -202,15 +205,30 @@ std::optional<ModifiedRecord> modified_under_means(const PlanetaryDrivetrain& dr
   return record;
 }
 
+// Both lives take the same means of the loads' powers.
+LifeRecord lives_under_means(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
+                             const WindowStatistics& means) {
+  if (!drivetrain.rated) return {life_under_means(drivetrain, means), std::nullopt};
+  const bearing::life::LaminaMeans powers =
+      bearing::motion::means_of(drivetrain.bearing.motions, damage_of(means.inner), damage_of(means.outer));
+  const bool cut = means.inner.lamina_damage.rows() > 0;
+  return {cut ? bearing::life::life_of_means(
+                    bearing::life::lamina_rating(
+                        drivetrain.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain.lambda),
+                    powers)
+              : life_under_means(drivetrain, means),
+          modified_record(drivetrain, duty, means, powers)};
+}
+
 void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const WindowStatistics& means,
               PointResult& result) {
-  const bearing::BearingLife life = life_under_means(drivetrain, means);
+  const auto [life, modified] = lives_under_means(drivetrain, duty, means);
   const int bearings = drivetrain.set.planets * drivetrain.bearings_per_planet;
   result.inner.life = life.inner;
   result.outer.life = life.outer;
   result.life_hours = hours_of(life, drivetrain, duty);
   result.system_life_hours = bearing::system_life(result.life_hours, bearings);
-  result.modified = modified_under_means(drivetrain, duty, means);
+  result.modified = modified;
   if (result.modified)
     result.modified->system_life_hours = bearing::system_life(result.modified->life_hours, bearings);
 }
@@ -234,11 +252,10 @@ void put_planets(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
   double tangential = 0.0;
   for (const WindowStatistics& one : means) {
     const Eigen::Vector2d force = mean_bore_force(one.outer, angle, drivetrain.bearing.rollers().count);
-    const double life = hours_of(life_under_means(drivetrain, one), drivetrain, duty);
-    const auto modified = modified_under_means(drivetrain, duty, one);
+    const auto [life, modified] = lives_under_means(drivetrain, duty, one);
     result.planets.push_back({.load_share = force.y(),
                               .load = force.norm(),
-                              .life_hours = life,
+                              .life_hours = hours_of(life, drivetrain, duty),
                               .modified_life_hours = modified ? modified->life_hours : 0.0});
     tangential += force.y() / static_cast<double>(means.size());
   }
@@ -276,8 +293,8 @@ void put_seats(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, c
   const std::vector<double> places = axial_places(drivetrain);
   std::vector<double> lives, modified_lives;
   for (std::size_t k = 0; k < means.size(); ++k) {
-    const auto modified = modified_under_means(drivetrain, duty, means[k]);
-    lives.push_back(hours_of(life_under_means(drivetrain, means[k]), drivetrain, duty));
+    const auto [life, modified] = lives_under_means(drivetrain, duty, means[k]);
+    lives.push_back(hours_of(life, drivetrain, duty));
     modified_lives.push_back(modified ? modified->life_hours : 0.0);
     result.seats.push_back(
         {.place = places[k],
