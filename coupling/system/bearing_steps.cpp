@@ -46,7 +46,7 @@ constexpr double kThirdOrderSteps = 1.5;
 constexpr double kDampedErrors = 0.3;
 constexpr double kDampedAlongErrors = 2.4;
 constexpr double kDampedBoreErrors = 0.12;
-constexpr double kDampedSteps = 2.0;
+constexpr double kDampedSteps = 2.5;
 
 }  // namespace
 
