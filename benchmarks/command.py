@@ -10,7 +10,7 @@ import time
 # The complete model of a planet bearing: what cases/reducer_150kW leaves out, as its source does.
 COMPLETE = ["film.enabled=true"]
 # What commit d33b5f5 does not know of it.
-COMPLETE_SINCE = ["contact.squeeze=true"]
+COMPLETE_SINCE = ["contact.squeeze=true", "bearing.cage.pocket_film=hydrodynamic"]
 
 
 class Run:

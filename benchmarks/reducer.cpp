@@ -20,10 +20,12 @@ double Duty::cage_revolution() const {
 study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes, Squeeze squeeze) {
   const std::string file = ORBEARING_SOURCE_DIR "/cases/reducer_150kW/case.yaml";
   const std::string varying = meshes == MeshForces::varying ? "true" : "false";
-  const std::string squeezed = squeeze == Squeeze::on ? "true" : "false";
-  return app::drivetrain_of(app::read_case(
-      file, {"film.enabled=true", "contact.squeeze=" + squeezed, "gearset.mesh_variation=" + varying,
-             "traction.rolling_law=goksem-hargreaves"}));  // that of the frozen equations
+  const std::string squeezed = squeeze == Squeeze::off ? "false" : "true";
+  const std::string pockets = squeeze == Squeeze::races_and_pockets ? "hydrodynamic" : "none";
+  return app::drivetrain_of(
+      app::read_case(file, {"film.enabled=true", "contact.squeeze=" + squeezed,
+                            "bearing.cage.pocket_film=" + pockets, "gearset.mesh_variation=" + varying,
+                            "traction.rolling_law=goksem-hargreaves"}));  // that of the frozen equations
 }
 
 Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance) {

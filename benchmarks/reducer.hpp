@@ -23,13 +23,13 @@ struct Duty {
 /// What the gears do to the bearing: their mean forces alone, or shaken by the real meshes.
 enum class MeshForces { constant, varying };
 
-/// Whether oil that is pressed out resists the rollers' approach: the complete model, or that of the frozen
-/// equations.
-enum class Squeeze { on, off };
+/// Where oil that is pressed out resists the rollers' approach: nowhere, as in the frozen equations, to the
+/// races alone, or to races and bars of the pockets, the complete model.
+enum class Squeeze { off, races, races_and_pockets };
 
 /// The shipped case, with the film in the approach. Throws app::BadInput where it cannot be read.
 study::PlanetaryDrivetrain shipped_reducer(MeshForces meshes = MeshForces::constant,
-                                           Squeeze squeeze = Squeeze::on);
+                                           Squeeze squeeze = Squeeze::races_and_pockets);
 
 /// Duty at the input speed `rpm` [1/min] with diametral clearance `clearance` [um].
 Duty duty_at(study::PlanetaryDrivetrain drivetrain, double rpm, double clearance);

@@ -203,8 +203,8 @@ Json step_shares(const study::PlanetaryDrivetrain& drivetrain) {
 Json measure_variants() {
   Json out;
   fmt::print(stderr, "bench: cost of a step over packs of rollers\n");
-  out["step"] = step_shares(shipped_reducer());
-  out["neighbours"] = step_sequences(Squeeze::on);
+  out["step"] = step_shares(shipped_reducer(MeshForces::constant, Squeeze::races));
+  out["neighbours"] = step_sequences(Squeeze::races);
   out["neighbours_without_squeeze"] = step_sequences(Squeeze::off);
   return out;
 }

@@ -29,20 +29,34 @@ template <class Offset, class Along, class SpeedAhead, class SpeedAlong, class S
 PocketMotion(Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed)
     -> PocketMotion<Offset, Along, SpeedAhead, SpeedAlong, Spin, CageSpeed>;
 
-/// What a bar or the oil before it does to the roller; the cage feels the opposite at its own arm.
+/// What a bar does to the roller; the cage feels the opposite at its own arm.
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
 struct PocketTouch {
   Ahead ahead;                 // [N]    on the roller, along a
-  Along along;                 // [N]    on the roller, along e: friction, shear
+  Along along;                 // [N]    on the roller, along e: friction
   RollerMoment roller_moment;  // [N m]  about the roller's centre
   CageMoment cage_moment;      // [N m]  on the cage about its own centre
-  Power power;                 // [W]    dissipated across the bar, of oil in all
+  Power power;                 // [W]    dissipated across the bar
   Sliding sliding;             // [m/s]  surface of the bar less that of the roller, along e
 };
 
 template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power, class Sliding>
 PocketTouch(Ahead, Along, RollerMoment, CageMoment, Power, Sliding)
     -> PocketTouch<Ahead, Along, RollerMoment, CageMoment, Power, Sliding>;
+
+/// What the oil before both bars does to the roller; the cage feels the opposite at its own arm.
+template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power>
+struct PocketOil {
+  Ahead ahead;                 // [N]    on the roller, along a
+  Along along;                 // [N]    on the roller, along e: shear
+  RollerMoment roller_moment;  // [N m]  about the roller's centre
+  CageMoment cage_moment;      // [N m]  on the cage about its own centre
+  Power power;                 // [W]    dissipated
+};
+
+template <class Ahead, class Along, class RollerMoment, class CageMoment, class Power>
+PocketOil(Ahead, Along, RollerMoment, CageMoment, Power)
+    -> PocketOil<Ahead, Along, RollerMoment, CageMoment, Power>;
 
 struct PocketLaw {
   double half_clearance = 0.0;  // [m]
@@ -75,33 +89,33 @@ struct PocketLaw {
                        normal.power, sliding};
   }
 
-  /// Oil before `bar` (rigid_line_film.hpp). The gap is held at the roughness, so that the film goes over
+  /// Oil before both bars (rigid_line_film.hpp). A gap is held at the roughness, so that the film goes over
   /// into the touch without a jump. Surface speeds are along e, relative to the contact, which moves with the
-  /// roller's centre and turns with the cage. The surface is dragged by twice the shear of rolling; the tilt
-  /// of the pressure pushes the roller ahead by twice that.
+  /// roller's centre and turns with the cage; at the bar behind the roller's surface runs the other way. With
+  /// u the speed of the roller's surface, v that of the bar's and s the shear of the film, the surfaces are
+  /// dragged by s (v - u) and by twice the shear of rolling, -s (u + v), together -2 s u, and the tilt of the
+  /// pressure pushes the roller by 4 s (u + v)/2, with the drag 2 s v: both bars add their shears.
   template <class Number, class... Parts>
-  auto film(const Number& bar, const Number& radius, const Number& deviation,
-            const PocketMotion<Parts...>& m) const {
+  auto oil(const Number& radius, const Number& deviation, const PocketMotion<Parts...>& m) const {
     using mechanics::larger, mechanics::root, mechanics::sign_of, mechanics::value_of;
-    const auto gap = larger((half_clearance - deviation) - m.offset * bar, Number{} + roughness);
-    const auto closing = (m.speed_ahead - m.cage_speed * m.along) * bar;
-    const auto roller_surface = (m.cage_speed - m.spin) * (bar * radius);
+    const RigidLineFilm<Number> film{Number{} + viscous, root(2.0 * radius)};
+    const auto closing = m.speed_ahead - m.cage_speed * m.along;
+    const auto roller_surface = (m.cage_speed - m.spin) * radius;
     const auto bar_surface = -(m.speed_along + m.cage_speed * m.offset);
-    const auto rolling = 0.5 * (roller_surface + bar_surface);
-    const auto speed = rolling * sign_of(value_of(rolling));
-    const RigidLineFilm<Number> oil{Number{} + viscous, root(2.0 * radius)};
-    const auto film = oil.at(oil.slenderness(gap), speed, closing);
-    const auto sliding = bar_surface - roller_surface;
-    const auto drag = film.shear * (sliding - 2.0 * rolling);
-    const auto ahead = -(film.load * bar);
-    const auto along = drag + 4.0 * (film.shear * rolling);
-    const auto roller_moment = -(drag * (bar * radius));
-    return PocketTouch{ahead,
-                       along,
-                       roller_moment,
-                       m.offset * along - m.along * ahead - roller_moment,
-                       film.load * closing + film.shear * (sliding * sliding + 4.0 * (rolling * rolling)),
-                       sliding};
+    const auto before = [&](const auto& toward, const auto& closes, const auto& runs) {
+      const auto gap = larger((half_clearance - deviation) - toward, Number{} + roughness);
+      const auto rolling = 0.5 * (runs + bar_surface);
+      return film.at(film.slenderness(gap), rolling * sign_of(value_of(rolling)), closes);
+    };
+    const auto front = before(m.offset, closing, roller_surface);
+    const auto rear = before(-m.offset, -closing, -roller_surface);
+    const auto twice_shear = 2.0 * (front.shear + rear.shear);
+    const auto ahead = rear.load - front.load;
+    const auto along = twice_shear * bar_surface;
+    const auto roller_moment = twice_shear * (roller_surface * radius);
+    return PocketOil{
+        ahead, along, roller_moment, m.offset * along - m.along * ahead - roller_moment,
+        twice_shear * (roller_surface * roller_surface + bar_surface * bar_surface) - ahead * closing};
   }
 };
 

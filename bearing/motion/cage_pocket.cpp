@@ -8,14 +8,12 @@ PocketForces pocket_forces(const PocketModel& model, const BodyMotion& roller, c
   if (!model.with_film()) return forces;
   const PocketLaw law = pocket_law(model);
   const PocketMotion motion = pocket_motion(roller, cage, outward);
-  for (const double bar : {-1.0, 1.0}) {
-    const auto film = law.film(bar, model.roller_radius + larger, larger, motion);
-    const Vector2 force = film.ahead * across(outward) + film.along * outward;
-    forces.on_roller += {force, film.roller_moment};
-    forces.on_cage += {-force, film.cage_moment};
-    forces.load -= film.ahead;
-    forces.film_power += film.power;
-  }
+  const auto oil = law.oil(model.roller_radius + larger, larger, motion);
+  const Vector2 force = oil.ahead * across(outward) + oil.along * outward;
+  forces.on_roller += {force, oil.roller_moment};
+  forces.on_cage += {-force, oil.cage_moment};
+  forces.load -= oil.ahead;
+  forces.film_power += oil.power;
   return forces;
 }
 

@@ -80,8 +80,8 @@ class Rosenbrock {
   using time_type = double;
   using stepper_category = boost::numeric::odeint::controlled_stepper_tag;
 
-  explicit Rosenbrock(state_type allowed, double longest_step)
-      : weight_(allowed.size()), control_(longest_step, Formula::kOrder), stages_(allowed.size()) {
+  explicit Rosenbrock(state_type allowed, double longest_step, StepRule rule = StepRule::last_error)
+      : weight_(allowed.size()), control_(longest_step, Formula::kOrder, rule), stages_(allowed.size()) {
     std::transform(allowed.begin(), allowed.end(), weight_.begin(),
                    [](double e) { return e > 0.0 ? 1.0 / e : 0.0; });
   }

@@ -1,12 +1,16 @@
 #include "coupling/system/bearing_steps.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace orbearing::system {
 
 namespace {
+
+using boost::math::double_constants::pi;
 
 // Of a roller between its races [rad/s].
 double roller_frequency(const bearing::motion::BearingModel& model) {
@@ -27,6 +31,23 @@ double damping_of_impact(const bearing::motion::RaceModel& race, double speed, d
   return resistance / (2.0 * std::sqrt(mass * kLoad / (bearing::kLineApproachExponent * elastic)));
 }
 
+// Of the ring on its rollers, of which a quarter bear [s].
+double ring_time(const bearing::motion::BearingModel& model) {
+  const double load = model.inner.load.load(kTypicalApproach, 1.0);
+  const double races = 0.25 * static_cast<double>(model.layout.rollers) * load / kTypicalApproach;
+  return std::sqrt(model.bore_mass / std::max(races, 1.0));
+}
+
+// Allowed errors and longest step of order 3 over those of order 2; where blows on the bars are damped, those
+// of radial motion, of all that moves along the pitch circle, and of the bore, and the longest step over that
+// of the ring.
+constexpr double kThirdOrderErrors = 0.5;
+constexpr double kThirdOrderSteps = 1.5;
+constexpr double kDampedErrors = 0.3;
+constexpr double kDampedAlongErrors = 2.4;
+constexpr double kDampedBoreErrors = 0.12;
+constexpr double kDampedSteps = 2.5;
+
 }  // namespace
 
 bool impacts_are_damped(const bearing::motion::BearingModel& model) {
@@ -36,6 +57,18 @@ bool impacts_are_damped(const bearing::motion::BearingModel& model) {
     return damping_of_impact(race, (speed - cage) * race.side.radius, model.roller.mass) >= kDampedImpact;
   };
   return damped(model.inner, model.point.inner_speed) && damped(model.outer, model.point.outer_speed);
+}
+
+// From half the clearance down to the roughness the film takes the momentum
+//   integral of dQ/dV dg = 3 pi/4 (2 eta l) 2R (S(roughness) - S(half the clearance))
+// by rigid_line_film.hpp, with psi = pi/2 as rolling has it.
+bool blows_are_damped(const bearing::motion::BearingModel& model) {
+  const bearing::motion::PocketModel& pocket = model.pocket;
+  if (!model.layout.caged || !pocket.with_film()) return false;
+  const bearing::RigidLineFilm<double> film{pocket.viscous, std::sqrt(2.0 * pocket.roller_radius)};
+  const double within = film.slenderness(pocket.roughness) - film.slenderness(pocket.half_clearance);
+  const double momentum = 0.75 * pi * pocket.viscous * 2.0 * pocket.roller_radius * within;
+  return momentum >= kStoppedBlow * model.roller.mass;
 }
 
 Eigen::VectorXd allowed_errors(const bearing::motion::StateLayout& layout, double length, double radius,
@@ -72,13 +105,31 @@ std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBe
 }
 
 double longest_step(const bearing::motion::BearingModel& model) {
-  const double load = model.inner.load.load(kTypicalApproach, 1.0);
-  const double races = 0.25 * static_cast<double>(model.layout.rollers) * load / kTypicalApproach;
-  const double ring = std::sqrt(model.bore_mass / std::max(races, 1.0));
   const double bar = model.layout.caged ? model.pocket.stiffness
                                         : model.neighbours.elastic.load(kTypicalApproach) / kTypicalApproach;
   const double impact = std::sqrt(model.roller.mass / std::max(bar, 1.0));
-  return kStepOfImpact * std::min(ring, impact);
+  return kStepOfImpact * std::min(ring_time(model), impact);
+}
+
+ThirdOrderSteps third_order_steps(const bearing::vectorised::VectorBearing& bearing,
+                                  const Eigen::VectorXd& allowed_error) {
+  const bearing::motion::BearingModel& model = bearing.model();
+  if (!blows_are_damped(model))
+    return {linearly_implicit_errors(bearing, kThirdOrderErrors * allowed_error),
+            kThirdOrderSteps * longest_step(model)};
+  std::vector<double> allowed = linearly_implicit_errors(bearing, allowed_error);
+  const bearing::vectorised::PaddedLayout& layout = bearing.layout();
+  const int lanes = layout.lanes(), cage = layout.cage(), bore = layout.bore();
+  const auto scale = [&](int from, int to, double factor) {
+    std::for_each(allowed.begin() + from, allowed.begin() + to, [&](double& error) { error *= factor; });
+  };
+  for (const int radial : {0, 2}) scale(radial * lanes, (radial + 1) * lanes, kDampedErrors);
+  for (const int along : {1, 3, 4}) scale(along * lanes, (along + 1) * lanes, kDampedAlongErrors);
+  scale(cage, bore, kDampedAlongErrors);
+  scale(bore, bore + 4, kDampedBoreErrors);
+  scale(layout.pin(), layout.size(), kDampedErrors);
+  return {std::move(allowed), kDampedSteps * kStepOfImpact * ring_time(model),
+          integration::StepRule::two_errors};
 }
 
 // A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off

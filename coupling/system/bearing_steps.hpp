@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bearing/motion/vectorised/vector_bearing.hpp"
+#include "coupling/integration/step_control.hpp"
 
 namespace orbearing::system {
 
@@ -42,9 +43,32 @@ std::vector<double> linearly_implicit_errors(const bearing::vectorised::VectorBe
 bool impacts_are_damped(const bearing::motion::BearingModel& model);
 inline constexpr double kDampedImpact = 0.05;  // [-]
 
+/// Whether oil in the pockets takes the energy of a roller's blows on the bars: its squeeze, at pure rolling,
+/// stops a roller that comes at kStoppedBlow before both touch. Rollers of the reducer meet their bars at 10
+/// to 100 mm/s; its oil stops 150 mm/s.
+bool blows_are_damped(const bearing::motion::BearingModel& model);
+inline constexpr double kStoppedBlow = 0.05;  // [m/s]
+
 /// Longest step [s] that still resolves the impact of a roller on its pocket, or on its neighbour where there
 /// is no cage, and the ring on its rollers.
 double longest_step(const bearing::motion::BearingModel& model);
+
+/// Bounds of steps of order 3.
+struct ThirdOrderSteps {
+  std::vector<double> allowed;  // errors, of the padded state
+  double longest = 0.0;         // [s]
+  integration::StepRule rule = integration::StepRule::last_error;
+};
+
+/// Those of `bearing` with damped impacts (impacts_are_damped()), from the allowed errors of dopri5. Energy
+/// is as well kept as by steps of order 2, means are as good or better (coupling/integration/README.md).
+///
+/// Where blows on the bars are damped, too, nothing strikes, and the ring on its rollers alone bounds the
+/// step. What loads and life hang on then is weighed more: the bore, whose error all rollers feel at once,
+/// most, radial motion next. Motion along the pitch circle, spins and the cage are felt through oil films
+/// some tens of micrometres thick, not through an approach of one, and bear as much more.
+ThirdOrderSteps third_order_steps(const bearing::vectorised::VectorBearing& bearing,
+                                  const Eigen::VectorXd& allowed_error);
 
 /// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and
 /// by how much. Pockets hold a cage along the pitch circle alone: one that no land guides can be thrown out

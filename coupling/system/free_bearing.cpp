@@ -21,11 +21,6 @@ using integration::IntegrationOptions;
 using integration::IntegrationReport;
 using integration::OutputTimes;
 
-// Allowed errors and longest step of order 3 over those of order 2: energy as well kept, statistics as good
-// or better (coupling/integration/README.md).
-constexpr double kThirdOrderErrors = 0.5;
-constexpr double kThirdOrderSteps = 1.5;
-
 bearing::motion::RaceSpeeds speeds_of(const BearingModel& model) {
   return bearing::motion::race_speeds(model.geometry, model.point.inner_speed, model.point.outer_speed);
 }
@@ -118,13 +113,12 @@ bool run(VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x, const O
          const IntegrationOptions& options, const integration::Observer& observe, integration::Run& budget,
          IntegrationReport& report) {
   const Eigen::VectorXd allowed = options.tolerance * options.allowed_error;
-  const double longest = longest_step(bearing.model());
   if (of_order_three(bearing.model())) {
-    integration::Rosenbrock3 stepper(linearly_implicit_errors(bearing, kThirdOrderErrors * allowed),
-                                     kThirdOrderSteps * longest);
+    const ThirdOrderSteps steps = third_order_steps(bearing, allowed);
+    integration::Rosenbrock3 stepper(steps.allowed, steps.longest, steps.rule);
     return run(stepper, bearing, system, x, output, options, observe, budget, report);
   }
-  integration::Rosenbrock2 stepper(linearly_implicit_errors(bearing, allowed), longest);
+  integration::Rosenbrock2 stepper(linearly_implicit_errors(bearing, allowed), longest_step(bearing.model()));
   return run(stepper, bearing, system, x, output, options, observe, budget, report);
 }
 

@@ -86,12 +86,14 @@ struct AuditedSteps {
   double excitation;  // [N]
   bool full = false;  // no cage
   bool squeeze = false;
+  bool pockets = false;  // oil in them
 };
 
 DynamicsParameters parameters_of(const AuditedSteps& audited) {
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.film_in_approach = audited.film;
   parameters.race.squeeze = audited.squeeze;
+  if (audited.pockets) parameters.cage.pocket_film = PocketFilm::hydrodynamic;
   if (audited.excitation > 0.0)
     parameters.excitation = {
         .angular_frequency = 2.0 * M_PI * 2520.0,
@@ -132,18 +134,19 @@ TEST_P(FastPathEnergy, StepsAddLittleAndLessAtASmallerAllowedError) {
   EXPECT_GT(coarse, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, FastPathEnergy,
-                         testing::Values(AuditedSteps{"dry", false, 0.0}, AuditedSteps{"film", true, 0.0},
-                                         AuditedSteps{"dry_shaken", false, 400.0},
-                                         AuditedSteps{"film_shaken", true, 400.0},
-                                         // Issue 16, Build 8: rollers that touch one another.
-                                         AuditedSteps{"full_complement", false, 0.0, true},
-                                         // Issue 17, Build 1: oil that is pressed out.
-                                         AuditedSteps{"squeeze", false, 0.0, false, true},
-                                         AuditedSteps{"squeeze_film_shaken", true, 400.0, false, true}),
-                         [](const testing::TestParamInfo<AuditedSteps>& variant) {
-                           return variant.param.name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Variants, FastPathEnergy,
+    testing::Values(AuditedSteps{"dry", false, 0.0}, AuditedSteps{"film", true, 0.0},
+                    AuditedSteps{"dry_shaken", false, 400.0}, AuditedSteps{"film_shaken", true, 400.0},
+                    // Issue 16, Build 8: rollers that touch one another.
+                    AuditedSteps{"full_complement", false, 0.0, true},
+                    // Issue 17, Build 1: oil that is pressed out.
+                    AuditedSteps{"squeeze", false, 0.0, false, true},
+                    AuditedSteps{"squeeze_film_shaken", true, 400.0, false, true},
+                    // Issue 17, Build 2: steps that the ring alone bounds.
+                    AuditedSteps{"squeeze_pockets", true, 0.0, false, true, true},
+                    AuditedSteps{"squeeze_pockets_shaken", true, 400.0, false, true, true}),
+    [](const testing::TestParamInfo<AuditedSteps>& variant) { return variant.param.name; });
 
 // Fed with explicit steps of order 5 at 0.05 us the audit finds next to nothing; a bore that is pushed by
 // hand in one of them shows with the energy of that push.
@@ -282,6 +285,27 @@ TEST(FastPathOfOrderThree, TakesLongStepsAndRefusesFew) {
   EXPECT_LT(static_cast<double>(report.steps), kSeconds / system::longest_step(model));
 }
 
+// Issue 17, Build 2: where oil damps blows on the bars, too, steps without tooth forces are four times the
+// longest of order 2, and few are refused with them.
+TEST(FastPathOfOrderThree, TakesStepsOfTheRingWhereOilIsInThePockets) {
+  constexpr double kSeconds = 20e-3;
+  constexpr double kTimesLonger = 3.5;
+  const Bearing given = test::reducer_bearing();
+  for (const double excitation : {0.0, 200.0}) {
+    const DynamicsParameters parameters = parameters_of({"", true, excitation, false, true, true});
+    const BearingModel model = bearing_model(given, test::reducer_point(6000.0), parameters);
+    VectorBearing bearing(model);
+    Eigen::VectorXd x = initial_state(given, model, parameters, 0.3).x;
+    integration::IntegrationOptions options;
+    options.allowed_error = system::allowed_errors(model, 2e-10);
+    const auto report = system::integrate_bearing(bearing, x, {0.0, kSeconds, 1}, options, {}, {});
+    ASSERT_TRUE(report.completed) << report.message;
+    const double mean = kSeconds / static_cast<double>(report.steps) / system::longest_step(model);
+    EXPECT_LT(report.rejected, 0.15 * static_cast<double>(report.steps)) << excitation;
+    EXPECT_GT(mean, excitation > 0.0 ? 1.0 : kTimesLonger) << excitation;
+  }
+}
+
 // Issue 16, Build 1: a rim a million times as stiff is a rigid one: the same path of all bodies, within what
 // is left of its waves.
 TEST(FastPathOfRims, TendsToTheRigidOneWithTheModulus) {
@@ -327,6 +351,57 @@ TEST(ImpactsAreDamped, ByOilThatIsThickAndNear) {
     EXPECT_FALSE(damped(rpm, 1e-5, 0.2e-6, true)) << rpm;
     EXPECT_FALSE(damped(rpm, 0.01, 100e-6, true)) << rpm;
   }
+}
+
+// Issue 17, Build 2: the ring alone bounds steps where oil stops rollers before the bars.
+TEST(BlowsAreDamped, ByOilInThePocketsThatIsThickAndNear) {
+  const auto damped = [](PocketFilm film, double viscosity, double roughness) {
+    DynamicsParameters parameters = test::reducer_parameters();
+    parameters.cage.pocket_film = film;
+    parameters.cage.pocket_roughness = roughness;
+    parameters.lubricant.viscosity = viscosity;
+    return system::blows_are_damped(
+        bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters));
+  };
+  EXPECT_TRUE(damped(PocketFilm::hydrodynamic, 0.01, 0.4e-6));
+  EXPECT_FALSE(damped(PocketFilm::none, 0.01, 0.4e-6));
+  EXPECT_FALSE(damped(PocketFilm::hydrodynamic, 1e-3, 0.4e-6));
+  EXPECT_FALSE(damped(PocketFilm::hydrodynamic, 0.01, 20e-6));
+}
+
+// Issue 17, Build 2: a roller that flies at a bar through the oil of the law, step by step, stops before it
+// touches where it comes no faster than the closed form says, and touches where it comes faster.
+TEST(BlowsAreDamped, WhereTheFilmStopsARoller) {
+  constexpr double kStopped = 1e-3 * system::kStoppedBlow;  // [m/s]  it stops in no finite time
+  constexpr double kMargin = 0.04;                          // the film that opens behind takes 3 % more
+  DynamicsParameters parameters = test::reducer_parameters();
+  parameters.cage.pocket_film = PocketFilm::hydrodynamic;
+  const auto model_of = [&](double viscosity) {
+    parameters.lubricant.viscosity = viscosity;
+    return bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
+  };
+  const auto speed_at_the_bar = [&](double viscosity) {
+    const BearingModel model = model_of(viscosity);
+    const PocketLaw law = pocket_law(model.pocket);
+    const double radius = model.pocket.roller_radius, spin = 1e6 / radius;  // [m], [rad/s]  rolling alone
+    double offset = 0.0, speed = system::kStoppedBlow;
+    const auto squeezed = [&](double v) {
+      return law.oil(radius, 0.0, PocketMotion{offset, 0.0, v, 0.0, spin, 0.0}).ahead;
+    };
+    constexpr double kStep = 1e-7;  // [s]
+    while (speed > kStopped && offset < model.pocket.half_clearance - model.pocket.roughness) {
+      speed += kStep * (squeezed(speed) - squeezed(0.0)) / model.roller.mass;
+      offset += kStep * speed;
+    }
+    return speed;
+  };
+  double thin = 1e-3, thick = 0.1;  // [Pa s]  the closed form says yes above some viscosity between them
+  while (thick / thin > 1.0 + 1e-3) {
+    const double middle = std::sqrt(thin * thick);
+    (system::blows_are_damped(model_of(middle)) ? thick : thin) = middle;
+  }
+  EXPECT_LE(speed_at_the_bar(thick * (1.0 + kMargin)), kStopped);
+  EXPECT_GT(speed_at_the_bar(thin * (1.0 - kMargin)), kStopped);
 }
 
 }  // namespace

@@ -94,9 +94,7 @@ PocketForce pocket_contact(const PocketLaw& law, double stated_radius, const Pac
   PocketSum sum;
   const auto act = [&](const auto& moving) {
     if (any(touching)) sum.add<WithSlopes>(touching, law.touch(bar, radius, radius_deviation, moving));
-    if (!law.with_film()) return;
-    sum.add<WithSlopes>(present, law.film(spread(-1.0), radius, radius_deviation, moving));
-    sum.add<WithSlopes>(present, law.film(spread(1.0), radius, radius_deviation, moving));
+    if (law.with_film()) sum.add<WithSlopes>(present, law.oil(radius, radius_deviation, moving));
   };
   if constexpr (WithSlopes) {
     using mechanics::variable;

@@ -43,6 +43,24 @@ TEST(StepControl, GrowthIsAQuarterAtMostAndEndsAtTheLongestStep) {
   EXPECT_DOUBLE_EQ(control.after_acceptance(0.5 * kStep, 0.0), 0.625 * kStep);
 }
 
+// Issue 17, Build 2: 0.85 before^(0.2/p) / error^(0.6/p).
+TEST(StepControl, ByTwoErrorsARisingOneTellsOfTheNext) {
+  StepControl control(1.0, 3, StepRule::two_errors);
+  control.after_acceptance(kStep, 0.5);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.5), 0.85 / std::pow(0.5, 0.4 / 3.0) * kStep) << "steady";
+  StepControl rising(1.0, 3, StepRule::two_errors);
+  rising.after_acceptance(kStep, 0.05);
+  EXPECT_DOUBLE_EQ(rising.after_acceptance(kStep, 0.5),
+                   0.85 * std::pow(0.05, 0.2 / 3.0) / std::pow(0.5, 0.2) * kStep);
+}
+
+TEST(StepControl, ByTwoErrorsGrowthIsAHalfAtMostAndNoneAfterARefusal) {
+  StepControl control(1.0, 3, StepRule::two_errors);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.0), 1.5 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_refusal(kStep, 8.0), 0.85 / 2.0 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.0), kStep);
+}
+
 TEST(StepControl, WithoutAnErrorToGoByAStepIsCutToAFifth) {
   StepControl control(1.0);
   EXPECT_DOUBLE_EQ(control.after_refusal(kStep, std::numeric_limits<double>::infinity()), 0.2 * kStep);

@@ -52,5 +52,45 @@ TEST(AllowedErrors, FollowTheKindOfEachVariable) {
   EXPECT_DOUBLE_EQ(allowed[8], 1e-9 / 0.02 * 1e5);  // spin
 }
 
+// Issue 17, Build 2: loads hang on the bore most, on radial motion next, on what moves along the pitch circle
+// least.
+TEST(ThirdOrderSteps, WeighWhatLoadsHangOnWhereOilIsInThePockets) {
+  bearing::motion::DynamicsParameters parameters = test::reducer_parameters();
+  parameters.race.squeeze = true;
+  const auto shares = [&](int variable) {
+    const BearingModel model =
+        bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
+    const bearing::vectorised::VectorBearing fast(model);
+    const Eigen::VectorXd allowed = allowed_errors(model, 1e-10);
+    const auto place = static_cast<std::size_t>(variable);
+    return third_order_steps(fast, allowed).allowed[place] / linearly_implicit_errors(fast, allowed)[place];
+  };
+  const bearing::vectorised::PaddedLayout layout{15};
+  const int lanes = layout.lanes();
+  EXPECT_DOUBLE_EQ(shares(0), 0.5) << "blows on dry bars: all alike";
+  EXPECT_DOUBLE_EQ(shares(lanes), 0.5);
+  parameters.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
+  const double radial = shares(0);
+  EXPECT_DOUBLE_EQ(shares(2 * lanes), radial) << "radial speed";
+  EXPECT_LT(shares(layout.bore()), radial);
+  for (const int along : {lanes, 3 * lanes, 4 * lanes, layout.cage(), layout.cage() + 5})
+    EXPECT_GT(shares(along), radial) << along;
+}
+
+TEST(ThirdOrderSteps, AreBoundByTheRingWhereOilIsInThePockets) {
+  bearing::motion::DynamicsParameters parameters = test::reducer_parameters();
+  parameters.race.squeeze = true;
+  parameters.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
+  const auto longest = [&](double pocket_stiffness) {
+    parameters.cage.pocket_stiffness = pocket_stiffness;
+    const BearingModel model =
+        bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
+    return third_order_steps(bearing::vectorised::VectorBearing(model), allowed_errors(model, 1e-10)).longest;
+  };
+  EXPECT_DOUBLE_EQ(longest(3e7), longest(3e8)) << "whatever the bars";
+  parameters.cage.pocket_film = bearing::motion::PocketFilm::none;
+  EXPECT_GT(longest(3e7), longest(3e8));
+}
+
 }  // namespace
 }  // namespace orbearing::system::bearing_steps_test
