@@ -212,10 +212,6 @@ std::string peaks_text(const std::string& title, const std::vector<NamedPeak>& p
   return text;
 }
 
-std::vector<double> numbers_of(const Eigen::ArrayXd& array) {
-  return {array.begin(), array.end()};
-}
-
 }  // namespace
 
 double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity) {
@@ -280,23 +276,17 @@ std::string planet_defect_text(const PlanetDefectStudy& study) {
 
 PointContent planet_defect_content(const PlanetDefectStudy& study) {
   const study::PlanetVibration& motion = study.vibration;
-  const auto samples = static_cast<std::size_t>(motion.housing.size());
-  PointContent content{.dimensions = {{"time", samples}, {"direction", 2}}, .arrays = {}, .attributes = {}};
-  const auto along_time = [&](const char* name, const char* units, const char* meaning,
-                              const Eigen::ArrayXd& of) {
-    content.arrays.push_back({name, {"time"}, units, meaning, numbers_of(of)});
-  };
   const Eigen::Index count = motion.housing.size();
+  PointContent content;
+  content.add_dimension("time", count);
+  content.add_dimension("direction", 2);
+  const auto along_time = [&](const char* name, const char* units, const char* meaning,
+                              const Eigen::ArrayXd& of) { content.add(name, {"time"}, units, meaning, of); };
   along_time("time", "s", "time since the signal began",
              Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / motion.rate));
-  NamedArray both{"acceleration",
-                  {"direction", "time"},
-                  "m s-2",
-                  "damaged planet relative to its pin, outward and in the sense of carrier rotation",
-                  {}};
-  for (Eigen::Index i = 0; i < 2; ++i)
-    for (Eigen::Index k = 0; k < count; ++k) both.values.push_back(motion.acceleration(i, k));
-  content.arrays.push_back(std::move(both));
+  content.add("acceleration", {"direction", "time"}, "m s-2",
+              "damaged planet relative to its pin, outward and in the sense of carrier rotation",
+              motion.acceleration);
   along_time("loaded_acceleration", "m s-2", "the same along the middle of the load zone",
              study.carrier.signal);
   along_time("housing_force", "N", "meshes of the ring as an instrument on the housing feels them",
@@ -304,21 +294,17 @@ PointContent planet_defect_content(const PlanetDefectStudy& study) {
   along_time("carrier_angle", "rad", "turned by the carrier", motion.carrier_angle);
   along_time("planet_angle", "rad", "turned by the damaged planet relative to the carrier",
              motion.planet_angle);
-  content.arrays.push_back(single_value("sampling_rate", "s-1", "samples a second", motion.rate));
+  content.add("sampling_rate", "s-1", "samples a second", motion.rate);
   const char* units = study.run_up ? "1" : "s-1";
   const auto spectra = [&](const std::string& of, const InstrumentView& view, const char* unit) {
     const std::string lines = of + "_line", envelope_lines = of + "_envelope_line";
     const auto add = [&](const std::string& dimension, const std::string& name,
                          const signals::Spectrum& spectrum, const char* meaning) {
       const Eigen::Index size = spectrum.amplitude.size();
-      content.dimensions.push_back({dimension, static_cast<std::size_t>(size)});
-      content.arrays.push_back(
-          {name + "_place",
-           {dimension},
-           units,
-           study.run_up ? "order of the carrier" : "frequency",
-           numbers_of(Eigen::ArrayXd::LinSpaced(size, 0.0, spectrum.frequency(size - 1)))});
-      content.arrays.push_back({name, {dimension}, unit, meaning, numbers_of(spectrum.amplitude)});
+      content.add_dimension(dimension, size);
+      content.add(name + "_place", {dimension}, units, study.run_up ? "order of the carrier" : "frequency",
+                  Eigen::ArrayXd::LinSpaced(size, 0.0, spectrum.frequency(size - 1)).eval());
+      content.add(name, {dimension}, unit, meaning, spectrum.amplitude);
     };
     add(lines, of + "_spectrum", view.spectrum, "amplitude, Hann window");
     add(envelope_lines, of + "_envelope_spectrum", view.envelope_spectrum,
