@@ -7,8 +7,8 @@
 
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/commands/lone_runs.hpp"
 #include "app/commands/presentation.hpp"
-#include "app/commands/defect_run.hpp"
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
