@@ -2,25 +2,64 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <unsupported/Eigen/FFT>
+#include <vector>
 
 #include "app/case/defect_case.hpp"
+#include "app/case/described_case.hpp"
+#include "app/case/resolved_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/json_number.hpp"
-#include "app/signals/residual.hpp"
 #include "app/study/defect_output.hpp"
-#include "app/study/planet_defect_case.hpp"
 #include "app/study/planetary_case.hpp"
+#include "coupling/study/planet_scratch.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
+using bearing::defect::Scratch;
 using bearing::defect::Scratched;
 using boost::math::double_constants::two_pi;
+
+// Unit vector (outward, in the sense of carrier rotation) from the pin's axis to the middle of the load zone:
+// the rollers that carry the planet stand there.
+Eigen::Vector2d load_zone_of(const ResolvedCase& in) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const Eigen::Vector2d load = bearing_duty(drivetrain, derive(drivetrain)).point.bore_load;
+  return -load.normalized();  // the bore is pushed one way and meets the rollers on the other side of the pin
+}
+
+// None where nothing is scratched. Angles of the case count from the middle of the load zone, those of the
+// result from outward; those of a roller stay.
+std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in) {
+  const auto place = from_case<study::ScratchedPlace>(in);
+  Scratch first = from_case<Scratch>(in);
+  if (first.race == Scratched::none) return {};
+  const Eigen::Vector2d zone = load_zone_of(in);
+  const double middle = std::atan2(zone.y(), zone.x());
+  const auto turned = [&](Scratch scratch) {
+    if (of_element(scratch.race)) return scratch;
+    scratch.angle += middle;
+    for (double& angle : scratch.more_angles) angle += middle;
+    return scratch;
+  };
+  system::ScratchedPlanet planet{
+      .planet = place.planet - 1, .bearing = place.bearing - 1, .scratches = {turned(first)}};
+  if (place.also != Scratched::none) {
+    first.race = place.also;
+    first.angle = place.also_angle;
+    first.more_angles.clear();
+    planet.scratches.push_back(turned(first));
+  }
+  return {planet};
+}
 
 study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling, const study::PlanetVibration& out,
                                    int rollers) {
@@ -52,6 +91,26 @@ std::vector<NamedPeak> named(const signals::Spectrum& spectrum, double highest,
   return peaks;
 }
 
+// `signal` without its lines at `frequencies` [Hz] and the ones beside each. A signal of whole periods of all
+// of them loses these alone.
+Eigen::ArrayXd without_lines(const Eigen::ArrayXd& signal, double rate,
+                             const std::vector<double>& frequencies) {
+  Eigen::FFT<double> fft;
+  std::vector<double> samples(signal.begin(), signal.end());
+  std::vector<std::complex<double>> bins;
+  fft.fwd(bins, samples);
+  const auto size = static_cast<long>(bins.size());
+  const double resolution = rate / static_cast<double>(size);
+  for (const double frequency : frequencies) {
+    const long line = std::lround(frequency / resolution);
+    for (long k = line - 1; k <= line + 1; ++k)
+      if (k > 0 && k < size)
+        bins[static_cast<std::size_t>(k)] = bins[static_cast<std::size_t>(size - k)] = 0.0;
+  }
+  fft.inv(samples, bins);
+  return Eigen::Map<const Eigen::ArrayXd>(samples.data(), signal.size());
+}
+
 // The signal lasts whole turns of the carrier, in each of which whole teeth pass.
 Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStudy& study, bool housing) {
   std::vector<double> lines;
@@ -60,7 +119,7 @@ Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStu
     lines.push_back(k * at.mesh);
     if (housing) lines.insert(lines.end(), {k * at.mesh - at.carrier, k * at.mesh + at.carrier});
   }
-  return signals::without_lines(signal, study.vibration.rate, lines);
+  return without_lines(signal, study.vibration.rate, lines);
 }
 
 InstrumentView view_of(const ResolvedCase& in, const PlanetDefectStudy& study, Eigen::ArrayXd signal,
@@ -150,7 +209,7 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& sc
 
 PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
-  const study::PlanetSampling sampling = planet_sampling_of(in);
+  const study::PlanetSampling sampling = from_case<study::PlanetSampling>(in);
   const std::vector<system::ScratchedPlanet> scratched = scratched_planets_of(in);
   PlanetDefectStudy study{.rolling = study::planet_frequencies(drivetrain),
                           .run_up = sampling.run_up_from < 1.0};
