@@ -28,7 +28,8 @@ endfunction()
 # orbearing_unity_build(<target>): compiles its sources together, in batches, since most of the time of a source goes
 # into headers that its neighbours include as well. A folder is cut only where it is larger than a batch, so that a
 # new file seldom moves those of other folders. CMake leaves out sources that have options of their own; what else
-# shall stay alone has SKIP_UNITY_BUILD_INCLUSION.
+# shall stay alone has SKIP_UNITY_BUILD_INCLUSION. TWICE: batches of twice the size, where headers cost more than what
+# is optimised.
 function(orbearing_unity_build target)
   if(NOT ORBEARING_UNITY_BUILD)
     return()
@@ -44,13 +45,17 @@ function(orbearing_unity_build target)
     list(APPEND "files in ${folder}" "${source}")
   endforeach()
   list(REMOVE_DUPLICATES folders)
+  set(most ${ORBEARING_UNITY_FILES})
+  if("${ARGV1}" STREQUAL "TWICE")
+    math(EXPR most "2 * ${most}")
+  endif()
   set(batch 1)
   set(filled 0)
   foreach(folder IN LISTS folders)
     list(LENGTH "files in ${folder}" files)
     math(EXPR together "${filled} + ${files}")
     foreach(source IN LISTS "files in ${folder}")
-      if(filled GREATER 0 AND (together GREATER ORBEARING_UNITY_FILES OR filled EQUAL ORBEARING_UNITY_FILES))
+      if(filled GREATER 0 AND (together GREATER most OR filled EQUAL most))
         math(EXPR batch "${batch} + 1")
         set(filled 0)
       endif()

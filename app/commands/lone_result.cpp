@@ -5,28 +5,58 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "app/case/resolved_writer.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/results/point_file.hpp"
+#include "app/results/result_folder.hpp"
 #include "app/study/sweep_study.hpp"
 
 namespace orbearing::app {
+
+namespace {
+
+// Case, model, what was found, then assumptions, warnings and versions.
+nlohmann::ordered_json whole_json(const ResolvedCase& resolved, const LoneResult& result) {
+  nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
+  object.update(result.json);
+  object["assumptions"] = assumptions_json(resolved);
+  object["warnings"] = result.warnings;
+  object["versions"] = versions_json();
+  return object;
+}
+
+void write_files(const std::filesystem::path& folder, const LoneAnalysis& analysis, const LoneResult& result,
+                 const nlohmann::ordered_json& object) {
+  std::vector<FileContent> files;
+  const std::string printed = object.dump(2) + "\n";
+  if (analysis.json_file != nullptr) files.push_back({folder / analysis.json_file, printed});
+  for (const auto& [name, content] : result.files) files.push_back({folder / name, content});
+  write_aside_and_rename(files);
+}
+
+}  // namespace
+
+int run_alone(const ResolvedCase& resolved, const Options& options, const LoneAnalysis& analysis,
+              const std::function<LoneResult()>& compute) {
+  const ManifestHeader header = manifest_header(resolved, analysis.fidelity);
+  ResultFolder folder =
+      open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
+  const LoneResult result = compute();
+  const nlohmann::ordered_json object = whole_json(resolved, result);
+  if (!folder.finished().contains(0)) {
+    if (!folder.path().empty()) write_files(folder.path(), analysis, result, object);
+    folder.keep({{0, lone_result_file(header, analysis.title, result.content, result.status),
+                  lone_row(folder.head(), result.row)}});
+  }
+  present_lone_result(object, result.text, options);
+  return result.failed ? 1 : 0;
+}
 
 std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content,
                              const std::string& status) {
   content.attributes = result_attributes(header, what, status);
   return netcdf_bytes(content);
-}
-
-nlohmann::ordered_json lone_result_json(const ResolvedCase& resolved, const nlohmann::ordered_json& results,
-                                        const std::vector<std::string>& warnings) {
-  nlohmann::ordered_json object{{"case", resolved.text("name")}, {"model", resolved.choice("model")}};
-  object.update(results);
-  object["assumptions"] = assumptions_json(resolved);
-  object["warnings"] = warnings;
-  object["versions"] = versions_json();
-  return object;
 }
 
 void present_lone_result(const nlohmann::ordered_json& object, const std::string& text,
@@ -48,6 +78,11 @@ ResultRow lone_row(const TableHead& head, const std::vector<std::pair<const char
       row.values[static_cast<std::size_t>(found - head.names.begin())] = in_table_unit(value, 1.0);
   }
   return row;
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
 }
 
 }  // namespace orbearing::app

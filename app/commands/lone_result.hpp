@@ -1,7 +1,8 @@
-// What the analyses of a single part, which give one result and no sweep, write and print alike.
+// What the analyses of a single part, which give one result and no sweep, compute, write and print alike.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,13 +14,32 @@
 
 namespace orbearing::app {
 
+/// How results of an analysis are named.
+struct LoneAnalysis {
+  const char* fidelity;             // in the manifest
+  const char* title;                // of the netCDF file
+  const char* json_file = nullptr;  // of the folder, which holds what --json prints; null: none
+};
+
+struct LoneResult {
+  nlohmann::ordered_json json;  // of the analysis itself
+  std::string text;             // the same for terminals
+  PointContent content;         // the same as arrays
+  std::vector<std::string> warnings;
+  std::vector<std::pair<const char*, double>> row{};         // what the table of a sweep has columns for
+  std::vector<std::pair<std::string, std::string>> files{};  // of the folder besides: name, content
+  std::string status = "ok";                                 // that the netCDF file gives
+  bool failed = false;                                       // in parts
+};
+
+/// Opens the folder that the options name, computes, keeps what is not kept yet and prints. Returns the exit
+/// code.
+int run_alone(const ResolvedCase& resolved, const Options& options, const LoneAnalysis& analysis,
+              const std::function<LoneResult()>& compute);
+
 /// Bytes of the netCDF file of a result called `what`.
 std::string lone_result_file(const ManifestHeader& header, const char* what, PointContent content,
                              const std::string& status = "ok");
-
-/// Case, model, `results`, then assumptions, warnings and versions.
-nlohmann::ordered_json lone_result_json(const ResolvedCase& resolved, const nlohmann::ordered_json& results,
-                                        const std::vector<std::string>& warnings);
 
 /// Prints `object`, or `text` with the object's warnings, as the options ask.
 void present_lone_result(const nlohmann::ordered_json& object, const std::string& text,
@@ -27,5 +47,8 @@ void present_lone_result(const nlohmann::ordered_json& object, const std::string
 
 /// A row of the table of a sweep that has these values [in the columns' units]; all else stays empty.
 ResultRow lone_row(const TableHead& head, const std::vector<std::pair<const char*, double>>& values = {});
+
+/// The warnings of one and then of the other.
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second);
 
 }  // namespace orbearing::app

@@ -3,8 +3,8 @@
 
 #include "app/case/units.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/commands/lone_runs.hpp"
 #include "app/commands/presentation.hpp"
-#include "app/commands/duplex_run.hpp"
 #include "app/errors.hpp"
 #include "app/study/duplex_study.hpp"
 #include "app/study/gear_case.hpp"

@@ -4,10 +4,9 @@
 #include <filesystem>
 
 #include "app/case/case_file.hpp"
-#include "app/commands/bearing_run.hpp"
+#include "app/commands/lone_runs.hpp"
 #include "app/commands/presentation.hpp"
 #include "app/commands/python_part.hpp"
-#include "app/commands/defect_run.hpp"
 #include "app/errors.hpp"
 #include "app/resources.hpp"
 #include "app/results/durable_file.hpp"
@@ -27,7 +26,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* data_name = "report.json";
 constexpr const char* page_name = "report.html";
-
 
 void write_data(const fs::path& file, const nlohmann::ordered_json& data) {
   try {

@@ -1,13 +1,8 @@
 #include <fmt/core.h>
 
 #include "app/case/defect_case.hpp"
+#include "app/commands/lone_runs.hpp"
 #include "app/commands/presentation.hpp"
-#include "app/commands/defect_run.hpp"
-#include "app/commands/duplex_run.hpp"
-#include "app/commands/film_run.hpp"
-#include "app/commands/gear_study.hpp"
-#include "app/commands/planet_defect_run.hpp"
-#include "app/commands/bearing_run.hpp"
 #include "app/study/ball_study.hpp"
 #include "app/study/computable.hpp"
 #include "app/study/defect_study.hpp"

@@ -7,8 +7,8 @@
 
 #include "app/case/resolved_writer.hpp"
 #include "app/case/unused_inputs.hpp"
+#include "app/commands/lone_runs.hpp"
 #include "app/commands/presentation.hpp"
-#include "app/commands/defect_run.hpp"
 #include "app/errors.hpp"
 #include "app/results/progress.hpp"
 #include "app/results/result_folder.hpp"
@@ -32,7 +32,8 @@ std::filesystem::path signal_file(const ResultFolder& folder, std::size_t number
 std::string grid_text(const Options& options, const std::vector<SignalAxis>& axes) {
   std::string text = "signals";
   if (options.fidelity == "dynamic") text += ", all in motion";
-  for (const SignalAxis& axis : axes) text += fmt::format("; {}=[{}]", axis.path, fmt::join(axis.values, ", "));
+  for (const SignalAxis& axis : axes)
+    text += fmt::format("; {}=[{}]", axis.path, fmt::join(axis.values, ", "));
   if (options.noise > 0.0) text += fmt::format("; noise {} m/s2, seed {}", options.noise, options.seed);
   return text;
 }
@@ -65,8 +66,7 @@ class SignalSet {
       const ResolvedCase changed = resolved_.with(variants_[number].settings);
       const SignalNoise noise{options_.noise, options_.seed};
       const DefectStudy study = defect_study(
-          changed, rung(), {},
-          [&](study::RingVibration& vibration) { add_noise(noise, number, vibration); });
+          changed, rung(), {}, [&](study::RingVibration& vibration) { add_noise(noise, number, vibration); });
       const std::scoped_lock lock(one_writer);
       labels_[number] = labelled(number, changed, study, noise);
       if (!folder_.path().empty()) keep(number, study);
@@ -75,9 +75,9 @@ class SignalSet {
     try {
       study::in_parallel(missing.size(), options_.jobs, one);
     } catch (const Cancelled&) {
-      throw Interrupted(fmt::format("signals: interrupted with {} of {} signals done; {}", done, variants_.size(),
-                                    folder_.path().empty() ? "nothing of it is kept without --output"
-                                                           : "go on with --resume"));
+      throw Interrupted(fmt::format(
+          "signals: interrupted with {} of {} signals done; {}", done, variants_.size(),
+          folder_.path().empty() ? "nothing of it is kept without --output" : "go on with --resume"));
     }
   }
 
@@ -131,8 +131,7 @@ int signals_command(const Options& options) {
                                resolved.choice("model")));
   const bool moving = options.fidelity == "dynamic";
   require_rung(resolved, moving);
-  const std::vector<std::string> warnings =
-      require_used(resolved, moving ? use::moving_defect : use::defect);
+  const std::vector<std::string> warnings = require_used(resolved, moving ? use::moving_defect : use::defect);
   const std::vector<SignalAxis> axes = signal_axes(options.varied, resolved);
   std::vector<SignalVariant> variants = signal_variants(resolved, axes);
   const ManifestHeader header = manifest_header(resolved, grid_text(options, axes), variants.size());
@@ -140,8 +139,7 @@ int signals_command(const Options& options) {
       open_results(options.output, header, write_resolved(resolved), options.resume, options.quiet);
   SignalSet set(resolved, options, header, folder, std::move(variants));
   set.compute();
-  if (!folder.path().empty())
-    write_aside_and_rename(folder.path() / "labels.csv", labels_csv(set.labels()));
+  if (!folder.path().empty()) write_aside_and_rename(folder.path() / "labels.csv", labels_csv(set.labels()));
   if (options.json) {
     const Json object{{"case", resolved.text("name")},
                       {"signals", set.labels()},

@@ -74,8 +74,7 @@ void add_scalars(PointContent& content, const std::vector<Column>& columns,
                  const study::PointResult& result) {
   for (const Column& column : columns) {
     const bool known = result.status == "ok" || column.variable == "input_speed";
-    content.arrays.push_back(
-        {column.variable, {}, column.units, column.meaning, {known ? column.value(result) : not_given}});
+    content.add(column.variable, column.units, column.meaning, known ? column.value(result) : not_given);
   }
 }
 
@@ -84,97 +83,65 @@ void add_sets(PointContent& content, const std::vector<std::string>& sets, const
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (const SetColumn& column : set_columns()) {
       const bool known = result.status == "ok" && i < result.sets.size();
-      content.arrays.push_back({"sets_" + sets[i] + "_" + column.variable,
-                                {},
-                                column.units,
-                                column.meaning + ", set " + sets[i],
-                                {known ? column.value(result.sets[i]) : not_given}});
+      content.add("sets_" + sets[i] + "_" + column.variable, column.units,
+                  column.meaning + ", set " + sets[i], known ? column.value(result.sets[i]) : not_given);
     }
 }
 
 void add_distribution(PointContent& content, const study::LoadDistribution& loads) {
-  content.dimensions.push_back({"place", loads.angle.size()});
-  content.arrays.push_back({"angle",
-                            {"place"},
-                            "rad",
-                            "place on the race, from the outward radial direction towards carrier rotation",
-                            loads.angle});
-  content.arrays.push_back(
-      {"inner_load", {"place"}, "N", "load of a roller on the inner race", loads.inner_load});
-  content.arrays.push_back(
-      {"outer_load", {"place"}, "N", "load of a roller on the outer race", loads.outer_load});
+  content.add_dimension("place", loads.angle.size());
+  content.add("angle", {"place"}, "rad",
+              "place on the race, from the outward radial direction towards carrier rotation", loads.angle);
+  content.add("inner_load", {"place"}, "N", "load of a roller on the inner race", loads.inner_load);
+  content.add("outer_load", {"place"}, "N", "load of a roller on the outer race", loads.outer_load);
   if (!loads.race_form.empty())
-    content.arrays.push_back({"race_form",
-                              {"place"},
-                              "m",
-                              "outward displacement of the outer race by bending of the planet's rim",
-                              loads.race_form});
+    content.add("race_form", {"place"}, "m",
+                "outward displacement of the outer race by bending of the planet's rim", loads.race_form);
 }
 
 // The bearings of a planet whose tilt is computed.
 void add_seats(PointContent& content, const std::vector<study::SeatResult>& seats) {
-  content.dimensions.push_back({"bearing", seats.size()});
-  const auto add = [&](const char* name, const char* units, const char* meaning, auto&& value) {
-    NamedArray array{name, {"bearing"}, units, meaning, {}};
-    for (const study::SeatResult& seat : seats) array.values.push_back(value(seat));
-    content.arrays.push_back(std::move(array));
+  content.add_dimension("bearing", seats.size());
+  const auto add = [&](const char* name, const char* units, const char* meaning, const auto& value) {
+    content.add_each(name, {"bearing"}, units, meaning, seats, value);
   };
-  add("bearing_place", "m", "place along the axis, from the middle of the face",
-      [](const study::SeatResult& seat) { return seat.place; });
-  add("bearing_load", "N", "load of the rollers on the bore",
-      [](const study::SeatResult& seat) { return seat.load; });
+  add("bearing_place", "m", "place along the axis, from the middle of the face", &study::SeatResult::place);
+  add("bearing_load", "N", "load of the rollers on the bore", &study::SeatResult::load);
   add("bearing_tilt_x", "rad", "tilt of the bore against the pin, outward",
       [](const study::SeatResult& seat) { return seat.tilt.x(); });
   add("bearing_tilt_y", "rad", "the same, in the sense of rotation",
       [](const study::SeatResult& seat) { return seat.tilt.y(); });
-  add("bearing_life", "h", "fatigue life of one bearing",
-      [](const study::SeatResult& seat) { return seat.life_hours; });
+  add("bearing_life", "h", "fatigue life of one bearing", &study::SeatResult::life_hours);
 }
 
 // Where planets carry unlike loads, or were computed one by one.
 void add_planets(PointContent& content, const std::vector<study::PlanetResult>& planets) {
-  content.dimensions.push_back({"planet", planets.size()});
-  const auto add = [&](const char* name, const char* units, const char* meaning,
-                       double study::PlanetResult::*member) {
-    NamedArray array{name, {"planet"}, units, meaning, {}};
-    for (const study::PlanetResult& planet : planets) array.values.push_back(planet.*member);
-    content.arrays.push_back(std::move(array));
-  };
-  add("planet_load_share", "1", "tangential load of a planet, mean over time, over the mean of all planets",
-      &study::PlanetResult::load_share);
-  add("planet_bearing_load", "N",
-      "load of the rollers on the bore of one bearing of a planet, mean over time",
-      &study::PlanetResult::load);
-  add("planet_life", "h", "fatigue life of one bearing of a planet", &study::PlanetResult::life_hours);
+  content.add_dimension("planet", planets.size());
+  content.add_each("planet_load_share", {"planet"}, "1",
+                   "tangential load of a planet, mean over time, over the mean of all planets", planets,
+                   &study::PlanetResult::load_share);
+  content.add_each("planet_bearing_load", {"planet"}, "N",
+                   "load of the rollers on the bore of one bearing of a planet, mean over time", planets,
+                   &study::PlanetResult::load);
+  content.add_each("planet_life", {"planet"}, "h", "fatigue life of one bearing of a planet", planets,
+                   &study::PlanetResult::life_hours);
 }
 
 // Of a bearing cut into laminae, whose places are those of the distribution.
 void add_laminae(PointContent& content, const study::LaminaRecord& record) {
-  content.dimensions.push_back({"lamina", record.lamina_place.size()});
-  content.arrays.push_back({"lamina_place",
-                            {"lamina"},
-                            "m",
-                            "middle of a lamina, from the middle of the roller",
-                            record.lamina_place});
-  content.arrays.push_back({"inner_lamina_load",
-                            {"place", "lamina"},
-                            "N",
-                            "load of a lamina of a roller on the inner race",
-                            record.inner_load});
-  content.arrays.push_back({"outer_lamina_load",
-                            {"place", "lamina"},
-                            "N",
-                            "load of a lamina of a roller on the outer race",
-                            record.outer_load});
-  content.arrays.push_back({"roller_tilt",
-                            {"place"},
-                            "rad",
-                            "tilt of a roller, outward at positive lamina places",
-                            record.roller_tilt});
+  content.add_dimension("lamina", record.lamina_place.size());
+  content.add("lamina_place", {"lamina"}, "m", "middle of a lamina, from the middle of the roller",
+              record.lamina_place);
+  content.add("inner_lamina_load", {"place", "lamina"}, "N", "load of a lamina of a roller on the inner race",
+              record.inner_load);
+  content.add("outer_lamina_load", {"place", "lamina"}, "N", "load of a lamina of a roller on the outer race",
+              record.outer_load);
+  content.add("roller_tilt", {"place"}, "rad", "tilt of a roller, outward at positive lamina places",
+              record.roller_tilt);
   const auto add_vector = [&](const std::string& name, const char* units, const std::string& meaning,
                               const Eigen::Vector2d& value) {
-    content.arrays.push_back({name + "_x", {}, units, meaning + ", outward", {value.x()}});
-    content.arrays.push_back({name + "_y", {}, units, meaning + ", in the sense of rotation", {value.y()}});
+    content.add(name + "_x", units, meaning + ", outward", value.x());
+    content.add(name + "_y", units, meaning + ", in the sense of rotation", value.y());
   };
   add_vector("bore_tilt", "rad", "inclination of the bore's axis against the pin's", record.bore_tilt);
   add_vector("bore_moment", "N.m", "moment of the rollers on the bore along its tilt", record.moment);
@@ -202,11 +169,8 @@ PointContent point_content(const ManifestHeader& header, std::size_t point,
   add_scalars(content, leading_columns(), result);
   add_scalars(content, trailing_columns(), result);
   for (std::size_t i = 0; i < header.axes.size(); ++i)
-    content.arrays.push_back({variable_name(header.axes[i].column),
-                              {},
-                              header.axes[i].units,
-                              header.axes[i].meaning,
-                              {axis_values[i]}});
+    content.add(variable_name(header.axes[i].column), header.axes[i].units, header.axes[i].meaning,
+                axis_values[i]);
   add_sets(content, header.sets, result);
   if (result.status == "ok" && !result.distribution.angle.empty())
     add_distribution(content, result.distribution);
@@ -226,13 +190,10 @@ void add_place_in_sweep(bool refined, const std::optional<Resonance>& resonance,
   if (!resonance) return;
   content.attributes.emplace_back("resonance_kind", resonance->kind);
   content.attributes.emplace_back("resonance_mode", resonance->mode);
-  const auto add = [&](const char* name, const char* units, const char* meaning, double value) {
-    content.arrays.push_back({name, {}, units, meaning, {value}});
-  };
-  add("resonance_frequency", "Hz", "natural frequency of the gear set at the nearest resonance",
-      resonance->frequency);
-  add("resonance_harmonic", "1", "harmonic of the mesh frequency that meets it", resonance->harmonic);
-  add("resonance_speed", "rad s-1", "input speed at which it does", resonance->speed);
+  content.add("resonance_frequency", "Hz", "natural frequency of the gear set at the nearest resonance",
+              resonance->frequency);
+  content.add("resonance_harmonic", "1", "harmonic of the mesh frequency that meets it", resonance->harmonic);
+  content.add("resonance_speed", "rad s-1", "input speed at which it does", resonance->speed);
 }
 
 std::string netcdf_bytes(const PointContent& content) {

@@ -6,16 +6,6 @@ namespace orbearing::app {
 
 namespace {
 
-// Eigen keeps columns together; the file wants the last dimension, time, to run fastest.
-template <class Matrix>
-std::vector<double> row_by_row(const Matrix& matrix) {
-  std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(matrix.size()));
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) values.push_back(matrix(i, j));
-  return values;
-}
-
 struct RollerSeries {
   const char* name;
   const char* units;
@@ -41,36 +31,30 @@ void add_rollers(const system::BearingSeries& series, PointContent& content) {
           : RollerSeries{"roller_neighbour_load", "N", "load on the roller ahead", series.neighbour_load},
       {"roller_spin", "rad s-1", "spin relative to the carrier", series.spin}};
   for (const RollerSeries& one : all)
-    content.arrays.push_back({one.name, {"roller", "time"}, one.units, one.meaning, row_by_row(one.values)});
+    content.add(one.name, {"roller", "time"}, one.units, one.meaning, one.values);
 }
 
 }  // namespace
 
 void add_series(const system::BearingSeries& series, PointContent& content) {
   if (series.time.size() == 0) return;
-  content.dimensions.push_back({"time", static_cast<std::size_t>(series.time.size())});
-  content.dimensions.push_back({"roller", static_cast<std::size_t>(series.inner_load.rows())});
-  content.dimensions.push_back({"direction", 2});
-  const auto along_time = [&](const char* name, const char* units, const char* meaning,
-                              const Eigen::ArrayXd& values) {
-    content.arrays.push_back({name, {"time"}, units, meaning, {values.begin(), values.end()}});
-  };
-  along_time("time", "s", "time since the start of the run", series.time);
+  content.add_dimension("time", series.time.size());
+  content.add_dimension("roller", series.inner_load.rows());
+  content.add_dimension("direction", 2);
+  content.add("time", {"time"}, "s", "time since the start of the run", series.time);
   add_rollers(series, content);
   if (series.caged) {
-    content.arrays.push_back({"cage_position",
-                              {"direction", "time"},
-                              "m",
-                              "cage centre, x outward and y in the sense of rotation",
-                              row_by_row(series.cage_position)});
-    along_time("cage_angle", "rad", "rotation of the cage in the carrier frame, grows without bound",
-               series.orbit_angle);
-    along_time("cage_speed", "rad s-1", "speed of the cage relative to the carrier", series.orbit_speed);
+    content.add("cage_position", {"direction", "time"}, "m",
+                "cage centre, x outward and y in the sense of rotation", series.cage_position);
+    content.add("cage_angle", {"time"}, "rad",
+                "rotation of the cage in the carrier frame, grows without bound", series.orbit_angle);
+    content.add("cage_speed", {"time"}, "rad s-1", "speed of the cage relative to the carrier",
+                series.orbit_speed);
   } else {
-    along_time("orbit_speed", "rad s-1", "mean orbital speed of the rollers relative to the carrier",
-               series.orbit_speed);
+    content.add("orbit_speed", {"time"}, "rad s-1",
+                "mean orbital speed of the rollers relative to the carrier", series.orbit_speed);
   }
-  along_time("power_loss_over_time", "W", "power lost in all", series.power_loss);
+  content.add("power_loss_over_time", {"time"}, "W", "power lost in all", series.power_loss);
 }
 
 void add_final_state(const Eigen::VectorXd& state, const bearing::motion::StateLayout& layout,
@@ -79,13 +63,10 @@ void add_final_state(const Eigen::VectorXd& state, const bearing::motion::StateL
   std::string names;
   for (const std::string& name : bearing::motion::variable_names(layout))
     names += (names.empty() ? "" : ", ") + name;
-  content.dimensions.push_back({"state", static_cast<std::size_t>(state.size())});
-  content.arrays.push_back(
-      {final_state_name,
-       {"state"},
-       "1",
-       "state at the end of the run, from which a neighbouring point may go on, in SI: " + names,
-       {state.begin(), state.end()}});
+  content.add_dimension("state", state.size());
+  content.add(final_state_name, {"state"}, "1",
+              "state at the end of the run, from which a neighbouring point may go on, in SI: " + names,
+              state);
 }
 
 }  // namespace orbearing::app

@@ -220,12 +220,11 @@ nlohmann::ordered_json speeds_json(const SpeedTable& table) {
 }
 
 void add_speeds(const SpeedTable& table, PointContent& content) {
-  content.dimensions.push_back({"speed", table.rows.size()});
+  content.add_dimension("speed", table.rows.size());
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const SpeedTable::Column& column = table.columns[i];
-    NamedArray array{"over_speed_" + column.name, {"speed"}, column.units, column.meaning, {}};
-    for (const std::vector<double>& values : table.rows) array.values.push_back(values[i]);
-    content.arrays.push_back(std::move(array));
+    content.add_each("over_speed_" + column.name, {"speed"}, column.units, column.meaning, table.rows,
+                     [&](const std::vector<double>& values) { return values[i]; });
   }
 }
 

@@ -47,25 +47,15 @@ Json heat_by_cause(const BallPowerLoss& loss) {
   return heat;
 }
 
-NamedArray over_time(std::string name, std::string units, std::string meaning, std::vector<double> values) {
-  return {std::move(name), {"time"}, std::move(units), std::move(meaning), std::move(values)};
-}
-NamedArray one_number(std::string name, std::string units, std::string meaning, double value) {
-  return {std::move(name),
-          {},
-          std::move(units),
-          std::move(meaning),
-          {std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN()}};
-}
-
 std::vector<std::string> warnings_of_balls(const BallStudy& study, const bearing::balls::BallDuty& duty,
-                                     const system::BallRunOptions& options) {
+                                           const system::BallRunOptions& options) {
   std::vector<std::string> warnings;
   const double observed_from = options.duration * (1.0 - options.observed);
   if (duty.inner.duration() > observed_from)
-    warnings.push_back(fmt::format("the means are taken while the shaft still speeds up, until {:.4g} s; observed from "
-                                   "{:.4g} s on",
-                                   duty.inner.duration(), observed_from));
+    warnings.push_back(
+        fmt::format("the means are taken while the shaft still speeds up, until {:.4g} s; observed from "
+                    "{:.4g} s on",
+                    duty.inner.duration(), observed_from));
   if (!study.run.slip_settling)
     warnings.push_back("the slip of the cage does not settle within simulation.duration");
   return warnings;
@@ -88,9 +78,10 @@ BallStudy ball_study(const ResolvedCase& in, const std::function<void(double)>& 
   const auto reached = [&](double time) {
     if (progress) progress(time / options.duration);
   };
-  study.run = heat.on ? system::run_heated_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options, heat,
-                                                 study.warming, reached)
-                      : system::run_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options, reached);
+  study.run = heat.on
+                  ? system::run_heated_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options,
+                                             heat, study.warming, reached)
+                  : system::run_balls(bearing, ball_motion_of(in), duty, ratings.contacts, options, reached);
   if (!study.run.completed)
     throw ComputationFailed(fmt::format("{}: {}", in.text("name"), study.run.message));
   const double inner = duty.inner.speed_at(options.duration), outer = duty.outer.speed_at(options.duration);
@@ -149,8 +140,8 @@ Json ball_json(const BallStudy& study) {
 
 std::string ball_text(const BallStudy& study) {
   const system::BallMeans& m = study.run.means;
-  std::string text = fmt::format("life {:.5g} h ({:.5g} Mrev), {:.5g} h where balls may fail too\n", study.life_hours,
-                                 kPerMillion * m.life.bearing, study.life_with_balls_hours);
+  std::string text = fmt::format("life {:.5g} h ({:.5g} Mrev), {:.5g} h where balls may fail too\n",
+                                 study.life_hours, kPerMillion * m.life.bearing, study.life_with_balls_hours);
   text += fmt::format("cage: slip {:.3g} %, ", 100.0 * m.cage_slip);
   text += study.run.slip_settling ? fmt::format("settled after {:.3g} s, ", *study.run.slip_settling)
                                   : "not settled, ";
@@ -158,10 +149,12 @@ std::string ball_text(const BallStudy& study) {
   text += fmt::format("friction torque {:.4g} N mm\n\n", 1e3 * m.inner_torque);
   text += fmt::format("{:<8} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "race", "rms load [N]", "largest [N]",
                       "angle [deg]", "film [um]", "life [Mrev]");
-  text += fmt::format("{:<8} {:>12.5g} {:>12.5g} {:>12.4g} {:>12.3g} {:>12.5g}\n", "inner", m.inner_load_rms,
-                      m.inner_load_max, kDegree * m.inner_angle, 1e6 * m.inner_film, kPerMillion * m.life.inner);
-  text += fmt::format("{:<8} {:>12.5g} {:>12.5g} {:>12.4g} {:>12.3g} {:>12.5g}\n\n", "outer", m.outer_load_rms,
-                      m.outer_load_max, kDegree * m.outer_angle, 1e6 * m.outer_film, kPerMillion * m.life.outer);
+  text +=
+      fmt::format("{:<8} {:>12.5g} {:>12.5g} {:>12.4g} {:>12.3g} {:>12.5g}\n", "inner", m.inner_load_rms,
+                  m.inner_load_max, kDegree * m.inner_angle, 1e6 * m.inner_film, kPerMillion * m.life.inner);
+  text +=
+      fmt::format("{:<8} {:>12.5g} {:>12.5g} {:>12.4g} {:>12.3g} {:>12.5g}\n\n", "outer", m.outer_load_rms,
+                  m.outer_load_max, kDegree * m.outer_angle, 1e6 * m.outer_film, kPerMillion * m.life.outer);
   text += fmt::format("{:<20} {:>12}\n", "heat", "[W]");
   for (const CauseOfHeat& cause : causes_of_heat)
     text += fmt::format("{:<20} {:>12.4g}  {}\n", cause.name, m.loss.*cause.power, cause.meaning);
@@ -177,48 +170,49 @@ std::string ball_text(const BallStudy& study) {
 PointContent ball_content(const BallStudy& study) {
   const system::BallSeries& s = study.run.series;
   const system::BallMeans& m = study.run.means;
-  PointContent content{.dimensions = {{"time", s.time.size()}}, .arrays = {}, .attributes = {}};
-  content.arrays = {
-      over_time("time", "s", "from the start of the run", s.time),
-      over_time("cage_slip", "1", "1 - speed of the cage over that of pure rolling", s.cage_slip),
-      over_time("cage_speed", "rad s-1", "about its axis", s.cage_speed),
-      over_time("inner_speed", "rad s-1", "of the inner ring", s.inner_speed),
-      over_time("cage_x", "m", "place of the cage's centre along the radial load", s.cage_x),
-      over_time("cage_y", "m", "place of the cage's centre across the radial load", s.cage_y),
-      over_time("pocket_load", "N", "largest load of a ball on the cage since the sample before", s.pocket_load),
-      over_time("friction_torque", "N m", "that the drive of the inner ring gives", s.torque),
-      over_time("inner_x", "m", "place of the inner ring along the radial load", s.inner_x),
-      over_time("inner_y", "m", "place of the inner ring across the radial load", s.inner_y),
-      over_time("inner_z", "m", "place of the inner ring along the axis", s.inner_z),
-      over_time("first_ball_angle", "rad", "of the first ball from the radial load", s.first_angle),
-      over_time("first_ball_inner_load", "N", "of the first ball on the inner race", s.first_inner),
-      over_time("first_ball_outer_load", "N", "of the first ball on the outer race", s.first_outer)};
-  for (const CauseOfHeat& cause : causes_of_heat) {
-    std::vector<double> power;
-    for (const BallPowerLoss& loss : s.loss) power.push_back(loss.*cause.power);
-    content.arrays.push_back(over_time(std::string("heat_") + cause.name, "W", cause.meaning, std::move(power)));
-  }
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  PointContent content;
+  content.add_dimension("time", s.time.size());
+  const auto over_time = [&](const char* name, const char* units, const char* meaning,
+                             const std::vector<double>& values) {
+    content.add(name, {"time"}, units, meaning, values);
+  };
+  over_time("time", "s", "from the start of the run", s.time);
+  over_time("cage_slip", "1", "1 - speed of the cage over that of pure rolling", s.cage_slip);
+  over_time("cage_speed", "rad s-1", "about its axis", s.cage_speed);
+  over_time("inner_speed", "rad s-1", "of the inner ring", s.inner_speed);
+  over_time("cage_x", "m", "place of the cage's centre along the radial load", s.cage_x);
+  over_time("cage_y", "m", "place of the cage's centre across the radial load", s.cage_y);
+  over_time("pocket_load", "N", "largest load of a ball on the cage since the sample before", s.pocket_load);
+  over_time("friction_torque", "N m", "that the drive of the inner ring gives", s.torque);
+  over_time("inner_x", "m", "place of the inner ring along the radial load", s.inner_x);
+  over_time("inner_y", "m", "place of the inner ring across the radial load", s.inner_y);
+  over_time("inner_z", "m", "place of the inner ring along the axis", s.inner_z);
+  over_time("first_ball_angle", "rad", "of the first ball from the radial load", s.first_angle);
+  over_time("first_ball_inner_load", "N", "of the first ball on the inner race", s.first_inner);
+  over_time("first_ball_outer_load", "N", "of the first ball on the outer race", s.first_outer);
+  for (const CauseOfHeat& cause : causes_of_heat)
+    content.add_each(std::string("heat_") + cause.name, {"time"}, "W", cause.meaning, s.loss, cause.power);
   if (!study.warming.empty()) {
-    content.dimensions.push_back({"warming", study.warming.size()});
-    std::vector<double> time;
-    for (const system::WarmState& state : study.warming) time.push_back(state.time);
-    content.arrays.push_back({"warming_time", {"warming"}, "s", "since the cold start", std::move(time)});
-    for (int i = 0; i < system::kWarmBodies; ++i) {
-      std::vector<double> temperature;
-      for (const system::WarmState& state : study.warming) temperature.push_back(state.temperature[i]);
-      content.arrays.push_back({std::string("temperature_") + system::kWarmBodyNames[i], {"warming"}, "degC",
-                                "on the way to the steady state", std::move(temperature)});
-    }
+    content.add_dimension("warming", study.warming.size());
+    content.add_each("warming_time", {"warming"}, "s", "since the cold start", study.warming,
+                     &system::WarmState::time);
+    for (int i = 0; i < system::kWarmBodies; ++i)
+      content.add_each(std::string("temperature_") + system::kWarmBodyNames[i], {"warming"}, "degC",
+                       "on the way to the steady state", study.warming,
+                       [&](const system::WarmState& state) { return state.temperature[i]; });
   }
-  for (const NamedArray& one :
-       {one_number("life", "h", "of the bearing by Lundberg and Palmgren, from true passages", study.life_hours),
-        one_number("life_with_balls", "h", "of the bearing where its balls may fail too", study.life_with_balls_hours),
-        one_number("mean_cage_slip", "1", "over the observed time", m.cage_slip),
-        one_number("mean_heat", "W", "over the observed time", m.loss.total()),
-        one_number("slip_settling", "s", "time after which the slip stays near its final value",
-               study.run.slip_settling.value_or(std::numeric_limits<double>::quiet_NaN())),
-        one_number("cage_impact_max", "N", "largest load of a ball on the cage", study.run.pocket_load_max)})
-    content.arrays.push_back(one);
+  const auto one_number = [&](const char* name, const char* units, const char* meaning, double value) {
+    content.add(name, units, meaning, std::isfinite(value) ? value : none);
+  };
+  one_number("life", "h", "of the bearing by Lundberg and Palmgren, from true passages", study.life_hours);
+  one_number("life_with_balls", "h", "of the bearing where its balls may fail too",
+             study.life_with_balls_hours);
+  one_number("mean_cage_slip", "1", "over the observed time", m.cage_slip);
+  one_number("mean_heat", "W", "over the observed time", m.loss.total());
+  one_number("slip_settling", "s", "time after which the slip stays near its final value",
+             study.run.slip_settling.value_or(none));
+  one_number("cage_impact_max", "N", "largest load of a ball on the cage", study.run.pocket_load_max);
   return content;
 }
 

@@ -44,53 +44,33 @@ std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks, b
   return text;
 }
 
-template <class Array>
-std::vector<double> values_of(const Array& array) {
-  return {array.begin(), array.end()};
-}
-
 Eigen::ArrayXd evenly_spaced(Eigen::Index count, double step) {
   return step * Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1));
 }
 
 void add_scalars(const DefectStudy& study, PointContent& content) {
-  for (NamedArray& one : std::vector<NamedArray>{
-           {single_value("sampling_rate", "s-1", "samples a second", study.vibration.rate)},
-           {single_value("shaft_frequency", "s-1", "of the shaft", study.passing.shaft)},
-           {single_value("cage_frequency", "s-1", "of the cage", study.passing.cage)},
-           {single_value("outer_pass_frequency", "s-1", "balls over the outer race",
-                         study.passing.outer_pass)},
-           {single_value("inner_pass_frequency", "s-1", "balls over the inner race",
-                         study.passing.inner_pass)},
-           {single_value("ball_pass_frequency", "s-1", "a place of a ball over either race",
-                         study.passing.element_pass)},
-           {single_value("natural_frequency", "s-1", "outer ring along the load",
-                         study.at_rest.natural_frequency)},
-           {single_value("band_low", "s-1", "lower end of the band of the envelope", study.band.band.low)},
-           {single_value("band_high", "s-1", "upper end of the band of the envelope", study.band.band.high)}})
-    content.arrays.push_back(std::move(one));
+  content.add("sampling_rate", "s-1", "samples a second", study.vibration.rate);
+  content.add("shaft_frequency", "s-1", "of the shaft", study.passing.shaft);
+  content.add("cage_frequency", "s-1", "of the cage", study.passing.cage);
+  content.add("outer_pass_frequency", "s-1", "balls over the outer race", study.passing.outer_pass);
+  content.add("inner_pass_frequency", "s-1", "balls over the inner race", study.passing.inner_pass);
+  content.add("ball_pass_frequency", "s-1", "a place of a ball over either race", study.passing.element_pass);
+  content.add("natural_frequency", "s-1", "outer ring along the load", study.at_rest.natural_frequency);
+  content.add("band_low", "s-1", "lower end of the band of the envelope", study.band.band.low);
+  content.add("band_high", "s-1", "upper end of the band of the envelope", study.band.band.high);
 }
 
 void add_spectra(const DefectStudy& study, PointContent& content) {
   const signals::Spectrum& spectrum = study.spectrum;
   const Eigen::Index lines = spectrum.amplitude.size();
-  content.dimensions.push_back({"line", static_cast<std::size_t>(lines)});
-  content.arrays.push_back(
-      {study.run_up ? "order" : "frequency",
-       {"line"},
-       study.run_up ? "1" : "s-1",
-       study.run_up ? "lines of both spectra, turns of the shaft" : "lines of both spectra",
-       values_of(evenly_spaced(lines, spectrum.resolution))});
-  content.arrays.push_back({"acceleration_spectrum",
-                            {"line"},
-                            "m s-2",
-                            "amplitude of the acceleration along the load, Hann window",
-                            values_of(spectrum.amplitude)});
-  content.arrays.push_back({"envelope_spectrum",
-                            {"line"},
-                            "m s-2",
-                            "amplitude of its envelope in the band, Hann window",
-                            values_of(study.envelope_spectrum.amplitude)});
+  content.add_dimension("line", lines);
+  content.add(study.run_up ? "order" : "frequency", {"line"}, study.run_up ? "1" : "s-1",
+              study.run_up ? "lines of both spectra, turns of the shaft" : "lines of both spectra",
+              evenly_spaced(lines, spectrum.resolution));
+  content.add("acceleration_spectrum", {"line"}, "m s-2",
+              "amplitude of the acceleration along the load, Hann window", spectrum.amplitude);
+  content.add("envelope_spectrum", {"line"}, "m s-2", "amplitude of its envelope in the band, Hann window",
+              study.envelope_spectrum.amplitude);
 }
 
 void append_number(std::uint32_t number, int bytes, std::string& text) {
@@ -169,26 +149,20 @@ std::string defect_text(const DefectStudy& study) {
 PointContent defect_content(const DefectStudy& study) {
   const study::RingVibration& vibration = study.vibration;
   const Eigen::Index samples = vibration.ball_load.size();
-  PointContent content{.dimensions = {{"time", static_cast<std::size_t>(samples)}, {"direction", 2}},
-                       .arrays = {},
-                       .attributes = {}};
+  PointContent content;
+  content.add_dimension("time", samples);
+  content.add_dimension("direction", 2);
   add_scalars(study, content);
   const auto along_time = [&](const char* name, const char* units, const char* meaning,
                               const Eigen::ArrayXd& values) {
-    content.arrays.push_back({name, {"time"}, units, meaning, values_of(values)});
-  };
-  const auto both = [&](const char* name, const char* units, const char* meaning,
-                        const Eigen::Array2Xd& values) {
-    NamedArray array{name, {"direction", "time"}, units, meaning, {}};
-    for (Eigen::Index direction = 0; direction < 2; ++direction)
-      for (Eigen::Index k = 0; k < samples; ++k) array.values.push_back(values(direction, k));
-    content.arrays.push_back(std::move(array));
+    content.add(name, {"time"}, units, meaning, values);
   };
   along_time("time", "s", "time since the signal began", evenly_spaced(samples, 1.0 / vibration.rate));
   if (study.run_up) along_time("shaft_angle", "rad", "since the motion began", vibration.shaft_angle);
-  both("acceleration", "m s-2", "outer ring, along the load and across it", vibration.acceleration);
-  both("displacement", "m", "outer ring from the concentric place, along the load and across it",
-       vibration.place);
+  content.add("acceleration", {"direction", "time"}, "m s-2", "outer ring, along the load and across it",
+              vibration.acceleration);
+  content.add("displacement", {"direction", "time"}, "m",
+              "outer ring from the concentric place, along the load and across it", vibration.place);
   along_time("ball_deflection", "m", "approach of both races at the first ball, negative where it is free",
              vibration.ball_approach);
   along_time("ball_load", "N", "load of the first ball with damping", vibration.ball_load);

@@ -118,25 +118,13 @@ std::string identification_text(const Identification& found) {
 }
 
 void add_modes(const PairColumn& column, PointContent& content) {
-  NamedArray frequency{
-      "natural_frequency", {"mode"}, "s-1", "tilt_x, tilt_y, axial_z, radial_x, radial_y", {}};
-  NamedArray shape{"mode_shape",
-                   {"mode", "freedom"},
-                   "1",
+  content.add_each("natural_frequency", {"mode"}, "s-1", "tilt_x, tilt_y, axial_z, radial_x, radial_y",
+                   column.modes, &duplex::PairMode::frequency);
+  content.add_each("mode_shape", {"mode", "freedom"}, "1",
                    "x, y, z [m], tilts in the planes of x and z, y and z [rad], of modal mass 1 kg",
-                   {}};
-  for (const duplex::PairMode& mode : column.modes) {
-    frequency.values.push_back(mode.frequency);
-    shape.values.insert(shape.values.end(), mode.shape.begin(), mode.shape.end());
-  }
-  NamedArray stiffness{"stiffness",
-                       {"freedom", "freedom_beside"},
-                       "1",
-                       "of the shaft about its mass centre [N/m], [N/rad], [N m/m], [N m/rad]",
-                       {}};
-  for (const auto& row : column.stiffness.rowwise())
-    stiffness.values.insert(stiffness.values.end(), row.begin(), row.end());
-  for (NamedArray* array : {&frequency, &shape, &stiffness}) content.arrays.push_back(std::move(*array));
+                   column.modes, &duplex::PairMode::shape);
+  content.add("stiffness", {"freedom", "freedom_beside"}, "1",
+              "of the shaft about its mass centre [N/m], [N/rad], [N m/m], [N m/rad]", column.stiffness);
 }
 
 std::string status_of(const PairAtSpeed& point) {
@@ -165,63 +153,52 @@ std::vector<std::pair<std::string, double>> values_at(const PairAtSpeed& point) 
 }
 
 void add_speeds_of_pair(const std::vector<PairAtSpeed>& points, PointContent& content) {
-  content.dimensions.push_back({"speed", points.size()});
-  NamedArray speed{"over_speed_speed", {"speed"}, "rad s-1", "of the shaft", {}};
-  NamedArray frequency{"over_speed_natural_frequency",
-                       {"speed", "mode"},
-                       "s-1",
-                       "order of natural_frequency; none: no balance",
-                       {}};
-  for (const PairAtSpeed& point : points) {
-    speed.values.push_back(point.speed);
-    for (std::size_t i = 0; i < duplex::mode_kinds.size(); ++i)
-      frequency.values.push_back(point.modes ? (*point.modes)[i].frequency
-                                             : std::numeric_limits<double>::quiet_NaN());
-  }
-  content.arrays.push_back(std::move(speed));
-  content.arrays.push_back(std::move(frequency));
+  content.add_dimension("speed", points.size());
+  content.add_each("over_speed_speed", {"speed"}, "rad s-1", "of the shaft", points, &PairAtSpeed::speed);
+  content.add_each("over_speed_natural_frequency", {"speed", "mode"}, "s-1",
+                   "order of natural_frequency; none: no balance", points, [](const PairAtSpeed& point) {
+                     std::array<double, duplex::mode_kinds.size()> frequency;
+                     for (std::size_t i = 0; i < frequency.size(); ++i)
+                       frequency[i] = point.modes ? (*point.modes)[i].frequency
+                                                  : std::numeric_limits<double>::quiet_NaN();
+                     return frequency;
+                   });
 }
 
 void add_response(const Response& response, PointContent& content) {
   const std::size_t lines = response.accelerance[0].size();
-  content.dimensions.push_back({"line", lines});
-  NamedArray frequency{"frequency", {"line"}, "s-1", "of the frequency response", {}};
-  for (std::size_t k = 1; k <= lines; ++k) frequency.values.push_back(static_cast<double>(k) * response.step);
-  content.arrays.push_back(std::move(frequency));
+  content.add_dimension("line", lines);
+  std::vector<double> frequency;
+  for (std::size_t k = 1; k <= lines; ++k) frequency.push_back(static_cast<double>(k) * response.step);
+  content.add("frequency", {"line"}, "s-1", "of the frequency response", frequency);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]);
-    NamedArray real{
-        "accelerance_" + axis + "_real", {"line"}, "kg-1", "acceleration over force along " + axis, {}};
-    NamedArray imaginary = real;
-    imaginary.name = "accelerance_" + axis + "_imaginary";
-    for (const std::complex<double>& value : response.accelerance[i]) {
-      real.values.push_back(value.real());
-      imaginary.values.push_back(value.imag());
-    }
-    content.arrays.push_back(std::move(real));
-    content.arrays.push_back(std::move(imaginary));
+    const auto add = [&](const char* part, double (*value)(const std::complex<double>&)) {
+      content.add_each("accelerance_" + axis + part, {"line"}, "kg-1",
+                       "acceleration over force along " + axis, response.accelerance[i], value);
+    };
+    add("_real", [](const std::complex<double>& value) { return value.real(); });
+    add("_imaginary", [](const std::complex<double>& value) { return value.imag(); });
   }
 }
 
 void add_predictions(const Identification& found, PointContent& content) {
-  content.dimensions.push_back({"pair", found.pairs.size()});
-  NamedArray angle{"measured_contact_angle", {"pair"}, "rad", "nominal", {}};
-  NamedArray preload{"measured_preload", {"pair"}, "N", "of each row", {}};
-  NamedArray from{"identified_from", {"pair"}, "1", "1 where the shaft was identified from the pair", {}};
-  NamedArray measured{"measured_frequency", {"pair", "mode"}, "s-1", "natural frequencies", {}};
-  NamedArray nonlinear{"nonlinear_frequency", {"pair", "mode"}, "s-1", "with the identified shaft", {}};
-  NamedArray linear{"linear_frequency", {"pair", "mode"}, "s-1", "with the shaft identified for it", {}};
-  for (const PredictedPair& pair : found.pairs) {
-    angle.values.push_back(pair.measured.contact_angle);
-    preload.values.push_back(pair.measured.preload);
-    from.values.push_back(pair.identified_from ? 1.0 : 0.0);
-    measured.values.insert(measured.values.end(), pair.measured.frequency.begin(),
-                           pair.measured.frequency.end());
-    nonlinear.values.insert(nonlinear.values.end(), pair.nonlinear.begin(), pair.nonlinear.end());
-    linear.values.insert(linear.values.end(), pair.linear.begin(), pair.linear.end());
-  }
-  for (NamedArray* array : {&angle, &preload, &from, &measured, &nonlinear, &linear})
-    content.arrays.push_back(std::move(*array));
+  content.add_dimension("pair", found.pairs.size());
+  const auto add = [&](const char* name, std::vector<std::string> along, const char* units,
+                       const char* meaning, const auto& value) {
+    content.add_each(name, std::move(along), units, meaning, found.pairs, value);
+  };
+  add("measured_contact_angle", {"pair"}, "rad", "nominal",
+      [](const PredictedPair& pair) { return pair.measured.contact_angle; });
+  add("measured_preload", {"pair"}, "N", "of each row",
+      [](const PredictedPair& pair) { return pair.measured.preload; });
+  add("identified_from", {"pair"}, "1", "1 where the shaft was identified from the pair",
+      &PredictedPair::identified_from);
+  add("measured_frequency", {"pair", "mode"}, "s-1", "natural frequencies",
+      [](const PredictedPair& pair) { return pair.measured.frequency; });
+  add("nonlinear_frequency", {"pair", "mode"}, "s-1", "with the identified shaft", &PredictedPair::nonlinear);
+  add("linear_frequency", {"pair", "mode"}, "s-1", "with the shaft identified for it",
+      &PredictedPair::linear);
 }
 
 }  // namespace
@@ -325,34 +302,17 @@ std::string duplex_text(const DuplexStudy& study) {
 
 PointContent duplex_content(const DuplexStudy& study) {
   const bearing::equilibrium::RingState& state = study.point.state;
-  PointContent content{.dimensions = {{"mode", 5},
-                                      {"freedom", 5},
-                                      {"freedom_beside", 5},
-                                      {"ball", static_cast<std::size_t>(state.contact_load.size())}},
-                       .arrays = {},
-                       .attributes = {}};
-  content.arrays = {single_value("approach", "m", "of each row under preload", study.point.approach),
-                    {"contact_load",
-                     {"ball"},
-                     "N",
-                     "of the first row's balls, then of the second's",
-                     {state.contact_load.begin(), state.contact_load.end()}},
-                    {"contact_angle",
-                     {"ball"},
-                     "rad",
-                     "the same",
-                     {state.contact_angle.begin(), state.contact_angle.end()}}};
+  PointContent content;
+  for (const char* name : {"mode", "freedom", "freedom_beside"}) content.add_dimension(name, 5);
+  content.add_dimension("ball", state.contact_load.size());
+  content.add("approach", "m", "of each row under preload", study.point.approach);
+  content.add("contact_load", {"ball"}, "N", "of the first row's balls, then of the second's",
+              state.contact_load);
+  content.add("contact_angle", {"ball"}, "rad", "the same", state.contact_angle);
   if (state.outer_load.size() > 0) {
-    content.arrays.push_back({"outer_contact_load",
-                              {"ball"},
-                              "N",
-                              "on the outer races; contact_load is that on the inner ones",
-                              {state.outer_load.begin(), state.outer_load.end()}});
-    content.arrays.push_back({"outer_contact_angle",
-                              {"ball"},
-                              "rad",
-                              "the same",
-                              {state.outer_angle.begin(), state.outer_angle.end()}});
+    content.add("outer_contact_load", {"ball"}, "N",
+                "on the outer races; contact_load is that on the inner ones", state.outer_load);
+    content.add("outer_contact_angle", {"ball"}, "rad", "the same", state.outer_angle);
   }
   add_modes(study.point.asked(), content);
   if (!study.over_speed.empty()) add_speeds_of_pair(study.over_speed, content);

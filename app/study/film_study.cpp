@@ -82,10 +82,6 @@ constexpr std::array<MotionQuantity, 3> motion_quantities{
      {"rolling_speed_m_s", "rolling_speed", "m s-1", "mean of both surfaces", &film::ContactMotion::rolling},
      {"spin_rad_s", "spin", "rad s-1", "of one surface against the other", &film::ContactMotion::spin}}};
 
-NamedArray over_points(std::string name, std::string units, std::string meaning) {
-  return {std::move(name), {"point"}, std::move(units), std::move(meaning), {}};
-}
-
 FilmPoint solved(const film::EllipticalContact& contact, double length, const bearing::Lubricant& oil,
                  const film::ContactMotion& motion) {
   if (length > 0.0) {
@@ -180,16 +176,13 @@ std::string film_text(const FilmStudy& study) {
 }
 
 PointContent film_content(const FilmStudy& study) {
-  PointContent content{.dimensions = {{"point", study.points.size()}}, .arrays = {}, .attributes = {}};
-  for (const MotionQuantity& one : motion_quantities) {
-    content.arrays.push_back(over_points(one.variable, one.units, one.meaning));
-    for (const FilmPoint& point : study.points)
-      content.arrays.back().values.push_back(point.motion.*one.value);
-  }
-  for (const FilmQuantity& one : quantities_of(study.points.front())) {
-    content.arrays.push_back(over_points(one.name, one.units, one.meaning));
-    for (const FilmPoint& point : study.points) content.arrays.back().values.push_back(one.value(point));
-  }
+  PointContent content;
+  content.add_dimension("point", study.points.size());
+  for (const MotionQuantity& one : motion_quantities)
+    content.add_each(one.variable, {"point"}, one.units, one.meaning, study.points,
+                     [&](const FilmPoint& point) { return point.motion.*one.value; });
+  for (const FilmQuantity& one : quantities_of(study.points.front()))
+    content.add_each(one.name, {"point"}, one.units, one.meaning, study.points, one.value);
   return content;
 }
 

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <numeric>
 
 #include "app/study/gear_output.hpp"
 
@@ -33,47 +33,30 @@ constexpr NamedSignal kSignals[] = {
      "acceleration of the planet in the carrier's frame, in the sense of carrier rotation",
      &PlanetStatistics::tangential_acceleration, &study::GearSeries::tangential_acceleration}};
 
-std::vector<double> row_by_row(const Eigen::ArrayXXd& matrix) {
-  std::vector<double> values;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) values.push_back(matrix(i, j));
-  return values;
-}
-
 void add_statistics(const NamedSignal& signal, const GearRunResult& result, PointContent& content) {
   const auto add = [&](const std::string& ending, const std::string& what, double SignalStatistics::*value) {
-    NamedArray array{signal.name + ending, {"planet"}, signal.units, what + " of the " + signal.meaning, {}};
-    for (const PlanetStatistics& planet : result.planets)
-      array.values.push_back(planet.*signal.statistics.*value);
-    content.arrays.push_back(std::move(array));
+    content.add_each(signal.name + ending, {"planet"}, signal.units, what + " of the " + signal.meaning,
+                     result.planets,
+                     [&](const PlanetStatistics& planet) { return planet.*signal.statistics.*value; });
   };
   add("_mean", "mean", &SignalStatistics::mean);
   add("_rms", "root mean square", &SignalStatistics::rms);
   add("_min", "least value", &SignalStatistics::least);
   add("_max", "largest value", &SignalStatistics::largest);
-  NamedArray harmonics{std::string(signal.name) + "_harmonics",
-                       {"planet", "order"},
-                       signal.units,
-                       std::string("amplitude at orders of the mesh frequency of the ") + signal.meaning,
-                       {}};
-  for (const PlanetStatistics& planet : result.planets)
-    for (const double amplitude : (planet.*signal.statistics).amplitudes)
-      harmonics.values.push_back(amplitude);
-  content.arrays.push_back(std::move(harmonics));
+  content.add_each(std::string(signal.name) + "_harmonics", {"planet", "order"}, signal.units,
+                   std::string("amplitude at orders of the mesh frequency of the ") + signal.meaning,
+                   result.planets,
+                   [&](const PlanetStatistics& planet) { return (planet.*signal.statistics).amplitudes; });
 }
 
 void add_scalars(const GearRunResult& result, PointContent& content) {
-  content.arrays.push_back(
-      {"mesh_frequency", {}, "Hz", "teeth that come into contact per time", {result.mesh_frequency}});
-  content.arrays.push_back({"parted_share", {}, "1", "share of time with parted teeth", {result.separated}});
-  NamedArray share{
-      "load_share", {"planet"}, "1", "mean tangential bearing force over that of all planets", {}};
-  for (const PlanetStatistics& planet : result.planets) share.values.push_back(planet.load_share);
-  content.arrays.push_back(std::move(share));
-  NamedArray order{"order", {"order"}, "1", "order of the mesh frequency", {}};
-  for (std::size_t i = 1; i <= content.dimensions[1].size; ++i)
-    order.values.push_back(static_cast<double>(i));
-  content.arrays.push_back(std::move(order));
+  content.add("mesh_frequency", "Hz", "teeth that come into contact per time", result.mesh_frequency);
+  content.add("parted_share", "1", "share of time with parted teeth", result.separated);
+  content.add_each("load_share", {"planet"}, "1", "mean tangential bearing force over that of all planets",
+                   result.planets, &PlanetStatistics::load_share);
+  std::vector<double> orders(content.dimensions[1].size);
+  std::iota(orders.begin(), orders.end(), 1.0);
+  content.add("order", {"order"}, "1", "order of the mesh frequency", orders);
 }
 
 }  // namespace
@@ -84,18 +67,10 @@ PointContent gear_run_content(const GearRunResult& result) {
                         {"order", result.planets.front().sun_mesh_force.amplitudes.size()},
                         {"time", static_cast<std::size_t>(result.series.time.size())}};
   add_scalars(result, content);
-  content.arrays.push_back({"time",
-                            {"time"},
-                            "s",
-                            "time since the start of the run",
-                            {result.series.time.begin(), result.series.time.end()}});
+  content.add("time", {"time"}, "s", "time since the start of the run", result.series.time);
   for (const NamedSignal& signal : kSignals) {
     add_statistics(signal, result, content);
-    content.arrays.push_back({signal.name,
-                              {"planet", "time"},
-                              signal.units,
-                              signal.meaning,
-                              row_by_row(result.series.*signal.series)});
+    content.add(signal.name, {"planet", "time"}, signal.units, signal.meaning, result.series.*signal.series);
   }
   return content;
 }

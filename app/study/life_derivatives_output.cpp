@@ -98,19 +98,20 @@ std::string derivatives_csv(const LifeDerivatives& d) {
 }
 
 PointContent derivatives_content(const LifeDerivatives& d) {
-  NamedArray derivative{"derivative", {"input"}, "1", d.unit + " per customary unit of the input", {}};
-  NamedArray elasticity{"elasticity", {"input"}, "1", "d ln(life)/d ln(input)", {}};
   std::vector<std::string> paths;
-  for (const LifeDerivative& one : d.inputs) {
-    derivative.values.push_back(one.derivative);
-    elasticity.values.push_back(one.elasticity.value_or(std::numeric_limits<double>::quiet_NaN()));
-    paths.push_back(one.path + " [" + one.unit + "]");
-  }
-  derivative.meaning += fmt::format(", in the order {}", fmt::join(paths, ", "));
-  return {.dimensions = {{"input", d.inputs.size()}},
-          .arrays = {derivative, elasticity,
-                     single_value(d.quantity, d.unit == "h" ? "hour" : "1e6", "the life itself", d.life)},
-          .attributes = {}};
+  for (const LifeDerivative& one : d.inputs) paths.push_back(one.path + " [" + one.unit + "]");
+  PointContent content;
+  content.add_dimension("input", d.inputs.size());
+  content.add_each(
+      "derivative", {"input"}, "1",
+      fmt::format("{} per customary unit of the input, in the order {}", d.unit, fmt::join(paths, ", ")),
+      d.inputs, &LifeDerivative::derivative);
+  content.add_each("elasticity", {"input"}, "1", "d ln(life)/d ln(input)", d.inputs,
+                   [](const LifeDerivative& one) {
+                     return one.elasticity.value_or(std::numeric_limits<double>::quiet_NaN());
+                   });
+  content.add(d.quantity, d.unit == "h" ? "hour" : "1e6", "the life itself", d.life);
+  return content;
 }
 
 }  // namespace orbearing::app

@@ -2,25 +2,64 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <unsupported/Eigen/FFT>
+#include <vector>
 
 #include "app/case/defect_case.hpp"
+#include "app/case/described_case.hpp"
+#include "app/case/resolved_case.hpp"
 #include "app/errors.hpp"
 #include "app/results/json_number.hpp"
-#include "app/signals/residual.hpp"
 #include "app/study/defect_output.hpp"
-#include "app/study/planet_defect_case.hpp"
 #include "app/study/planetary_case.hpp"
+#include "coupling/study/planet_scratch.hpp"
 
 namespace orbearing::app {
 
 namespace {
 
+using bearing::defect::Scratch;
 using bearing::defect::Scratched;
 using boost::math::double_constants::two_pi;
+
+// Unit vector (outward, in the sense of carrier rotation) from the pin's axis to the middle of the load zone:
+// the rollers that carry the planet stand there.
+Eigen::Vector2d load_zone_of(const ResolvedCase& in) {
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
+  const Eigen::Vector2d load = bearing_duty(drivetrain, derive(drivetrain)).point.bore_load;
+  return -load.normalized();  // the bore is pushed one way and meets the rollers on the other side of the pin
+}
+
+// None where nothing is scratched. Angles of the case count from the middle of the load zone, those of the
+// result from outward; those of a roller stay.
+std::vector<system::ScratchedPlanet> scratched_planets_of(const ResolvedCase& in) {
+  const auto place = from_case<study::ScratchedPlace>(in);
+  Scratch first = from_case<Scratch>(in);
+  if (first.race == Scratched::none) return {};
+  const Eigen::Vector2d zone = load_zone_of(in);
+  const double middle = std::atan2(zone.y(), zone.x());
+  const auto turned = [&](Scratch scratch) {
+    if (of_element(scratch.race)) return scratch;
+    scratch.angle += middle;
+    for (double& angle : scratch.more_angles) angle += middle;
+    return scratch;
+  };
+  system::ScratchedPlanet planet{
+      .planet = place.planet - 1, .bearing = place.bearing - 1, .scratches = {turned(first)}};
+  if (place.also != Scratched::none) {
+    first.race = place.also;
+    first.angle = place.also_angle;
+    first.more_angles.clear();
+    planet.scratches.push_back(turned(first));
+  }
+  return {planet};
+}
 
 study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling, const study::PlanetVibration& out,
                                    int rollers) {
@@ -52,6 +91,26 @@ std::vector<NamedPeak> named(const signals::Spectrum& spectrum, double highest,
   return peaks;
 }
 
+// `signal` without its lines at `frequencies` [Hz] and the ones beside each. A signal of whole periods of all
+// of them loses these alone.
+Eigen::ArrayXd without_lines(const Eigen::ArrayXd& signal, double rate,
+                             const std::vector<double>& frequencies) {
+  Eigen::FFT<double> fft;
+  std::vector<double> samples(signal.begin(), signal.end());
+  std::vector<std::complex<double>> bins;
+  fft.fwd(bins, samples);
+  const auto size = static_cast<long>(bins.size());
+  const double resolution = rate / static_cast<double>(size);
+  for (const double frequency : frequencies) {
+    const long line = std::lround(frequency / resolution);
+    for (long k = line - 1; k <= line + 1; ++k)
+      if (k > 0 && k < size)
+        bins[static_cast<std::size_t>(k)] = bins[static_cast<std::size_t>(size - k)] = 0.0;
+  }
+  fft.inv(samples, bins);
+  return Eigen::Map<const Eigen::ArrayXd>(samples.data(), signal.size());
+}
+
 // The signal lasts whole turns of the carrier, in each of which whole teeth pass.
 Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStudy& study, bool housing) {
   std::vector<double> lines;
@@ -60,7 +119,7 @@ Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStu
     lines.push_back(k * at.mesh);
     if (housing) lines.insert(lines.end(), {k * at.mesh - at.carrier, k * at.mesh + at.carrier});
   }
-  return signals::without_lines(signal, study.vibration.rate, lines);
+  return without_lines(signal, study.vibration.rate, lines);
 }
 
 InstrumentView view_of(const ResolvedCase& in, const PlanetDefectStudy& study, Eigen::ArrayXd signal,
@@ -150,7 +209,7 @@ std::vector<signals::ExpectedLine> planet_lines(const std::vector<Scratched>& sc
 
 PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::function<void(double)>& progress) {
   const study::PlanetaryDrivetrain drivetrain = drivetrain_of(in);
-  const study::PlanetSampling sampling = planet_sampling_of(in);
+  const study::PlanetSampling sampling = from_case<study::PlanetSampling>(in);
   const std::vector<system::ScratchedPlanet> scratched = scratched_planets_of(in);
   PlanetDefectStudy study{.rolling = study::planet_frequencies(drivetrain),
                           .run_up = sampling.run_up_from < 1.0};
@@ -210,10 +269,6 @@ std::string peaks_text(const std::string& title, const std::vector<NamedPeak>& p
   for (const NamedPeak& peak : peaks)
     text += fmt::format("{:>14.4f} {:>18.4g}  {}\n", peak.frequency, peak.amplitude, peak.is);
   return text;
-}
-
-std::vector<double> numbers_of(const Eigen::ArrayXd& array) {
-  return {array.begin(), array.end()};
 }
 
 }  // namespace
@@ -280,23 +335,17 @@ std::string planet_defect_text(const PlanetDefectStudy& study) {
 
 PointContent planet_defect_content(const PlanetDefectStudy& study) {
   const study::PlanetVibration& motion = study.vibration;
-  const auto samples = static_cast<std::size_t>(motion.housing.size());
-  PointContent content{.dimensions = {{"time", samples}, {"direction", 2}}, .arrays = {}, .attributes = {}};
-  const auto along_time = [&](const char* name, const char* units, const char* meaning,
-                              const Eigen::ArrayXd& of) {
-    content.arrays.push_back({name, {"time"}, units, meaning, numbers_of(of)});
-  };
   const Eigen::Index count = motion.housing.size();
+  PointContent content;
+  content.add_dimension("time", count);
+  content.add_dimension("direction", 2);
+  const auto along_time = [&](const char* name, const char* units, const char* meaning,
+                              const Eigen::ArrayXd& of) { content.add(name, {"time"}, units, meaning, of); };
   along_time("time", "s", "time since the signal began",
              Eigen::ArrayXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / motion.rate));
-  NamedArray both{"acceleration",
-                  {"direction", "time"},
-                  "m s-2",
-                  "damaged planet relative to its pin, outward and in the sense of carrier rotation",
-                  {}};
-  for (Eigen::Index i = 0; i < 2; ++i)
-    for (Eigen::Index k = 0; k < count; ++k) both.values.push_back(motion.acceleration(i, k));
-  content.arrays.push_back(std::move(both));
+  content.add("acceleration", {"direction", "time"}, "m s-2",
+              "damaged planet relative to its pin, outward and in the sense of carrier rotation",
+              motion.acceleration);
   along_time("loaded_acceleration", "m s-2", "the same along the middle of the load zone",
              study.carrier.signal);
   along_time("housing_force", "N", "meshes of the ring as an instrument on the housing feels them",
@@ -304,21 +353,17 @@ PointContent planet_defect_content(const PlanetDefectStudy& study) {
   along_time("carrier_angle", "rad", "turned by the carrier", motion.carrier_angle);
   along_time("planet_angle", "rad", "turned by the damaged planet relative to the carrier",
              motion.planet_angle);
-  content.arrays.push_back(single_value("sampling_rate", "s-1", "samples a second", motion.rate));
+  content.add("sampling_rate", "s-1", "samples a second", motion.rate);
   const char* units = study.run_up ? "1" : "s-1";
   const auto spectra = [&](const std::string& of, const InstrumentView& view, const char* unit) {
     const std::string lines = of + "_line", envelope_lines = of + "_envelope_line";
     const auto add = [&](const std::string& dimension, const std::string& name,
                          const signals::Spectrum& spectrum, const char* meaning) {
       const Eigen::Index size = spectrum.amplitude.size();
-      content.dimensions.push_back({dimension, static_cast<std::size_t>(size)});
-      content.arrays.push_back(
-          {name + "_place",
-           {dimension},
-           units,
-           study.run_up ? "order of the carrier" : "frequency",
-           numbers_of(Eigen::ArrayXd::LinSpaced(size, 0.0, spectrum.frequency(size - 1)))});
-      content.arrays.push_back({name, {dimension}, unit, meaning, numbers_of(spectrum.amplitude)});
+      content.add_dimension(dimension, size);
+      content.add(name + "_place", {dimension}, units, study.run_up ? "order of the carrier" : "frequency",
+                  Eigen::ArrayXd::LinSpaced(size, 0.0, spectrum.frequency(size - 1)).eval());
+      content.add(name, {dimension}, unit, meaning, spectrum.amplitude);
     };
     add(lines, of + "_spectrum", view.spectrum, "amplitude, Hann window");
     add(envelope_lines, of + "_envelope_spectrum", view.envelope_spectrum,

@@ -1,27 +1,87 @@
 #include "app/study/report_data.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Core>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "app/results/json_number.hpp"
 #include "app/results/progress.hpp"
-#include "app/study/coupled_report.hpp"
 #include "app/study/effects.hpp"
 #include "app/study/fidelity.hpp"
 #include "app/study/gear_report.hpp"
 #include "app/study/life_peak.hpp"
+#include "app/study/named_change.hpp"
 #include "app/study/planetary_case.hpp"
 #include "app/study/speed_slice.hpp"
 #include "app/study/sweep_study.hpp"
 #include "app/study/sweep_warnings.hpp"
 #include "app/study/validation_table.hpp"
 #include "app/units.hpp"
+#include "coupling/study/drivetrain.hpp"
+#include "coupling/study/scheme_convergence.hpp"
 
 namespace orbearing::app {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string how(const cosim::CoupledOptions& exchange, const std::string& fidelity) {
+  if (fidelity_of(fidelity) == study::Fidelity::monolithic)
+    return "gears and all bearings as one system of equations";
+  const char* order = exchange.order == cosim::ExchangeOrder::jacobi ? "Jacobi" : "Gauss-Seidel";
+  return fmt::format("co-simulated, {} exchange of degree {} in windows of at most {:.3g} \u00b5s{}", order,
+                     exchange.extrapolation, kMicro * exchange.window,
+                     exchange.iteration.most_passes > 1
+                         ? fmt::format(", each repeated up to {} times", exchange.iteration.most_passes)
+                         : "");
+}
+
+Json one_way_curve(const ChangeResult& one_way, const std::vector<double>& speeds_rpm) {
+  Json curve{{"speed_rpm", speeds_rpm}, {"life_h", Json::array()}, {"outer_load_rms_N", Json::array()}};
+  for (const study::PointResult& point : one_way.points) {
+    curve["life_h"].push_back(number_or_null(life_of(point)));
+    curve["outer_load_rms_N"].push_back(point.status == "ok" ? number_or_null(point.outer.load_rms) : Json());
+  }
+  return curve;
+}
+
+Json convergence(const study::PlanetaryDrivetrain& drivetrain) {
+  const study::SchemeConvergence found =
+      study::scheme_convergence(drivetrain, study::derive(drivetrain), study::common_schemes());
+  Json object{{"path_ms", kMilli * found.path},
+              {"speed_rpm", kRpm * drivetrain.drive.speed},
+              {"rows", Json::array()},
+              {"orders", Json::array()}};
+  for (const study::SchemeError& error : found.errors)
+    object["rows"].push_back({{"scheme", error.scheme},
+                              {"window_us", kMicro * error.window},
+                              {"force_error", number_or_null(error.force_error)},
+                              {"energy_residual", number_or_null(error.energy_residual)}});
+  for (const study::SchemeOrder& order : found.orders)
+    object["orders"].push_back({{"scheme", order.scheme},
+                                {"expected", order.expected},
+                                {"measured", number_or_null(order.measured)},
+                                {"stability_limit_us", number_or_null(kMicro * order.stability_limit)}});
+  return object;
+}
+
+// Keys: `how` (the exchange in words), `one_way` (speeds and lives of the bearing that the gears drive
+// without feeling it, at the speeds of the sweep) and `convergence` (errors, orders and stability limits of
+// the schemes at the drivetrain's own speed).
+Json coupled_report(const study::PlanetaryDrivetrain& drivetrain, const std::vector<double>& speeds_rpm,
+                    const ChangeResult& one_way, const std::string& fidelity) {
+  return {{"how", how(drivetrain.exchange, fidelity)},
+          {"one_way", one_way_curve(one_way, speeds_rpm)},
+          // One system exchanges nothing.
+          {"convergence",
+           fidelity_of(fidelity) == study::Fidelity::monolithic ? Json(nullptr) : convergence(drivetrain)}};
+}
 
 using Json = nlohmann::ordered_json;
 constexpr int kFinePoints = 221;
@@ -236,7 +296,8 @@ Json published_points(const std::vector<ValidationRow>& rows) {
     if (row.reading.empty() && row.published.quantity == "peak_speed_rpm" && row.published.value)
       speed = *row.published.value;
   for (const ValidationRow& row : rows)
-    if (row.reading.empty() && row.published.quantity == "peak_life_h" && row.published.value && !speed.is_null())
+    if (row.reading.empty() && row.published.quantity == "peak_life_h" && row.published.value &&
+        !speed.is_null())
       list.push_back({{"source", row.published.source},
                       {"quantity", row.published.quantity},
                       {"speed_rpm", speed},

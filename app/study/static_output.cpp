@@ -124,38 +124,31 @@ std::string static_text(const StaticStudy& study) {
 }
 
 PointContent static_content(const StaticStudy& study) {
-  const auto elements = static_cast<std::size_t>(study.contact_load.size());
-  PointContent content{.dimensions = {{"element", elements}}, .arrays = {}, .attributes = {}};
-  content.arrays = {
-      single_value("radial_displacement", "m", "inner ring along the radial load", study.radial),
-      single_value("axial_displacement", "m", "inner ring along the axis", study.axial),
-      single_value("tilt", "rad", "inner ring in the plane of the load", study.tilt),
-      single_value("moment", "N m", "on the inner ring in the plane of the load", study.moment),
-      single_value("largest_pressure", "Pa", "after Hertz", study.largest_pressure),
-      single_value("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity),
-      single_value("basic_life", "1", "L10, revolutions", study.basic_life),
-      single_value("reference_life", "1", "L10r, revolutions", study.reference_life.bearing),
-      single_value("life", "1", "a_1 a_ISO L10r, revolutions", study.life),
-      {"contact_load",
-       {"element"},
-       "N",
-       "load of each rolling element, the first at bearing.first_element_angle from the load line",
-       {study.contact_load.begin(), study.contact_load.end()}}};
+  PointContent content;
+  content.add_dimension("element", study.contact_load.size());
+  content.add("radial_displacement", "m", "inner ring along the radial load", study.radial);
+  content.add("axial_displacement", "m", "inner ring along the axis", study.axial);
+  content.add("tilt", "rad", "inner ring in the plane of the load", study.tilt);
+  content.add("moment", "N m", "on the inner ring in the plane of the load", study.moment);
+  content.add("largest_pressure", "Pa", "after Hertz", study.largest_pressure);
+  content.add("dynamic_capacity", "N", "C_r", study.ratings.dynamic_capacity);
+  content.add("basic_life", "1", "L10, revolutions", study.basic_life);
+  content.add("reference_life", "1", "L10r, revolutions", study.reference_life.bearing);
+  content.add("life", "1", "a_1 a_ISO L10r, revolutions", study.life);
+  content.add("contact_load", {"element"}, "N",
+              "load of each rolling element, the first at bearing.first_element_angle from the load line",
+              study.contact_load);
   if (study.outer_load.size() > 0)
-    content.arrays.push_back({"outer_contact_load",
-                              {"element"},
-                              "N",
-                              "load of each ball on the outer race",
-                              {study.outer_load.begin(), study.outer_load.end()}});
+    content.add("outer_contact_load", {"element"}, "N", "load of each ball on the outer race",
+                study.outer_load);
   if (study.over_speed) add_speeds(*study.over_speed, content);
   for (NamedArray& array : content.arrays)
     for (double& value : array.values)
       if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   if (study.lamina_load.size() == 0) return content;
-  content.dimensions.push_back({"lamina", static_cast<std::size_t>(study.lamina_load.rows())});
-  NamedArray laminae{"lamina_load", {"element", "lamina"}, "N", "load of each lamina of each roller", {}};
-  laminae.values.assign(study.lamina_load.data(), study.lamina_load.data() + study.lamina_load.size());
-  content.arrays.push_back(std::move(laminae));
+  content.add_dimension("lamina", study.lamina_load.rows());
+  content.add("lamina_load", {"element", "lamina"}, "N", "load of each lamina of each roller",
+              study.lamina_load.transpose());
   return content;
 }
 

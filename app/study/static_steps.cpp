@@ -1,4 +1,4 @@
-#include "app/study/static_steps.hpp"
+#include "app/study/static_result.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

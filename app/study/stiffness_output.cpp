@@ -157,42 +157,33 @@ std::string stiffness_csv(const StiffnessStudy& study) {
 }
 
 PointContent stiffness_content(const StiffnessStudy& study) {
-  PointContent content{
-      .dimensions = {{"point", study.points.size()}, {"row", ring_axes.size()}, {"column", ring_axes.size()}},
-      .arrays = {},
-      .attributes = {}};
-  NamedArray speed{"speed", {"point"}, "rad s-1", "of the inner ring; of a drivetrain, of its input", {}};
-  NamedArray series{"series", {"point"}, "1", "points that belong to one table over speed", {}};
-  NamedArray stiffness{
-      "stiffness",
-      {"point", "row", "column"},
-      "1",
-      "rows and columns x, y, z, tilt about x, tilt about y: N/m, N/rad, N m/m, N m/rad; " + study.frame,
-      {}};
-  NamedArray displacement{
-      "displacement", {"point", "row"}, "1", "x, y, z [m], tilt about x, tilt about y [rad]", {}};
-  for (const StiffnessPoint& point : study.points) {
-    speed.values.push_back(point.speed);
-    series.values.push_back(static_cast<double>(point.series));
+  PointContent content;
+  content.dimensions = {
+      {"point", study.points.size()}, {"row", ring_axes.size()}, {"column", ring_axes.size()}};
+  std::vector<double> stiffness, displacement;
+  for (const StiffnessPoint& point : study.points)
     for (std::size_t row = 0; row < ring_axes.size(); ++row) {
-      displacement.values.push_back(displaced(point, row));
+      displacement.push_back(displaced(point, row));
       for (std::size_t column = 0; column < ring_axes.size(); ++column)
-        stiffness.values.push_back(entry(point, row, column));
+        stiffness.push_back(entry(point, row, column));
     }
-  }
-  content.arrays = {speed, series, stiffness, displacement};
+  content.add_each("speed", {"point"}, "rad s-1", "of the inner ring; of a drivetrain, of its input",
+                   study.points, &StiffnessPoint::speed);
+  content.add_each("series", {"point"}, "1", "points that belong to one table over speed", study.points,
+                   &StiffnessPoint::series);
+  content.add(
+      "stiffness", {"point", "row", "column"}, "1",
+      "rows and columns x, y, z, tilt about x, tilt about y: N/m, N/rad, N m/m, N m/rad; " + study.frame,
+      stiffness);
+  content.add("displacement", {"point", "row"}, "1", "x, y, z [m], tilt about x, tilt about y [rad]",
+              displacement);
   for (std::size_t i = 0; i < study.points.front().load.size(); ++i) {
     const std::string& name = study.points.front().load[i].first;  // "radial_N", "moment_N_m"
-    const std::size_t unit = name.find("_N");
-    NamedArray load{"load_" + name.substr(0, unit),
-                    {"point"},
-                    name.ends_with("_m") ? "N m" : "N",
-                    "on the ring that moves",
-                    {}};
-    for (const StiffnessPoint& point : study.points)
-      load.values.push_back(i < point.load.size() ? point.load[i].second
-                                                  : std::numeric_limits<double>::quiet_NaN());
-    content.arrays.push_back(std::move(load));
+    content.add_each("load_" + name.substr(0, name.find("_N")), {"point"}, name.ends_with("_m") ? "N m" : "N",
+                     "on the ring that moves", study.points, [&](const StiffnessPoint& point) {
+                       return i < point.load.size() ? point.load[i].second
+                                                    : std::numeric_limits<double>::quiet_NaN();
+                     });
   }
   return content;
 }

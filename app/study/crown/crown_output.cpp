@@ -239,15 +239,6 @@ std::string where_text(const CrownStudy& study) {
   return fmt::format("{}; life by laminae after {}; {}\n", where, name_of(study.request.measure), tilts);
 }
 
-NamedArray grid_array(const CrownStudy& study, const char* name, const char* units, const char* meaning,
-                      double (*value)(const CrownPoint&)) {
-  NamedArray array{name, {"profile", "drop", "tilt"}, units, meaning, {}};
-  for (const auto& points : study.points)
-    for (const CrownPoint& point : points)
-      array.values.push_back(point.status == "ok" ? value(point) : std::nan(""));
-  return array;
-}
-
 }  // namespace
 
 ordered_json crown_json(const CrownStudy& study) {
@@ -294,24 +285,29 @@ PointContent crown_content(const CrownStudy& study) {
   PointContent content;
   content.dimensions = {
       {"profile", request.profiles.size()}, {"drop", request.drops.size()}, {"tilt", request.tilts.size()}};
-  content.arrays = {
-      {"drop", {"drop"}, "m", "relief of one roller at the outermost of 40 laminae", request.drops},
-      {"tilt",
-       {"tilt"},
-       "rad",
-       request.computes_tilt() ? "beyond the tilt that is computed"
-                               : "tilt of the planet's bore on its pin in the plane of the load",
-       request.tilts},
-      grid_array(study, "largest_tilt", "rad", "largest tilt of a bore on its pin, computed or stated",
-                 [](const CrownPoint& p) { return p.largest_tilt; }),
-      grid_array(study, "life", "h", "life of one bearing", [](const CrownPoint& p) { return p.life_hours; }),
-      grid_array(study, "L10mh", "h", "life of one bearing by film and cleanliness",
-                 [](const CrownPoint& p) { return p.modified_life_hours; }),
-      grid_array(study, "peak_pressure", "Pa",
-                 "greatest pressure of the most loaded roller, mean over a hundredth of its length",
-                 [](const CrownPoint& p) { return p.pressure.peak; }),
-      grid_array(study, "edge_ratio", "1", "pressure near the ends over that in the middle",
-                 [](const CrownPoint& p) { return p.pressure.edge_ratio; })};
+  content.add("drop", {"drop"}, "m", "relief of one roller at the outermost of 40 laminae", request.drops);
+  content.add("tilt", {"tilt"}, "rad",
+              request.computes_tilt() ? "beyond the tilt that is computed"
+                                      : "tilt of the planet's bore on its pin in the plane of the load",
+              request.tilts);
+  const auto add = [&](const char* name, const char* units, const char* meaning,
+                       double (*value)(const CrownPoint&)) {
+    std::vector<double> values;
+    for (const auto& points : study.points)
+      for (const CrownPoint& point : points)
+        values.push_back(point.status == "ok" ? value(point) : std::nan(""));
+    content.add(name, {"profile", "drop", "tilt"}, units, meaning, values);
+  };
+  add("largest_tilt", "rad", "largest tilt of a bore on its pin, computed or stated",
+      [](const CrownPoint& p) { return p.largest_tilt; });
+  add("life", "h", "life of one bearing", [](const CrownPoint& p) { return p.life_hours; });
+  add("L10mh", "h", "life of one bearing by film and cleanliness",
+      [](const CrownPoint& p) { return p.modified_life_hours; });
+  add("peak_pressure", "Pa",
+      "greatest pressure of the most loaded roller, mean over a hundredth of its length",
+      [](const CrownPoint& p) { return p.pressure.peak; });
+  add("edge_ratio", "1", "pressure near the ends over that in the middle",
+      [](const CrownPoint& p) { return p.pressure.edge_ratio; });
   content.attributes = {{"profiles", fmt::format("{}", fmt::join(request.profiles, " "))},
                         {"life_measure", name_of(request.measure)}};
   return content;
