@@ -1,5 +1,6 @@
 #include "coupling/study/load_sharing.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -25,6 +26,7 @@ using bearing::vectorised::PitchResults;
 using boost::math::double_constants::two_pi;
 using Eigen::Matrix2d;
 using Eigen::Matrix2Xd;
+using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using gearset::dynamics::SetModel;
@@ -33,6 +35,7 @@ using gearset::dynamics::StaticSet;
 constexpr int kMostRounds = 100;
 constexpr int kNewtonRounds = 8;
 constexpr int kTangentRounds = 30;
+constexpr int kLinearRounds = 3;
 constexpr double kSameForce = 1e-9;          // [-]  of the largest force
 constexpr double kSameTangentForce = 1e-10;  // [-]  the same on tangents
 
@@ -203,7 +206,7 @@ class Mixing {
   }
 
   std::optional<Step> before_;
-  Eigen::MatrixXd changes_, results_;
+  MatrixXd changes_, results_;
   Eigen::Index kept_ = 0, oldest_ = 0;
 };
 
@@ -255,14 +258,25 @@ double largest_change(const Matrix2Xd& before, const Matrix2Xd& now) {
 }
 
 // Forces where gears balance on bearings that give way along their tangents at the forces `tried`: only a
-// start for the next round, and the same search without a bearing in it. Forces after kTangentRounds where
-// it does not end.
+// start for the next round, and the same search without a bearing in it. On flanks that stay in contact it is
+// linear, and one step of Newton's method ends it; where they change, mixing follows. Forces after
+// kTangentRounds where it does not end.
 Matrix2Xd balanced_on_tangents(StaticSet& set, double stiffness, const std::vector<Give>& gives,
                                const Matrix2Xd& tried, const Matrix2Xd& first) {
   Matrix2Xd at = tried, found = first, offset(2, tried.cols());
+  MatrixXd offset_by_force = MatrixXd::Zero(tried.size(), tried.size());
+  for (Eigen::Index i = 0; i < tried.cols(); ++i)
+    offset_by_force.block<2, 2>(2 * i, 2 * i) =
+        Matrix2d::Identity() / stiffness - gives[static_cast<std::size_t>(i)].compliance;
   Mixing mixing;
   for (int round = 0; round < kTangentRounds && largest_change(at, found) > kSameTangentForce; ++round) {
-    at.reshaped() = mixing.next(at.reshaped(), found.reshaped());
+    if (round < kLinearRounds) {
+      const MatrixXd follows =
+          MatrixXd::Identity(tried.size(), tried.size()) - set.forces_by_offset() * offset_by_force;
+      at.reshaped() += follows.partialPivLu().solve((found - at).reshaped());
+    } else {
+      at.reshaped() = mixing.next(at.reshaped(), found.reshaped());
+    }
     for (Eigen::Index i = 0; i < at.cols(); ++i) {
       const Give& give = gives[static_cast<std::size_t>(i)];
       offset.col(i) =

@@ -168,6 +168,15 @@ void StaticSet::rest(const Matrix2Xd& offset) {
     displaced.bearings[static_cast<std::size_t>(i)].pin_error += offset.col(i);
   Rest found = found_rest(displaced, centrifugal_);
   by_offset_ = solve(model_, stiffness_with(model_, found.contact) + centrifugal_, loads_of_pins(model_));
+  const VectorXd still = VectorXd::Zero(model_.layout.size());
+  const Matrix2Xd none = Matrix2Xd::Zero(2, offset.cols()), unmoved = bearing_forces(still, none);
+  forces_by_offset_.resize(by_offset_.cols(), by_offset_.cols());
+  for (Index i = 0; i < by_offset_.cols(); ++i) {
+    Matrix2Xd unit = none;
+    unit.reshaped()[i] = 1.0;
+    forces_by_offset_.col(i) =
+        (bearing_forces(at_rest(model_, by_offset_.col(i)), unit) - unmoved).reshaped();
+  }
   contact_ = std::move(found.contact);
   positions_ = std::move(found.positions);
   offset_ = offset;

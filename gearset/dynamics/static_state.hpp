@@ -26,6 +26,8 @@ class StaticSet {
   Eigen::VectorXd at(const Eigen::Matrix2Xd& offset);
   /// Force [N] of the bearings on each planet (2, planets) in such a state.
   Eigen::Matrix2Xd bearing_forces(const Eigen::VectorXd& state, const Eigen::Matrix2Xd& offset) const;
+  /// How they follow the pins [N/m] (2 planets, 2 planets), while the flanks in contact stay the same.
+  const Eigen::MatrixXd& forces_by_offset() const { return forces_by_offset_; }
 
  private:
   void rest(const Eigen::Matrix2Xd& offset);
@@ -35,7 +37,8 @@ class StaticSet {
   ContactState contact_;         // where it was last sought
   Eigen::VectorXd positions_;
   Eigen::Matrix2Xd offset_;
-  Eigen::MatrixXd by_offset_;  // [-]  (freedoms, 2 planets)
+  Eigen::MatrixXd by_offset_;         // [-]    (freedoms, 2 planets)
+  Eigen::MatrixXd forces_by_offset_;  // [N/m]
 };
 
 }  // namespace orbearing::gearset::dynamics

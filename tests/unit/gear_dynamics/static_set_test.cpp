@@ -53,5 +53,21 @@ TEST(StaticSet, SearchesAnewWherePinsPartTheFlanks) {
     for (int i = 0; i < 5; ++i) expect_search_anew(model, set, reach * random.vector(8).reshaped(2, 4));
 }
 
+// By differences of the forces, exact as long as flanks stay in contact.
+TEST(StaticSet, SlopeOfTheForcesIsThatOfDifferences) {
+  StaticSet set(set_model(reducer_dynamics(), reducer_operation(600.0)));
+  constexpr double kStep = 1e-6;  // [m]
+  const auto forces = [&](const Eigen::Matrix2Xd& offset) {
+    return Eigen::Matrix2Xd(set.bearing_forces(set.at(offset), offset));
+  };
+  const Eigen::Matrix2Xd none = Eigen::Matrix2Xd::Zero(2, 4);
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    Eigen::Matrix2Xd offset = none;
+    offset.reshaped()[i] = kStep;
+    const Eigen::VectorXd expected = ((forces(offset) - forces(none)) / kStep).reshaped();
+    EXPECT_LE((set.forces_by_offset().col(i) - expected).norm(), 1e-8 * expected.norm());
+  }
+}
+
 }  // namespace
 }  // namespace orbearing::gearset::dynamics::test
