@@ -149,32 +149,33 @@ std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::La
                                                                const OperatingPoint& point,
                                                                const PitchResults* near) {
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
-  const std::size_t unlike = drop_.size(),
+  const auto stride = static_cast<std::size_t>(rollers) * kBlock;  // from one unlike lamina to the next
+  const std::size_t of_one_race = drop_.size() * stride,
                     blocks = static_cast<std::size_t>((positions + kBlock - 1) / kBlock);
-  const std::size_t of_one_race = unlike * static_cast<std::size_t>(rollers) * kBlock;
-  std::vector<double> lamina_loads(2 * of_one_race * blocks);
+  lamina_loads_.resize(2 * of_one_race * blocks);
   PitchResults pitch;
-  solve(point, pitch, near, lamina_loads.data());
+  solve(point, pitch, near, lamina_loads_.data());
   laminae::LaminaResult result = laminae::empty_result(cut, point, options_);
-  const auto laminae = static_cast<double>(lamina_of_.size());
+  const double part = 1.0 / static_cast<double>(lamina_of_.size());
+  const auto put = [&](const double* loads, double load, auto column) {
+    column.setZero();
+    if (load == 0.0) return;
+    for (std::size_t k = 0; k < lamina_of_.size(); ++k)
+      column[static_cast<Eigen::Index>(k)] = part * loads[lamina_of_[k] * stride];
+  };
+  result.roller_tilt.setZero();
   for (int position = 0; position < positions; ++position) {
     keep_worst(pitch.reports[static_cast<std::size_t>(position)], result.report);
     result.displacement += pitch.displacement.col(position).matrix() / positions;
-    const double* block = lamina_loads.data() + static_cast<std::size_t>(position / kBlock) * 2 * of_one_race;
+    const double* block = lamina_loads_.data() +
+                          static_cast<std::size_t>(position / kBlock) * 2 * of_one_race + position % kBlock;
     for (int j = 0; j < rollers; ++j) {
       const Eigen::Index place = position + j * positions;
       result.inner_load[place] = pitch.inner_load(position, j);
       result.outer_load[place] = pitch.outer_load(position, j);
-      result.roller_tilt[place] = 0.0;
-      for (std::size_t k = 0; k < lamina_of_.size(); ++k) {
-        const double* at =
-            block +
-            (lamina_of_[k] * static_cast<std::size_t>(rollers) + static_cast<std::size_t>(j)) * kBlock +
-            position % kBlock;
-        const auto lamina = static_cast<Eigen::Index>(k);
-        result.inner_lamina_load(lamina, place) = at[0] / laminae;
-        result.outer_lamina_load(lamina, place) = at[of_one_race] / laminae;
-      }
+      const double* loads = block + j * kBlock;
+      put(loads, result.inner_load[place], result.inner_lamina_load.col(place));
+      put(loads + of_one_race, result.outer_load[place], result.outer_lamina_load.col(place));
     }
   }
   if (!result.report.converged) return std::nullopt;

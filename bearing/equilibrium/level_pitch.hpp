@@ -55,6 +55,7 @@ class LevelPitch {
   std::vector<double> drop_, share_;    // of EquilibriumConstants
   std::vector<std::size_t> lamina_of_;  // (laminae of a contact)  which of these it is
   std::vector<double> inner_, outer_;   // [N]  (rollers, kBlock)
+  std::vector<double> lamina_loads_;    // of EquilibriumOutput, block by block
   EquilibriumOutput output_{};
   std::unique_ptr<EquilibriumEngine> engine_;
 };
