@@ -43,7 +43,7 @@ Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& po
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(powers.rows());
   for (Eigen::Index place = 0; place < powers.cols(); ++place) {
     const auto at = powers.col(place);
-    if (!(at.maxCoeff() > 0.0)) continue;  // not touched there
+    if ((at == 0.0).all()) continue;  // not touched there
     if (motion == RaceMotion::turning)
       sum += at;
     else
