@@ -27,8 +27,9 @@ if importlib.util.find_spec("distributed") is None:
 
 from distributed import Client, LocalCluster  # noqa: E402
 
-from orbearing.studies.executors import Lost  # noqa: E402
+from orbearing.studies.executors import Lost, compute_portion  # noqa: E402
 from orbearing.studies.folder import DATASET, finished_counts  # noqa: E402
+from orbearing.studies.plan import Portion  # noqa: E402
 
 CASE = str(program.REDUCER)
 FULL = os.environ.get("ORBEARING_FULL") == "yes"
@@ -59,6 +60,20 @@ class Killer(threading.Thread):
             if living:
                 os.kill(self._chance.choice(living), self._chance.choice((signal.SIGKILL, signal.SIGTERM)))
                 self.killed += 1
+
+
+class Sampled:
+    """An engine whose results are whether the profiler of its worker is running meanwhile."""
+
+    def compute(self, ids, settings, values, jobs):
+        from distributed import get_worker
+
+        time.sleep(0.1)  # the event loop stops the profiler
+        return get_worker().periodic_callbacks["profile"].is_running()
+
+
+def profilers(dask_worker):
+    return dask_worker.periodic_callbacks["profile"].is_running()
 
 
 class OnWorkers(unittest.TestCase):
@@ -95,6 +110,13 @@ class OnWorkers(unittest.TestCase):
         self.assertGreater(killer.killed, 0)
         print(f"{killer.killed} workers killed, SEED={SEED}; first result after {first[0]:.1f} s, all after {first[-1]:.1f} s, {self.seconds:.1f} s by threads",
               file=sys.stderr)
+
+    def test_no_stack_is_sampled_while_the_core_computes(self):
+        portion = Portion(None, (), None)
+        with LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None) as cluster, Client(cluster) as client:
+            self.assertEqual(set(client.run(profilers).values()), {True})
+            self.assertEqual(client.gather([client.submit(compute_portion, Sampled(), portion, pure=False) for _ in range(4)]), [False] * 4)
+            self.assertEqual(set(client.run(profilers).values()), {True}, "it goes on after the last portion")
 
     def test_scheduler_killed(self):
         log = open(self.place / "scheduler.log", "w")

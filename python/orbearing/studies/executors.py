@@ -11,6 +11,7 @@ import concurrent.futures
 import os
 import queue
 import signal
+import threading
 import time
 import uuid
 from collections.abc import Callable
@@ -84,10 +85,45 @@ class WorkerStopped(RuntimeError):
     """A worker was asked to stop while it computed."""
 
 
+class Unsampled:
+    """Pauses the statistical profiler of this worker while portions are computed.
+
+    Dask looks at the Python stack of a worker's threads a hundred times a second. Of a portion it sees one line, the call of the core, and the looks
+    of four workers on two cores took 8 % of their time.
+    """
+
+    _lock = threading.Lock()
+    _running = 0  # portions on the threads of this worker
+
+    def __enter__(self) -> None:
+        with Unsampled._lock:
+            Unsampled._running += 1
+            if Unsampled._running == 1:
+                self._profiler("stop")
+
+    def __exit__(self, *error) -> None:
+        with Unsampled._lock:
+            Unsampled._running -= 1
+            if Unsampled._running == 0:
+                self._profiler("start")
+
+    @staticmethod
+    def _profiler(action: str) -> None:
+        from distributed import get_worker
+
+        try:
+            worker = get_worker()
+        except ValueError:  # no worker's thread
+            return
+        if profiler := worker.periodic_callbacks.get("profile"):
+            worker.loop.add_callback(getattr(profiler, action))
+
+
 def compute_portion(engine, portion: Portion) -> Chunk:
     """What a worker does."""
     try:
-        return engine.compute(portion.ids, portion.settings, portion.values, 1)
+        with Unsampled():
+            return engine.compute(portion.ids, portion.settings, portion.values, 1)
     except KeyboardInterrupt as error:
         # The signal was meant for the worker, which had no ear for it meanwhile.
         os.kill(os.getpid(), signal.SIGTERM)
