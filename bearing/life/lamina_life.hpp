@@ -45,10 +45,6 @@ using LaminaLoads = Eigen::Ref<const Eigen::ArrayXXd>;  // [N]  (laminae, places
 /// Life [rev] for loads at evenly spaced places; infinite at no load.
 BearingLife lamina_life(const LaminaRating& rating, const LaminaLoads& inner, const LaminaLoads& outer);
 
-/// Life [rev] by (3), for means of fourth powers [N^4] (laminae, places); infinite at no load.
-BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer);
-
 /// Means over the places by (3), [N^4] of a turning race, [N^4.5] of a standing one (laminae).
 struct LaminaMeans {
   Eigen::ArrayXd inner, outer;
