@@ -30,10 +30,6 @@ Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pres
 /// turns relative to the load, 4.5 on the one that stands. `loads` [N] (laminae, rollers) hold the riser.
 Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& loads, RaceMotion motion);
 
-/// The same from a motion in time: one array [N] (laminae, passages) for each of evenly spaced places around
-/// the bearing. A turning race meets all passages alike; a standing one has a mean of power 4 at each place.
-Eigen::ArrayXd equivalent_of_passages(const std::vector<Eigen::ArrayXXd>& places, RaceMotion motion);
-
 /// Equivalent loads of all laminae on both races [N] (laminae), the stress riser or pressures in them.
 struct LaminaEquivalents {
   Eigen::ArrayXd inner;  // [N]

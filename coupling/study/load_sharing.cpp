@@ -347,10 +347,6 @@ PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const Dr
       .shares = std::move(shares), .forces = std::move(now.forces), .offset = offset, .stiffness = stiffness};
 }
 
-std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
-  return planet_balance(drivetrain, geometry).shares;
-}
-
 std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,
                                        const DrivetrainGeometry& geometry) {
   if (!drivetrain.uneven_planets) return {bearing_duty(drivetrain, geometry)};
