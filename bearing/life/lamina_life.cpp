@@ -114,7 +114,7 @@ BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means) 
   return lives(rating, means.inner, means.outer);
 }
 
-LaminaDamage lamina_damage(const LaminaRating& rating, const LaminaMeans& means) {
+rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means) {
   return {by_lamina(rating.inner_weight, means.inner, rating.motions.inner),
           by_lamina(rating.outer_weight, means.outer, rating.motions.outer)};
 }

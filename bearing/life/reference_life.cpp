@@ -95,7 +95,7 @@ Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& 
   return equivalent;
 }
 
-BearingLife lamina_reference_life(const ContactCapacities& capacities, const LaminaEquivalents& loads) {
+BearingLife lamina_reference_life(const ContactCapacities& capacities, const ByLamina& loads) {
   return life_of_races(race_damage(capacities.inner, loads.inner), race_damage(capacities.outer, loads.outer),
                        kRollerSlope);
 }
