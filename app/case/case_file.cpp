@@ -10,7 +10,6 @@
 #include "app/case/case_resolver.hpp"
 #include "app/case/consistency.hpp"
 #include "app/case/settings.hpp"
-#include "app/case/sweep_consistency.hpp"
 #include "app/case/uncertain_case.hpp"
 
 namespace orbearing::app {

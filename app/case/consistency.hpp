@@ -16,4 +16,17 @@ bool takes_part_in_consistency(std::string_view path);
 /// out.
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
 
+/// Parts of it. Do the lists of race waves and roller deviations fit each other and the bearing?
+void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+/// The values of one bearing under a static load; nothing for cases of other models.
+void check_static_bearing(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+/// Whether level and manner of lubrication fit, in cases of any model that know them.
+void check_cleanliness(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
+/// Appends a mistake for each value of an axis that contradicts the case. Each is looked at once, the other
+/// axes being at the case's own value where they hold it, else at their first: the sum of the axes'
+/// lengths, and points of the sweep only. Axes that `check_consistency` does not look at are left out. Of
+/// many mistakes of one axis the first are told and the rest counted.
+void check_sweep_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes);
+
 }  // namespace orbearing::app

@@ -21,7 +21,6 @@ set(ORBEARING_CASE_SOURCES
   case/field_table.cpp
   case/field_use.cpp
   case/film_fields.cpp
-  case/key_hints.cpp
   case/gear_dynamics_fields.cpp
   case/mistake.cpp
   case/oil_case.cpp

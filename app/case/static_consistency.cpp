@@ -1,4 +1,4 @@
-#include "app/case/static_consistency.hpp"
+#include "app/case/consistency.hpp"
 
 #include <fmt/format.h>
 

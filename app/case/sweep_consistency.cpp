@@ -1,4 +1,4 @@
-#include "app/case/sweep_consistency.hpp"
+#include "app/case/consistency.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <set>
 
-#include "app/case/consistency.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/settings.hpp"
 

@@ -101,7 +101,7 @@ Column law_column(const std::string& name, const std::string& units, double (*pa
           "fitted law of all bearings of a planet: " + variable,
           1.0,
           [part](const PointResult& r) {
-            return r.dynamic && r.dynamic->one_way ? part(r.dynamic->one_way->bearing) : not_given;
+            return r.dynamic && r.dynamic->one_way ? part(r.dynamic->one_way->fitted.bearing) : not_given;
           }};
 }
 
@@ -266,11 +266,11 @@ const std::vector<Column>& trailing_columns() {
       fit_column("accepted", "1", "1: the law stayed from one run to the next; 0: it still changed",
                  [](const OneWayRecord& fit) { return fit.accepted ? 1.0 : 0.0; }),
       fit_column("residual", "1", "share of the bearing force at mesh harmonics that the law leaves",
-                 [](const OneWayRecord& fit) { return fit.residual; }),
+                 [](const OneWayRecord& fit) { return fit.fitted.residual; }),
       fit_column("stiffness_change", "1", "change of the stiffness in the last run",
-                 [](const OneWayRecord& fit) { return fit.stiffness_change; }),
+                 [](const OneWayRecord& fit) { return fit.fitted.stiffness_change; }),
       fit_column("damping_change", "1", "change of the damping in the last run",
-                 [](const OneWayRecord& fit) { return fit.damping_change; }),
+                 [](const OneWayRecord& fit) { return fit.fitted.damping_change; }),
       law_column("stiffness_xx_N_per_m", "N m-1", [](const AffineBearing& b) { return b.stiffness(0, 0); }),
       law_column("stiffness_xy_N_per_m", "N m-1", [](const AffineBearing& b) { return b.stiffness(0, 1); }),
       law_column("stiffness_yx_N_per_m", "N m-1", [](const AffineBearing& b) { return b.stiffness(1, 0); }),

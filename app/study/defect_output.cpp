@@ -16,32 +16,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Lines stand at frequencies or, in a run-up, at orders.
-Json lines_json(const DefectStudy& study, const std::vector<NamedPeak>& peaks) {
-  return study.run_up ? Json::array() : peaks_json(peaks, "frequency_Hz");
+Json lines_json(const std::vector<NamedPeak>& peaks, bool run_up) {
+  return run_up ? Json::array() : peaks_json(peaks, run_up);
 }
-Json orders_json(const DefectStudy& study, const std::vector<NamedPeak>& peaks) {
-  return study.run_up ? peaks_json(peaks, "order") : Json(nullptr);
+Json orders_json(const std::vector<NamedPeak>& peaks, bool run_up) {
+  return run_up ? peaks_json(peaks, run_up) : Json(nullptr);
 }
 
 // Of the cage against pure rolling at the same turns of the shaft.
 double cage_slip(const DefectStudy& study) {
   return 1.0 - study.turned.cage / (study.passing.cage * (study.turned.shaft / study.passing.shaft));
-}
-
-double root_mean_square(const Eigen::ArrayXd& signal) {
-  return std::sqrt((signal - signal.mean()).square().mean());
-}
-
-Eigen::ArrayXd signal_of(const DefectStudy& study) {
-  return study.vibration.acceleration.row(0).transpose();
-}
-
-std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks, bool run_up) {
-  std::string text = fmt::format("\n{}\n{:>14} {:>18}  {}\n", title, run_up ? "order" : "frequency [Hz]",
-                                 "amplitude [m/s2]", "is");
-  for (const NamedPeak& peak : peaks)
-    text += fmt::format("{:>14.2f} {:>18.4g}  {}\n", peak.frequency, peak.amplitude, peak.is);
-  return text;
 }
 
 Eigen::ArrayXd evenly_spaced(Eigen::Index count, double step) {
@@ -56,12 +40,12 @@ void add_scalars(const DefectStudy& study, PointContent& content) {
   content.add("inner_pass_frequency", "s-1", "balls over the inner race", study.passing.inner_pass);
   content.add("ball_pass_frequency", "s-1", "a place of a ball over either race", study.passing.element_pass);
   content.add("natural_frequency", "s-1", "outer ring along the load", study.at_rest.natural_frequency);
-  content.add("band_low", "s-1", "lower end of the band of the envelope", study.band.band.low);
-  content.add("band_high", "s-1", "upper end of the band of the envelope", study.band.band.high);
+  content.add("band_low", "s-1", "lower end of the band of the envelope", study.view.band.band.low);
+  content.add("band_high", "s-1", "upper end of the band of the envelope", study.view.band.band.high);
 }
 
 void add_spectra(const DefectStudy& study, PointContent& content) {
-  const signals::Spectrum& spectrum = study.spectrum;
+  const signals::Spectrum& spectrum = study.view.spectrum;
   const Eigen::Index lines = spectrum.amplitude.size();
   content.add_dimension("line", lines);
   content.add(study.run_up ? "order" : "frequency", {"line"}, study.run_up ? "1" : "s-1",
@@ -70,7 +54,7 @@ void add_spectra(const DefectStudy& study, PointContent& content) {
   content.add("acceleration_spectrum", {"line"}, "m s-2",
               "amplitude of the acceleration along the load, Hann window", spectrum.amplitude);
   content.add("envelope_spectrum", {"line"}, "m s-2", "amplitude of its envelope in the band, Hann window",
-              study.envelope_spectrum.amplitude);
+              study.view.envelope_spectrum.amplitude);
 }
 
 void append_number(std::uint32_t number, int bytes, std::string& text) {
@@ -79,37 +63,68 @@ void append_number(std::uint32_t number, int bytes, std::string& text) {
 
 }  // namespace
 
-Json peaks_json(const std::vector<NamedPeak>& peaks, const char* where) {
+double root_mean_square(const Eigen::ArrayXd& signal) {
+  return std::sqrt((signal - signal.mean()).square().mean());
+}
+
+Json peaks_json(const std::vector<NamedPeak>& peaks, bool run_up) {
   Json list = Json::array();
   for (const NamedPeak& peak : peaks)
-    list.push_back({{where, peak.frequency}, {"amplitude", peak.amplitude}, {"is", peak.is}});
+    list.push_back({{run_up ? "order" : "frequency_Hz", peak.frequency},
+                    {"amplitude", peak.amplitude},
+                    {"is", peak.is}});
   return list;
 }
 
+Json vibration_json(double shaft_frequency, double cage_frequency,
+                    const std::optional<double>& defect_frequency, const InstrumentView& view, bool run_up) {
+  return {{"shaft_Hz", shaft_frequency},
+          {"cage_Hz", cage_frequency},
+          {"defect_Hz", defect_frequency ? Json(*defect_frequency) : Json(nullptr)},
+          {"envelope_peaks", lines_json(view.envelope_peaks, run_up)},
+          {"orders", orders_json(view.envelope_peaks, run_up)},
+          {"amplitude_unit", "m/s2"}};
+}
+
+Json band_json(const InstrumentView& view, bool run_up) {
+  return {{"band_Hz", {view.band.band.low, view.band.band.high}},
+          {"band_kurtosis", view.band.kurtosis},
+          {run_up ? "order_resolution" : "resolution_Hz", view.envelope_spectrum.resolution}};
+}
+
+std::string band_text(const InstrumentView& view) {
+  return fmt::format("envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}", view.band.band.low,
+                     view.band.band.high, view.band.kurtosis);
+}
+
+std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks, bool run_up, const char* unit,
+                       int digits) {
+  std::string text = fmt::format("\n{}\n{:>14} {:>18}  {}\n", title, run_up ? "order" : "frequency [Hz]",
+                                 fmt::format("amplitude [{}]", unit), "is");
+  for (const NamedPeak& peak : peaks)
+    text += fmt::format("{:>14.{}f} {:>18.4g}  {}\n", peak.frequency, digits, peak.amplitude, peak.is);
+  return text;
+}
+
 Json defect_json(const DefectStudy& study) {
-  const Eigen::ArrayXd signal = signal_of(study);
-  Json object{
-      {"shaft_Hz", study.passing.shaft},
-      {"cage_Hz", study.passing.cage},
-      {"defect_Hz", study.defect_frequency ? Json(*study.defect_frequency) : Json(nullptr)},
-      {"envelope_peaks", lines_json(study, study.peaks)},
-      {"orders", orders_json(study, study.peaks)},
-      {"amplitude_unit", "m/s2"},
-      {"outer_pass_Hz", study.passing.outer_pass},
-      {"inner_pass_Hz", study.passing.inner_pass},
-      {study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", study.passing.element_pass},
-      {"natural_frequency_Hz", study.at_rest.natural_frequency},
-      {"band_Hz", {study.band.band.low, study.band.band.high}},
-      {"band_kurtosis", study.band.kurtosis},
-      {study.run_up ? "order_resolution" : "resolution_Hz", study.envelope_spectrum.resolution},
-      {"spectrum_peaks", lines_json(study, study.spectrum_peaks)},
-      {"spectrum_orders", orders_json(study, study.spectrum_peaks)},
-      {"acceleration", {{"rms_m_s2", root_mean_square(signal)}, {"max_m_s2", signal.abs().maxCoeff()}}},
-      {"at_rest",
-       {{"displacement_um", kMicro * study.at_rest.place[0]},
-        {"contact_load_max_N", study.at_rest.load.maxCoeff()}}},
-      {"contact_load_max_N", study.vibration.largest_load},
-      {"sinking", {{"inner_um", kMicro * study.inner_sinking}, {"outer_um", kMicro * study.outer_sinking}}}};
+  const Eigen::ArrayXd& signal = study.view.signal;
+  Json object = vibration_json(study.passing.shaft, study.passing.cage, study.defect_frequency, study.view,
+                               study.run_up);
+  object.update({{"outer_pass_Hz", study.passing.outer_pass},
+                 {"inner_pass_Hz", study.passing.inner_pass},
+                 {study.rollers ? "roller_pass_Hz" : "ball_pass_Hz", study.passing.element_pass},
+                 {"natural_frequency_Hz", study.at_rest.natural_frequency}});
+  object.update(band_json(study.view, study.run_up));
+  object.update(
+      {{"spectrum_peaks", lines_json(study.view.spectrum_peaks, study.run_up)},
+       {"spectrum_orders", orders_json(study.view.spectrum_peaks, study.run_up)},
+       {"acceleration", {{"rms_m_s2", root_mean_square(signal)}, {"max_m_s2", signal.abs().maxCoeff()}}},
+       {"at_rest",
+        {{"displacement_um", kMicro * study.at_rest.place[0]},
+         {"contact_load_max_N", study.at_rest.load.maxCoeff()}}},
+       {"contact_load_max_N", study.vibration.largest_load},
+       {"sinking",
+        {{"inner_um", kMicro * study.inner_sinking}, {"outer_um", kMicro * study.outer_sinking}}}});
   if (study.moving)
     object["turned"] = {{"cage_Hz", study.turned.cage},
                         {"cage_slip", cage_slip(study)},
@@ -119,7 +134,7 @@ Json defect_json(const DefectStudy& study) {
 }
 
 std::string defect_text(const DefectStudy& study) {
-  const Eigen::ArrayXd signal = signal_of(study);
+  const Eigen::ArrayXd& signal = study.view.signal;
   const char* const element = study.rollers ? "roller" : "ball";
   std::string text = fmt::format(
       "shaft {:.4g} Hz, cage {:.4g} Hz; a place is passed by {}s at {:.5g} Hz on the outer and {:.5g} Hz "
@@ -139,11 +154,10 @@ std::string defect_text(const DefectStudy& study) {
     text += fmt::format(
         "as turned: cage {:.5g} Hz, slip {:.3g} %; passes {:.5g} Hz (outer), {:.5g} Hz (inner)\n",
         study.turned.cage, 100.0 * cage_slip(study), study.turned.outer_pass, study.turned.inner_pass);
-  text += fmt::format("envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}; lines {:.3g} {} apart\n",
-                      study.band.band.low, study.band.band.high, study.band.kurtosis,
-                      study.envelope_spectrum.resolution, study.run_up ? "orders of the shaft" : "Hz");
-  return text + peaks_text("envelope", study.peaks, study.run_up) +
-         peaks_text("acceleration along the load", study.spectrum_peaks, study.run_up);
+  text += fmt::format("{}; lines {:.3g} {} apart\n", band_text(study.view),
+                      study.view.envelope_spectrum.resolution, study.run_up ? "orders of the shaft" : "Hz");
+  return text + peaks_text("envelope", study.view.envelope_peaks, study.run_up, "m/s2", 2) +
+         peaks_text("acceleration along the load", study.view.spectrum_peaks, study.run_up, "m/s2", 2);
 }
 
 PointContent defect_content(const DefectStudy& study) {
@@ -166,7 +180,7 @@ PointContent defect_content(const DefectStudy& study) {
   along_time("ball_deflection", "m", "approach of both races at the first ball, negative where it is free",
              vibration.ball_approach);
   along_time("ball_load", "N", "load of the first ball with damping", vibration.ball_load);
-  along_time("envelope", "m s-2", "of the acceleration along the load in the band", study.envelope);
+  along_time("envelope", "m s-2", "of the acceleration along the load in the band", study.view.envelope);
   add_spectra(study, content);
   return content;
 }
@@ -174,7 +188,7 @@ PointContent defect_content(const DefectStudy& study) {
 std::string signal_csv(const DefectStudy& study) {
   std::string text =
       study.run_up ? "time_s,acceleration_m_s2,shaft_angle_rad\n" : "time_s,acceleration_m_s2\n";
-  const Eigen::ArrayXd signal = signal_of(study);
+  const Eigen::ArrayXd& signal = study.view.signal;
   for (Eigen::Index k = 0; k < signal.size(); ++k) {
     text += fmt::format("{:.9g},{:.9g}", static_cast<double>(k) / study.vibration.rate, signal[k]);
     text += study.run_up ? fmt::format(",{:.12g}\n", study.vibration.shaft_angle[k]) : "\n";
@@ -184,7 +198,7 @@ std::string signal_csv(const DefectStudy& study) {
 
 std::string signal_wav(const DefectStudy& study) {
   constexpr std::uint32_t bytes_each = 4, floating = 3, one_channel = 1, of_format = 16;
-  const Eigen::ArrayXd signal = signal_of(study);
+  const Eigen::ArrayXd& signal = study.view.signal;
   const double largest = signal.abs().maxCoeff();
   const auto bytes = bytes_each * static_cast<std::uint32_t>(signal.size());
   const auto rate = static_cast<std::uint32_t>(std::max(1L, std::lround(study.vibration.rate)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,19 @@
 
 namespace orbearing::app {
 
-/// Peaks as objects; `where` is the key of their place, "frequency_Hz" or "order".
-nlohmann::ordered_json peaks_json(const std::vector<NamedPeak>& peaks, const char* where);
+double root_mean_square(const Eigen::ArrayXd& signal);  // about its mean
+
+/// Peaks as objects; in a run-up they stand at orders.
+nlohmann::ordered_json peaks_json(const std::vector<NamedPeak>& peaks, bool run_up);
+/// What every vibration tells first, with the acceleration that `view` shows.
+nlohmann::ordered_json vibration_json(double shaft_frequency, double cage_frequency,
+                                      const std::optional<double>& defect_frequency,
+                                      const InstrumentView& view, bool run_up);
+nlohmann::ordered_json band_json(const InstrumentView& view, bool run_up);
+std::string band_text(const InstrumentView& view);
+/// A table; places with `digits` behind the point.
+std::string peaks_text(const char* title, const std::vector<NamedPeak>& peaks, bool run_up, const char* unit,
+                       int digits);
 
 nlohmann::ordered_json defect_json(const DefectStudy& study);
 std::string defect_text(const DefectStudy& study);

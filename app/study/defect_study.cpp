@@ -50,23 +50,13 @@ double unit_of(const DefectStudy& study) {
   return study.run_up ? study.turned.shaft : 1.0;
 }
 
-// At a speed lower by `share`.
-defect::PassingFrequencies slower(const defect::PassingFrequencies& full, double share) {
-  return {share * full.shaft, share * full.cage, share * full.outer_pass, share * full.inner_pass,
-          share * full.element_pass};
-}
-
-std::vector<NamedPeak> named_peaks(const signals::Spectrum& spectrum, double highest,
+std::vector<NamedPeak> peaks_up_to(double highest, const signals::Spectrum& spectrum,
                                    const DefectStudy& study) {
   const double unit = unit_of(study);
   highest /= unit;
-  const std::vector<signals::ExpectedLine> lines =
-      expected_lines(study.scratched, study.rollers, slower(study.turned, 1.0 / unit), highest);
-  std::vector<NamedPeak> named;
-  for (const signals::Peak& peak : signals::peaks_of(spectrum, {.highest = highest}))
-    named.push_back(
-        {peak.frequency, peak.amplitude, signals::name_of(peak.frequency, lines, 0.5 * spectrum.resolution)});
-  return named;
+  return named_peaks(
+      spectrum, {.highest = highest},
+      expected_lines(study.scratched, study.rollers, slower(study.turned, 1.0 / unit), highest), 0.5);
 }
 
 double highest_pass(const defect::PassingFrequencies& passing) {
@@ -76,22 +66,13 @@ double highest_pass(const defect::PassingFrequencies& passing) {
 void analyse(const ResolvedCase& in, DefectStudy& study) {
   constexpr double passes_in_band = 8.0, passes_shown = 8.0;
   const Eigen::ArrayXd signal = study.vibration.acceleration.row(0).transpose();
-  const double rate = study.vibration.rate, pass = highest_pass(study.passing);
-  const auto spectrum = [&](const Eigen::ArrayXd& of) {
-    using namespace signals;
-    return study.run_up ? order_spectrum(resampled(of, study.vibration.shaft_angle), Window::hann)
-                        : spectrum_of(of, rate, Window::hann);
-  };
-  study.spectrum = spectrum(signal);
+  const double pass = highest_pass(study.passing);
+  InstrumentView& view = study.view;
+  view = view_of(in, signal, signal, study.vibration.rate, passes_in_band * pass,
+                 study.run_up ? &study.vibration.shaft_angle : nullptr);
   // Up to beyond the vibration that a scratch strikes.
-  study.spectrum_peaks = named_peaks(study.spectrum, 2.0 * study.at_rest.natural_frequency, study);
-  if (const std::optional<signals::Band> stated = stated_band_of(in))
-    study.band = {*stated, signals::kurtosis_of(signal, rate, *stated)};
-  else
-    study.band = signals::most_impulsive_band(signal, rate, passes_in_band * pass);
-  study.envelope = signals::envelope_of(signal, rate, study.band.band);
-  study.envelope_spectrum = spectrum(study.envelope);
-  study.peaks = named_peaks(study.envelope_spectrum, passes_shown * pass, study);
+  view.spectrum_peaks = peaks_up_to(2.0 * study.at_rest.natural_frequency, view.spectrum, study);
+  view.envelope_peaks = peaks_up_to(passes_shown * pass, view.envelope_spectrum, study);
 }
 
 void warn(const ResolvedCase& in, DefectStudy& study) {
@@ -112,13 +93,44 @@ defect::PassingFrequencies as_turned(const defect::ScratchedBearing& scratched, 
   return turned;
 }
 
-double peak_frequency(const DefectStudy& study, const std::string& name) {
-  for (const NamedPeak& peak : study.peaks)
-    if (peak.is == name) return peak.frequency;
+}  // namespace
+
+InstrumentView view_of(const ResolvedCase& in, const Eigen::ArrayXd& signal, const Eigen::ArrayXd& residual,
+                       double rate, double least_width, const Eigen::ArrayXd* angle) {
+  using namespace signals;
+  const auto spectrum = [&](const Eigen::ArrayXd& of) {
+    return angle ? order_spectrum(resampled(of, *angle), Window::hann) : spectrum_of(of, rate, Window::hann);
+  };
+  InstrumentView view{.signal = signal};
+  if (const std::optional<Band> stated = stated_band_of(in))
+    view.band = {*stated, kurtosis_of(residual, rate, *stated)};
+  else
+    view.band = most_impulsive_band(residual, rate, least_width);
+  view.envelope = envelope_of(residual, rate, view.band.band);
+  view.spectrum = spectrum(signal);
+  view.envelope_spectrum = spectrum(view.envelope);
+  return view;
+}
+
+std::vector<NamedPeak> named_peaks(const signals::Spectrum& spectrum, const signals::PeakSearch& search,
+                                   const std::vector<signals::ExpectedLine>& lines, double tolerance) {
+  std::vector<NamedPeak> named;
+  for (const signals::Peak& peak : signals::peaks_of(spectrum, search))
+    named.push_back({peak.frequency, peak.amplitude,
+                     signals::name_of(peak.frequency, lines, tolerance * spectrum.resolution)});
+  return named;
+}
+
+double peak_frequency(const std::vector<NamedPeak>& peaks, const std::string& is) {
+  for (const NamedPeak& peak : peaks)
+    if (peak.is == is) return peak.frequency;
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace
+defect::PassingFrequencies slower(const defect::PassingFrequencies& full, double share) {
+  return {share * full.shaft, share * full.cage, share * full.outer_pass, share * full.inner_pass,
+          share * full.element_pass};
+}
 
 std::string defect_name(Scratched scratched) {
   switch (scratched) {
@@ -186,17 +198,15 @@ DefectStudy defect_study(const ResolvedCase& in, DefectRung rung, const std::fun
 
 double defect_property(const DefectStudy& study, const std::string& quantity) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<NamedPeak>& peaks = study.view.envelope_peaks;
   const std::string name = defect_name(study.scratched);
   if (quantity == "shaft_Hz") return study.passing.shaft;
   if (quantity == "cage_Hz") return study.passing.cage;
   if (quantity == "defect_Hz") return study.defect_frequency.value_or(nothing);
-  if (quantity == "defect_peak_Hz") return peak_frequency(study, name);
+  if (quantity == "defect_peak_Hz") return peak_frequency(peaks, name);
   if (quantity == "side_band_Hz")
-    return peak_frequency(study, name + " + shaft") - peak_frequency(study, name);
-  if (quantity == "passage_peak_Hz") {  // of the spectrum itself
-    for (const NamedPeak& peak : study.spectrum_peaks)
-      if (peak.is == kPassage) return peak.frequency;
-  }
+    return peak_frequency(peaks, name + " + shaft") - peak_frequency(peaks, name);
+  if (quantity == "passage_peak_Hz") return peak_frequency(study.view.spectrum_peaks, kPassage);
   return nothing;
 }
 

@@ -16,14 +16,24 @@
 
 namespace orbearing::app {
 
-/// A peak of the envelope's spectrum and what it is: "inner race defect - shaft".
+/// A peak of a spectrum and what it is: "inner race defect - shaft".
 struct NamedPeak {
   double frequency = 0.0;  // [Hz], of a run-up the order [-]
-  double amplitude = 0.0;  // [m/s^2]
+  double amplitude = 0.0;  // of the signal's unit
   std::string is;
 };
 
-/// Accelerations are those of the outer ring along the load.
+/// What one instrument shows. In a run-up the lines of both spectra are orders of a shaft.
+struct InstrumentView {
+  Eigen::ArrayXd signal;         // [m/s^2] or [N]
+  signals::KurtosisOfBand band;  // [Hz]  of the envelope
+  Eigen::ArrayXd envelope;       // [unit of the signal]  in the band
+  signals::Spectrum spectrum;
+  signals::Spectrum envelope_spectrum;
+  std::vector<NamedPeak> spectrum_peaks;  // largest first, as the next ones
+  std::vector<NamedPeak> envelope_peaks;
+};
+
 struct DefectStudy {
   bearing::defect::Scratched scratched = bearing::defect::Scratched::none;
   bool moving = false;                         // all bodies, balls and cage too
@@ -38,12 +48,7 @@ struct DefectStudy {
   double inner_sinking = 0.0;  // [m]  deepest, on a scratch of the inner race
   double outer_sinking = 0.0;  // [m]
   study::RingVibration vibration;
-  signals::Spectrum spectrum;  // [m/s^2]
-  std::vector<NamedPeak> spectrum_peaks;
-  signals::KurtosisOfBand band;
-  Eigen::ArrayXd envelope;              // [m/s^2]  of the acceleration in the band
-  signals::Spectrum envelope_spectrum;  // [m/s^2]
-  std::vector<NamedPeak> peaks;         // largest first
+  InstrumentView view;  // acceleration of the outer ring along the load [m/s^2]
   std::vector<std::string> warnings;
 };
 
@@ -60,8 +65,22 @@ DefectStudy defect_study(const ResolvedCase& resolved, DefectRung rung = DefectR
                          const std::function<void(double)>& progress = {},
                          const std::function<void(study::RingVibration&)>& disturb = {});
 
+/// Without peaks yet. The envelope is that of `residual`, `signal` or what is left of it, in the band that
+/// the case states, else in the most impulsive one of at least `least_width` [Hz]; spectra are over the turns
+/// of `angle` [rad] where there is one.
+InstrumentView view_of(const ResolvedCase& resolved, const Eigen::ArrayXd& signal,
+                       const Eigen::ArrayXd& residual, double rate, double least_width,
+                       const Eigen::ArrayXd* angle);
+/// `tolerance` [-] of the resolution.
+std::vector<NamedPeak> named_peaks(const signals::Spectrum& spectrum, const signals::PeakSearch& search,
+                                   const std::vector<signals::ExpectedLine>& lines, double tolerance);
+/// NaN where none of them is that.
+double peak_frequency(const std::vector<NamedPeak>& peaks, const std::string& is);
+
 /// What lines of a scratch are called; without one, those of the balls that pass the load zone.
 std::string defect_name(bearing::defect::Scratched scratched);
+/// At a speed lower by `share`.
+bearing::defect::PassingFrequencies slower(const bearing::defect::PassingFrequencies& full, double share);
 /// How often a scratch is met [Hz]; none without one.
 std::optional<double> defect_frequency(bearing::defect::Scratched scratched,
                                        const bearing::defect::PassingFrequencies& passing);

@@ -75,20 +75,9 @@ study::PlanetFrequencies as_turned(const study::PlanetFrequencies& rolling, cons
 // A run-up passes all speeds at the same ratios: those of the mean.
 study::PlanetFrequencies at_share(const study::PlanetFrequencies& full, double share) {
   study::PlanetFrequencies now = full;
-  for (double* one : {&now.carrier, &now.planet, &now.mesh, &now.bearing.shaft, &now.bearing.cage,
-                      &now.bearing.outer_pass, &now.bearing.inner_pass, &now.bearing.element_pass})
-    *one *= share;
+  for (double* one : {&now.carrier, &now.planet, &now.mesh}) *one *= share;
+  now.bearing = slower(full.bearing, share);
   return now;
-}
-
-std::vector<NamedPeak> named(const signals::Spectrum& spectrum, double highest,
-                             const std::vector<signals::ExpectedLine>& lines) {
-  std::vector<NamedPeak> peaks;
-  for (const signals::Peak& peak :
-       signals::peaks_of(spectrum, {.highest = highest, .least_share = 0.02, .most = 32}))
-    peaks.push_back({peak.frequency, peak.amplitude,
-                     signals::name_of(peak.frequency, lines, 0.75 * spectrum.resolution)});
-  return peaks;
 }
 
 // `signal` without its lines at `frequencies` [Hz] and the ones beside each. A signal of whole periods of all
@@ -122,32 +111,23 @@ Eigen::ArrayXd without_teeth(const Eigen::ArrayXd& signal, const PlanetDefectStu
   return without_lines(signal, study.vibration.rate, lines);
 }
 
-InstrumentView view_of(const ResolvedCase& in, const PlanetDefectStudy& study, Eigen::ArrayXd signal,
-                       bool housing) {
-  using namespace signals;
+InstrumentView planet_view(const ResolvedCase& in, const PlanetDefectStudy& study,
+                           const Eigen::ArrayXd& signal, bool housing) {
   constexpr double passes_shown = 4.0, narrowest = 2.0;  // bands hold a line and its neighbours
   const study::PlanetVibration& motion = study.vibration;
   const auto& at = study.turned.bearing;
   const double pass = std::max({at.outer_pass, at.inner_pass, at.element_pass}), mesh = study.turned.mesh;
-  InstrumentView view{.signal = std::move(signal)};
-  const Eigen::ArrayXd residual = study.run_up ? view.signal : without_teeth(view.signal, study, housing);
-  if (const std::optional<Band> stated = stated_band_of(in))
-    view.band = {*stated, kurtosis_of(residual, motion.rate, *stated)};
-  else
-    view.band = most_impulsive_band(residual, motion.rate, narrowest * pass);
-  const Eigen::ArrayXd envelope = envelope_of(residual, motion.rate, view.band.band);
+  InstrumentView view =
+      view_of(in, signal, study.run_up ? signal : without_teeth(signal, study, housing), motion.rate,
+              narrowest * pass, study.run_up ? &motion.carrier_angle : nullptr);
   const double unit = study.run_up ? study.turned.carrier : 1.0;  // [Hz]
-  const auto spectrum = [&](const Eigen::ArrayXd& of) {
-    return study.run_up ? order_spectrum(resampled(of, motion.carrier_angle), Window::hann)
-                        : spectrum_of(of, motion.rate, Window::hann);
+  const auto peaks = [&](const signals::Spectrum& spectrum, double highest) {
+    return named_peaks(spectrum, {.highest = highest / unit, .least_share = 0.02, .most = 32},
+                       planet_lines(study.scratched, study.turned, housing, highest, unit), 0.75);
   };
-  view.spectrum = spectrum(view.signal);
-  view.envelope_spectrum = spectrum(envelope);
-  const double high = std::min(0.4 * motion.rate, 3.0 * mesh), shown = std::min(high, passes_shown * pass);
-  view.spectrum_peaks =
-      named(view.spectrum, high / unit, planet_lines(study.scratched, study.turned, housing, high, unit));
-  view.envelope_peaks = named(view.envelope_spectrum, shown / unit,
-                              planet_lines(study.scratched, study.turned, housing, shown, unit));
+  const double high = std::min(0.4 * motion.rate, 3.0 * mesh);
+  view.spectrum_peaks = peaks(view.spectrum, high);
+  view.envelope_peaks = peaks(view.envelope_spectrum, std::min(high, passes_shown * pass));
   return view;
 }
 
@@ -224,10 +204,10 @@ PlanetDefectStudy planet_defect_study(const ResolvedCase& in, const std::functio
   study.turned = as_turned(study.run_up ? at_share(study.rolling, share) : study.rolling, motion,
                            drivetrain.bearing.rollers().count);
   const Eigen::Vector2d loaded = load_zone_of(in);  // the way in which the load zone lies
-  study.carrier = view_of(
+  study.carrier = planet_view(
       in, study,
       (loaded.x() * motion.acceleration.row(0) + loaded.y() * motion.acceleration.row(1)).transpose(), false);
-  study.housing = view_of(in, study, motion.housing, true);
+  study.housing = planet_view(in, study, motion.housing, true);
   return study;
 }
 
@@ -235,20 +215,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double rms(const Eigen::ArrayXd& signal) {
-  return std::sqrt((signal - signal.mean()).square().mean());
-}
-
 Json instrument_json(const InstrumentView& view, bool run_up, const char* unit) {
-  const char* where = run_up ? "order" : "frequency_Hz";
-  return {{"amplitude_unit", unit},
-          {"rms", rms(view.signal)},
-          {"max", (view.signal - view.signal.mean()).abs().maxCoeff()},
-          {"band_Hz", {view.band.band.low, view.band.band.high}},
-          {"band_kurtosis", view.band.kurtosis},
-          {run_up ? "order_resolution" : "resolution_Hz", view.envelope_spectrum.resolution},
-          {"envelope_peaks", peaks_json(view.envelope_peaks, where)},
-          {"spectrum_peaks", peaks_json(view.spectrum_peaks, where)}};
+  Json object{{"amplitude_unit", unit},
+              {"rms", root_mean_square(view.signal)},
+              {"max", (view.signal - view.signal.mean()).abs().maxCoeff()}};
+  object.update(band_json(view, run_up));
+  object["envelope_peaks"] = peaks_json(view.envelope_peaks, run_up);
+  object["spectrum_peaks"] = peaks_json(view.spectrum_peaks, run_up);
+  return object;
 }
 
 Json frequencies_json(const study::PlanetFrequencies& at) {
@@ -262,50 +236,33 @@ Json frequencies_json(const study::PlanetFrequencies& at) {
           {"roller_pass_Hz", at.bearing.element_pass}};
 }
 
-std::string peaks_text(const std::string& title, const std::vector<NamedPeak>& peaks, bool run_up,
-                       const char* unit) {
-  std::string text = fmt::format("\n{}\n{:>14} {:>18}  {}\n", title, run_up ? "order" : "frequency [Hz]",
-                                 fmt::format("amplitude [{}]", unit), "is");
-  for (const NamedPeak& peak : peaks)
-    text += fmt::format("{:>14.4f} {:>18.4g}  {}\n", peak.frequency, peak.amplitude, peak.is);
-  return text;
-}
-
 }  // namespace
 
 double planet_defect_property(const PlanetDefectStudy& study, const std::string& quantity) {
-  const auto peak = [](const std::vector<NamedPeak>& peaks, const std::string& name) {
-    for (const NamedPeak& one : peaks)
-      if (one.is == name) return one.frequency;
-    return std::numeric_limits<double>::quiet_NaN();
-  };
   const std::string name = study.scratched.empty() ? "" : defect_name(study.scratched.front());
   if (quantity == "cage_Hz") return study.rolling.bearing.cage;
-  if (quantity == "defect_peak_Hz") return peak(study.carrier.envelope_peaks, name);
+  const std::vector<NamedPeak>&carrier = study.carrier.envelope_peaks,
+        &housing = study.housing.envelope_peaks;
+  if (quantity == "defect_peak_Hz") return peak_frequency(carrier, name);
   if (quantity == "planet_band_Hz")
-    return peak(study.carrier.envelope_peaks, name + " + planet") - peak(study.carrier.envelope_peaks, name);
+    return peak_frequency(carrier, name + " + planet") - peak_frequency(carrier, name);
   if (quantity == "carrier_band_Hz")
-    return peak(study.housing.envelope_peaks, name + " + carrier") - peak(study.housing.envelope_peaks, name);
-  if (quantity == "mesh_on_housing_Hz") return peak(study.housing.spectrum_peaks, "mesh + carrier");
+    return peak_frequency(housing, name + " + carrier") - peak_frequency(housing, name);
+  if (quantity == "mesh_on_housing_Hz") return peak_frequency(study.housing.spectrum_peaks, "mesh + carrier");
   return std::numeric_limits<double>::quiet_NaN();
 }
 
 nlohmann::ordered_json planet_defect_json(const PlanetDefectStudy& study) {
   const auto& at = study.rolling;
-  Json object{
-      {"shaft_Hz", at.planet},
-      {"cage_Hz", at.bearing.cage},
-      {"defect_Hz", study.defect_frequency ? Json(*study.defect_frequency) : Json(nullptr)},
-      {"envelope_peaks",
-       study.run_up ? Json::array() : peaks_json(study.carrier.envelope_peaks, "frequency_Hz")},
-      {"orders", study.run_up ? peaks_json(study.carrier.envelope_peaks, "order") : Json(nullptr)},
-      {"amplitude_unit", "m/s2"},
-      {"at_pure_rolling", frequencies_json(at)},
-      {"turned", frequencies_json(study.turned)},
-      {"cage_slip", 1.0 - study.turned.bearing.cage / study.turned.planet * at.planet / at.bearing.cage},
-      {"carrier_frame", instrument_json(study.carrier, study.run_up, "m/s2")},
-      {"housing", instrument_json(study.housing, study.run_up, "N")},
-      {"contact_load_max_N", study.vibration.largest_load}};
+  Json object =
+      vibration_json(at.planet, at.bearing.cage, study.defect_frequency, study.carrier, study.run_up);
+  object.update(
+      {{"at_pure_rolling", frequencies_json(at)},
+       {"turned", frequencies_json(study.turned)},
+       {"cage_slip", 1.0 - study.turned.bearing.cage / study.turned.planet * at.planet / at.bearing.cage},
+       {"carrier_frame", instrument_json(study.carrier, study.run_up, "m/s2")},
+       {"housing", instrument_json(study.housing, study.run_up, "N")},
+       {"contact_load_max_N", study.vibration.largest_load}});
   return object;
 }
 
@@ -323,10 +280,9 @@ std::string planet_defect_text(const PlanetDefectStudy& study) {
       study.turned.bearing.cage, study.turned.bearing.outer_pass, study.turned.bearing.inner_pass,
       study.vibration.largest_load);
   const auto view = [&](const char* name, const InstrumentView& of, const char* unit) {
-    text += fmt::format("\n{}: {:.4g} {} rms; envelope of {:.0f} to {:.0f} Hz, spectral kurtosis {:.3g}\n",
-                        name, rms(of.signal), unit, of.band.band.low, of.band.band.high, of.band.kurtosis);
-    text += peaks_text("envelope", of.envelope_peaks, study.run_up, unit);
-    text += peaks_text("spectrum", of.spectrum_peaks, study.run_up, unit);
+    text += fmt::format("\n{}: {:.4g} {} rms; {}\n", name, root_mean_square(of.signal), unit, band_text(of));
+    text += peaks_text("envelope", of.envelope_peaks, study.run_up, unit, 4);
+    text += peaks_text("spectrum", of.spectrum_peaks, study.run_up, unit, 4);
   };
   view("in the carrier's frame", study.carrier, "m/s2");
   view("on the housing", study.housing, "N");

@@ -11,22 +11,10 @@
 #include "app/case/check_table.hpp"
 #include "app/case/resolved_case.hpp"
 #include "app/results/point_content.hpp"
-#include "app/signals/orders.hpp"
 #include "app/study/defect_study.hpp"
 #include "coupling/study/planet_scratch.hpp"
 
 namespace orbearing::app {
-
-/// What one instrument shows. In a run-up all lines are orders: those of the carrier.
-struct InstrumentView {
-  Eigen::ArrayXd signal;  // [m/s^2] or [N]
-  signals::KurtosisOfBand
-      band;  // [Hz]  of the envelope: of the signal less the lines of the teeth, but in a run-up
-  signals::Spectrum spectrum;           // over frequency, or over orders of the carrier
-  signals::Spectrum envelope_spectrum;  // the same
-  std::vector<NamedPeak> spectrum_peaks;
-  std::vector<NamedPeak> envelope_peaks;  // largest first
-};
 
 struct PlanetDefectStudy {
   std::vector<bearing::defect::Scratched> scratched;  // surfaces, the first named one first
@@ -35,9 +23,10 @@ struct PlanetDefectStudy {
   std::optional<double> defect_frequency;             // [Hz]  of the first; none without a scratch
   bool run_up = false;
   study::PlanetVibration vibration;
+  /// Envelopes are those of the signal less the lines of the teeth, but in a run-up, whose orders are the
+  /// carrier's.
   InstrumentView carrier;  // damaged planet along the middle of its load zone, relative to its pin [m/s^2]
   InstrumentView housing;  // ring gear's force on the housing as an instrument feels it [N]
-  std::vector<std::string> warnings;
 };
 
 /// `progress` gets the share done, if any. Throws ComputationFailed where the motion cannot be followed.

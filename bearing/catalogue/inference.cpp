@@ -19,7 +19,6 @@ constexpr double kOuterWall = 0.87;         // [-]  of the inner ring's
 constexpr double kPitchOfRollers = 1.25;    // [-]  of their diameter
 constexpr double kRollerSizes = 0.5e-3;     // [m]
 constexpr int kFewest = 4, kMost = 60;      // balls
-constexpr double kLeastSlenderness = 0.09;  // [-]  above it f_0 falls with the slenderness
 
 // The argument between `low` and `high` at which the rising or falling `value` is 0; none where it does not
 // change its sign.
@@ -97,26 +96,6 @@ Inside rollers_inside(const Entry& entry) {
 
 Inside inside_of(const Entry& entry) {
   return entry.family == Family::cylindrical ? rollers_inside(entry) : balls_inside(entry);
-}
-
-Inside inside_by_static_factor(const Entry& entry) {
-  mechanics::require(entry.static_factor > 0.0, "f_0", entry.static_factor, "a printed one");
-  constexpr double mm2 = 1e6;
-  const double pitch = 0.5 * (entry.bore + entry.outside);
-  const auto factor = [&](double slenderness) {
-    const double diameter = slenderness * pitch;
-    return rating::static_capacity(ball_set_of(entry, 1, diameter)) / (mm2 * diameter * diameter);
-  };
-  const std::optional<double> slenderness =
-      root_of([&](double value) { return factor(value) - entry.static_factor; }, kLeastSlenderness, 0.4);
-  mechanics::require(slenderness.has_value(), "f_0", entry.static_factor, "one that balls of some size have");
-  const double diameter = *slenderness * pitch;
-  const int balls =
-      static_cast<int>(std::lround(entry.static_rating / (entry.static_factor * mm2 * diameter * diameter)));
-  const std::optional<double> exact = ball_diameter(entry, balls);
-  mechanics::require(exact.has_value(), "static rating", entry.static_rating,
-                     "one that balls of this section have");
-  return of_balls(entry, balls, *exact);
 }
 
 }  // namespace orbearing::bearing::catalogue

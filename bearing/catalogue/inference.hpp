@@ -37,9 +37,4 @@ struct Inside {
 /// Throws std::invalid_argument where no ball of any number makes the static rating.
 Inside inside_of(const Entry& entry);
 
-/// The same for balls with the catalogue's f_0 in place of C: Eq. (5) for f_0, and Z the next whole number to
-/// C_0/(f_0 D_b^2). A check, since C then takes no part at all. Throws std::invalid_argument where f_0 is not
-/// printed.
-Inside inside_by_static_factor(const Entry& entry);
-
 }  // namespace orbearing::bearing::catalogue

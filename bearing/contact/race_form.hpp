@@ -36,6 +36,12 @@ inline double diameter_deviation(const Bearing& bearing, std::size_t j) {
   return j < given.size() ? given[j] : 0.0;
 }
 
+/// Whether races are round and rollers alike: for bearings with rollers.
+inline bool is_round(const Bearing& bearing) {
+  return bearing.inner.form.empty() && bearing.outer.form.empty() &&
+         bearing.rollers().diameter_deviation.empty();
+}
+
 /// Whether the bearing repeats itself when the cage turns by one roller pitch: equal rollers, standing forms.
 inline bool every_pitch_alike(const Bearing& bearing) {
   const auto turns = [](const RaceHarmonic& wave) { return wave.turning; };

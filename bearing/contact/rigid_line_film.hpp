@@ -71,11 +71,4 @@ struct RigidLineFilm {
   }
 };
 
-/// Power lost in the film [W], >= 0, at surface speeds whose difference is `sliding` and half sum
-/// `entrainment` [m/s].
-inline double line_film_power(const LineFilm<double, double>& film, double entrainment, double closing,
-                              double sliding) {
-  return film.load * closing + film.shear * (sliding * sliding + 4.0 * entrainment * entrainment);
-}
-
 }  // namespace orbearing::bearing

@@ -147,24 +147,4 @@ DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& p
   return sum;
 }
 
-double by_roller_parameter(const LaminaBearing& bearing, const DropGradient& gradient) {
-  const auto places = bearing.contact(Race::inner).places();
-  double sum = 0.0;
-  for (Eigen::Index k = 0; k < places.size(); ++k)
-    sum +=
-        (gradient.inner[k] + gradient.outer[k]) *
-        profile::drop_per_parameter(bearing.bearing().rollers().profile, bearing.half_length() * places[k]);
-  return sum;
-}
-
-double by_roller_drop(const LaminaBearing& bearing, const DropGradient& gradient, double station) {
-  const auto places = bearing.contact(Race::inner).places();
-  double sum = 0.0;
-  for (Eigen::Index k = 0; k < places.size(); ++k)
-    sum += (gradient.inner[k] + gradient.outer[k]) *
-           profile::drop_per_drop(bearing.bearing().rollers().profile, bearing.half_length() * places[k],
-                                  station);
-  return sum;
-}
-
 }  // namespace orbearing::bearing::laminae

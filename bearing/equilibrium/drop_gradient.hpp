@@ -31,11 +31,4 @@ DropGradient drop_gradient(const LaminaBearing& bearing, const OperatingPoint& p
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_inner_load,
                            const Eigen::Ref<const Eigen::ArrayXXd>& by_outer_load);
 
-/// Derivative [L per unit] by the leading parameter of the rollers' profile, which lies in both contacts.
-double by_roller_parameter(const LaminaBearing& bearing, const DropGradient& gradient);
-
-/// Derivative [L/m] by the drop of the rollers at `station` [m] from their middle, the profile keeping its
-/// kind.
-double by_roller_drop(const LaminaBearing& bearing, const DropGradient& gradient, double station);
-
 }  // namespace orbearing::bearing::laminae

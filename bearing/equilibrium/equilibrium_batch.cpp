@@ -6,6 +6,7 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "bearing/contact/line_contact.hpp"
+#include "bearing/contact/race_form.hpp"
 
 namespace orbearing::bearing::vectorised {
 
@@ -15,11 +16,14 @@ using boost::math::double_constants::two_pi;
 
 EquilibriumEngine* make_engine([[maybe_unused]] mechanics::InstructionSet set,
                                const EquilibriumConstants& constants) {
+  const bool cut = constants.laminae > 0;
 #if defined(__x86_64__) && !defined(_WIN32)
-  if (set == mechanics::InstructionSet::avx512) return avx512_equilibrium(constants);
-  if (set == mechanics::InstructionSet::avx2) return avx2_equilibrium(constants);
+  if (set == mechanics::InstructionSet::avx512)
+    return cut ? avx512_level_equilibrium(constants) : avx512_equilibrium(constants);
+  if (set == mechanics::InstructionSet::avx2)
+    return cut ? avx2_level_equilibrium(constants) : avx2_equilibrium(constants);
 #endif
-  return baseline_equilibrium(constants);
+  return cut ? baseline_level_equilibrium(constants) : baseline_equilibrium(constants);
 }
 
 double mass_through_cage(const Bearing& bearing, const BearingGeometry& geometry) {
@@ -40,26 +44,31 @@ void resize(EquilibriumResults& results, std::size_t points, int rollers) {
 
 }  // namespace
 
-EquilibriumBlock::EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia)
+EquilibriumBlock::EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia,
+                                   mechanics::InstructionSet set, UnlikeLaminae laminae)
     : geometry_(geometry_of(bearing)),
       inertia_(inertia),
       unit_length_(roller_race_contact(bearing.contact_law, bearing.rollers().length).approach(1.0)),
-      round_(bearing.inner.form.empty() && bearing.outer.form.empty() &&
-             bearing.rollers().diameter_deviation.empty()),
-      cage_mass_(mass_through_cage(bearing, geometry_)) {
+      cage_mass_(mass_through_cage(bearing, geometry_)),
+      laminae_(std::move(laminae)),
+      inner_(static_cast<std::size_t>(bearing.rollers().count * kBlock)),
+      outer_(inner_) {
   const int rollers = bearing.rollers().count;
   for (int j = 0; j < rollers; ++j) {
     const double angle = two_pi * j / rollers;
     pocket_cosine_.push_back(std::cos(angle));
     pocket_sine_.push_back(std::sin(angle));
   }
-}
-
-EquilibriumConstants EquilibriumBlock::constants(double half_clearance) const {
-  return {.rollers = static_cast<int>(pocket_cosine_.size()),
-          .half_clearance = half_clearance / unit_length_,
-          .pocket_cosine = pocket_cosine_.data(),
-          .pocket_sine = pocket_sine_.data()};
+  const double least = laminae_.drop.empty() ? 0.0 : laminae_.drop.front();
+  for (double& drop : laminae_.drop) drop = (drop - least) / unit_length_;
+  engine_.reset(
+      make_engine(set, {.rollers = rollers,
+                        .half_clearance = (0.5 * bearing.radial_clearance + 2.0 * least) / unit_length_,
+                        .pocket_cosine = pocket_cosine_.data(),
+                        .pocket_sine = pocket_sine_.data(),
+                        .laminae = static_cast<int>(laminae_.drop.size()),
+                        .drop = laminae_.drop.data(),
+                        .share = laminae_.share.data()}));
 }
 
 // The inertial load of a roller is radial_inertial_acceleration() on the pitch circle, split by its angle.
@@ -80,14 +89,26 @@ void EquilibriumBlock::put(const OperatingPoint& point, double first_roller, int
       std::abs(first_roller) < 1e6 ? first_roller : std::remainder(first_roller, two_pi);
 }
 
+const EquilibriumOutput& EquilibriumBlock::solve(Eigen::Index first, Eigen::Index count,
+                                                 Eigen::Array2Xd& displacement, Eigen::ArrayXXd& inner_load,
+                                                 Eigen::ArrayXXd& outer_load, double* rollers,
+                                                 double* lamina_loads) {
+  output_.rollers = rollers;
+  output_.lamina_loads = lamina_loads;
+  engine_->solve(input_, output_, inner_.data(), outer_.data());
+  for (Eigen::Index j = 0; j < inner_load.cols(); ++j) {
+    std::copy_n(inner_.data() + j * kBlock, count, inner_load.col(j).data() + first);
+    std::copy_n(outer_.data() + j * kBlock, count, outer_load.col(j).data() + first);
+  }
+  for (Eigen::Index lane = 0; lane < count; ++lane)
+    displacement.col(first + lane) << unit_length_ * output_.displacement_x[lane],
+        unit_length_ * output_.displacement_y[lane];
+  return output_;
+}
+
 EquilibriumBatch::EquilibriumBatch(const Bearing& bearing, const InertiaSwitches& inertia,
                                    mechanics::InstructionSet set)
-    : bearing_(bearing), inertia_(inertia), block_(bearing, inertia) {
-  const auto rollers = static_cast<std::size_t>(bearing.rollers().count);
-  inner_.resize(rollers * kBlock);
-  outer_.resize(rollers * kBlock);
-  engine_.reset(make_engine(set, block_.constants(0.5 * bearing.radial_clearance)));
-}
+    : bearing_(bearing), inertia_(inertia), block_(bearing, inertia, set) {}
 
 void EquilibriumBatch::solve_singly(const EquilibriumPoint& point, std::size_t index,
                                     EquilibriumResults& results) const {
@@ -108,7 +129,7 @@ void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, Equilibri
   const bool all_rigid = std::all_of(points.begin(), points.end(), [](const EquilibriumPoint& at) {
     return at.point.outer_race.is_rigid();
   });
-  if (!block_.is_round() || !all_rigid) {
+  if (!is_round(bearing_) || !all_rigid) {
     for (std::size_t index = 0; index < points.size(); ++index) solve_singly(points[index], index, results);
     return;
   }
@@ -118,19 +139,14 @@ void EquilibriumBatch::solve(std::span<const EquilibriumPoint> points, Equilibri
       const EquilibriumPoint& at = points[first + std::min(count - 1, static_cast<std::size_t>(lane))];
       block_.put(at.point, at.first_roller, lane);
     }
-    engine_->solve(block_.input(), output_, inner_.data(), outer_.data());
     const auto row = static_cast<Eigen::Index>(first);
     const auto rows = static_cast<Eigen::Index>(count);
-    for (Eigen::Index j = 0; j < bearing_.rollers().count; ++j) {
-      std::copy_n(inner_.data() + j * kBlock, rows, results.inner_load.col(j).data() + row);
-      std::copy_n(outer_.data() + j * kBlock, rows, results.outer_load.col(j).data() + row);
-    }
+    const EquilibriumOutput& found =
+        block_.solve(row, rows, results.displacement, results.inner_load, results.outer_load);
     for (Eigen::Index lane = 0; lane < rows; ++lane) {
-      results.displacement(0, row + lane) = block_.unit_length() * output_.displacement_x[lane];
-      results.displacement(1, row + lane) = block_.unit_length() * output_.displacement_y[lane];
-      results.residual[row + lane] = output_.residual[lane];
-      results.iterations[row + lane] = static_cast<int>(output_.iterations[lane]);
-      if (output_.converged[lane] == 0.0) {
+      results.residual[row + lane] = found.residual[lane];
+      results.iterations[row + lane] = static_cast<int>(found.iterations[lane]);
+      if (found.converged[lane] == 0.0) {
         const std::size_t index = first + static_cast<std::size_t>(lane);
         solve_singly(points[index], index, results);
       }

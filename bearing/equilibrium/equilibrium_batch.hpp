@@ -37,10 +37,17 @@ struct EquilibriumResults {
   long solved_singly = 0;                    // [-]  points left to quasi_static_state()
 };
 
-/// What an engine is told of the operating points of one bearing.
+/// Laminae of a contact, those of like drop as one; none: whole contacts.
+struct UnlikeLaminae {
+  std::vector<double> drop;   // [m]  (laminae)  rising
+  std::vector<double> share;  // [-]  (laminae)  of the contact's length
+};
+
+/// An engine for a block of operating points of one round bearing, in units of length.
 class EquilibriumBlock {
  public:
-  EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia);
+  EquilibriumBlock(const Bearing& bearing, const InertiaSwitches& inertia, mechanics::InstructionSet set,
+                   UnlikeLaminae laminae = {});
 
   void put(const OperatingPoint& point, double first_roller, int lane);
   /// Searches of the next block start by themselves where `rollers` is null, else each from a neighbouring
@@ -52,23 +59,25 @@ class EquilibriumBlock {
     input_.start_x[lane] = start.x() / unit_length_;
     input_.start_y[lane] = start.y() / unit_length_;
   }
-  const EquilibriumInput& input() const { return input_; }
-  /// Without laminae. `half_clearance` in [m]; this must outlive who is given them.
-  EquilibriumConstants constants(double half_clearance) const;
+  /// Solves the block. Its first `count` points are those from `first` on of arrays over points; `rollers`
+  /// and `lamina_loads` as in EquilibriumOutput.
+  const EquilibriumOutput& solve(Eigen::Index first, Eigen::Index count, Eigen::Array2Xd& displacement,
+                                 Eigen::ArrayXXd& inner_load, Eigen::ArrayXXd& outer_load,
+                                 double* rollers = nullptr, double* lamina_loads = nullptr);
 
-  const BearingGeometry& geometry() const { return geometry_; }
   double unit_length() const { return unit_length_; }  // [m]  approach of one contact under 1 N
-  /// Round races and rollers that are alike: what engines know.
-  bool is_round() const { return round_; }
 
  private:
   BearingGeometry geometry_;
   InertiaSwitches inertia_;
   double unit_length_;
-  bool round_;
   double cage_mass_;  // [kg]  whose inertial load reaches the outer ring
   std::vector<double> pocket_cosine_, pocket_sine_;
+  UnlikeLaminae laminae_;              // drops in units of length, from the least on
+  std::vector<double> inner_, outer_;  // [N]  (rollers, kBlock)
   EquilibriumInput input_{};
+  EquilibriumOutput output_{};
+  std::unique_ptr<EquilibriumEngine> engine_;
 };
 
 /// The solver for one bearing. Not for use by two threads at once.
@@ -88,10 +97,6 @@ class EquilibriumBatch {
   Bearing bearing_;
   InertiaSwitches inertia_;
   EquilibriumBlock block_;
-  std::vector<double> inner_;  // [N]  (rollers, kBlock)
-  std::vector<double> outer_;  // [N]
-  EquilibriumOutput output_{};
-  std::unique_ptr<EquilibriumEngine> engine_;
 };
 
 }  // namespace orbearing::bearing::vectorised

@@ -4,22 +4,14 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
+
+#include "bearing/contact/race_form.hpp"
 
 namespace orbearing::bearing::vectorised {
 
 namespace {
 
 using boost::math::double_constants::two_pi;
-
-EquilibriumEngine* level_engine([[maybe_unused]] mechanics::InstructionSet set,
-                                const EquilibriumConstants& constants) {
-#if defined(__x86_64__) && !defined(_WIN32)
-  if (set == mechanics::InstructionSet::avx512) return avx512_level_equilibrium(constants);
-  if (set == mechanics::InstructionSet::avx2) return avx2_level_equilibrium(constants);
-#endif
-  return baseline_level_equilibrium(constants);
-}
 
 // Of the same lamina at the other end: profiles are computed from both sides.
 constexpr double kSameDrop = 1e-12;
@@ -41,50 +33,38 @@ bool are_same(const std::vector<double>& a, const std::vector<double>& b) {
                     [same = same_drop(a)](double x, double y) { return std::abs(x - y) <= same; });
 }
 
-bool rollers_stay_level(const Bearing& bearing) {
-  const std::vector<double> inner = drops_at(bearing, Race::inner);
-  return are_same(inner, {inner.rbegin(), inner.rend()}) && are_same(inner, drops_at(bearing, Race::outer));
-}
-
 }  // namespace
 
-bool LevelPitch::holds(const Bearing& bearing, const OperatingPoint& point,
-                       const QuasiStaticOptions& options) {
-  const bool round = bearing.inner.form.empty() && bearing.outer.form.empty() &&
-                     bearing.rollers().diameter_deviation.empty();
-  return round && !options.film && point.outer_race.is_rigid() && point.bore_tilt.isZero(0.0) &&
-         rollers_stay_level(bearing);
-}
-
-LevelPitch::LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options,
-                       mechanics::InstructionSet set)
-    : bearing_(bearing), options_(options), block_(bearing, options.inertia) {
+std::optional<LevelPitch> LevelPitch::of(const Bearing& bearing, const QuasiStaticOptions& options,
+                                         mechanics::InstructionSet set) {
+  if (!is_round(bearing) || options.film) return std::nullopt;
   const std::vector<double> drops = drops_at(bearing, Race::inner);
-  const double same = same_drop(drops), unit = block_.unit_length();
-  std::vector<std::size_t> order(drops.size());
+  if (!are_same(drops, {drops.rbegin(), drops.rend()}) || !are_same(drops, drops_at(bearing, Race::outer)))
+    return std::nullopt;
+  std::vector<std::size_t> order(drops.size()), lamina_of(drops.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return drops[a] < drops[b]; });
-  const double least = drops[order.front()];
-  lamina_of_.resize(drops.size());
+  UnlikeLaminae laminae;
+  const double same = same_drop(drops);
   for (const std::size_t k : order) {
-    const double drop = drops[k] - least;
-    if (drop_.empty() || drop > unit * drop_.back() + same) {
-      drop_.push_back(drop / unit);
-      share_.push_back(0.0);
+    if (laminae.drop.empty() || drops[k] > laminae.drop.back() + same) {
+      laminae.drop.push_back(drops[k]);
+      laminae.share.push_back(0.0);
     }
-    share_.back() += 1.0 / static_cast<double>(drops.size());
-    lamina_of_[k] = drop_.size() - 1;
+    laminae.share.back() += 1.0 / static_cast<double>(drops.size());
+    lamina_of[k] = laminae.drop.size() - 1;
   }
-  const auto rollers = static_cast<std::size_t>(bearing.rollers().count);
-  inner_.resize(rollers * kBlock);
-  outer_.resize(rollers * kBlock);
-  EquilibriumConstants constants = block_.constants(0.5 * bearing.radial_clearance + 2.0 * least);
-  constants.laminae = static_cast<int>(drop_.size());
-  constants.drop = drop_.data();
-  constants.share = share_.data();
-  engine_.reset(level_engine(set, constants));
+  return LevelPitch(bearing, options, std::move(laminae), std::move(lamina_of), set);
 }
+
+LevelPitch::LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
+                       std::vector<std::size_t> lamina_of, mechanics::InstructionSet set)
+    : bearing_(bearing),
+      options_(options),
+      unlike_(laminae.drop.size()),
+      lamina_of_(std::move(lamina_of)),
+      block_(bearing, options.inertia, set, std::move(laminae)) {}
 
 void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near) {
   solve(point, results, near, nullptr);
@@ -101,7 +81,7 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
                        double* lamina_loads) {
   require_finite(point);
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
-  const std::size_t room = 2 * drop_.size() * static_cast<std::size_t>(rollers) * kBlock;
+  const std::size_t room = 2 * unlike_ * static_cast<std::size_t>(rollers) * kBlock;
   results.load = point.bore_load;
   results.rollers.resize(
       static_cast<std::size_t>(2 * rollers * ((positions + kBlock - 1) / kBlock) * kBlock));
@@ -110,10 +90,9 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
   results.outer_load.resize(positions, rollers);
   results.stiffness.resize(static_cast<std::size_t>(positions));
   results.reports.assign(static_cast<std::size_t>(positions), {});
-  const double step = two_pi / (positions * rollers), unit = block_.unit_length();
+  const double step = two_pi / (positions * rollers);
   for (int first = 0; first < positions; first += kBlock) {
     const int count = std::min(kBlock, positions - first);
-    double* const of_rollers = results.rollers.data() + 2 * rollers * first;
     block_.start_near(near == nullptr ? nullptr : near->rollers.data() + 2 * rollers * first);
     for (int lane = 0; lane < kBlock; ++lane) {
       const int position = first + std::min(lane, count - 1);
@@ -121,25 +100,19 @@ void LevelPitch::solve(const OperatingPoint& point, PitchResults& results, const
       if (near != nullptr)
         block_.start_at(near->displacement.col(position).matrix(), start(point, *near, position), lane);
     }
-    output_.rollers = of_rollers;
-    output_.lamina_loads = lamina_loads;
+    const EquilibriumOutput& found =
+        block_.solve(first, count, results.displacement, results.inner_load, results.outer_load,
+                     results.rollers.data() + 2 * rollers * first, lamina_loads);
     if (lamina_loads != nullptr) lamina_loads += room;
-    engine_->solve(block_.input(), output_, inner_.data(), outer_.data());
-    for (Eigen::Index j = 0; j < rollers; ++j) {
-      std::copy_n(inner_.data() + j * kBlock, count, results.inner_load.col(j).data() + first);
-      std::copy_n(outer_.data() + j * kBlock, count, results.outer_load.col(j).data() + first);
-    }
     for (int lane = 0; lane < count; ++lane) {
       const auto position = static_cast<std::size_t>(first + lane);
-      results.displacement.col(first + lane) << unit * output_.displacement_x[lane],
-          unit * output_.displacement_y[lane];
-      results.stiffness[position] << output_.stiffness_xx[lane], output_.stiffness_xy[lane],
-          output_.stiffness_xy[lane], output_.stiffness_yy[lane];
-      results.stiffness[position] /= unit;
+      results.stiffness[position] << found.stiffness_xx[lane], found.stiffness_xy[lane],
+          found.stiffness_xy[lane], found.stiffness_yy[lane];
+      results.stiffness[position] /= block_.unit_length();
       SolverReport& report = results.reports[position];
-      report.iterations = static_cast<int>(output_.iterations[lane]);
-      report.residual = output_.residual[lane];
-      report.converged = output_.converged[lane] != 0.0;
+      report.iterations = static_cast<int>(found.iterations[lane]);
+      report.residual = found.residual[lane];
+      report.converged = found.converged[lane] != 0.0;
       if (!report.converged) report.message = "level rollers found no balance";
     }
   }
@@ -150,7 +123,7 @@ std::optional<laminae::LaminaResult> LevelPitch::laminae_under(const laminae::La
                                                                const PitchResults* near) {
   const int positions = options_.cage_positions, rollers = bearing_.rollers().count;
   const auto stride = static_cast<std::size_t>(rollers) * kBlock;  // from one unlike lamina to the next
-  const std::size_t of_one_race = drop_.size() * stride,
+  const std::size_t of_one_race = unlike_ * stride,
                     blocks = static_cast<std::size_t>((positions + kBlock - 1) / kBlock);
   lamina_loads_.resize(2 * of_one_race * blocks);
   PitchResults pitch;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "bearing/equilibrium/equilibrium_batch.hpp"
@@ -26,12 +26,14 @@ struct PitchResults {
 /// races, dry. Not for use by two threads at once.
 class LevelPitch {
  public:
-  /// Whether all rollers of `bearing` stay level at `point`, between rigid round races without film.
-  static bool holds(const Bearing& bearing, const OperatingPoint& point, const QuasiStaticOptions& options);
-
-  /// Throws std::invalid_argument where the bearing has an unsound profile.
-  LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options,
-             mechanics::InstructionSet set = mechanics::best_instruction_set());
+  /// None where rollers tilt between aligned races, or races are not round or have a film. Throws
+  /// std::invalid_argument where the bearing has an unsound profile.
+  static std::optional<LevelPitch> of(const Bearing& bearing, const QuasiStaticOptions& options,
+                                      mechanics::InstructionSet set = mechanics::best_instruction_set());
+  /// Whether races are aligned and rigid at `point`.
+  static bool holds(const OperatingPoint& point) {
+    return point.outer_race.is_rigid() && point.bore_tilt.isZero(0.0);
+  }
 
   /// At cage angles evenly spaced over a pitch from options.first_roller on. Where a position's report says
   /// that it did not converge, its loads are those of the last iterate. Throws std::invalid_argument where a
@@ -45,19 +47,18 @@ class LevelPitch {
                                                      const PitchResults* near = nullptr);
 
  private:
+  LevelPitch(const Bearing& bearing, const QuasiStaticOptions& options, UnlikeLaminae laminae,
+             std::vector<std::size_t> lamina_of, mechanics::InstructionSet set);
   void solve(const OperatingPoint& point, PitchResults& results, const PitchResults* near,
              double* lamina_loads);
   Eigen::Vector2d start(const OperatingPoint& point, const PitchResults& near, int position) const;
 
   Bearing bearing_;
   QuasiStaticOptions options_;
-  EquilibriumBlock block_;
-  std::vector<double> drop_, share_;    // of EquilibriumConstants
+  std::size_t unlike_;                  // laminae
   std::vector<std::size_t> lamina_of_;  // (laminae of a contact)  which of these it is
-  std::vector<double> inner_, outer_;   // [N]  (rollers, kBlock)
-  std::vector<double> lamina_loads_;    // of EquilibriumOutput, block by block
-  EquilibriumOutput output_{};
-  std::unique_ptr<EquilibriumEngine> engine_;
+  EquilibriumBlock block_;
+  std::vector<double> lamina_loads_;  // of EquilibriumOutput, block by block
 };
 
 }  // namespace orbearing::bearing::vectorised

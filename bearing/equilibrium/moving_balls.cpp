@@ -322,9 +322,10 @@ RingPlace MovingBallRow::put_places(const Eigen::VectorXd& all) {
   return ring;
 }
 
-MovingBallRow::AllForces MovingBallRow::all_forces(const Eigen::VectorXd& all) const {
+mechanics::Imbalance<Eigen::Dynamic> MovingBallRow::all_forces(const Eigen::VectorXd& all) const {
   const Eigen::Index size = all.size();
-  AllForces sum{.force = Eigen::VectorXd::Zero(size), .stiffness = Eigen::MatrixXd::Zero(size, size)};
+  mechanics::Imbalance<Eigen::Dynamic> sum{.force = Eigen::VectorXd::Zero(size),
+                                           .stiffness = Eigen::MatrixXd::Zero(size, size)};
   const RingPlace ring = all.head<5>();
   BallForces at;
   for (Eigen::Index j = 0; j < geometry_.count(); ++j) {

@@ -108,13 +108,8 @@ class MovingBallRow {
   Eigen::VectorXd places(const RingPlace& ring) const;
   /// Takes such places over; returns that of the ring.
   RingPlace put_places(const Eigen::VectorXd& all);
-  /// Forces on all of them [N], without the outer load, and how stiffly they resist [N/m].
-  struct AllForces {
-    Eigen::VectorXd force;
-    Eigen::MatrixXd stiffness;
-    double scale = 0.0;  // [N]  sum of the contact loads
-  };
-  AllForces all_forces(const Eigen::VectorXd& all) const;
+  /// Forces on all of them, without the outer load; their scale is the sum of the contact loads.
+  mechanics::Imbalance<Eigen::Dynamic> all_forces(const Eigen::VectorXd& all) const;
 
   const BallRow& geometry() const { return geometry_; }
   const std::vector<MovingBall>& balls() const { return balls_; }  // where the loads were put

@@ -41,9 +41,7 @@ std::string not_finite_text(const OperatingPoint& point) {
 
 // What waves of the races and unequal rollers add to the approach of the races; empty where there are none.
 Eigen::ArrayXd extra_approach(const Bearing& bearing, const Eigen::ArrayXd& angle) {
-  if (bearing.inner.form.empty() && bearing.outer.form.empty() &&
-      bearing.rollers().diameter_deviation.empty())
-    return {};
+  if (is_round(bearing)) return {};
   Eigen::ArrayXd extra(angle.size());
   for (Eigen::Index j = 0; j < angle.size(); ++j)
     extra[j] = form_at(bearing.inner.form, angle[j], 0.0).height -

@@ -162,10 +162,10 @@ RingPlace RowGroup::put_places(const Eigen::VectorXd& all) {
   return shaft;
 }
 
-MovingBallRow::AllForces RowGroup::all_forces(const Eigen::VectorXd& all) const {
+mechanics::Imbalance<Eigen::Dynamic> RowGroup::all_forces(const Eigen::VectorXd& all) const {
   const RingPlace shaft = all.head<5>();
-  MovingBallRow::AllForces sum{.force = Eigen::VectorXd::Zero(places_),
-                               .stiffness = Eigen::MatrixXd::Zero(places_, places_)};
+  mechanics::Imbalance<Eigen::Dynamic> sum{.force = Eigen::VectorXd::Zero(places_),
+                                           .stiffness = Eigen::MatrixXd::Zero(places_, places_)};
   Eigen::Index from = 5;
   for (Placed& one : rows_) {
     const RingPlace place = one.in_row(shaft);
@@ -174,7 +174,7 @@ MovingBallRow::AllForces RowGroup::all_forces(const Eigen::VectorXd& all) const 
       const Eigen::Index count = 2 * balls->geometry().count();
       Eigen::VectorXd own(5 + count);
       own << place, all.segment(from, count);
-      const MovingBallRow::AllForces forces = balls->all_forces(own);
+      const mechanics::Imbalance<Eigen::Dynamic> forces = balls->all_forces(own);
       sum.force.head<5>() += back * forces.force.head<5>();
       sum.force.segment(from, count) = forces.force.tail(count);
       sum.stiffness.topLeftCorner<5, 5>() += back * forces.stiffness.topLeftCorner<5, 5>() * one.motion;
@@ -238,8 +238,8 @@ struct AllForcesAt {
   RingPlace outer;  // [N]
   bool held;        // the tilts are given
 
-  MovingBallRow::AllForces operator()(const Eigen::VectorXd& places) const {
-    MovingBallRow::AllForces sum = group.all_forces(places);
+  mechanics::Imbalance<Eigen::Dynamic> operator()(const Eigen::VectorXd& places) const {
+    mechanics::Imbalance<Eigen::Dynamic> sum = group.all_forces(places);
     sum.force.head<5>() += outer;
     for (int i = 3; held && i < 5; ++i) {
       sum.force[i] = 0.0;
@@ -252,9 +252,9 @@ struct AllForcesAt {
   // The share of all that follows from the motion, in place of the frozen rows' centrifugal forces.
   mechanics::PathForces operator()(const Eigen::VectorXd& places, double share) const {
     group.freeze(true);
-    const MovingBallRow::AllForces from = (*this)(places);
+    const mechanics::Imbalance<Eigen::Dynamic> from = (*this)(places);
     group.freeze(false);
-    const MovingBallRow::AllForces to = (*this)(places);
+    const mechanics::Imbalance<Eigen::Dynamic> to = (*this)(places);
     return {.force = from.force + share * (to.force - from.force),
             .stiffness = from.stiffness + share * (to.stiffness - from.stiffness),
             .by_share = to.force - from.force,

@@ -64,7 +64,7 @@ class RowGroup {
   bool has_stiffness() const;
   Eigen::VectorXd places(const RingPlace& shaft) const;
   RingPlace put_places(const Eigen::VectorXd& all);
-  MovingBallRow::AllForces all_forces(const Eigen::VectorXd& all) const;
+  mechanics::Imbalance<Eigen::Dynamic> all_forces(const Eigen::VectorXd& all) const;
 
  private:
   struct Placed {

@@ -52,10 +52,6 @@ double reliability_factor(double reliability) {
   return (1.0 - safe_share) * std::pow(hazard_ratio(reliability), 1.0 / slope) + safe_share;
 }
 
-double weibull_life_ratio(double reliability, double slope) {
-  return std::pow(hazard_ratio(reliability), 1.0 / slope);
-}
-
 double weibull_reliability(double life_ratio, double slope) {
   return std::exp(std::log(kReliabilityOfRatings) * std::pow(life_ratio, slope));
 }

@@ -35,9 +35,8 @@ double reference_load(RollingElement element, double capacity, double life);
 /// which [ISO281] prints its table (90 to 99.95 %). Three parameters: near certainty 5 % of L10 is safe.
 double reliability_factor(double reliability);
 
-/// Life over L10 [-] that a share `reliability` in (0, 1) reaches, by Weibull's distribution of two
-/// parameters with slope e; and back.
-double weibull_life_ratio(double reliability, double slope);
+/// Share of bearings that reach a life over L10 of `life_ratio` [-], by Weibull's distribution of two
+/// parameters with slope e.
 double weibull_reliability(double life_ratio, double slope);
 
 /// Life under a load spectrum by the rule of Palmgren and Miner: 1/sum(shares/lives), any unit. `shares` [-]

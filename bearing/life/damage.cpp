@@ -128,12 +128,11 @@ life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inn
 }
 
 BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamageView& inner,
-                       const RaceDamageView& outer) {
+                       const RaceDamageView& outer, const life::LaminaMeans* means) {
   if (inner.laminae.rows() == 0)
     return lundberg_palmgren_life(bearing, lambda, inner.whole.pow(0.25), outer.whole.pow(0.25));
-  const life::LaminaRating rating =
-      life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, lambda);
-  return life_of_fourth_powers(rating, inner.laminae, outer.laminae);
+  return life::life_of_means(life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, lambda),
+                             means ? *means : means_of(bearing.motions, inner, outer));
 }
 
 BearingLife DamageSums::life(const Bearing& bearing, double lambda) const {

@@ -110,16 +110,11 @@ LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eige
   return {mean_of_fourth_powers(inner, motions.inner), mean_of_fourth_powers(outer, motions.outer)};
 }
 
-BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer) {
-  return life_of_means(rating, lamina_means(rating.motions, inner, outer));
-}
-
 BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means) {
   return lives(rating, means.inner, means.outer);
 }
 
-LaminaDamage lamina_damage(const LaminaRating& rating, const LaminaMeans& means) {
+rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means) {
   return {by_lamina(rating.inner_weight, means.inner, rating.motions.inner),
           by_lamina(rating.outer_weight, means.outer, rating.motions.outer)};
 }

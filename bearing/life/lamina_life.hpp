@@ -45,14 +45,8 @@ using LaminaLoads = Eigen::Ref<const Eigen::ArrayXXd>;  // [N]  (laminae, places
 /// Life [rev] for loads at evenly spaced places; infinite at no load.
 BearingLife lamina_life(const LaminaRating& rating, const LaminaLoads& inner, const LaminaLoads& outer);
 
-/// Life [rev] by (3), for means of fourth powers [N^4] (laminae, places); infinite at no load.
-BearingLife life_of_fourth_powers(const LaminaRating& rating, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
-                                  const Eigen::Ref<const Eigen::ArrayXXd>& outer);
-
-/// Means over the places by (3), [N^4] of a turning race, [N^4.5] of a standing one (laminae).
-struct LaminaMeans {
-  Eigen::ArrayXd inner, outer;
-};
+/// Means over the places by (3), [N^4] of a turning race, [N^4.5] of a standing one.
+using LaminaMeans = rating::ByLamina;
 
 /// From fourth powers [N^4] (laminae, places).
 LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eigen::ArrayXXd>& inner,
@@ -61,13 +55,8 @@ LaminaMeans lamina_means(const RaceMotions& motions, const Eigen::Ref<const Eige
 /// Life [rev] under them; infinite at no load.
 BearingLife life_of_means(const LaminaRating& rating, const LaminaMeans& means);
 
-/// Terms of the sum in (1), by race and lamina.
-struct LaminaDamage {
-  Eigen::ArrayXd inner;  // [-]  (laminae)
-  Eigen::ArrayXd outer;  // [-]  (laminae)
-};
-
-LaminaDamage lamina_damage(const LaminaRating& rating, const LaminaMeans& means);
+/// Terms of the sum in (1) [-].
+rating::ByLamina lamina_damage(const LaminaRating& rating, const LaminaMeans& means);
 
 /// Life [rev] of damages that add up to `damage` [-]; infinite without.
 double life_of_damage(double damage);

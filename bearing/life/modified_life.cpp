@@ -33,7 +33,7 @@ std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda,
     const auto laminae = static_cast<int>(means.inner.size());
     return life::lamina_damage(life::lamina_rating(capacities, laminae, bearing.motions), means);
   };
-  const life::LaminaDamage plain = damage_of(own), standard = damage_of(ratings.contacts);
+  const ByLamina plain = damage_of(own), standard = damage_of(ratings.contacts);
   const auto laminae = static_cast<double>(plain.inner.size());
   const double capacity = ratings.dynamic_capacity / roller_set(bearing).lambda;
   double modified_inner = 0.0, modified_outer = 0.0;

@@ -95,16 +95,7 @@ Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& 
   return equivalent;
 }
 
-Eigen::ArrayXd equivalent_of_passages(const std::vector<Eigen::ArrayXXd>& places, RaceMotion motion) {
-  if (places.empty()) return {};
-  Eigen::ArrayXXd at_place(places.front().rows(), static_cast<Eigen::Index>(places.size()));
-  for (std::size_t place = 0; place < places.size(); ++place)
-    at_place.col(static_cast<Eigen::Index>(place)) =
-        equivalent_lamina_loads(places[place], RaceMotion::turning);
-  return equivalent_lamina_loads(at_place, motion);
-}
-
-BearingLife lamina_reference_life(const ContactCapacities& capacities, const LaminaEquivalents& loads) {
+BearingLife lamina_reference_life(const ContactCapacities& capacities, const ByLamina& loads) {
   return life_of_races(race_damage(capacities.inner, loads.inner), race_damage(capacities.outer, loads.outer),
                        kRollerSlope);
 }

@@ -30,18 +30,14 @@ Eigen::ArrayXXd loads_of_pressures(const Eigen::Ref<const Eigen::ArrayXXd>& pres
 /// turns relative to the load, 4.5 on the one that stands. `loads` [N] (laminae, rollers) hold the riser.
 Eigen::ArrayXd equivalent_lamina_loads(const Eigen::Ref<const Eigen::ArrayXXd>& loads, RaceMotion motion);
 
-/// The same from a motion in time: one array [N] (laminae, passages) for each of evenly spaced places around
-/// the bearing. A turning race meets all passages alike; a standing one has a mean of power 4 at each place.
-Eigen::ArrayXd equivalent_of_passages(const std::vector<Eigen::ArrayXXd>& places, RaceMotion motion);
-
-/// Equivalent loads of all laminae on both races [N] (laminae), the stress riser or pressures in them.
-struct LaminaEquivalents {
-  Eigen::ArrayXd inner;  // [N]
-  Eigen::ArrayXd outer;  // [N]
+/// A number of each lamina on both races.
+struct ByLamina {
+  Eigen::ArrayXd inner, outer;  // (laminae)
 };
 
-/// L10r [rev] of races and bearing, for contact capacities [N] of a whole roller; infinite at no load.
-BearingLife lamina_reference_life(const ContactCapacities& capacities, const LaminaEquivalents& loads);
+/// L10r [rev] of races and bearing, for contact capacities [N] of a whole roller and equivalent loads [N]
+/// with the stress riser or pressures in them; infinite at no load.
+BearingLife lamina_reference_life(const ContactCapacities& capacities, const ByLamina& equivalent_loads);
 
 /// The same for lamina loads [N] (laminae, rollers) on both races, with the stress riser put on here.
 BearingLife lamina_reference_life(const ContactCapacities& capacities,

@@ -19,9 +19,6 @@ struct BoreMotion {
 
 /// What the bearing does to the planet: all that rollers, film and, where the outer ring guides it, the cage
 /// exert on the bore.
-struct BoreReaction {
-  Vector2 force = Vector2::Zero();  // [N]    on the bore
-  double moment = 0.0;              // [N m]  on the bore, about its axis, positive counterclockwise
-};
+using BoreReaction = Wrench;
 
 }  // namespace orbearing::bearing::motion

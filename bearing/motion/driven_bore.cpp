@@ -44,7 +44,7 @@ BoreReaction driven_derivative(const BearingModel& model, const BoreMotion& moti
   rates::set_pin(model, frame, rings.pin, on_rings.pin.force, rate);
   rate.bore_position = motion.velocity;
   rate.bore_velocity = motion.acceleration;
-  return {on_rings.bore.force, on_rings.bore.moment};
+  return on_rings.bore;
 }
 
 BoreReaction reaction(const BearingModel& model, const BoreMotion& motion,
@@ -55,7 +55,7 @@ BoreReaction reaction(const BearingModel& model, const BoreMotion& motion,
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j)
     on_rings.add(roller_forces(model, rings, roller_body(model, state, j), j));
   on_rings.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
-  return {on_rings.bore.force, on_rings.bore.moment};
+  return on_rings.bore;
 }
 
 BearingModel model_at(const BearingModel& model, const BoreMotion& motion) {

@@ -3,6 +3,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "bearing/contact/race_form.hpp"
 #include "bearing/equilibrium/elastic_waves.hpp"
 #include "bearing/motion/race_model.hpp"
 #include "mechanics/checks.hpp"
@@ -175,8 +176,7 @@ std::vector<double> larger_rollers(const Bearing& bearing) {
 }
 
 bool is_plain(const Bearing& bearing, const BearingModel& model) {
-  return model.layout.caged && bearing.inner.form.empty() && bearing.outer.form.empty() &&
-         !model.inner.friction.mixed && bearing.rollers().diameter_deviation.empty() &&
+  return model.layout.caged && is_round(bearing) && !model.inner.friction.mixed &&
          !model.pocket.with_film() && !model.laminae && model.layout.waves == 0;
 }
 

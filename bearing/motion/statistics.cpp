@@ -123,8 +123,4 @@ RaceDamageView damage_of(const RaceStatistics& race) {
   return {race.damage, race.lamina_damage};
 }
 
-BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics) {
-  return life_under(bearing, lambda, damage_of(statistics.inner), damage_of(statistics.outer));
-}
-
 }  // namespace orbearing::bearing::motion

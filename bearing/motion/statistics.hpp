@@ -84,7 +84,4 @@ class StatisticsCollector {
 /// What a race has taken of its life.
 RaceDamageView damage_of(const RaceStatistics& race);
 
-/// Life by Lundberg and Palmgren from dynamic loads; arguments as in lundberg_palmgren_life().
-BearingLife dynamic_life(const Bearing& bearing, double lambda, const WindowStatistics& statistics);
-
 }  // namespace orbearing::bearing::motion

@@ -1,7 +1,5 @@
 #include "bearing/pressure/elasticity.hpp"
 
-#include <boost/math/constants/constants.hpp>
-#include <cmath>
 #include <stdexcept>
 
 #include "mechanics/checks.hpp"
@@ -43,10 +41,6 @@ double mirror_factor(const HalfSpaceContact& contact) {
   return (roller * mirror_factor(contact.roller_ends, contact.roller.poisson_ratio) +
           race * mirror_factor(contact.race_ends, contact.race.poisson_ratio)) /
          (roller + race);
-}
-
-double corner_exponent(double mirror_factor) {
-  return mirror_factor < 1.0 ? std::acos(mirror_factor) / boost::math::double_constants::pi : 0.0;
 }
 
 void require_sound(const HalfSpaceContact& contact) {

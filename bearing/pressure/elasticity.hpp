@@ -17,12 +17,6 @@ double mirror_factor(EndSurface ends, double poisson_ratio);
 /// their compliances.
 double mirror_factor(const HalfSpaceContact& contact);
 
-/// Exponent lambda [-] with which pressure grows as r^-lambda towards the end of a straight contact with
-/// sharp corners in this model: cos(pi lambda) = mirror factor; 1/2 for half-spaces. Zero from factor 1 on,
-/// where pressure stays finite. (A true quarter space on a half-space of the same material: 0.226,
-/// [DundursLee1972].)
-double corner_exponent(double mirror_factor);
-
 /// Throws std::invalid_argument where `contact` has no meaning.
 void require_sound(const HalfSpaceContact& contact);
 

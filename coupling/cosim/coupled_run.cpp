@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
-#include "coupling/cosim/joint_vector.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::cosim {
@@ -16,6 +16,77 @@ namespace {
 using mechanics::refuse;
 
 constexpr int kHighestOrder = 2;
+
+// Sizes of typical values, one over which is their weight.
+struct JointScales {
+  JointValue translation;
+  JointValue rotation;
+};
+
+void take_largest(const JointValue& value, JointValue& largest) {
+  largest.displacement = std::max(largest.displacement, std::abs(value.displacement));
+  largest.velocity = std::max(largest.velocity, std::abs(value.velocity));
+  largest.force = std::max(largest.force, std::abs(value.force));
+}
+
+void complete(JointValue& scale, double length) {
+  constexpr double share = 1e-3;
+  scale.velocity = std::max(scale.velocity, share * scale.displacement / length);
+  for (double* value : {&scale.displacement, &scale.velocity, &scale.force})
+    if (*value == 0.0) *value = 1.0;
+}
+
+// Calls `function` with each value that belongs to the vector.
+template <class Values, class Function>
+void for_each_expected(const Exchange& exchange, Values& values, const Function& function) {
+  for (std::size_t joint = 0; joint < exchange.joints(); ++joint) {
+    auto& value = values.joints[joint];
+    if (exchange.motion_is_expected(joint)) {
+      function(value.displacement);
+      function(value.velocity);
+    }
+    if (exchange.force_is_expected(joint)) function(value.force);
+  }
+}
+
+// Largest absolute values of each kind in both; 1 where all are zero. A velocity counts at least as much as
+// would move the joint a thousandth of the displacements in a window of `length` [s], so that joints at rest
+// can converge.
+JointScales scales_of(const Exchange& exchange, const InterfaceValues& a, const InterfaceValues& b,
+                      double length) {
+  JointScales scales;
+  for (std::size_t joint = 0; joint < exchange.joints(); ++joint) {
+    JointValue& scale =
+        exchange.port(joint).kind == PortKind::translation ? scales.translation : scales.rotation;
+    take_largest(a.joints[joint], scale);
+    take_largest(b.joints[joint], scale);
+  }
+  complete(scales.translation, length);
+  complete(scales.rotation, length);
+  return scales;
+}
+
+// Of each joint displacement and velocity where its motion is expected, the force where that is.
+Eigen::VectorXd packed(const Exchange& exchange, const InterfaceValues& values) {
+  std::vector<double> list;
+  for_each_expected(exchange, values, [&](double value) { list.push_back(value); });
+  return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Eigen::Index>(list.size()));
+}
+
+// The inverse; writes into `values` what the vector holds.
+void unpack(const Exchange& exchange, const Eigen::VectorXd& vector, InterfaceValues& values) {
+  Eigen::Index place = 0;
+  for_each_expected(exchange, values, [&](double& value) { value = vector[place++]; });
+}
+
+// One over the size of each of them.
+Eigen::VectorXd weights(const Exchange& exchange, const JointScales& scales) {
+  InterfaceValues sizes;
+  for (std::size_t joint = 0; joint < exchange.joints(); ++joint)
+    sizes.joints.push_back(exchange.port(joint).kind == PortKind::translation ? scales.translation
+                                                                              : scales.rotation);
+  return packed(exchange, sizes).cwiseInverse();
+}
 
 void require_sound(const CoupledOptions& options) {
   if (!(options.window > 0.0 && std::isfinite(options.window)))

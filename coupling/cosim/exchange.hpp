@@ -1,8 +1,8 @@
 // One pass of all sides over a window: who hears of whom, and when.
 #pragma once
 
-#include "coupling/cosim/connection.hpp"
 #include "coupling/cosim/interface_polynomial.hpp"
+#include "coupling/cosim/port.hpp"
 #include "mechanics/described.hpp"
 
 namespace orbearing::cosim {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/cosim/polynomials.hpp"
+#include "coupling/cosim/port.hpp"
 
 namespace orbearing::cosim {
 

@@ -1,4 +1,5 @@
-// Ports: power-conjugate pairs of a motion and a force, at which two participants meet.
+// Ports: power-conjugate pairs of a motion and a force, at which participants meet, and which of them are one
+// joint.
 //
 // A port is one freedom of a body. The displacement counts from the place where the joint is neither pressed
 // nor turned; the force is that which acts on the body whose motion it is, so that force x velocity [W] is
@@ -6,6 +7,7 @@
 // are connected give forces, which add up.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -54,5 +56,21 @@ struct Side {
   std::vector<Nominal> outputs = {};
 };
 using Sides = std::vector<Side>;
+
+/// A port of a side, both counted from 0.
+struct PortPlace {
+  std::size_t side = 0;
+  std::size_t port = 0;
+};
+
+/// One joint: a side gives the motion; one or more give forces, which add up.
+struct Connection {
+  PortPlace motion;
+  std::vector<PortPlace> forces;
+};
+
+/// Joins ports of one name, in the order in which their motion is given. Throws std::invalid_argument where a
+/// name has not one giver of motion and at least one of force, or ports of different kinds.
+std::vector<Connection> connect_by_name(const Sides& sides);
 
 }  // namespace orbearing::cosim

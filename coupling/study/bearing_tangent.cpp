@@ -60,9 +60,9 @@ std::vector<AtCageAngle> over_a_pitch(const bearing::Bearing& whole, const beari
                                       const bearing::QuasiStaticOptions& options) {
   using bearing::vectorised::LevelPitch;
   std::vector<AtCageAngle> all;
-  if (LevelPitch::holds(whole, point, options)) {
+  if (std::optional<LevelPitch> level; LevelPitch::holds(point) && (level = LevelPitch::of(whole, options))) {
     bearing::vectorised::PitchResults pitch;
-    LevelPitch(whole, options).solve(point, pitch);
+    level->solve(point, pitch);
     for (std::size_t i = 0; i < pitch.reports.size() && pitch.reports[i].converged; ++i) {
       const auto row = static_cast<Eigen::Index>(i);
       all.push_back({pitch.displacement.col(row), pitch.stiffness[i], pitch.inner_load.row(row),

@@ -58,13 +58,13 @@ class PlanetSupport {
         pitches_(static_cast<std::size_t>(drivetrain.set.planets)),
         whole_(pitches_.size()),
         cut_states_(pitches_.size()) {
-    if (LevelPitch::holds(bearing_, duty.point, options_)) level_.emplace(bearing_, options_);
+    if (LevelPitch::holds(duty.point)) level_ = LevelPitch::of(bearing_, options_);
     if (bearing_.rollers().laminae > 0) cut_.emplace(bearing_, mechanics::InstructionSet::baseline);
   }
 
   Give give(std::size_t planet, const Vector2d& force) {
     const bearing::OperatingPoint point = point_under(drivetrain_, duty_, force);
-    if (level_)
+    if (level_ && LevelPitch::holds(point))
       if (const std::optional<Give> give = give_of_level_rollers(planet, point)) return *give;
     return cut_ ? mean_over_angles(point, cut_states_, planet,
                                    [&](double first_roller, const bearing::laminae::LaminaState* near) {
@@ -90,7 +90,6 @@ class PlanetSupport {
  private:
   // Of all cage angles at once; none where one of them does not converge.
   std::optional<Give> give_of_level_rollers(std::size_t planet, const bearing::OperatingPoint& point) {
-    if (!point.bore_tilt.isZero(0.0)) return std::nullopt;
     const PitchResults& near = pitches_[planet].reports.empty() ? pitches_.front() : pitches_[planet];
     level_->solve(point, found_, near.reports.empty() ? nullptr : &near);
     const auto positions = static_cast<double>(found_.reports.size());
@@ -346,10 +345,6 @@ PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const Dr
   std::vector<double> shares = shares_at(set, now.state, bearing_duty(drivetrain, geometry));
   return {
       .shares = std::move(shares), .forces = std::move(now.forces), .offset = offset, .stiffness = stiffness};
-}
-
-std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
-  return planet_balance(drivetrain, geometry).shares;
 }
 
 std::vector<BearingDuty> planet_duties(const PlanetaryDrivetrain& drivetrain,

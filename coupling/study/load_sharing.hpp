@@ -11,7 +11,9 @@ namespace orbearing::study {
 /// Planets in the balance that shares the set's mean load among them, each on a spring whose pin is displaced
 /// such that it gives the force of the bearings there.
 struct PlanetBalance {
-  std::vector<double> shares;  // [-]  (planets)  as load_shares() has them
+  /// [-]  (planets)  of the mean load of the meshes, 1 where all carry alike; negative where the planet is
+  /// driven on its back flanks.
+  std::vector<double> shares;
   Eigen::Matrix2Xd forces;     // [N]  (2, planets)  of the bearings on each planet
   Eigen::Matrix2Xd offset;  // [m]  (2, planets)  of the pins: displacement by the bearings, force / stiffness
   double stiffness = 0.0;   // [N/m]  of the springs
@@ -19,7 +21,10 @@ struct PlanetBalance {
   std::vector<std::shared_ptr<const bearing::vectorised::PitchResults>> pitches{};
 };
 
-/// Found by the search of load_shares(); throws as that does.
+/// Static balance of the gears at their mean mesh stiffness, with teeth that part, on bearings that give way
+/// as their quasi-static loads say, each on the support of its pin.
+/// @throws std::runtime_error where no balance is found, std::invalid_argument where the drivetrain has no
+/// gears that can move
 PlanetBalance planet_balance(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 /// Forces and shares of a set on given springs with given offsets: an explicit map, whatever its bearings
@@ -31,13 +36,6 @@ PlanetBalance balance_on_springs(const PlanetaryDrivetrain& drivetrain, const Dr
 /// and by how much they and the pin's support displace the planet are functions of it.
 bearing::OperatingPoint point_under(const PlanetaryDrivetrain& drivetrain, const BearingDuty& even,
                                     const Eigen::Vector2d& force);
-
-/// Share [-] of each planet in the mean load of the meshes, 1 where all carry alike; negative where the
-/// planet is driven on its back flanks. Static balance of the gears at their mean mesh stiffness, with teeth
-/// that part, on bearings that give way as their quasi-static loads say, each on the support of its pin.
-/// @throws std::runtime_error where no balance is found, std::invalid_argument where the drivetrain has no
-/// gears that can move
-std::vector<double> load_shares(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 /// Duty of one bearing of each planet that carries such a share of the mean load.
 std::vector<BearingDuty> duties_with_shares(const PlanetaryDrivetrain& drivetrain,

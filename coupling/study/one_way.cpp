@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/study/affine_fit.hpp"
-
 namespace orbearing::study {
 
 namespace {
@@ -94,12 +92,9 @@ bool damps(const AffineBearing& law) {
 // The last run in `record`, which it may be accepted with.
 void note(const FittedBearing& fitted, const OneWayOptions& options, OneWayRecord& record) {
   ++record.runs;
-  record.bearing = fitted.bearing;
-  record.residual = fitted.residual;
-  record.stiffness_change = fitted.stiffness_change;
-  record.damping_change = fitted.damping_change;
-  record.accepted = record.runs > 1 && record.stiffness_change <= options.stiffness_change &&
-                    record.damping_change <= options.damping_change;
+  record.fitted = fitted;
+  record.accepted = record.runs > 1 && fitted.stiffness_change <= options.stiffness_change &&
+                    fitted.damping_change <= options.damping_change;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "coupling/study/affine_fit.hpp"
 #include "coupling/study/mesh_excitation.hpp"
 #include "coupling/system/steady_state.hpp"
 
@@ -18,12 +19,10 @@ struct OneWayOptions {
 
 /// What stood for the bearings while the gears moved.
 struct OneWayRecord {
-  gearset::dynamics::AffineBearing bearing;  // all bearings of a planet, as fitted to the last run
-  double residual = 0.0;                     // [-]  what the fit leaves of the force at the mesh harmonics
-  double stiffness_change = 0.0;             // [-]  from what the gears moved on in the last run
-  double damping_change = 0.0;               // [-]
-  int runs = 0;                              // of gears and bearing
-  bool accepted = false;                     // both changes within what is allowed
+  FittedBearing
+      fitted;    // all bearings of a planet, to the last run; changes from what the gears moved on in it
+  int runs = 0;  // of gears and bearing
+  bool accepted = false;  // both changes within what is allowed
 };
 
 /// A bearing in its steady state, and what drove it.

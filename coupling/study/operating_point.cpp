@@ -124,8 +124,9 @@ class BearingsAtRest {
   BearingsAtRest(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry)
       : drivetrain_(drivetrain), geometry_(geometry), options_(quasi_static_options(drivetrain)) {
     // One instruction set everywhere, so that points are equal to the last bit on all machines of a sweep.
-    if (drivetrain.bearing.rollers().laminae > 0)
-      cut_.emplace(drivetrain.bearing, mechanics::InstructionSet::baseline);
+    if (drivetrain.bearing.rollers().laminae == 0) return;
+    cut_.emplace(drivetrain.bearing, mechanics::InstructionSet::baseline);
+    if (drivetrain.seats.tilt != TiltState::computed) level_ = LevelPitch::of(drivetrain.bearing, options_);
   }
 
   /// All bearings of a planet: one where they are alike.
@@ -151,13 +152,9 @@ class BearingsAtRest {
     return all;
   }
 
-  // Whether rollers stay level is the same for all planets but for their tilts.
   bearing::laminae::LaminaResult loads_of_laminae(const BearingDuty& duty) {
-    if (level_ ? duty.point.bore_tilt.isZero(0.0) && duty.point.outer_race.is_rigid()
-               : LevelPitch::holds(drivetrain_.bearing, duty.point, options_)) {
-      if (!level_) level_.emplace(drivetrain_.bearing, options_);
+    if (level_ && LevelPitch::holds(duty.point))
       if (auto loads = level_->laminae_under(*cut_, duty.point, duty.near.get())) return *std::move(loads);
-    }
     return bearing::laminae::quasi_static_laminae(*cut_, duty.point, options_);
   }
 
@@ -168,9 +165,11 @@ class BearingsAtRest {
   std::optional<LevelPitch> level_;
 };
 
-// The one life of all fidelities.
-bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means) {
-  return bearing::motion::dynamic_life(drivetrain.bearing, drivetrain.lambda, means);
+// The one life of all fidelities; `powers` where they are known.
+bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means,
+                                      const bearing::life::LaminaMeans* powers = nullptr) {
+  return bearing::motion::life_under(drivetrain.bearing, drivetrain.lambda, damage_of(means.inner),
+                                     damage_of(means.outer), powers);
 }
 
 bearing::rating::OilCondition oil_of(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty,
@@ -211,13 +210,7 @@ LifeRecord lives_under_means(const PlanetaryDrivetrain& drivetrain, const Bearin
   if (!drivetrain.rated) return {life_under_means(drivetrain, means), std::nullopt};
   const bearing::life::LaminaMeans powers =
       bearing::motion::means_of(drivetrain.bearing.motions, damage_of(means.inner), damage_of(means.outer));
-  const bool cut = means.inner.lamina_damage.rows() > 0;
-  return {cut ? bearing::life::life_of_means(
-                    bearing::life::lamina_rating(
-                        drivetrain.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain.lambda),
-                    powers)
-              : life_under_means(drivetrain, means),
-          modified_record(drivetrain, duty, means, powers)};
+  return {life_under_means(drivetrain, means, &powers), modified_record(drivetrain, duty, means, powers)};
 }
 
 void put_life(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty, const WindowStatistics& means,

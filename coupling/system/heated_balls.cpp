@@ -87,19 +87,6 @@ double viscosity_at(double stated, const HeatParameters& heat, double temperatur
   return stated * std::exp(-heat.viscosity_slope * (temperature - heat.stated_at));
 }
 
-std::vector<WarmState> warm_up(const ThermalNetwork& network, const HeatSource& source, const Eigen::VectorXd& start,
-                               double length, int count) {
-  std::vector<WarmState> states{{0.0, start, source(start)}};
-  for (int i = 0; i < count; ++i) {
-    const WarmState& now = states.back();
-    const Eigen::VectorXd first = network.after(now.temperature, now.heat, length);
-    const Eigen::VectorXd mean = 0.5 * (now.heat + source(first));
-    const Eigen::VectorXd then = network.after(now.temperature, mean, length);
-    states.push_back({now.time + length, then, source(then)});
-  }
-  return states;
-}
-
 std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,
                                       const Eigen::VectorXd& start, double error, double steady) {
   std::vector<WarmState> states{{0.0, start, source(start)}};

@@ -102,13 +102,10 @@ struct WarmState {
   Eigen::VectorXd heat;          // [W]
 };
 
-/// Steps of `length` [s] through `count` of them, by Heun's method on the exact solution of steady heat: two
-/// looks at the source in each.
-std::vector<WarmState> warm_up(const ThermalNetwork& network, const HeatSource& source, const Eigen::VectorXd& start,
-                               double length, int count);
-
-/// From `start` until the temperatures are steady, by steps that grow as `error` [K] allows; the last state is
-/// that at which as much leaves as arises, to `steady` [K]. Throws std::runtime_error where they do not settle.
+/// From `start` until the temperatures are steady, by steps of Heun's method on the exact solution of
+/// steady heat, which grow as `error` [K] allows; the last state is
+/// that at which as much leaves as arises, to `steady` [K]. Throws std::runtime_error where they do not
+/// settle.
 std::vector<WarmState> warm_to_steady(const ThermalNetwork& network, const HeatSource& source,
                                       const Eigen::VectorXd& start, double error = 0.5, double steady = 0.05);
 

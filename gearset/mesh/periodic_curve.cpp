@@ -143,10 +143,4 @@ double PeriodicCurve::largest() const {
   return largest;
 }
 
-double PeriodicCurve::value_before(std::size_t index) const {
-  const Piece& piece = index == 0 ? pieces_.back() : pieces_[index - 1];
-  const Cubic& c = cubics_[piece.first + piece.intervals - 1];
-  return c.value + c.slope + c.square + c.cube;
-}
-
 }  // namespace orbearing::gearset

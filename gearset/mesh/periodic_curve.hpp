@@ -58,11 +58,8 @@ class PeriodicCurve {
   double least() const;
   double largest() const;
 
-  /// Fractions in [0, 1), ascending.
+  /// Fractions in [0, 1), ascending; value() there is the limit from the right.
   const std::vector<double>& jumps() const { return jumps_; }
-
-  /// Limit from the left at jump `index`; `value(jumps()[index])` is the one from the right.
-  double value_before(std::size_t index) const;
 
  private:
   // value + slope s + square s^2 + cube s^3 over its interval, s from 0 to 1.

@@ -33,7 +33,7 @@ PlanetaryDrivetrain displaced(int planets, double error, bool floating_sun) {
 }
 
 std::vector<double> shares_of(const PlanetaryDrivetrain& drivetrain) {
-  return load_shares(drivetrain, derive(drivetrain));
+  return planet_balance(drivetrain, derive(drivetrain)).shares;
 }
 
 double sum(const std::vector<double>& shares) {

@@ -43,7 +43,7 @@ PlanetaryDrivetrain placed(const std::vector<int>& steps, double sun_support = 0
 }
 
 std::vector<double> shares_of(const PlanetaryDrivetrain& drivetrain) {
-  return load_shares(drivetrain, derive(drivetrain));
+  return planet_balance(drivetrain, derive(drivetrain)).shares;
 }
 
 // Eq. (23): on every place where teeth fit, and on no other, both meshes of a planet agree.

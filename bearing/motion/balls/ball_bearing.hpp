@@ -8,10 +8,15 @@
 
 #include "bearing/equilibrium/ring_balance.hpp"
 #include "bearing/motion/balls/engine.hpp"
-#include "bearing/motion/balls/model.hpp"
+#include "bearing/motion/balls/numbers.hpp"
+#include "bearing/motion/balls/parameters.hpp"
 #include "mechanics/packs/instruction_set.hpp"
 
 namespace orbearing::bearing::balls {
+
+/// From what a user states to the constants of a motion. Throws std::invalid_argument for rollers, for
+/// grooves no wider than balls, and where masses, clearances or oil that the motion needs are missing.
+BallNumbers ball_numbers(const Bearing& bearing, const MotionParameters& parameters);
 
 /// How one ring turns: at `speed` [rad/s], which grows by `acceleration` [rad/s^2] until it is `final_speed`.
 struct RingDrive {

@@ -1,4 +1,4 @@
-#include "bearing/motion/balls/model.hpp"
+#include "bearing/motion/balls/ball_bearing.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>

@@ -30,15 +30,6 @@ struct RaceTouch {
   Number damping_power{}, sliding_power{}, spin_power{}, differential_power{}, rolling_power{};  // [W]
 };
 
-namespace detail {
-/// Cube root of x > 0.
-template <class Number>
-Number cube_root(const Number& x) {
-  return mechanics::exponential((1.0 / 3.0) * mechanics::logarithm(x));
-}
-using mechanics::exponential, mechanics::logarithm;
-}  // namespace detail
-
 /// What scratches of the race do to a contact.
 template <class Number>
 struct Sunk {

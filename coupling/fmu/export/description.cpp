@@ -5,8 +5,11 @@
 #include <pugixml.hpp>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
 
-#include "coupling/fmu/export/units.hpp"
 #include "coupling/fmu/variable_table.hpp"
 
 namespace orbearing::fmu {
@@ -14,6 +17,41 @@ namespace orbearing::fmu {
 namespace {
 
 using Node = pugi::xml_node;
+
+// Exponents of a coherent unit.
+struct BaseUnit {
+  int kg = 0;
+  int m = 0;
+  int s = 0;
+  int rad = 0;
+};
+
+// Throws std::logic_error for a unit that is not in the table: an error of the program.
+BaseUnit base_unit(std::string_view unit) {
+  static constexpr std::array<std::pair<std::string_view, BaseUnit>, 18> table{{
+      {"1", {}},
+      {"s", {.s = 1}},
+      {"m", {.m = 1}},
+      {"m/s", {.m = 1, .s = -1}},
+      {"s/m", {.m = -1, .s = 1}},
+      {"rad", {.rad = 1}},
+      {"rad/s", {.s = -1, .rad = 1}},
+      {"rad/s2", {.s = -2, .rad = 1}},
+      {"kg", {.kg = 1}},
+      {"kg/m3", {.kg = 1, .m = -3}},
+      {"N", {.kg = 1, .m = 1, .s = -2}},
+      {"N.m", {.kg = 1, .m = 2, .s = -2}},
+      {"N/m", {.kg = 1, .s = -2}},
+      {"N.s/m", {.kg = 1, .s = -1}},
+      {"W", {.kg = 1, .m = 2, .s = -3}},
+      {"Pa", {.kg = 1, .m = -1, .s = -2}},
+      {"Pa.s", {.kg = 1, .m = -1, .s = -1}},
+      {"1/Pa", {.kg = -1, .m = 1, .s = 2}},
+  }};
+  for (const auto& [name, exponents] : table)
+    if (name == unit) return exponents;
+  throw std::logic_error("unit " + std::string(unit) + " has no base units");
+}
 
 struct Model {
   ModelFacts facts;

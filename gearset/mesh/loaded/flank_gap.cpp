@@ -178,12 +178,4 @@ FlankGap flank_gap(const MeshingGears& gears, double place) {
   return touching(gears, edge, by_tip ? gap_on_mate(gears, edge, place) : gap_of_foot(gears, edge, place));
 }
 
-double gap_near(const MeshingGears& gears, PathEnd end, double distance) {
-  const EdgeAtEnd edge = edge_at(gears, end);
-  const double base = base_radius(edge.of_first ? gears.first : gears.second);
-  const double place = end == PathEnd::begin ? gears.path.begin : gears.path.end;
-  const double mate = edge.of_first ? place : on_first(gears, place);
-  return edge.tangent * gears.line_length * distance * distance / (2.0 * base * base * mate);
-}
-
 }  // namespace orbearing::gearset

@@ -35,8 +35,4 @@ FlankGap flank_gap(const MeshingGears& gears, double place);
 /// where the tip ends the path. The gap has a corner there. [m]
 double tip_takes_over(const MeshingGears& gears, PathEnd end);
 
-/// The gap beside an end of the path to second order. Eq. (4).
-/// @param distance [m] beyond the end
-double gap_near(const MeshingGears& gears, PathEnd end, double distance);
-
 }  // namespace orbearing::gearset

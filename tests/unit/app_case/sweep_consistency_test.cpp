@@ -1,4 +1,4 @@
-#include "app/case/sweep_consistency.hpp"
+#include "app/case/consistency.hpp"
 
 #include <gmock/gmock.h>
 

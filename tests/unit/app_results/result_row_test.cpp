@@ -146,11 +146,12 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .neighbours = 256.0,
                                                  .guidance = 64.0,
                                                  .support = 128.0}};
-  study::OneWayRecord fit{
-      .residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0, .runs = 40, .accepted = true};
-  fit.bearing.stiffness << 44.0, 45.0, 46.0, 47.0;
-  fit.bearing.damping << 48.0, 49.0, 50.0, 51.0;
-  fit.bearing.force << 52.0, 53.0;
+  study::OneWayRecord fit{.fitted = {.residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0},
+                          .runs = 40,
+                          .accepted = true};
+  fit.fitted.bearing.stiffness << 44.0, 45.0, 46.0, 47.0;
+  fit.fitted.bearing.damping << 48.0, 49.0, 50.0, 51.0;
+  fit.fitted.bearing.force << 52.0, 53.0;
   result.dynamic->one_way = fit;
   result.two_way = {.bearing_life_hours = {22.0, 21.0}, .energy_residual = 23.0, .window = 24e-6};
   result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};

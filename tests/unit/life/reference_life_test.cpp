@@ -34,19 +34,6 @@ TEST(EquivalentLaminaLoads, PowersByMotion) {
   EXPECT_EQ(equivalent_lamina_loads(loads, RaceMotion::turning)[1], 0.0);
 }
 
-// Places that see the same load at every passage are quasi-static; scatter within a place counts by power 4.
-TEST(EquivalentOfPassages, SteadyPlacesAreQuasiStatic) {
-  const Eigen::ArrayXXd steady = (Eigen::ArrayXXd(1, 4) << 100.0, 60.0, 0.0, 20.0).finished();
-  std::vector<Eigen::ArrayXXd> places;
-  for (Eigen::Index j = 0; j < 4; ++j) places.push_back(Eigen::ArrayXXd::Constant(1, 3, steady(0, j)));
-  for (const RaceMotion motion : {RaceMotion::turning, RaceMotion::standing})
-    EXPECT_NEAR(equivalent_of_passages(places, motion)[0], equivalent_lamina_loads(steady, motion)[0],
-                100.0 * kRoundOff);
-  const std::vector<Eigen::ArrayXXd> scattered(5, (Eigen::ArrayXXd(1, 2) << 100.0, 0.0).finished());
-  EXPECT_NEAR(equivalent_of_passages(scattered, RaceMotion::standing)[0], 100.0 * std::pow(2.0, -0.25),
-              100.0 * kRoundOff);
-}
-
 // One lamina, evenly loaded: L = ((q/Q_i)^4.5 + (q/Q_o)^4.5)^(-8/9) million revolutions.
 TEST(ReferenceLife, OneLaminaByHand) {
   const Eigen::ArrayXXd loads = Eigen::ArrayXXd::Constant(1, 12, 500.0);

@@ -37,7 +37,18 @@ MeshModifications modified() {
   return {{8e-6, 2e-3, ReliefForm::linear}, {12e-6, 3e-3, ReliefForm::parabolic}, 10e-6, -6e-6};
 }
 
-// Eq. (4): the exact gap tends to a parabola beyond the end of the path; its third order is that of the
+// Eq. (4).
+double gap_near(const MeshingGears& gears, PathEnd end, double distance) {
+  const EdgeAtEnd edge = edge_at(gears, end);
+  const double base = base_radius(edge.of_first ? gears.first : gears.second);
+  const double place = end == PathEnd::begin ? gears.path.begin : gears.path.end;
+  const double on_first =
+      gears.line_length + (std::holds_alternative<RingTooth>(gears.first.tooth) ? place : -place);
+  const double mate = edge.of_first ? place : on_first;
+  return edge.tangent * gears.line_length * distance * distance / (2.0 * base * base * mate);
+}
+
+// The exact gap tends to a parabola beyond the end of the path; its third order is that of the
 // distance over the tangent length of the edge.
 TEST(FlankGap, GrowsAsASquareBesideThePath) {
   for (const NamedGears& example : examples())

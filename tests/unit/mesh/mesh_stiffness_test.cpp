@@ -65,8 +65,9 @@ TEST(MeshStiffness, JumpsWhereAPairComesAndWhereOneLeaves) {
     ASSERT_EQ(mesh.curve.jumps().size(), 2U);
     EXPECT_EQ(mesh.curve.jumps()[0], 0.0);
     EXPECT_NEAR(mesh.curve.jumps()[1], mesh.contact_ratio - std::floor(mesh.contact_ratio), round_off);
-    EXPECT_GT(mesh.curve.value(0.0), mesh.curve.value_before(0));
-    EXPECT_LT(mesh.curve.value(mesh.curve.jumps()[1]), mesh.curve.value_before(1));
+    const double leaves = mesh.curve.jumps()[1];
+    EXPECT_GT(mesh.curve.value(0.0), mesh.curve.value(std::nextafter(1.0, 0.0)));
+    EXPECT_LT(mesh.curve.value(leaves), mesh.curve.value(std::nextafter(leaves, 0.0)));
   }
 }
 

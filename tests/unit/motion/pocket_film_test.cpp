@@ -64,6 +64,12 @@ LineFilm<double, double> film_of(const Field& f) {
   return line_film(f.gap, f.entrainment, f.closing);
 }
 
+// Lost in the film [W] at surface speeds whose difference is `sliding` and half sum `entrainment` [m/s].
+double line_film_power(const LineFilm<double, double>& film, double entrainment, double closing,
+                       double sliding) {
+  return film.load * closing + film.shear * (sliding * sliding + 4.0 * entrainment * entrainment);
+}
+
 TEST(PocketFilm, FieldSolvesReynoldsEquation) {
   for (const Field& f : kFields) {
     const double scale = std::sqrt(2.0 * kRadius * f.gap);

@@ -1,4 +1,4 @@
-#include "coupling/cosim/connection.hpp"
+#include "coupling/cosim/port.hpp"
 
 #include <algorithm>
 #include <stdexcept>
