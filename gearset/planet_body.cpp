@@ -3,6 +3,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <complex>
 #include <stdexcept>
 
 #include "gearset/involute.hpp"
@@ -11,29 +12,27 @@ namespace orbearing::gearset {
 
 namespace {
 
-// A thin ring sector of half angle psi at radius r has area 2 psi r dr and polar moment 2 psi r^3 dr.
-template <typename HalfAngle>
-SectionMoments integrate(const HalfAngle& radius_half_angle_and_measure, double begin, double end) {
-  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
-  constexpr unsigned max_depth = 8;
-  constexpr double tolerance = 1e-12;  // relative; the integrands are smooth
-  const auto area = [&](double parameter) {
-    const auto [radius, half_angle, measure] = radius_half_angle_and_measure(parameter);
-    return 2.0 * half_angle * measure;
-  };
-  const auto second_moment = [&](double parameter) {
-    const auto [radius, half_angle, measure] = radius_half_angle_and_measure(parameter);
-    return 2.0 * half_angle * radius * radius * measure;
-  };
-  return {Quadrature::integrate(area, begin, end, max_depth, tolerance),
-          Quadrature::integrate(second_moment, begin, end, max_depth, tolerance)};
-}
-
 struct Strip {
   double radius;      // [m]
   double half_angle;  // [rad]
   double measure;     // [m^2 per unit of the parameter]  radius times its derivative
 };
+
+// A thin ring sector of half angle psi at radius r has area 2 psi r dr and polar moment 2 psi r^3 dr. Both in one
+// integral, as a complex number: the second in units of `scale`^2 [m^2], so that neither is small beside the other.
+template <typename StripAt>
+SectionMoments integrate(const StripAt& strip_at, double begin, double end, double scale) {
+  using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
+  constexpr unsigned max_depth = 8;
+  constexpr double tolerance = 1e-12;  // relative; the integrands are smooth
+  const auto both = [&](double parameter) {
+    const Strip strip = strip_at(parameter);
+    const double area = 2.0 * strip.half_angle * strip.measure, reach = strip.radius / scale;
+    return std::complex<double>(area, area * reach * reach);
+  };
+  const std::complex<double> sum = Quadrature::integrate(both, begin, end, max_depth, tolerance);
+  return {sum.real(), scale * scale * sum.imag()};
+}
 
 // By the rack's normal angle, since the thickness has an infinite slope over the radius at the root circle.
 SectionMoments trochoid_part(const ExternalTooth& tooth) {
@@ -41,7 +40,7 @@ SectionMoments trochoid_part(const ExternalTooth& tooth) {
     const TrochoidPoint point = trochoid_point(tooth, normal_angle);
     return Strip{point.radius, point.half_angle, point.radius * point.radius_slope};
   };
-  return integrate(strip, 0.0, trochoid_normal_angle(tooth, tooth.form_radius));
+  return integrate(strip, 0.0, trochoid_normal_angle(tooth, tooth.form_radius), tooth.root_radius);
 }
 
 // By the tangent length t, since r dr = t dt stays smooth down to the base circle.
@@ -51,7 +50,7 @@ SectionMoments involute_part(const ExternalTooth& tooth) {
     return Strip{radius, half_thickness_angle(tooth, radius), tangent};
   };
   return integrate(strip, tangent_length(tooth.base_radius, tooth.form_radius),
-                   tangent_length(tooth.base_radius, tooth.tip_radius));
+                   tangent_length(tooth.base_radius, tooth.tip_radius), tooth.root_radius);
 }
 
 SectionMoments annulus(double inner_radius, double outer_radius) {

@@ -39,17 +39,23 @@ Eigen::ArrayXd mean_power(const Loads& loads, RaceMotion motion) {
 
 // The same by (3).
 Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& powers, RaceMotion motion) {
+  const Eigen::Index laminae = powers.rows(), half = (laminae + 1) / 2;
+  // Rollers that stay level load both halves alike: the roots of one are those of the other.
+  const bool level = (powers.topRows(laminae / 2) == powers.bottomRows(laminae / 2).colwise().reverse()).all();
+  const Eigen::Index unlike = level ? half : laminae;
   // Column by column: Eigen takes the roots of a row one at a time.
-  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(powers.rows());
+  Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(unlike);
   for (Eigen::Index place = 0; place < powers.cols(); ++place) {
-    const auto at = powers.col(place);
+    const auto at = powers.col(place).head(unlike);
     if ((at == 0.0).all()) continue;  // not touched there
     if (motion == RaceMotion::turning)
       sum += at;
     else
       sum += at * at.sqrt().sqrt().sqrt();
   }
-  return sum / static_cast<double>(powers.cols());
+  Eigen::ArrayXd mean(laminae);
+  mean << sum, sum.head(laminae - unlike).reverse();
+  return mean / static_cast<double>(powers.cols());
 }
 
 Eigen::ArrayXd by_lamina(const Eigen::ArrayXd& weight, const Eigen::ArrayXd& mean, RaceMotion motion) {

@@ -132,9 +132,11 @@ class BearingsAtRest {
   /// All bearings of a planet: one where they are alike.
   std::vector<QuasiStaticBearing> of(const BearingDuty& duty) {
     if (drivetrain_.seats.tilt == TiltState::computed) return on_their_pin(duty);
-    if (cut_) return {of_laminae(drivetrain_, geometry_, duty, loads_of_laminae(duty), duty.point.bore_tilt)};
-    return {bearing_under(drivetrain_, geometry_, duty,
-                          bearing::quasi_static_bearing(drivetrain_.bearing, duty.point, options_))};
+    std::vector<QuasiStaticBearing> one;
+    one.push_back(cut_ ? of_laminae(drivetrain_, geometry_, duty, loads_of_laminae(duty), duty.point.bore_tilt)
+                       : bearing_under(drivetrain_, geometry_, duty,
+                                       bearing::quasi_static_bearing(drivetrain_.bearing, duty.point, options_)));
+    return one;
   }
 
   std::optional<LaminaRecord> record_of_laminae(const QuasiStaticBearing& bearing) const {
