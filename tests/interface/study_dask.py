@@ -113,10 +113,11 @@ class OnWorkers(unittest.TestCase):
 
     def test_no_stack_is_sampled_while_the_core_computes(self):
         portion = Portion(None, (), None)
-        with LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None) as cluster, Client(cluster) as client:
-            self.assertEqual(set(client.run(profilers).values()), {True})
-            self.assertEqual(client.gather([client.submit(compute_portion, Sampled(), portion, pure=False) for _ in range(4)]), [False] * 4)
-            self.assertEqual(set(client.run(profilers).values()), {True}, "it goes on after the last portion")
+        for kind in ({"n_workers": 1, "threads_per_worker": 2}, {"n_workers": 2, "threads_per_worker": 1, "processes": False}):
+            with self.subTest(kind), LocalCluster(dashboard_address=None, **kind) as cluster, Client(cluster) as client:
+                self.assertEqual(set(client.run(profilers).values()), {True})
+                self.assertEqual(client.gather([client.submit(compute_portion, Sampled(), portion, pure=False) for _ in range(4)]), [False] * 4)
+                self.assertEqual(set(client.run(profilers).values()), {True}, "it goes on after the last portion")
 
     def test_scheduler_killed(self):
         log = open(self.place / "scheduler.log", "w")

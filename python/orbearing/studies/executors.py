@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import asyncio
 import concurrent.futures
+import contextlib
 import os
 import queue
 import signal
-import threading
 import time
 import uuid
+import weakref
 from collections.abc import Callable
 
 from orbearing.errors import ComputationError
@@ -85,44 +86,44 @@ class WorkerStopped(RuntimeError):
     """A worker was asked to stop while it computed."""
 
 
-class Unsampled:
-    """Pauses the statistical profiler of this worker while portions are computed.
+_portions: weakref.WeakKeyDictionary = weakref.WeakKeyDictionary()  # that each worker of this process computes; touched by its event loop alone
+
+
+def _count(worker, change: int) -> None:
+    """Lets the worker's profiler run while it computes no portion."""
+    from distributed.core import Status
+
+    computed = _portions[worker] = _portions.get(worker, 0) + change
+    profiler = worker.periodic_callbacks.get("profile")
+    if profiler is None:
+        return
+    if computed:
+        profiler.stop()
+    elif worker.status == Status.running and not profiler.is_running():
+        profiler.start()
+
+
+@contextlib.contextmanager
+def unsampled():
+    """Pauses the statistical profiler of this thread's worker.
 
     Dask looks at the Python stack of a worker's threads a hundred times a second. Of a portion it sees one line, the call of the core, and the looks
     of four workers on two cores took 8 % of their time.
     """
+    from distributed import get_worker
 
-    _lock = threading.Lock()
-    _running = 0  # portions on the threads of this worker
-
-    def __enter__(self) -> None:
-        with Unsampled._lock:
-            Unsampled._running += 1
-            if Unsampled._running == 1:
-                self._profiler("stop")
-
-    def __exit__(self, *error) -> None:
-        with Unsampled._lock:
-            Unsampled._running -= 1
-            if Unsampled._running == 0:
-                self._profiler("start")
-
-    @staticmethod
-    def _profiler(action: str) -> None:
-        from distributed import get_worker
-
-        try:
-            worker = get_worker()
-        except ValueError:  # no worker's thread
-            return
-        if profiler := worker.periodic_callbacks.get("profile"):
-            worker.loop.add_callback(getattr(profiler, action))
+    worker = get_worker()
+    worker.loop.add_callback(_count, worker, 1)
+    try:
+        yield
+    finally:
+        worker.loop.add_callback(_count, worker, -1)
 
 
 def compute_portion(engine, portion: Portion) -> Chunk:
     """What a worker does."""
     try:
-        with Unsampled():
+        with unsampled():
             return engine.compute(portion.ids, portion.settings, portion.values, 1)
     except KeyboardInterrupt as error:
         # The signal was meant for the worker, which had no ear for it meanwhile.

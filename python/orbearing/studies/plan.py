@@ -11,7 +11,7 @@ from orbearing.studies.design import Design
 LEAST_SECONDS = 1.0  # of a portion: below it the exchange with a scheduler counts
 USUAL_SECONDS = 2.0
 MOST_POINTS = 20_000  # of a portion: its results are some MiB
-GROWTH = 256  # of portions from one to the next: the first points alone tell little of the pace
+GROWTH = 256  # of portions from one to the next at most: the first points alone tell little of the pace
 
 
 @dataclass(frozen=True)
