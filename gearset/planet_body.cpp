@@ -18,8 +18,9 @@ struct Strip {
   double measure;     // [m^2 per unit of the parameter]  radius times its derivative
 };
 
-// A thin ring sector of half angle psi at radius r has area 2 psi r dr and polar moment 2 psi r^3 dr. Both in one
-// integral, as a complex number: the second in units of `scale`^2 [m^2], so that neither is small beside the other.
+// A thin ring sector of half angle psi at radius r has area 2 psi r dr and polar moment 2 psi r^3 dr. Both in
+// one integral, as a complex number: the second in units of `scale`^2 [m^2], so that neither is small beside
+// the other.
 template <typename StripAt>
 SectionMoments integrate(const StripAt& strip_at, double begin, double end, double scale) {
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;

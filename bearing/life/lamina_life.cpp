@@ -37,12 +37,18 @@ Eigen::ArrayXd mean_power(const Loads& loads, RaceMotion motion) {
   return (loads.square().square() * loads.sqrt()).rowwise().mean();
 }
 
+// Rollers that stay level load both halves alike.
+bool are_level(const Eigen::Ref<const Eigen::ArrayXXd>& powers) {
+  const Eigen::Index half = powers.rows() / 2;
+  return (powers.topRows(half) == powers.bottomRows(half).colwise().reverse()).all();
+}
+
 // The same by (3).
 Eigen::ArrayXd mean_of_fourth_powers(const Eigen::Ref<const Eigen::ArrayXXd>& powers, RaceMotion motion) {
-  const Eigen::Index laminae = powers.rows(), half = (laminae + 1) / 2;
-  // Rollers that stay level load both halves alike: the roots of one are those of the other.
-  const bool level = (powers.topRows(laminae / 2) == powers.bottomRows(laminae / 2).colwise().reverse()).all();
-  const Eigen::Index unlike = level ? half : laminae;
+  // The roots of one half are those of the other; sums cost no more than to find that out.
+  const Eigen::Index laminae = powers.rows();
+  const bool by_half = motion == RaceMotion::standing && are_level(powers);
+  const Eigen::Index unlike = by_half ? (laminae + 1) / 2 : laminae;
   // Column by column: Eigen takes the roots of a row one at a time.
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(unlike);
   for (Eigen::Index place = 0; place < powers.cols(); ++place) {

@@ -19,9 +19,8 @@ struct OneWayOptions {
 
 /// What stood for the bearings while the gears moved.
 struct OneWayRecord {
-  FittedBearing
-      fitted;    // all bearings of a planet, to the last run; changes from what the gears moved on in it
-  int runs = 0;  // of gears and bearing
+  FittedBearing fitted;   // to the last run; its changes are from what the gears moved on in that run
+  int runs = 0;           // of gears and bearing
   bool accepted = false;  // both changes within what is allowed
 };
 

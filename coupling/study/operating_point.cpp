@@ -133,9 +133,10 @@ class BearingsAtRest {
   std::vector<QuasiStaticBearing> of(const BearingDuty& duty) {
     if (drivetrain_.seats.tilt == TiltState::computed) return on_their_pin(duty);
     std::vector<QuasiStaticBearing> one;
-    one.push_back(cut_ ? of_laminae(drivetrain_, geometry_, duty, loads_of_laminae(duty), duty.point.bore_tilt)
-                       : bearing_under(drivetrain_, geometry_, duty,
-                                       bearing::quasi_static_bearing(drivetrain_.bearing, duty.point, options_)));
+    one.push_back(
+        cut_ ? of_laminae(drivetrain_, geometry_, duty, loads_of_laminae(duty), duty.point.bore_tilt)
+             : bearing_under(drivetrain_, geometry_, duty,
+                             bearing::quasi_static_bearing(drivetrain_.bearing, duty.point, options_)));
     return one;
   }
 

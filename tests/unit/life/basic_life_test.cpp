@@ -24,12 +24,17 @@ TEST(BasicLife, ReferenceLoadIsTheInverse) {
                 700.0 * kRoundOff);
 }
 
+// A share R of them reaches [ln(1/R)/ln(1/0.9)]^(1/e) L10.
 TEST(Reliability, OfWeibull) {
   for (const RollingElement element : {RollingElement::ball, RollingElement::roller})
-    EXPECT_NEAR(weibull_reliability(1.0, weibull_slope(element)), 0.9, kRoundOff);
+    for (const double reliability : {0.01, 0.5, 0.9, 0.99, 0.9999}) {
+      const double slope = weibull_slope(element);
+      const double ratio = std::pow(std::log(1.0 / reliability) / std::log(1.0 / 0.9), 1.0 / slope);
+      EXPECT_NEAR(weibull_reliability(ratio, slope), reliability, kRoundOff);
+    }
+  EXPECT_NEAR(weibull_reliability(1.0, 9.0 / 8.0), 0.9, kRoundOff);
   // Half of all ball bearings reach (ln 2/ln(1/0.9))^0.9 = 5.449 L10.
-  EXPECT_NEAR(weibull_reliability(std::pow(std::log(2.0) / std::log(1.0 / 0.9), 0.9), 10.0 / 9.0), 0.5,
-              kRoundOff);
+  EXPECT_NEAR(weibull_reliability(5.4492, 10.0 / 9.0), 0.5, 5e-6);
 }
 
 TEST(Reliability, OutsideZeroToOneIsRefused) {

@@ -1,4 +1,5 @@
-// Means of the loads' powers, lamina by lamina: level rollers, whose halves bear alike, are summed by one half.
+// Means of the loads' powers, lamina by lamina: level rollers, whose halves bear alike, are summed by one
+// half.
 #include <gtest/gtest.h>
 
 #include <cmath>
