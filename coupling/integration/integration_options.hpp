@@ -16,7 +16,7 @@ enum class Method {
   dopri5,             // Dormand and Prince 5(4) [DormandPrince1980], controlled, output by its dense formula
   fixed_dopri5,       // the same formula of order 5 at a fixed step
   rk4,                // classic Runge-Kutta at a fixed step: the reference
-  linearly_implicit,  // Rosenbrock2 or 3 on the vectorised bearing: system::integrate_bearing()
+  linearly_implicit,  // Rosenbrock2, 3 or 4 on the vectorised bearing: system::integrate_bearing()
 };
 
 /// Those that a case may choose.

@@ -97,4 +97,10 @@ double finish(const double* x, double h, const double* const (&k)[3], const doub
   return finish_stages(x, h, k, forward, error, weight, next, n);
 }
 
+ORBEARING_EVERY_WIDTH
+double finish(const double* x, double h, const double* const (&k)[5], const double (&forward)[5],
+              const double (&error)[5], const double* weight, double* next, std::size_t n) {
+  return finish_stages(x, h, k, forward, error, weight, next, n);
+}
+
 }  // namespace orbearing::integration::detail

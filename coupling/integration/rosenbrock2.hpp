@@ -44,6 +44,8 @@ void add_terms(const double* first, Term a, Term b, Term c, double* z, std::size
 // As finish(), of three stages: x + h sum forward_i k_i, and h sum error_i k_i.
 double finish(const double* x, double h, const double* const (&k)[3], const double (&forward)[3],
               const double (&error)[3], const double* weight, double* next, std::size_t n);
+double finish(const double* x, double h, const double* const (&k)[5], const double (&forward)[5],
+              const double (&error)[5], const double* weight, double* next, std::size_t n);
 }  // namespace detail
 
 /// What the stages of a step work with: rate and its slope by time at its beginning, a right-hand side, the
@@ -134,6 +136,11 @@ class Rosenbrock {
     return Formula::share(h, first, weight, n, stages_);
   }
   bool linear() const { return linear_; }
+  /// Goes on as a new one would: what it does next hangs on nothing that it has done.
+  void forget() {
+    control_.forget();
+    linear_ = false;
+  }
 
  private:
   state_type weight_;

@@ -47,6 +47,8 @@ constexpr double kDampedErrors = 0.3;
 constexpr double kDampedAlongErrors = 2.4;
 constexpr double kDampedBoreErrors = 0.12;
 constexpr double kDampedSteps = 2.5;
+// Allowed errors of order 4 over those of order 2.
+constexpr double kFourthOrderErrors = 3.0;
 
 }  // namespace
 
@@ -111,8 +113,23 @@ double longest_step(const bearing::motion::BearingModel& model) {
   return kStepOfImpact * std::min(ring_time(model), impact);
 }
 
-ThirdOrderSteps third_order_steps(const bearing::vectorised::VectorBearing& bearing,
-                                  const Eigen::VectorXd& allowed_error) {
+bool has_all_slopes(const bearing::motion::BearingModel& model) {
+  const auto turns = [](const bearing::motion::RaceModel& race) {
+    return !race.scratches.empty() ||
+           std::any_of(race.form.begin(), race.form.end(),
+                       [](const bearing::RaceHarmonic& wave) { return wave.turning; });
+  };
+  return !model.layout.tilting && model.layout.waves == 0 && model.layout.followed == 0 &&
+         !turns(model.inner) && !turns(model.outer);
+}
+
+int order_of_steps(const bearing::motion::BearingModel& model, bool shaken) {
+  if (!impacts_are_damped(model) || !has_all_slopes(model)) return 2;
+  return shaken && blows_are_damped(model) ? 4 : 3;
+}
+
+StepBounds third_order_steps(const bearing::vectorised::VectorBearing& bearing,
+                             const Eigen::VectorXd& allowed_error) {
   const bearing::motion::BearingModel& model = bearing.model();
   if (!blows_are_damped(model))
     return {linearly_implicit_errors(bearing, kThirdOrderErrors * allowed_error),
@@ -130,6 +147,12 @@ ThirdOrderSteps third_order_steps(const bearing::vectorised::VectorBearing& bear
   scale(layout.pin(), layout.size(), kDampedErrors);
   return {std::move(allowed), kDampedSteps * kStepOfImpact * ring_time(model),
           integration::StepRule::two_errors};
+}
+
+StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
+                              const Eigen::VectorXd& allowed_error) {
+  return {linearly_implicit_errors(bearing, kFourthOrderErrors * allowed_error),
+          kDampedSteps * kStepOfImpact * ring_time(bearing.model()), integration::StepRule::two_errors};
 }
 
 // A bar that has moved by half the thickness of its rollers holds them no longer; a roller that stands off

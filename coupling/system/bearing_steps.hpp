@@ -53,8 +53,19 @@ inline constexpr double kStoppedBlow = 0.05;  // [m/s]
 /// is no cage, and the ring on its rollers.
 double longest_step(const bearing::motion::BearingModel& model);
 
-/// Bounds of steps of order 3.
-struct ThirdOrderSteps {
+/// Whether the matrix of `model` holds all slopes of its rates, which steps of order 3 and 4 ask for: those
+/// of tips, waves of the rim and turning races by themselves are left out.
+bool has_all_slopes(const bearing::motion::BearingModel& model);
+
+/// Order of the linearly implicit steps that suit `model`. Order 2 where impacts keep their energy, for steps
+/// that span one err at any order and short ones of order 2 do best, and where the matrix lacks slopes. Order
+/// 4 where oil takes the energy of impacts on races and bars and gears shake the ring (`shaken`), whose
+/// vibration then keeps its height. Else order 3: without tooth forces that vary its steps are the longer
+/// ones.
+int order_of_steps(const bearing::motion::BearingModel& model, bool shaken);
+
+/// Bounds of steps of order 3 or 4.
+struct StepBounds {
   std::vector<double> allowed;  // errors, of the padded state
   double longest = 0.0;         // [s]
   integration::StepRule rule = integration::StepRule::last_error;
@@ -67,8 +78,14 @@ struct ThirdOrderSteps {
 /// step. What loads and life hang on then is weighed more: the bore, whose error all rollers feel at once,
 /// most, radial motion next. Motion along the pitch circle, spins and the cage are felt through oil films
 /// some tens of micrometres thick, not through an approach of one, and bear as much more.
-ThirdOrderSteps third_order_steps(const bearing::vectorised::VectorBearing& bearing,
-                                  const Eigen::VectorXd& allowed_error);
+StepBounds third_order_steps(const bearing::vectorised::VectorBearing& bearing,
+                             const Eigen::VectorXd& allowed_error);
+
+/// Those of `bearing` with damped blows (blows_are_damped()), from the same: the longest step is that of the
+/// ring, and all variables bear alike more than steps of order 2 do, for the estimated error of a step of
+/// order 4 holds all that its equations have beyond linear ones.
+StepBounds fourth_order_steps(const bearing::vectorised::VectorBearing& bearing,
+                              const Eigen::VectorXd& allowed_error);
 
 /// Empty while the cage holds its rollers and the rollers lie between the races; else what has come out, and
 /// by how much. Pockets hold a cage along the pitch circle alone: one that no land guides can be thrown out

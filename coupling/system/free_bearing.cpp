@@ -6,6 +6,7 @@
 
 #include "bearing/motion/driven_bore.hpp"
 #include "coupling/integration/rosenbrock3.hpp"
+#include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/run.hpp"
 #include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"
@@ -66,19 +67,6 @@ class FreeSystem {
   Eigen::Vector2d force_ = Eigen::Vector2d::Zero();  // [N]
 };
 
-// Whether steps are of order 3. Impacts must lose energy: elastic ones err at any order as far as a step
-// spans them, and shorter steps of order 2 do better. And the matrix must lack no slopes, which leaves those
-// of tips, waves of the rim and turning races by themselves.
-bool of_order_three(const BearingModel& model) {
-  const auto turns = [](const bearing::motion::RaceModel& race) {
-    return !race.scratches.empty() ||
-           std::any_of(race.form.begin(), race.form.end(),
-                       [](const bearing::RaceHarmonic& wave) { return wave.turning; });
-  };
-  return impacts_are_damped(model) && !model.layout.tilting && model.layout.waves == 0 &&
-         model.layout.followed == 0 && !turns(model.inner) && !turns(model.outer);
-}
-
 // False where the budget is used up. The last step ends with `output`.
 template <class Stepper>
 bool run(Stepper& stepper, VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x,
@@ -113,13 +101,17 @@ bool run(VectorBearing& bearing, FreeSystem& system, Eigen::VectorXd& x, const O
          const IntegrationOptions& options, const integration::Observer& observe, integration::Run& budget,
          IntegrationReport& report) {
   const Eigen::VectorXd allowed = options.tolerance * options.allowed_error;
-  if (of_order_three(bearing.model())) {
-    const ThirdOrderSteps steps = third_order_steps(bearing, allowed);
-    integration::Rosenbrock3 stepper(steps.allowed, steps.longest, steps.rule);
+  const auto by = [&](auto stepper) {
     return run(stepper, bearing, system, x, output, options, observe, budget, report);
-  }
-  integration::Rosenbrock2 stepper(linearly_implicit_errors(bearing, allowed), longest_step(bearing.model()));
-  return run(stepper, bearing, system, x, output, options, observe, budget, report);
+  };
+  const BearingModel& model = bearing.model();
+  const int order = order_of_steps(model, !model.excitation.harmonics.empty());
+  if (order == 2)
+    return by(integration::Rosenbrock2(linearly_implicit_errors(bearing, allowed), longest_step(model)));
+  const StepBounds steps =
+      order == 3 ? third_order_steps(bearing, allowed) : fourth_order_steps(bearing, allowed);
+  if (order == 3) return by(integration::Rosenbrock3(steps.allowed, steps.longest, steps.rule));
+  return by(integration::Rosenbrock4(steps.allowed, steps.longest, steps.rule));
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ struct StepSample {
 };
 using StepObserver = std::function<void(const StepSample&)>;
 
-/// As integration::integrate(), for `bearing` by Rosenbrock3 where the squeeze of the oil takes the energy of
-/// impacts and the matrix lacks no slopes, else by Rosenbrock2; `options.allowed_error` is that of dopri5.
+/// As integration::integrate(), for `bearing` by linearly implicit steps of the order that suits it
+/// (order_of_steps()); `options.allowed_error` is that of dopri5.
 /// `observe` sees states at the output times, `on_step` every accepted step and what is left of the last one;
 /// either may be empty, and a std::runtime_error of theirs ends the run as its message. The loads also go to
 /// `collector`, if any.

@@ -6,6 +6,7 @@
 #include "bearing/motion/equations.hpp"
 #include "bearing/motion/snapshot.hpp"
 #include "coupling/integration/rosenbrock3.hpp"
+#include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/free_bearing.hpp"
 #include "tests/unit/motion/reducer_bearing.hpp"
@@ -266,6 +267,47 @@ TEST(FastPathOfOrderThree, ConvergesWhereContactsStayClosed) {
   };
   // Shorter ones come near to the error of the solution that is held for exact.
   EXPECT_NEAR(std::log2(error(1200) / error(2400)), 3.0, kMargin);
+}
+
+// Issue 17, Build 2: and the steps of order 4 are of order 4.
+TEST(FastPathOfOrderFour, ConvergesWhereContactsStayClosed) {
+  constexpr double kMargin = 0.2;
+  const SmoothCase smooth;
+  const BearingModel model = bearing_model(smooth.bearing, test::reducer_point(6000.0), smooth.parameters);
+  test::Random random;
+  const Eigen::VectorXd start =
+      test::shaken_state(model, smooth.bearing, smooth.parameters, 3e-7, 5e-3, random);
+  const Eigen::VectorXd exact = exact_end(model, start);
+  const Eigen::VectorXd weight = system::allowed_errors(model.layout, 1.0, 17.8e-3, 6e5).cwiseInverse();
+  const auto error = [&](int steps) {
+    return (end_of_equal_steps<integration::Rosenbrock4>(model, start, steps) - exact)
+        .cwiseProduct(weight)
+        .norm();
+  };
+  // Longer ones than of order 3, or the solution that is held for exact would err as much.
+  EXPECT_NEAR(std::log2(error(300) / error(600)), 4.0, kMargin);
+  EXPECT_NEAR(std::log2(error(600) / error(1200)), 4.0, kMargin);
+}
+
+// Issue 17, Build 2: which order suits which bearing.
+TEST(OrderOfSteps, FollowsWhatBouncesAndWhatShakes) {
+  const auto order = [](const AuditedSteps& audited, bool shaken) {
+    return system::order_of_steps(
+        bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters_of(audited)), shaken);
+  };
+  const AuditedSteps dry{"", true, 0.0}, races{"", true, 0.0, false, true},
+      oil{"", true, 0.0, false, true, true};
+  for (const bool shaken : {false, true}) {
+    EXPECT_EQ(order(dry, shaken), 2);
+    EXPECT_EQ(order(races, shaken), 3) << "blows on dry bars";
+  }
+  EXPECT_EQ(order(oil, false), 3);
+  EXPECT_EQ(order(oil, true), 4);
+  OperatingPoint point = test::reducer_point(6000.0);
+  point.outer_race = test::bending_race();
+  EXPECT_EQ(system::order_of_steps(bearing_model(test::reducer_bearing(), point, parameters_of(oil)), true),
+            2)
+      << "waves of a rim, whose slopes the matrix lacks";
 }
 
 // Issue 17, Build 2: shaken by teeth at 6000 rpm, with the squeeze of the oil less than a tenth of the steps

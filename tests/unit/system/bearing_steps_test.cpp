@@ -92,5 +92,20 @@ TEST(ThirdOrderSteps, AreBoundByTheRingWhereOilIsInThePockets) {
   EXPECT_GT(longest(3e7), longest(3e8));
 }
 
+// Issue 17, Build 2: all variables alike, and no weight for those that bounce.
+TEST(FourthOrderSteps, WeighAllVariablesAlike) {
+  bearing::motion::DynamicsParameters parameters = test::reducer_parameters();
+  parameters.race.squeeze = true;
+  parameters.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
+  const BearingModel model = bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
+  const bearing::vectorised::VectorBearing fast(model);
+  const Eigen::VectorXd allowed = allowed_errors(model, 1e-10);
+  const StepBounds bounds = fourth_order_steps(fast, allowed);
+  const std::vector<double> of_order_two = linearly_implicit_errors(fast, allowed);
+  for (std::size_t i = 0; i < bounds.allowed.size(); ++i)
+    EXPECT_NEAR(bounds.allowed[i], 3.0 * of_order_two[i], 1e-12 * of_order_two[i]) << i;
+  EXPECT_DOUBLE_EQ(bounds.longest, third_order_steps(fast, allowed).longest) << "that of the ring";
+}
+
 }  // namespace
 }  // namespace orbearing::system::bearing_steps_test

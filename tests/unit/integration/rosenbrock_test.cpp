@@ -1,12 +1,14 @@
 // The linearly implicit steppers on equations whose solutions are known.
 #include "coupling/integration/rosenbrock3.hpp"
+#include "coupling/integration/rosenbrock4.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <complex>
 
-namespace orbearing::integration::rosenbrock2_test {
+namespace orbearing::integration::rosenbrock_test {
 namespace {
 
 constexpr std::size_t kLanes = 8;  // the stepper asks for multiples of eight
@@ -81,6 +83,119 @@ TEST(Rosenbrock3, ConvergesAtOrderThree) {
         << steps;
 }
 
+// Issue 17, Build 2: two right-hand sides, order 4. x^2 and t have the conditions with second and mixed third
+// derivatives; cubes are in the bearing's own test.
+TEST(Rosenbrock4, ConvergesAtOrderFour) {
+  constexpr double kMargin = 0.1;
+  for (int steps : {20, 40, 80})
+    EXPECT_NEAR(std::log2(error_at_two<Rosenbrock4>(steps) / error_at_two<Rosenbrock4>(2 * steps)), 4.0,
+                kMargin)
+        << steps;
+}
+
+// x'' = -sin x in lanes 0 and 1, swinging by two radians: third derivatives count as much as second ones.
+struct Pendulum {
+  double slope = 0.0, g = 0.0;
+
+  void derivative(double, const double* x, double* dx) const {
+    std::fill(dx, dx + kLanes, 0.0);
+    dx[0] = x[1];
+    dx[1] = -std::sin(x[0]);
+  }
+  void linearise(double t, const double* x, double* dx) {
+    derivative(t, x, dx);
+    slope = -std::cos(x[0]);
+  }
+  void time_slope(double, double* dx) const { std::fill(dx, dx + kLanes, 0.0); }
+  bool factor(double share) {
+    g = share;
+    return true;
+  }
+  void solve(const double* rhs, double* k) const {
+    std::copy(rhs, rhs + kLanes, k);
+    k[1] = (rhs[1] + g * slope * rhs[0]) / (1.0 - g * g * slope);
+    k[0] = rhs[0] + g * k[1];
+  }
+};
+
+template <class Stepper>
+double pendulum_after_ten(int steps) {
+  Pendulum system;
+  Stepper stepper(State(kLanes, 0.0), 1.0);
+  State x(kLanes, 0.0);
+  x[0] = 2.0;
+  double t = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    double h = 10.0 * (i + 1) / steps - t;
+    stepper.try_step(system, x, t, h);
+  }
+  return x[0];
+}
+
+// Issue 17, Build 2.
+TEST(Rosenbrock4, ConvergesOnAPendulum) {
+  const double exact = pendulum_after_ten<Rosenbrock4>(20'000);
+  const auto error = [&](int steps) { return std::abs(pendulum_after_ten<Rosenbrock4>(steps) - exact); };
+  for (int steps : {40, 80}) EXPECT_GT(std::log2(error(steps) / error(2 * steps)), 3.9) << steps;
+  EXPECT_LT(error(160), 1e-3 * std::abs(pendulum_after_ten<Rosenbrock3>(160) - exact));
+}
+
+// Issue 17, Build 5: a vibration, x' = i w x in lanes 0 and 1, keeps its height where steps of order 3 take
+// from it: of one step it leaves R(i w h), with the rational function of order 4 whose pole 4 is fivefold.
+TEST(Rosenbrock4, KeepsTheHeightOfAVibration) {
+  struct Vibration {
+    double w, g = 0.0;
+    void derivative(double, const double* x, double* dx) const {
+      std::fill(dx, dx + kLanes, 0.0);
+      dx[0] = -w * x[1];
+      dx[1] = w * x[0];
+    }
+    void linearise(double t, const double* x, double* dx) const { derivative(t, x, dx); }
+    void time_slope(double, double* dx) const { std::fill(dx, dx + kLanes, 0.0); }
+    bool factor(double share) {
+      g = share;
+      return true;
+    }
+    void solve(const double* rhs, double* k) const {
+      std::copy(rhs, rhs + kLanes, k);
+      const std::complex<double> z = std::complex<double>(rhs[0], rhs[1]) / std::complex<double>(1.0, -g * w);
+      k[0] = z.real();
+      k[1] = z.imag();
+    }
+  };
+  const auto left = [](auto stepper, double angle) {
+    Vibration system{angle};
+    State x(kLanes, 0.0);
+    x[0] = 1.0;
+    double t = 0.0, step = 1.0;
+    stepper.try_step(system, x, t, step);
+    return std::complex<double>(x[0], x[1]);
+  };
+  for (const double angle : {0.1, 0.3, 1.0}) {  // [rad]  of it in a step
+    const std::complex<double> z(0.0, angle);
+    const std::complex<double> numerator =
+        1.0 - z / 4.0 - z * z / 8.0 + z * z * z / 96.0 + 7.0 * z * z * z * z / 768.0;
+    const auto found = left(Rosenbrock4(State(kLanes, 0.0), 1.0), angle);
+    EXPECT_LT(std::abs(found - numerator / std::pow(1.0 - z / 4.0, 5)), 1e-14) << angle;
+    EXPECT_LT(std::abs(1.0 - std::abs(found)), 1e-3 * std::pow(angle, 6)) << angle;
+    EXPECT_GT(1.0 - std::abs(left(Rosenbrock3(State(kLanes, 0.0), 1.0), angle)), 1e-2 * std::pow(angle, 4));
+  }
+}
+
+// Its estimate holds all that is not linear: of third power in the step.
+TEST(Rosenbrock4, EstimatesWhatIsNotLinear) {
+  const auto estimate = [](double h) {
+    Hyperbola system;
+    Rosenbrock4 stepper(State(kLanes, 1.0), 1.0);
+    const State x = starts();
+    stepper.begin(system, x, 0.3);
+    return stepper.attempt(system, x, 0.3, h);
+  };
+  constexpr double kMargin = 0.1;
+  for (const double h : {0.02, 0.01, 0.005})
+    EXPECT_NEAR(std::log2(estimate(h) / estimate(0.5 * h)), 3.0, kMargin) << h;
+}
+
 // Its estimate is the error of a step of order 2, that is of third power in the step.
 TEST(Rosenbrock3, EstimatesTheErrorOfAStepOfOrderTwo) {
   const auto estimate = [](double h) {
@@ -125,6 +240,31 @@ TEST(Rosenbrock3, ControlledStepsKeepToTheAllowedError) {
   expect_controlled_steps<Rosenbrock3>(3.0);
 }
 
+// Issue 17, Build 2.
+TEST(Rosenbrock4, ControlledStepsKeepToTheAllowedError) {
+  expect_controlled_steps<Rosenbrock4>(3.0);  // the order of the estimate
+}
+
+// Once it has forgotten, a stepper goes on as a new one: the same steps to the bit.
+TEST(Rosenbrock4, ForgetsTheErrorsBefore) {
+  Hyperbola system;
+  const auto steps_from = [&](Rosenbrock4& stepper, double t, State x) {
+    std::vector<double> lengths;
+    for (double h = 0.05; t < 1.5;) {
+      stepper.try_step(system, x, t, h);
+      lengths.push_back(h);
+    }
+    return lengths;
+  };
+  Rosenbrock4 used(State(kLanes, 1e-6), 0.5, StepRule::two_errors);
+  Rosenbrock4 fresh = used;
+  const auto before = steps_from(used, 0.0, starts());
+  const auto unlike = steps_from(used, 0.0, starts());
+  EXPECT_NE(before, unlike) << "the last error counts";
+  used.forget();
+  EXPECT_EQ(steps_from(used, 0.0, starts()), steps_from(fresh, 0.0, starts()));
+}
+
 // x' = -L (x - cos t) - sin t keeps to cos t however large L is.
 struct StiffCosine {
   double decay;
@@ -154,7 +294,8 @@ struct WithZeroTimeSlope : Hyperbola {
   void time_slope(double, double* dx) const { std::fill_n(dx, kLanes, 0.0); }
 };
 
-// Issue 17, Build 5: a system need not say a slope by time that it leaves out: the same steps to the last bit.
+// Issue 17, Build 5: a system need not say a slope by time that it leaves out: the same steps to the last
+// bit.
 TEST(Rosenbrock2, TakesNoTimeSlopeForZero) {
   const auto end = [](auto system) {
     Rosenbrock2 stepper(State(kLanes, 1e-5), 1.0);
@@ -197,5 +338,18 @@ TEST(Rosenbrock3, DampsWhatIsStiffInOneStep) {
   }
 }
 
+// Issue 17, Build 2: that of order 4 leaves R(z), for large -z below 9.4 / -z.
+TEST(Rosenbrock4, DampsWhatIsStiffInOneStep) {
+  const double h = 0.01;
+  for (const double decay : {1e6, 1e9}) {
+    StiffCosine system{decay};
+    Rosenbrock4 stepper(State(kLanes, 0.0), 1.0);
+    State x(kLanes, 2.0);  // one off the curve
+    double t = 0.0, step = h;
+    stepper.try_step(system, x, t, step);
+    EXPECT_NEAR(x[0], std::cos(h), 9.4 / (h * decay) + h * h) << decay;
+  }
+}
+
 }  // namespace
-}  // namespace orbearing::integration::rosenbrock2_test
+}  // namespace orbearing::integration::rosenbrock_test
