@@ -22,10 +22,10 @@ using gearset::dynamics::PlanetBearing;
 PlanetPort port_of(const PlanetBearing& bearing) {
   PlanetPort port;
   port.place = bearing.place;
-  port.of_carrier << -bearing.radial.central.transpose(), -bearing.tangential.central.transpose();
-  port.of_planet << -bearing.radial.planet.transpose(), -bearing.tangential.planet.transpose();
-  port.turn_of_carrier = bearing.rotation.central.transpose();
-  port.turn_of_planet = bearing.rotation.planet.transpose();
+  port.of_carrier << -bearing.radial.central.transpose(), -bearing.tangential.central.transpose(),
+      bearing.rotation.central.transpose();
+  port.of_planet << -bearing.radial.planet.transpose(), -bearing.tangential.planet.transpose(),
+      bearing.rotation.planet.transpose();
   port.pin_error = bearing.pin_error;
   return port;
 }

@@ -40,20 +40,16 @@ DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int 
 /// of its pin.
 struct PlanetPort {
   Eigen::Index place = 0;                  // of the planet in the layout
-  Eigen::Matrix<double, 2, 3> of_carrier;  // [-]
-  Eigen::Matrix<double, 2, 3> of_planet;   // [-]
-  Eigen::RowVector3d turn_of_carrier;      // [1/m]  of the planet's rotation relative to the carrier
-  Eigen::RowVector3d turn_of_planet;       // [1/m]
+  // Rows: place x and y [-], rotation of the planet relative to the carrier [1/m].
+  Eigen::Matrix3d of_carrier, of_planet;
   Eigen::Vector2d pin_error;               // [m]
 
-  Eigen::Vector2d along(const Eigen::Ref<const Eigen::VectorXd>& q) const {
-    return of_carrier * q.segment<3>(gearset::dynamics::SetLayout::carrier()) +
-           of_planet * q.segment<3>(place);
+  /// Place and rotation.
+  Eigen::Vector3d of(const Eigen::Ref<const Eigen::VectorXd>& q) const {
+    return of_carrier * q.segment<3>(gearset::dynamics::SetLayout::carrier()) + of_planet * q.segment<3>(place);
   }
-  double turn(const Eigen::Ref<const Eigen::VectorXd>& q) const {
-    return turn_of_carrier.dot(q.segment<3>(gearset::dynamics::SetLayout::carrier())) +
-           turn_of_planet.dot(q.segment<3>(place));
-  }
+  Eigen::Vector2d along(const Eigen::Ref<const Eigen::VectorXd>& q) const { return of(q).head<2>(); }
+  double turn(const Eigen::Ref<const Eigen::VectorXd>& q) const { return of(q)[2]; }
 };
 
 /// All constants of a run. Bearing b belongs to planet b / per_planet.

@@ -109,7 +109,6 @@ integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vecto
   const double gears = all_.attempt(system, x, t, h);
   if (std::isfinite(gears)) take_errors(system, h);
   if (!std::isfinite(gears) || !is_kept(gears)) {
-    ++rejected_;
     dt = control_.after_refusal(h, std::isfinite(gears) ? std::max(1.0, cheapest_error(gears)) : gears);
     return integration::kRefused;
   }

@@ -28,8 +28,7 @@ class CoupledSteps {
   void begin(CoupledSystem& system, const std::vector<double>& x, double t) { all_.begin(system, x, t); }
   integration::StepResult try_step(CoupledSystem& system, std::vector<double>& x, double& t, double& dt);
 
-  long rejected() const { return rejected_; }  // [-]  attempts since construction
-  long refined() const { return refined_; }    // [-]  bearings gone over again
+  long refined() const { return refined_; }  // [-]  bearings gone over again since construction
 
  private:
   void take_errors(const CoupledSystem& system, double h);
@@ -48,7 +47,6 @@ class CoupledSteps {
   std::vector<double> errors_, sorted_;  // (bearings)  shares of what is allowed
   std::vector<double> bearing_;          // state of one
   gearset::dynamics::PortLoads missed_;  // impulses [N s], [N m s] that the step of all did not know
-  long rejected_ = 0;
   long refined_ = 0;
 };
 

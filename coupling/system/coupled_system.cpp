@@ -19,12 +19,13 @@ constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at o
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
+CoupledSystem::CoupledSystem(const CoupledModel& model, long places, bool turning)
     : loads(static_cast<std::size_t>(model.bearings()),
             system::LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
       sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, places)),
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
+      turning_(turning),
       equations_(model.gears),
       begin_reactions_(static_cast<std::size_t>(model.bearings())),
       stages_(begin_reactions_.size()),
@@ -38,6 +39,8 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long places)
   port_loads_.moment.setZero(model.gears.layout.planets);
   right_.resize(freedoms());
   rate_.resize(freedoms());
+  gear_rate_.resize(2 * freedoms());
+  gear_rate_after_.resize(2 * freedoms());
 }
 
 bearing::motion::DamageSums CoupledSystem::no_damage(long places) const {
@@ -82,12 +85,7 @@ void CoupledSystem::evaluate(double time, const double* x, double* dx) {
   Eigen::Map<Eigen::VectorXd> gears(dx, 2 * n);
   equations_.derivative(now, Vector(x, 2 * n), port_loads_, gears);
   std::fill(dx + 2 * n, dx + gear_size_, 0.0);
-  for (int b = 0; b < bearings(); ++b) {
-    double* bore = of_bearing(dx, b) + bearings_.front().layout().bore();
-    const Eigen::Vector2d acceleration = model_.port_of(b).along(gears.tail(n));
-    bore[2] = acceleration.x();
-    bore[3] = acceleration.y();
-  }
+  for (int b = 0; b < bearings(); ++b) put_acceleration(b, gears.tail(n), of_bearing(dx, b));
 }
 
 void CoupledSystem::derivative(double time, const double* x, double* dx) {
@@ -96,7 +94,29 @@ void CoupledSystem::derivative(double time, const double* x, double* dx) {
 
 void CoupledSystem::linearise(double time, const double* x, double* dx) {
   evaluate<true>(time, x, dx);
-  force_slopes(model_.gears, true_time(time), Vector(x, 2 * freedoms()), slopes_);
+  linear_gears_ = Vector(x, 2 * freedoms());
+  force_slopes(model_.gears, true_time(time), linear_gears_, slopes_);
+}
+
+// By a difference, the same loads of the bearings on both sides, whatever they are: they drop out.
+void CoupledSystem::mesh_slope(double time, double* dx) {
+  constexpr double kShare = 1e-4;  // of a mesh period, within which the stiffness runs straight
+  const Eigen::Index n = freedoms();
+  const double period = 1.0 / std::max(model_.gears.operation.mesh_frequency, 1.0);
+  const double span = std::min(kShare * period, 0.5 * (last_ - first_));
+  const double now = std::clamp(true_time(time), first_, last_ - span);
+  equations_.derivative(now, linear_gears_, port_loads_, gear_rate_);
+  equations_.derivative(now + span, linear_gears_, port_loads_, gear_rate_after_);
+  Eigen::Map<Eigen::VectorXd> gears(dx, 2 * n);
+  gears = (gear_rate_after_ - gear_rate_) / span;
+  std::fill(dx + 2 * n, dx + size(), 0.0);
+  for (int b = 0; b < bearings(); ++b) put_acceleration(b, gears.tail(n), of_bearing(dx, b));
+}
+
+// That of the bore of bearing `b`, from the `rate` of the gears' velocities, into its part of the rate.
+void CoupledSystem::put_acceleration(int b, const Eigen::Ref<const Eigen::VectorXd>& rate, double* dx) const {
+  const Eigen::Vector2d acceleration = model_.port_of(b).along(rate);
+  std::copy_n(acceleration.data(), 2, dx + bearings_.front().layout().bore() + 2);
 }
 
 bool CoupledSystem::factor(double g) {
@@ -105,12 +125,11 @@ bool CoupledSystem::factor(double g) {
   for (int b = 0; b < bearings(); ++b) {
     const auto place = static_cast<std::size_t>(b);
     bearing::vectorised::PortMatrix& port = port_matrices_[place];
-    if (!bearings_[place].factor_open(g, port)) return false;
+    if (!bearings_[place].factor_open(g, turning_, port)) return false;
     stages_[place].begin(begin_reactions_[place]);
-    Eigen::Matrix2d matrix;
-    matrix << port.a[0][0], port.a[0][1], port.a[1][0], port.a[1][1];
+    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> matrix(&port.a[0][0]);
     const PlanetPort& planet = model_.port_of(b);
-    matrix_.add_port(b / model_.per_planet, planet.of_carrier, planet.of_planet, matrix);
+    matrix_.add_port(model_.gears, b / model_.per_planet, planet.of_carrier, planet.of_planet, matrix);
   }
   return matrix_.factor(model_.gears);
 }
@@ -119,12 +138,13 @@ void CoupledSystem::solve(const double* rhs, double* k) {
   const Eigen::Index n = freedoms();
   right_ = model_.gears.mass.cwiseProduct(part(rhs, n)) + g_ * (slopes_.by_position * part(rhs, 0));
   for (int b = 0; b < bearings(); ++b) {
-    double(&force)[2] = reduced_[static_cast<std::size_t>(b)].force;
+    double(&force)[3] = reduced_[static_cast<std::size_t>(b)].force;
     bearings_[static_cast<std::size_t>(b)].reduce(of_bearing(rhs, b), of_bearing(k, b), force);
     const PlanetPort& port = model_.port_of(b);
-    const Eigen::Vector2d on_planet(force[0], force[1]);
+    const Eigen::Vector3d on_planet(force[0], force[1], force[2]);
     right_.segment<3>(SetLayout::carrier()) += port.of_carrier.transpose() * on_planet;
     right_.segment<3>(port.place) += port.of_planet.transpose() * on_planet;
+    if (model_.gears.load_place >= 0) right_[model_.gears.load_place] += model_.gears.load_share * force[2];
   }
   rate_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
   matrix_.solve(rate_);
@@ -132,8 +152,8 @@ void CoupledSystem::solve(const double* rhs, double* k) {
   Eigen::Map<Eigen::VectorXd>(k, n) = part(rhs, 0) + g_ * rate_;
   std::fill(k + 2 * n, k + gear_size_, 0.0);
   for (int b = 0; b < bearings(); ++b) {
-    const Eigen::Vector2d bore = model_.port_of(b).along(rate_);
-    const double rate[2] = {bore.x(), bore.y()};
+    const Eigen::Vector3d bore = model_.port_of(b).of(rate_);
+    const double rate[3] = {bore.x(), bore.y(), bore.z()};
     const auto place = static_cast<std::size_t>(b);
     bearings_[place].complete(of_bearing(rhs, b), rate, of_bearing(k, b));
     stages_[place].solved(reduced_[place].force, rate, port_matrices_[place]);

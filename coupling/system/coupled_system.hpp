@@ -16,14 +16,15 @@
 namespace orbearing::system {
 
 /// State: [ gears in the order of SetLayout, padded to a multiple of eight | bearing | bearing | ... ], each
-/// bearing in PaddedLayout with its bore where the gear set has it. `Rosenbrock2` and `through_window` run
-/// it. What the rotation of a planet does to its bearings, and their friction to it, is left out of the
-/// matrix.
+/// bearing in PaddedLayout with its bore where the gear set has it. `CoupledSteps` and `through_window` run
+/// it; for steps of order 4 see WithAllSlopes. What the matrix always leaves out is small:
+/// that the carrier's frame and a land on the planet turn at other speeds.
 class CoupledSystem {
  public:
   using Vector = Eigen::Map<const Eigen::VectorXd>;
 
-  CoupledSystem(const CoupledModel& model, long places);
+  /// `turning`: the matrix holds what rotations of the planets do to bearings, and these to them.
+  CoupledSystem(const CoupledModel& model, long places, bool turning = false);
 
   Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
   /// Positions (from 0) or velocities (from freedoms()) of the gears.
@@ -74,18 +75,25 @@ class CoupledSystem {
   /// `x`.
   void push(const gearset::dynamics::PortLoads& impulses, double* x);
 
+ protected:
+  /// Slope of the rate by time at the last linearisation, which was at `time` [s]: that of the mesh
+  /// stiffness.
+  void mesh_slope(double time, double* dx);
+
  private:
+  void put_acceleration(int b, const Eigen::Ref<const Eigen::VectorXd>& rate, double* dx) const;
   template <bool WithSlopes>
   void evaluate(double time, const double* x, double* dx);
 
   const CoupledModel& model_;
+  bool turning_;
   gearset::dynamics::PlanetarySetEquations equations_;
   std::vector<bearing::vectorised::VectorBearing> bearings_;
   std::vector<bearing::motion::BoreReaction> begin_reactions_;  // (bearings)  at the last linearisation
   std::vector<StageReactions> stages_;                          // (bearings)
   std::vector<bearing::vectorised::PortMatrix> port_matrices_;  // (bearings)
   struct Reduced {
-    double force[2]{};  // [N]
+    double force[3]{};  // [N], [N m]
   };
   std::vector<Reduced> reduced_;     // (bearings)  of the stage that is being solved
   std::vector<double> bore_speed_;  // [rad/s]  (bearings)  at the last linearisation
@@ -93,10 +101,20 @@ class CoupledSystem {
   gearset::dynamics::ForceSlopes slopes_;
   gearset::dynamics::StageMatrix matrix_;
   Eigen::VectorXd right_, rate_;
+  Eigen::VectorXd linear_gears_;                 // (2 freedoms)  at the last linearisation
+  Eigen::VectorXd gear_rate_, gear_rate_after_;  // (2 freedoms)
   std::ptrdiff_t gear_size_ = 0;
   std::ptrdiff_t bearing_size_ = 0;
   double g_ = 0.0;
   double begin_ = 0.0, first_ = 0.0, last_ = 0.0;  // [s]
+};
+
+/// The same for steps that ask for all slopes, as those of order 4 do, that by time alone among them.
+class WithAllSlopes : public CoupledSystem {
+ public:
+  WithAllSlopes(const CoupledModel& model, long places, bool turning = true)
+      : CoupledSystem(model, places, turning) {}
+  void time_slope(double time, double* dx) { mesh_slope(time, dx); }
 };
 
 }  // namespace orbearing::system

@@ -61,12 +61,12 @@ class DrivenSystem {
   }
   bool factor(double g) {
     reactions_.begin(begin_);
-    return bearing_.factor_open(g, port_);
+    return bearing_.factor_open(g, false, port_);
   }
   void solve(const double* rhs, double* k) {
     const int bore = bearing_.layout().bore();
-    const double rate[2] = {rhs[bore + 2], rhs[bore + 3]};
-    double force[2];
+    const double rate[3] = {rhs[bore + 2], rhs[bore + 3], 0.0};
+    double force[3];
     bearing_.reduce(rhs, k, force);
     bearing_.complete(rhs, rate, k);
     reactions_.solved(force, rate, port_);

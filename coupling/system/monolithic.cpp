@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "bearing/motion/driven_bore.hpp"
 #include "coupling/integration/gear_steps.hpp"
+#include "coupling/integration/rosenbrock4.hpp"
 #include "coupling/integration/window.hpp"
 #include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/coupled_steps.hpp"
@@ -26,10 +28,23 @@ constexpr double kSavedSystemKind = 30002.0;
 constexpr double kGearErrorFactor = 100.0;
 constexpr double kLongestPiece = 1.0;  // [s]  where nothing jumps
 
+// The same of steps of order 4, whose error estimate holds all that the equations have beyond linear ones.
+constexpr double kFourthOrderGearErrorFactor = 1000.0;
+
+// Whether gears and bearings go by steps of order 4.
+bool is_smooth(const CoupledModel& model) {
+  for (int b = 0; b < model.bearings(); ++b)
+    if (order_of_steps(model.bearing_of(b), true) != 4) return false;
+  return true;
+}
+
+Eigen::VectorXd gear_errors(const CoupledSetup& setup, const CoupledModel& model, double factor) {
+  return factor * integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
+}
+
 CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& model,
                                 const CoupledSystem& coupled) {
-  const Eigen::VectorXd gears =
-      kGearErrorFactor * integration::gear_allowed_errors(model.gears, setup.gears.allowed_share);
+  const Eigen::VectorXd gears = gear_errors(setup, model, kGearErrorFactor);
   return {.gears = {gears.begin(), gears.end()},
           .bearing = system::linearly_implicit_errors(
               coupled.bearing(0),
@@ -37,6 +52,21 @@ CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& m
           .longest_step = system::longest_step(model.bearing),
           .most_refined = setup.most_refined,
           .most_steps = setup.bearing.most_steps};
+}
+
+integration::Rosenbrock4 smooth_steps(const CoupledSetup& setup, const CoupledModel& model,
+                                      const CoupledSystem& coupled) {
+  const Eigen::VectorXd gears = gear_errors(setup, model, kFourthOrderGearErrorFactor);
+  std::vector<double> allowed(coupled.size(), 0.0);
+  std::copy(gears.begin(), gears.end(), allowed.begin());
+  double longest = std::numeric_limits<double>::infinity();
+  for (int b = 0; b < coupled.bearings(); ++b) {
+    const Eigen::VectorXd errors = allowed_errors(model.bearing_of(b), setup.bearing.allowed_length_error);
+    const StepBounds bounds = fourth_order_steps(coupled.bearing(b), errors);
+    longest = std::min(longest, bounds.longest);
+    std::copy(bounds.allowed.begin(), bounds.allowed.end(), coupled.of_bearing(allowed.data(), b));
+  }
+  return integration::Rosenbrock4(std::move(allowed), longest, integration::StepRule::two_errors);
 }
 
 }  // namespace
@@ -87,8 +117,10 @@ struct Monolithic::Inside {
   CoupledSetup setup_;
   CoupledModel model_;
   gearset::dynamics::PlanetarySetEquations equations;
-  CoupledSystem system_;
-  CoupledSteps stepper_;
+  WithAllSlopes system_;
+  CoupledSteps stepper_;                            // of order 2
+  std::optional<integration::Rosenbrock4> smooth_;  // in its place where nothing bounces
+  long rejected_ = 0;                               // [-]  attempts
   std::vector<double> x_;       // as far as steps have gone
   std::vector<double> before_;  // where the last step of follow() began
   std::vector<double> shown_;
@@ -103,13 +135,15 @@ Monolithic::Inside::Inside(const CoupledSetup& setup)
     : setup_(setup),
       model_(coupled_model(setup)),
       equations(model_.gears),
-      system_(model_, setup.bearing.places),
+      system_(model_, setup.bearing.places, is_smooth(model_)),
       stepper_(system_, step_options(setup, model_, system_)),
       x_(system_.size(), 0.0),
       before_(x_),
       shown_(x_),
       turned_(static_cast<std::size_t>(system_.bearings()), 0.0),
-      angle_(turned_) {}
+      angle_(turned_) {
+  if (is_smooth(model_)) smooth_.emplace(smooth_steps(setup, model_, system_));
+}
 
 void Monolithic::Inside::start(double time, const CoupledStart& start) {
   time_ = reached_ = reached_before_ = time;
@@ -155,8 +189,13 @@ void Monolithic::Inside::enter(const Piece& piece) {
 void Monolithic::Inside::one_step() {
   const double length = piece_.end - piece_.begin;
   long attempts = 0;
-  integration::step_within_window(stepper_, system_, x_, piece_.done, length,
-                                  {.most_steps = setup_.bearing.most_steps}, step_, attempts);
+  const integration::WindowLimits limits{.most_steps = setup_.bearing.most_steps};
+  if (smooth_)
+    integration::step_within_window(*smooth_, system_, x_, piece_.done, length, limits, step_, attempts);
+  else
+    integration::step_within_window(stepper_, static_cast<CoupledSystem&>(system_), x_, piece_.done, length,
+                                    limits, step_, attempts);
+  rejected_ += attempts - 1;
   reached_ = piece_.done >= length ? piece_.end : piece_.begin + piece_.done;
 }
 
@@ -164,6 +203,7 @@ void Monolithic::Inside::advance(const Window& window) {
   if (following_)
     throw std::runtime_error("monolithic solution: found a window after follow(); required: one of both");
   const double close = 4e-16 * std::abs(window.end) + 1e-15;  // [s]
+  if (smooth_) smooth_->forget();  // or a run that goes on from a saved state would step otherwise
   const long most = system_.steps + setup_.bearing.most_steps;
   reached_ = window.begin;
   while (reached_ < window.end) {
@@ -324,7 +364,7 @@ integration::IntegrationReport Monolithic::report() const {
   return {.completed = true,
           .reached = inside_->reached_,
           .steps = inside_->system_.steps,
-          .rejected = inside_->stepper_.rejected()};
+          .rejected = inside_->rejected_};
 }
 long Monolithic::refined() const {
   return inside_->stepper_.refined();

@@ -6,8 +6,7 @@
 
 namespace orbearing::system {
 
-/// Sums up the stages of one attempted step of ROS2. Eq. (3) of coupling/system/README.md. What the matrix
-/// leaves out, the moment, counts as the right-hand side has it.
+/// Sums up the stages of one attempted step of ROS2. Eq. (3) of coupling/system/README.md.
 class StageReactions {
  public:
   /// An attempt begins, at `now`.
@@ -17,11 +16,15 @@ class StageReactions {
   }
   /// The right-hand side of the next stage was asked for.
   void evaluated(const bearing::motion::BoreReaction& now) { now_ = now; }
-  /// A stage was solved: `reduced` and `port` from VectorBearing, `rate` of the bore's velocity [m/s^2].
-  void solved(const double (&reduced)[2], const double (&rate)[2], const bearing::vectorised::PortMatrix& port) {
-    for (int i = 0; i < 2; ++i)
-      sum_.force[i] += now_.force[i] + reduced[i] - port.a[i][0] * rate[0] - port.a[i][1] * rate[1];
-    sum_.moment += now_.moment;
+  /// A stage was solved: `reduced` and `port` from VectorBearing, `rate` of the bore's velocity [m/s^2] and
+  /// rotation [rad/s^2].
+  void solved(const double (&reduced)[3], const double (&rate)[3],
+              const bearing::vectorised::PortMatrix& port) {
+    const auto of_stage = [&](int i) {
+      return reduced[i] - port.a[i][0] * rate[0] - port.a[i][1] * rate[1] - port.a[i][2] * rate[2];
+    };
+    for (int i = 0; i < 2; ++i) sum_.force[i] += now_.force[i] + of_stage(i);
+    sum_.moment += now_.moment + of_stage(2);
   }
   /// [N], [N m]  after both stages
   bearing::motion::BoreReaction mean() const { return {0.5 * sum_.force, 0.5 * sum_.moment}; }

@@ -25,15 +25,18 @@ void StageMatrix::assemble(const SetModel& model, const ForceSlopes& slopes, dou
   }
 }
 
-void StageMatrix::add_port(Eigen::Index planet, const Eigen::Matrix<double, 2, 3>& of_carrier,
-                           const Eigen::Matrix<double, 2, 3>& of_planet, const Eigen::Matrix2d& matrix) {
+void StageMatrix::add_port(const SetModel& model, Eigen::Index planet, const Eigen::Matrix3d& of_carrier,
+                           const Eigen::Matrix3d& of_planet, const Eigen::Matrix3d& matrix) {
   constexpr Eigen::Index carrier = SetLayout::carrier();
-  const Eigen::Matrix<double, 2, 3> by_carrier = matrix * of_carrier, by_planet = matrix * of_planet;
+  const Eigen::Matrix3d by_carrier = matrix * of_carrier, by_planet = matrix * of_planet;
   Planet& at = planets_[static_cast<std::size_t>(planet)];
   centre_.block<3, 3>(carrier, carrier) += of_carrier.transpose() * by_carrier;
   at.centre_by.middleRows<3>(carrier) += of_carrier.transpose() * by_planet;
   at.by_centre.middleCols<3>(carrier) += of_planet.transpose() * by_carrier;
   at.own += of_planet.transpose() * by_planet;
+  if (model.load_place < 0) return;
+  centre_.row(model.load_place).segment<3>(carrier) += model.load_share * by_carrier.row(2);
+  at.centre_by.row(model.load_place) += model.load_share * by_planet.row(2);
 }
 
 bool StageMatrix::factor(const SetModel& model) {

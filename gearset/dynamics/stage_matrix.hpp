@@ -16,10 +16,11 @@ class StageMatrix {
  public:
   /// Of the slopes of all forces, with `g` [s] the implicit share of the step.
   void assemble(const SetModel& model, const ForceSlopes& slopes, double g);
-  /// Adds to the rows of a planet and of the carrier: `matrix` [kg] acts on the motion of the port, `of_carrier`
-  /// and `of_planet` times theirs, and pushes along it.
-  void add_port(Eigen::Index planet, const Eigen::Matrix<double, 2, 3>& of_carrier,
-                const Eigen::Matrix<double, 2, 3>& of_planet, const Eigen::Matrix2d& matrix);
+  /// Adds to the rows of a planet and of the carrier: `matrix` acts on the motion of the port, displacement
+  /// and rotation, `of_carrier` and `of_planet` times theirs, and pushes along it. [kg] with lengths for all
+  /// three. A load that yields takes its share of the moment, as in add_port_loads().
+  void add_port(const SetModel& model, Eigen::Index planet, const Eigen::Matrix3d& of_carrier,
+                const Eigen::Matrix3d& of_planet, const Eigen::Matrix3d& matrix);
   /// Replaces the matrix by its factors, in which freedoms that the housing holds answer with their right-hand
   /// side; false where a pivot vanishes.
   bool factor(const SetModel& model);

@@ -3,14 +3,14 @@
 
 #include <stdexcept>
 
+#include "coupling/system/bearing_steps.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "tests/unit/cosim/coupled_reducer.hpp"
 
 namespace orbearing::system::cosim_monolithic_test {
 namespace {
 
-TEST(Monolithic, ComesBackToTheSameBits) {
-  const CoupledSetup setup = test::coupled_reducer();
+void expect_same_bits_again(const CoupledSetup& setup) {
   Monolithic system(setup), other(setup);
   system.initialize(0.0);
   system.advance({0.0, 0.3e-3});
@@ -30,6 +30,30 @@ TEST(Monolithic, ComesBackToTheSameBits) {
   EXPECT_EQ(first, elsewhere);
   saved.pop_back();
   EXPECT_THROW(system.restore(saved), std::invalid_argument);
+}
+
+TEST(Monolithic, ComesBackToTheSameBits) {
+  expect_same_bits_again(test::coupled_reducer());
+}
+
+// Issue 17, Build 5: steps of order 4 follow two errors, of which a saved state holds none.
+TEST(Monolithic, ComesBackToTheSameBitsWithOil) {
+  expect_same_bits_again(test::oiled_reducer());
+}
+
+// Issue 17, Build 5: where nothing bounces, gears and bearings go in steps of order 4, longer than the
+// longest of order 2, few are refused, and no bearing is gone over again.
+TEST(Monolithic, TakesLongStepsWithOil) {
+  constexpr double kSeconds = 10e-3;
+  Monolithic system(test::oiled_reducer());
+  system.initialize(0.0);
+  system.advance({0.0, kSeconds});
+  const integration::IntegrationReport report = system.report();
+  const auto steps = static_cast<double>(report.steps);
+  EXPECT_EQ(system.refined(), 0);
+  EXPECT_LT(static_cast<double>(report.rejected), 0.1 * (steps + static_cast<double>(report.rejected)));
+  const CoupledModel model = coupled_model(test::oiled_reducer());
+  EXPECT_GT(kSeconds / steps, longest_step(model.bearing));
 }
 
 // Steps that pass the times asked for, and states between them, against windows that end there.

@@ -71,11 +71,12 @@ struct BoreSlopes {
   double by_velocity[2][2]{};
 };
 
-/// What is left of the bearing for a stage of the bore once all else is eliminated: the force on the bore in
-/// g J k is reduced - matrix rate, with `rate` that of the bore's velocity [m/s^2] and `reduced` from
-/// Engine::reduce.
+/// What is left of the bearing for a stage of the bore once all else is eliminated: force and moment on the
+/// bore in g J k are reduced - matrix rate, with `rate` that of the bore's velocity [m/s^2] and of its
+/// rotation [rad/s^2], and `reduced` from Engine::reduce. Row and column of the rotation are zero where it is
+/// left out.
 struct PortMatrix {
-  double a[2][2]{};  // [kg]
+  double a[3][3]{};  // [kg], [kg m], [kg m^2]
 };
 
 /// Equations and linear algebra. Not for use by two threads at once; nothing is allocated after construction.
@@ -98,12 +99,15 @@ class Engine {
   virtual BoreForces bore_forces() const = 0;
   /// At the last linearisation.
   virtual BoreSlopes bore_slopes() const = 0;
-  /// As factor(), for all but the bore's velocity, whose rate remains to be found or is given.
-  virtual bool factor_open(double g, PortMatrix& port) = 0;
-  /// First part of a solution after factor_open(): begins `k` and gives the reduced force [N] on the bore.
-  virtual void reduce(const double* rhs, double* k, double (&force)[2]) = 0;
-  /// The rest, once the rate of the bore's velocity is known [m/s^2]: `rhs` and `k` as in reduce().
-  virtual void complete(const double* rhs, const double (&rate)[2], double* k) const = 0;
+  /// As factor(), for all but the bore's velocity and, with a cage and where it is `turning` at a speed that
+  /// changes in a step, its rotation, whose rates remain to be found or are given. That takes a quarter longer.
+  virtual bool factor_open(double g, bool turning, PortMatrix& port) = 0;
+  /// First part of a solution after factor_open(): begins `k` and gives the reduced force [N] and moment
+  /// [N m] on the bore.
+  virtual void reduce(const double* rhs, double* k, double (&force)[3]) = 0;
+  /// The rest, once the rates of the bore's velocity [m/s^2] and rotation [rad/s^2] are known: `rhs` and `k`
+  /// as in reduce().
+  virtual void complete(const double* rhs, const double (&rate)[3], double* k) const = 0;
 };
 
 }  // namespace orbearing::bearing::vectorised

@@ -31,12 +31,23 @@ struct FreeSlopes {
   Pack spin_by_spin;
 };
 
+/// From the centre of the bore to the rollers [m], in their polar axes.
+struct BoreArm {
+  Pack r, t;
+
+  /// About that centre, of a force and a moment on the rollers.
+  Pack moment(const Pack& f_r, const Pack& f_t, const Pack& of_roller) const {
+    return of_roller + r * f_t - t * f_r;
+  }
+};
+
 /// One pack of rollers at the last linearisation.
 struct RollerPack {
   Pack r, per_r, radial, orbital;  // [m], [1/m], [m/s], [rad/s]
   Pack cosine, sine;
   FreeSlopes free;
   ContactSlopes<Pack> inner, outer;
+  Pack outer_r, outer_t;  // [N]  force of the outer race on the roller
   PocketSlopes pocket;
   Pack tip_by_tip, tip_by_inner, tip_by_outer;  // [1/s]  LaminaStand
   bool caged = false;
@@ -160,9 +171,9 @@ class PackEngine final : public Engine {
   void set_surroundings(const Surroundings& now) override;
   BoreForces bore_forces() const override { return on_bore_; }
   BoreSlopes bore_slopes() const override;
-  bool factor_open(double g, PortMatrix& port) override;
-  void reduce(const double* rhs, double* k, double (&force)[2]) override;
-  void complete(const double* rhs, const double (&rate)[2], double* k) const override;
+  bool factor_open(double g, bool turning, PortMatrix& port) override;
+  void reduce(const double* rhs, double* k, double (&force)[3]) override;
+  void complete(const double* rhs, const double (&rate)[3], double* k) const override;
 
  private:
   static constexpr int kTip = 5;  // group of the tips in the state
@@ -188,6 +199,7 @@ class PackEngine final : public Engine {
                       const LandForce<double>& guided, double* dx);
   void evaluate_waves(const double* x, double* dx) const;
   void complete_waves(const double* rhs, double* k) const;
+  template <bool OpenBore, bool Caged>
   void build_block(int p, double g);
   void add_neighbours(int p, double g);
   void chain_rollers();
@@ -201,20 +213,26 @@ class PackEngine final : public Engine {
   template <bool OpenBore, bool Caged>
   void add_rings(double g, RingBlock& rings) const;
   template <bool OpenBore, bool Caged>
-  void reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const;
+  void reduce_rollers(const double* rhs, double* k, double (&b)[kOpenUnknowns]) const;
   template <bool OpenBore>
   [[gnu::noinline, gnu::flatten]] void reduce_without_cage(const double* rhs, double* k,
-                                                           double (&b)[kRingUnknowns]) const {
+                                                           double (&b)[kOpenUnknowns]) const {
     reduce_rollers<OpenBore, false>(rhs, k, b);
   }
   template <bool Caged>
-  void reduce_open(const double* rhs, double* k, double (&force)[2]);
+  void reduce_open(const double* rhs, double* k, double (&force)[3]);
   template <bool Caged>
-  void complete_open(const double* rhs, const double (&rate)[2], double* k) const;
+  void complete_open(const double* rhs, const double (&rate)[3], double* k) const;
   template <bool Caged>
-  void complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const;
-  void tilt_rollers(int p, const double* rhs, const Pack& shift, const double (&b)[kRingUnknowns],
+  void complete_rollers(const double* rhs, const double (&b)[kOpenUnknowns], double* k) const;
+  void tilt_rollers(int p, const double* rhs, const Pack& shift, const double (&b)[kOpenUnknowns],
                     double* k) const;
+
+  BoreArm bore_arm(const RollerPack& at) const {
+    return {at.r - (bore_x_ * at.cosine + bore_y_ * at.sine), bore_x_ * at.sine - bore_y_ * at.cosine};
+  }
+  // Of the bore's rows: forces stand there over its mass, the moment by itself.
+  double bore_scale(int i) const { return i < 2 ? c_.bore_mass : 1.0; }
 
   Mask present(int p) const { return first_lanes(c_.rollers - p * kLanes); }
   const double* entry(const double* x, int group, int p) const {
@@ -241,12 +259,14 @@ class PackEngine final : public Engine {
   RingBlock rings_;
   SharedInverse<kRingUnknowns> inverse_;  // of rings_, after factor()
   double g_ = 0.0;
+  bool turning_ = false;  // the rotation of the bore is in the factors
   GuidanceDual land_x_, land_y_, land_moment_;
+  double bore_x_ = 0.0, bore_y_ = 0.0;  // [m]  at the last linearisation
   double cage_speed_ = 0.0;
   double cage_cosine_ = 1.0;
   double cage_sine_ = 0.0;
   BoreForces on_bore_;
-  double reduced_[kRingUnknowns]{};  // between reduce() and complete(), the bore last
+  double reduced_[kOpenUnknowns]{};  // between reduce() and complete(), the bore last
 };
 
 /// `f_r`, `f_t`: all contact forces on the rollers [N]; `orbit_rate`: theta'' [rad/s^2].
@@ -346,7 +366,11 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
       linear.tip_by_outer = stand.by_outer;
     }
   }
-  if constexpr (WithSlopes) split(slopes, linear.inner, linear.outer);
+  if constexpr (WithSlopes) {
+    split(slopes, linear.inner, linear.outer);
+    linear.outer_r = races.f_r.high;
+    linear.outer_t = races.f_t.high;
+  }
   const PocketForce pocket = [&] {
     if constexpr (Caged) {
       const Pack own_cosine = load(given_.pocket_cosine + p * kLanes),
@@ -406,6 +430,10 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
 template <bool WithSlopes, bool Caged>
 void PackEngine::evaluate(const double* x, double load_x, double load_y, double* dx) {
   RingLoads sums;
+  if constexpr (WithSlopes) {
+    bore_x_ = x[layout_.bore()];
+    bore_y_ = x[layout_.bore() + 1];
+  }
   const LandForce<double> guided = evaluate_land<WithSlopes>(x);
   if constexpr (Caged) {
     const SineCosine cage = sine_cosine(spread(x[layout_.cage() + 2]));

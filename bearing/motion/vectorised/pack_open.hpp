@@ -9,25 +9,26 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 using namespace mechanics::ORBEARING_PACKS;
 
 /// Unknowns of the rings in the order of their elimination.
-inline constexpr int kBoreLast[kRingUnknowns] = {kPin,      kPin + 1, kCage,    kCage + 1,
-                                                 kCage + 2, kBore,    kBore + 1};
-inline constexpr int kInner = kRingUnknowns - 2;  // all but the bore
+inline constexpr int kBoreLast[kOpenUnknowns] = {kPin,      kPin + 1, kCage,     kCage + 1,
+                                                 kCage + 2, kBore,    kBore + 1, kTurn};
+inline constexpr int kInner = kOpenUnknowns - 3;  // all but the bore
 
-[[gnu::flatten]] inline bool PackEngine::factor_open(double g, PortMatrix& port) {
+[[gnu::flatten]] inline bool PackEngine::factor_open(double g, bool turning, PortMatrix& port) {
+  turning_ = turning && c_.caged;
   if (c_.caged)
     assemble<true, true>(g);
   else
     assemble_without_cage<true>(g);
   const RingBlock given = rings_;
-  for (int i = 0; i < kRingUnknowns; ++i)
-    for (int k = 0; k < kRingUnknowns; ++k) rings_.a[i][k] = given.a[kBoreLast[i]][kBoreLast[k]];
+  for (int i = 0; i < kOpenUnknowns; ++i)
+    for (int k = 0; k < kOpenUnknowns; ++k) rings_.a[i][k] = given.a[kBoreLast[i]][kBoreLast[k]];
   if (!rings_.factor<kInner>()) return false;
-  for (int i = 0; i < 2; ++i)
-    for (int k = 0; k < 2; ++k) port.a[i][k] = c_.bore_mass * rings_.a[kInner + i][kInner + k];
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) port.a[i][k] = bore_scale(i) * rings_.a[kInner + i][kInner + k];
   return true;
 }
 
-[[gnu::flatten]] inline void PackEngine::reduce(const double* rhs, double* k, double (&force)[2]) {
+[[gnu::flatten]] inline void PackEngine::reduce(const double* rhs, double* k, double (&force)[3]) {
   if (c_.caged)
     reduce_open<true>(rhs, k, force);
   else
@@ -35,21 +36,21 @@ inline constexpr int kInner = kRingUnknowns - 2;  // all but the bore
 }
 
 template <bool Caged>
-void PackEngine::reduce_open(const double* rhs, double* k, double (&force)[2]) {
-  double b[kRingUnknowns];
+void PackEngine::reduce_open(const double* rhs, double* k, double (&force)[3]) {
+  double b[kOpenUnknowns];
   if constexpr (Caged)
     reduce_rollers<true, true>(rhs, k, b);
   else
     reduce_without_cage<true>(rhs, k, b);
-  for (int i = 0; i < kRingUnknowns; ++i) {
+  for (int i = 0; i < kOpenUnknowns; ++i) {
     double sum = b[kBoreLast[i]];
     for (int m = 0; m < i && m < kInner; ++m) sum -= rings_.a[i][m] * reduced_[m];
     reduced_[i] = sum;
   }
-  for (int i = 0; i < 2; ++i) force[i] = c_.bore_mass * reduced_[kInner + i];
+  for (int i = 0; i < 3; ++i) force[i] = bore_scale(i) * reduced_[kInner + i];
 }
 
-[[gnu::flatten]] inline void PackEngine::complete(const double* rhs, const double (&rate)[2],
+[[gnu::flatten]] inline void PackEngine::complete(const double* rhs, const double (&rate)[3],
                                                   double* k) const {
   if (c_.caged)
     complete_open<true>(rhs, rate, k);
@@ -58,17 +59,16 @@ void PackEngine::reduce_open(const double* rhs, double* k, double (&force)[2]) {
 }
 
 template <bool Caged>
-void PackEngine::complete_open(const double* rhs, const double (&rate)[2], double* k) const {
-  double y[kRingUnknowns];
+void PackEngine::complete_open(const double* rhs, const double (&rate)[3], double* k) const {
+  double y[kOpenUnknowns];
   for (int i = 0; i < kInner; ++i) y[i] = reduced_[i];
-  y[kInner] = rate[0];
-  y[kInner + 1] = rate[1];
+  for (int i = 0; i < 3; ++i) y[kInner + i] = rate[i];
   for (int i = kInner - 1; i >= 0; --i) {
-    for (int m = i + 1; m < kRingUnknowns; ++m) y[i] -= rings_.a[i][m] * y[m];
+    for (int m = i + 1; m < kOpenUnknowns; ++m) y[i] -= rings_.a[i][m] * y[m];
     y[i] *= rings_.a[i][i];
   }
-  double b[kRingUnknowns];
-  for (int i = 0; i < kRingUnknowns; ++i) b[kBoreLast[i]] = y[i];
+  double b[kOpenUnknowns];
+  for (int i = 0; i < kOpenUnknowns; ++i) b[kBoreLast[i]] = y[i];
   complete_rollers<Caged>(rhs, b, k);
 }
 

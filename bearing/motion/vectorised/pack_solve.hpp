@@ -48,15 +48,16 @@ inline void PackEngine::push_shifted(int p, const Pack& dr, const Pack& dtheta, 
 }
 
 /// Rollers: their share of `k`, and what they leave on the right-hand sides `b` of the rings. The rows of an
-/// open bore hold the force on it alone.
+/// open bore hold force and moment on it alone.
 template <bool OpenBore, bool Caged>
-void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingUnknowns]) const {
+void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenUnknowns]) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();
   const double g = g_, per_mass = 1.0 / c_.roller_mass;
   RingLoads loads;             // changes of force through the shifts of positions
-  Pack sums[kRingUnknowns]{};  // of_shared own^-1 b
+  Pack bore_moment{};          // the same
+  Pack sums[kOpenUnknowns]{};  // of_shared own^-1 b
   const bool chained = !Caged && touching_;
   if constexpr (!Caged)
     if (chained) neighbours_.take(rhs, 2, c_.rollers);
@@ -68,6 +69,11 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
     const ContactForce<Pack> outer = shifted(at.outer, shift_of(at, dr, dtheta, bore[0], bore[1]));
     react(inner.f_r, inner.f_t, at.cosine, at.sine, loads.pin);
     react(outer.f_r, outer.f_t, at.cosine, at.sine, loads.bore);
+    if (OpenBore && turning_) {
+      const Shift shift = shift_of(at, dr, dtheta, bore[0], bore[1]);
+      bore_moment -= bore_arm(at).moment(outer.f_r, outer.f_t, outer.moment) + shift.d_r * at.outer_t -
+                     shift.d_t * at.outer_r;
+    }
     Pack f_r = inner.f_r + outer.f_r, f_t = inner.f_t + outer.f_t, moment = inner.moment + outer.moment;
     if (at.caged) {
       const Shift shift = shift_of(at, dr, dtheta, cage[0], cage[1]);
@@ -103,7 +109,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
       y[i] = block.own[i][0] * own[0] + block.own[i][1] * own[1] + block.own[i][2] * own[2];
       store(y[i], entry(k, 2 + i, p));
     }
-    for (int i = 0; i < block.ring_end(); ++i)
+    for (int i = 0; i < block.ring_end; ++i)
       sums[i] += block.of_shared[i][0] * y[0] + block.of_shared[i][1] * y[1] + block.of_shared[i][2] * y[2];
   }
 
@@ -119,11 +125,11 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
   // Both shares of the rollers, each force over the mass that it moves.
   const double on_pin_mass = g / c_.pin_mass, on_bore_mass = g / c_.bore_mass,
                on_cage_mass = g / c_.cage_mass;
-  double of_rollers[kRingUnknowns];
+  double of_rollers[kOpenUnknowns];
   sums_of({on_pin_mass * loads.pin.x - sums[0], on_pin_mass * loads.pin.y - sums[1],
            on_bore_mass * loads.bore.x - sums[2], on_bore_mass * loads.bore.y - sums[3],
            on_cage_mass * loads.cage.x - sums[4], on_cage_mass * loads.cage.y - sums[5],
-           (g / c_.cage_inertia) * loads.cage_moment - sums[6]},
+           (g / c_.cage_inertia) * loads.cage_moment - sums[6], g * bore_moment - sums[7]},
           of_rollers);
   const double turn = c_.centrifugal, late = c_.euler;
   double land[3]{};
@@ -138,6 +144,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
          g * (turn * pin[1] - late * pin[0]);
   b[2] = of_rollers[2] - on_bore_mass * on_bore * land[0];
   b[3] = of_rollers[3] - on_bore_mass * on_bore * land[1];
+  b[kTurn] = of_rollers[kTurn];
   if constexpr (!OpenBore) {
     b[2] += bore[2] + g * (turn * bore[0] + late * bore[1]);
     b[3] += bore[3] + g * (turn * bore[1] - late * bore[0]);
@@ -155,7 +162,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kRingU
 /// the rollers stand in their contacts is taken along the ray from the origin, which leaves that of the rings
 /// out.
 inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift,
-                                     const double (&b)[kRingUnknowns], double* k) const {
+                                     const double (&b)[kOpenUnknowns], double* k) const {
   const RollerPack& at = linear_[p];
   const double *bore = rhs + layout_.bore(), *pin = rhs + layout_.pin();
   const auto along = [&](const double* ring, int first) {
@@ -182,7 +189,7 @@ inline void PackEngine::complete_waves(const double* rhs, double* k) const {
 
 /// All rates, once those of the rings are known: `b`.
 template <bool Caged>
-void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnknowns], double* k) const {
+void PackEngine::complete_rollers(const double* rhs, const double (&b)[kOpenUnknowns], double* k) const {
   const double* cage = rhs + layout_.cage();
   const double* bore = rhs + layout_.bore();
   const double* pin = rhs + layout_.pin();
@@ -195,7 +202,7 @@ void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnkn
     Pack rate[3];
     for (int i = 0; i < 3; ++i) {
       rate[i] = load(entry(k, 2 + i, p));
-      for (int m = 0; m < block.ring_end(); ++m) rate[i] -= block.by_shared[i][m] * b[m];
+      for (int m = 0; m < block.ring_end; ++m) rate[i] -= block.by_shared[i][m] * b[m];
       store(rate[i], entry(k, 2 + i, p));
     }
     const Pack shift = load(entry(rhs, 0, p)) + g * rate[0];
@@ -220,14 +227,15 @@ void PackEngine::complete_rollers(const double* rhs, const double (&b)[kRingUnkn
 }
 
 [[gnu::flatten]] inline void PackEngine::solve(const double* rhs, double* k) const {
-  double b[kRingUnknowns];
+  double b[kOpenUnknowns];
+  auto& closed = reinterpret_cast<double(&)[kRingUnknowns]>(b);
   if (c_.caged) {
     reduce_rollers<false, true>(rhs, k, b);
-    inverse_.times(b);
+    inverse_.times(closed);
     complete_rollers<true>(rhs, b, k);
   } else {
     reduce_without_cage<false>(rhs, k, b);
-    inverse_.times(b);
+    inverse_.times(closed);
     complete_rollers<false>(rhs, b, k);
   }
 }

@@ -70,27 +70,27 @@ inline void add_contact(double g, const Pack (&roller_scale)[3], double body_mas
 /// The cage's rotation and its moment, which the races do not have.
 inline void add_cage_rotation(double g, const Pack (&roller_scale)[3], const Constants& c,
                               const RollerPack& at, RollerBlock& block) {
-  constexpr int kTurn = kCage + 2;
+  constexpr int kCageTurn = kCage + 2;
   const PocketSlopes& slopes = at.pocket;
   Pack by_turn[3];
   for (int i = 0; i < 3; ++i) by_turn[i] = g * slopes.by_angle[i] + slopes.by_speed[i];
-  for (int i = 0; i < 3; ++i) block.by_shared[i][kTurn] = roller_scale[i] * by_turn[i];
+  for (int i = 0; i < 3; ++i) block.by_shared[i][kCageTurn] = roller_scale[i] * by_turn[i];
   const Pair force = to_plane(at, by_turn[0], by_turn[1]);
-  block.rings[kCage][kTurn] = (g / c.cage_mass) * force.x;
-  block.rings[kCage + 1][kTurn] = (g / c.cage_mass) * force.y;
+  block.rings[kCage][kCageTurn] = (g / c.cage_mass) * force.x;
+  block.rings[kCage + 1][kCageTurn] = (g / c.cage_mass) * force.y;
 
   const double scale = -g / c.cage_inertia;
   Pack radial, orbital;
   by_roller(g, at, slopes.cage_by_position[0], slopes.cage_by_position[1], slopes.cage_by_velocity[0],
             slopes.cage_by_velocity[1], radial, orbital);
-  block.of_shared[kTurn][0] = scale * radial;
-  block.of_shared[kTurn][1] = scale * orbital;
-  block.of_shared[kTurn][2] = scale * slopes.cage_by_spin;
+  block.of_shared[kCageTurn][0] = scale * radial;
+  block.of_shared[kCageTurn][1] = scale * orbital;
+  block.of_shared[kCageTurn][2] = scale * slopes.cage_by_spin;
   const Pair shift = to_plane(at, g * slopes.cage_by_position[0] + slopes.cage_by_velocity[0],
                               g * slopes.cage_by_position[1] + slopes.cage_by_velocity[1]);
-  block.rings[kTurn][kCage] = -scale * shift.x;
-  block.rings[kTurn][kCage + 1] = -scale * shift.y;
-  block.rings[kTurn][kTurn] = scale * (g * slopes.cage_by_angle + slopes.cage_by_speed);
+  block.rings[kCageTurn][kCage] = -scale * shift.x;
+  block.rings[kCageTurn][kCage + 1] = -scale * shift.y;
+  block.rings[kCageTurn][kCageTurn] = scale * (g * slopes.cage_by_angle + slopes.cage_by_speed);
 }
 
 /// Both neighbours of each roller, in its own block and in those that couple it with them.
@@ -127,10 +127,52 @@ inline void PackEngine::chain_rollers() {
   });
 }
 
-inline void PackEngine::build_block(int p, double g) {
+/// The bore's rotation. Contact forces do not change where race, roller and their line of centres turn at one
+/// speed more about the race's centre, so the slope by the race's speed is the opposite of that by the
+/// roller's orbit and spin.
+inline void add_bore_rotation(double g, const Pack (&roller_scale)[3], const Constants& c,
+                              const RollerPack& at, const BoreArm& arm, const StageSlopes& stage,
+                              RollerBlock& block) {
+  Pack by_turn[3];
+  for (int i = 0; i < 3; ++i) {
+    by_turn[i] =
+        -(arm.r * at.outer.by_velocity[i][1] - arm.t * at.outer.by_velocity[i][0] + at.outer.by_spin[i]);
+    block.by_shared[i][kTurn] = roller_scale[i] * by_turn[i];
+  }
+  const Pair force = to_plane(at, by_turn[0], by_turn[1]);
+  block.rings[kBore][kTurn] = (g / c.bore_mass) * force.x;
+  block.rings[kBore + 1][kTurn] = (g / c.bore_mass) * force.y;
+  const auto moment = [&](const Pack& f_r, const Pack& f_t, const Pack& of_roller) {
+    return g * arm.moment(f_r, f_t, of_roller);
+  };
+  const Pack(&roller)[3][3] = stage.roller;
+  const Pack(&body)[3][2] = stage.body;
+  for (int k = 0; k < 3; ++k) block.of_shared[kTurn][k] = moment(roller[0][k], roller[1][k], roller[2][k]);
+  // The force has another arm where rollers and bore have moved.
+  const Pack along_r = (g * g) * at.outer_t, along_t = (-g * g) * at.outer_r;
+  block.of_shared[kTurn][0] += along_r;
+  block.of_shared[kTurn][1] += at.r * along_t;
+  const Pair by_bore = to_plane(at, moment(body[0][0], body[1][0], body[2][0]) - along_r,
+                                moment(body[0][1], body[1][1], body[2][1]) - along_t);
+  block.rings[kTurn][kBore] = by_bore.x;
+  block.rings[kTurn][kBore + 1] = by_bore.y;
+  block.rings[kTurn][kTurn] = moment(by_turn[0], by_turn[1], by_turn[2]);
+}
+
+/// Rows and columns of a cage that these rollers do not touch.
+inline void leave_cage_out(RollerBlock& block) {
+  for (int k = kCage; k < kCage + 3; ++k) {
+    for (int i = 0; i < 3; ++i) block.by_shared[i][k] = block.of_shared[k][i] = Pack{};
+    for (int i = kCage; i < kCage + 3; ++i) block.rings[i][k] = Pack{};
+  }
+}
+
+template <bool OpenBore, bool Caged>
+void PackEngine::build_block(int p, double g) {
   const RollerPack& at = linear_[p];
   RollerBlock& block = block_[p];
-  block.caged = at.caged;
+  const bool turning = OpenBore && Caged && turning_;
+  block.ring_end = turning ? kOpenUnknowns : at.caged ? kRingUnknowns : kCage;
   const FreeSlopes& free = at.free;
   block.own[0][0] = 1.0 - g * g * free.radial_by_r;
   block.own[0][1] = -g * (g * free.radial_by_theta + free.radial_by_orbital);
@@ -143,7 +185,12 @@ inline void PackEngine::build_block(int p, double g) {
   const Pack roller_scale[3] = {spread(-g / c_.roller_mass), (-g / c_.roller_mass) * at.per_r,
                                 spread(-g / c_.roller_inertia)};
   add_contact(g, roller_scale, c_.pin_mass, kPin, at, stage_slopes(g, at, at.inner), block);
-  add_contact(g, roller_scale, c_.bore_mass, kBore, at, stage_slopes(g, at, at.outer), block);
+  const StageSlopes outer = stage_slopes(g, at, at.outer);
+  add_contact(g, roller_scale, c_.bore_mass, kBore, at, outer, block);
+  if (turning) {
+    add_bore_rotation(g, roller_scale, c_, at, bore_arm(at), outer, block);
+    if (!at.caged) leave_cage_out(block);
+  }
   if (at.caged) {
     add_contact(g, roller_scale, c_.cage_mass, kCage, at, stage_slopes(g, at, at.pocket.on_roller), block);
     add_cage_rotation(g, roller_scale, c_, at, block);
@@ -189,7 +236,7 @@ void PackEngine::add_rings(double g, RingBlock& rings) const {
 }
 
 template <int kEnd>
-void eliminate_and_add(RollerBlock& block, double (&rings)[kRingUnknowns][kRingRow]) {
+void eliminate_and_add(RollerBlock& block, double (&rings)[kOpenUnknowns][kRingRow]) {
   eliminate<kEnd>(block);
   add_rollers<kEnd>(block, rings);
 }
@@ -201,7 +248,7 @@ void PackEngine::assemble(double g) {
   if constexpr (!Caged) {
     if (touching_) {
       for (int p = 0; p < packs_; ++p) {
-        build_block(p, g);
+        build_block<OpenBore, Caged>(p, g);
         add_neighbours(p, g);
       }
       chain_rollers();
@@ -211,8 +258,10 @@ void PackEngine::assemble(double g) {
     }
   }
   for (int p = 0; p < packs_; ++p) {
-    build_block(p, g);
-    if (block_[p].caged)
+    build_block<OpenBore, Caged>(p, g);
+    if (OpenBore && Caged && block_[p].ring_end == kOpenUnknowns)
+      eliminate_and_add<kOpenUnknowns>(block_[p], rings_.a);
+    else if (block_[p].ring_end == kRingUnknowns)
       eliminate_and_add<kRingUnknowns>(block_[p], rings_.a);
     else
       eliminate_and_add<kCage>(block_[p], rings_.a);
@@ -225,7 +274,10 @@ void PackEngine::assemble(double g) {
     assemble<false, true>(g);
   else
     assemble_without_cage<false>(g);
-  return inverse_.take(rings_);
+  SharedBlock<kRingUnknowns> closed;
+  static_assert(sizeof closed.a < sizeof rings_.a && kSharedRow<kRingUnknowns> == kRingRow);
+  __builtin_memcpy(closed.a, rings_.a, sizeof closed.a);
+  return inverse_.take(closed);
 }
 
 }  // namespace orbearing::bearing::vectorised::ORBEARING_PACKS

@@ -49,10 +49,12 @@ class VectorBearing {
   /// Slopes of its force, at the last linearisation.
   BoreSlopes bore_slopes() const { return engine_->bore_slopes(); }
   /// As factor() and solve() with the bore open: engine.hpp. The planet's row of a stage becomes
-  ///   (mass + port) rate = mass rhs + force,   rate: of the bore's velocity.
-  bool factor_open(double g, PortMatrix& port) { return engine_->factor_open(g, port); }
-  void reduce(const double* rhs, double* k, double (&force)[2]) { engine_->reduce(rhs, k, force); }
-  void complete(const double* rhs, const double (&rate)[2], double* k) const {
+  ///   (mass + port) rate = mass rhs + force,   rate: of the bore's velocity and rotation.
+  bool factor_open(double g, bool turning, PortMatrix& port) {
+    return engine_->factor_open(g, turning, port);
+  }
+  void reduce(const double* rhs, double* k, double (&force)[3]) { engine_->reduce(rhs, k, force); }
+  void complete(const double* rhs, const double (&rate)[3], double* k) const {
     engine_->complete(rhs, rate, k);
   }
 

@@ -18,4 +18,12 @@ inline system::CoupledSetup coupled_reducer() {
   return setup;
 }
 
+/// The same with oil that takes the energy of impacts on races and bars.
+inline system::CoupledSetup oiled_reducer() {
+  system::CoupledSetup setup = coupled_reducer();
+  setup.bearing.dynamics.race.squeeze = true;
+  setup.bearing.dynamics.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
+  return setup;
+}
+
 }  // namespace orbearing::test

@@ -13,15 +13,14 @@ namespace {
 constexpr double kRoundOff = 1e-12;  // [-]
 
 struct Port {
-  Eigen::Matrix<double, 2, 3> of_carrier, of_planet;
-  Eigen::Matrix2d matrix;
+  Eigen::Matrix3d of_carrier, of_planet, matrix;
 };
 
 Port port_of(int planet) {
   Port port;
-  port.of_carrier << 0.3, -0.4, 0.1 * planet, 0.2, 0.5, -0.6;
-  port.of_planet << 1.0, 0.1, 0.2, -0.3, 0.9, 0.4;
-  port.matrix << 0.2 + planet, 0.05, -0.04, 0.3;
+  port.of_carrier << 0.3, -0.4, 0.1 * planet, 0.2, 0.5, -0.6, 0.7, 0.1, -0.2;
+  port.of_planet << 1.0, 0.1, 0.2, -0.3, 0.9, 0.4, 0.3, -0.1, 0.8;
+  port.matrix << 0.2 + planet, 0.05, -0.04, 0.3, 0.25, 0.02, 0.06, -0.03, 0.15;
   return port;
 }
 
@@ -43,11 +42,11 @@ TEST(StageMatrix, SolvesAsTheDenseOneDoes) {
     matrix.assemble(model, slopes, g);
     for (int planet = 0; planet < planets; ++planet) {
       const Port port = port_of(planet);
-      Eigen::MatrixXd all = Eigen::MatrixXd::Zero(2, n);
+      Eigen::MatrixXd all = Eigen::MatrixXd::Zero(3, n);
       all.middleCols<3>(SetLayout::carrier()) = port.of_carrier;
       all.middleCols<3>(SetLayout::planet(planet)) = port.of_planet;
       dense += all.transpose() * port.matrix * all;
-      matrix.add_port(planet, port.of_carrier, port.of_planet, port.matrix);
+      matrix.add_port(model, planet, port.of_carrier, port.of_planet, port.matrix);
     }
     int held = 0;
     for (Eigen::Index i = 0; i < n; ++i) {

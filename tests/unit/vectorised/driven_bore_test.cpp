@@ -109,8 +109,8 @@ TEST_P(OpenBore, ClosedByItsInertiaIsTheFreeBearing) {
       ASSERT_TRUE(fast.factor(g));
       fast.solve(rhs.data(), closed.data());
       PortMatrix port;
-      double force[2];
-      ASSERT_TRUE(fast.factor_open(g, port));
+      double force[3];
+      ASSERT_TRUE(fast.factor_open(g, false, port));
       fast.reduce(rhs.data(), open.data(), force);
       const double* b = rhs.data() + fast.layout().bore();
       Eigen::Matrix2d matrix;
@@ -119,7 +119,7 @@ TEST_P(OpenBore, ClosedByItsInertiaIsTheFreeBearing) {
       const Eigen::Vector2d right(force[0] + m * (b[2] + g * (turn * b[0] + late * b[1])),
                                   force[1] + m * (b[3] + g * (turn * b[1] - late * b[0])));
       const Eigen::Vector2d found = matrix.inverse() * right;
-      const double rate[2] = {found[0], found[1]};
+      const double rate[3] = {found[0], found[1], 0.0};
       fast.complete(rhs.data(), rate, open.data());
       const Eigen::Index z = model.layout.rollers;
       Eigen::VectorXd one(model.layout.size()), other(one);
@@ -132,6 +132,86 @@ TEST_P(OpenBore, ClosedByItsInertiaIsTheFreeBearing) {
       EXPECT_LT((one - other).tail(rings).norm(), 1e-9 * one.tail(rings).norm()) << name_of(set);
     }
   }
+}
+
+// Issue 17, Build 5: what a stage does to the bearing, and the bearing to the bore, when the bore's velocity
+// or rotation has a rate: against differences of the right-hand side along the same motion. Left out are a
+// land that turns with the bore, waves that turn and neighbours.
+class PortOfBore : public OpenBore {};
+
+TEST_P(PortOfBore, AnswersToRatesAsTheRightHandSideDoes) {
+  constexpr double kOfDifferences = 1e-4;  // [-]
+  const BearingModel model = bearing_model(bearing, point, parameters);
+  const bool land = model.layout.caged && !GetParam().inner_guidance;
+  VectorBearing fast(model);
+  const PaddedLayout& layout = fast.layout();
+  int kinked = 0, compared = 0;
+  for (int i = 0; i < kStates; ++i) {
+    const double g = i % 2 == 0 ? 1e-6 : 5e-6;
+    const Eigen::VectorXd flat = shaken(model, i);
+    BoreMotion motion = random_motion(model, flat);
+    motion.acceleration = {0.0, 0.0};
+    const std::vector<double> x = fast.padded(flat), nothing(x.size(), 0.0);
+    std::vector<double> rates(x.size());
+    for (int which = 0; which < 3; ++which) {
+      fast.linearise(motion, x.data(), rates.data());
+      PortMatrix port;
+      ASSERT_TRUE(fast.factor_open(g, true, port));
+      double force[3], rate[3] = {};
+      rate[which] = which < 2 ? 1e3 : 1e5;  // [m/s^2], [rad/s^2]
+      std::vector<double> k(x.size());
+      fast.reduce(nothing.data(), k.data(), force);
+      for (const double each : force) ASSERT_EQ(each, 0.0);
+      fast.complete(nothing.data(), rate, k.data());
+      struct Slope {
+        Eigen::VectorXd rates;
+        Eigen::Vector3d reaction;
+      };
+      const auto difference = [&](double by) {
+        Slope slope{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(x.size())), Eigen::Vector3d::Zero()};
+        for (const double side : {1.0, -1.0}) {
+          std::vector<double> moved = x;
+          for (std::size_t n = 0; n < x.size(); ++n) moved[n] += side * by * k[n];
+          BoreMotion turned = motion;
+          turned.speed += side * by * rate[2];
+          fast.derivative(turned, moved.data(), rates.data());
+          slope.rates += side / (2.0 * by) * Eigen::Map<Eigen::VectorXd>(rates.data(), slope.rates.size());
+          const BoreReaction on_bore = fast.reaction();
+          slope.reaction +=
+              side / (2.0 * by) * Eigen::Vector3d(on_bore.force.x(), on_bore.force.y(), on_bore.moment);
+        }
+        return slope;
+      };
+      const double step = 1e-8;  // [s]
+      const Slope narrow = difference(step);
+      const Slope wide = difference(2.0 * step);
+      for (int group = 2; group < 5; ++group) {
+        const auto part = [&](const Eigen::VectorXd& of) {
+          return of.segment(group * layout.lanes(), layout.rollers);
+        };
+        const Eigen::VectorXd stage = Eigen::Map<const Eigen::VectorXd>(k.data(), narrow.rates.size());
+        ++compared;
+        if ((part(narrow.rates) - part(wide.rates)).norm() > 1e-5 * part(narrow.rates).norm()) {
+          ++kinked;
+          continue;
+        }
+        EXPECT_LT((part(stage) - g * part(narrow.rates)).norm(),
+                  kOfDifferences * (g * part(narrow.rates)).norm())
+            << "rate " << which << ", group " << group << ", state " << i;
+      }
+      if ((narrow.reaction - wide.reaction).norm() > 1e-5 * narrow.reaction.norm()) continue;
+      const double radius = model.geometry.outer_radius;
+      for (int row = 0; row < 3; ++row) {
+        if ((row == 2 || which == 2) && land) continue;
+        const double found = -port.a[row][which] * rate[which], scale = row < 2 ? 1.0 : radius;
+        EXPECT_NEAR(found, g * narrow.reaction[row],
+                    kOfDifferences * scale * (g * narrow.reaction.head<2>()).norm() +
+                        kOfDifferences * std::abs(g * narrow.reaction[row]))
+            << "rate " << which << ", row " << row << ", state " << i;
+      }
+    }
+  }
+  EXPECT_LT(kinked, compared / 2);
 }
 
 TEST_P(OpenBore, SlopesAreThoseOfTheReadableForce) {
@@ -170,6 +250,12 @@ TEST_P(OpenBore, SlopesAreThoseOfTheReadableForce) {
   }
   EXPECT_LT(kinked, compared / 3);
 }
+
+INSTANTIATE_TEST_SUITE_P(Variants, PortOfBore,
+                         testing::Values(Variant{"dry", false, false, false},
+                                         Variant{"film", true, false, false},
+                                         Variant{"inner_guidance", true, true, false}),
+                         [](const testing::TestParamInfo<Variant>& variant) { return variant.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Variants, OpenBore,
                          testing::Values(Variant{"dry", false, false, false},
