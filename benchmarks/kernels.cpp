@@ -59,6 +59,13 @@ void add(const std::string& name, Body body) {
       ->Unit(benchmark::kNanosecond);
 }
 
+// The frozen equations know no oil that is pressed out.
+Duty without_pressed_oil(Duty duty) {
+  duty.parameters.race.squeeze = false;
+  duty.parameters.cage.pocket_film = bearing::motion::PocketFilm::none;
+  return duty;
+}
+
 // A settled bearing and the arrays its kernels write to.
 struct Bench {
   Contest contest;
@@ -72,7 +79,7 @@ struct Bench {
   explicit Bench(const Duty& duty)
       : contest(duty),
         plain(duty.model()),
-        before(frozen::constants_of(duty.model())),
+        before(frozen::constants_of(without_pressed_oil(duty).model())),
         flat(contest.settled(kSettling)),
         flat_rate(flat.size()),
         x(contest.fast().padded(flat)),
