@@ -46,7 +46,8 @@ struct PlanetPort {
 
   /// Place and rotation.
   Eigen::Vector3d of(const Eigen::Ref<const Eigen::VectorXd>& q) const {
-    return of_carrier * q.segment<3>(gearset::dynamics::SetLayout::carrier()) + of_planet * q.segment<3>(place);
+    return of_carrier * q.segment<3>(gearset::dynamics::SetLayout::carrier()) +
+           of_planet * q.segment<3>(place);
   }
   Eigen::Vector2d along(const Eigen::Ref<const Eigen::VectorXd>& q) const { return of(q).head<2>(); }
   double turn(const Eigen::Ref<const Eigen::VectorXd>& q) const { return of(q)[2]; }

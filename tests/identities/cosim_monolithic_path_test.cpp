@@ -160,8 +160,8 @@ TEST_F(MonolithicPath, ConvergesInStepsOfOrderFourWithOil) {
   const Eigen::VectorXd exact = reference(kLength, 1e-7), allowed = allowed_errors(setup, model);
   std::vector<double> errors;
   for (const double h : {3.2e-6, 1.6e-6, 0.8e-6, 0.4e-6}) {
-    errors.push_back(distance(
-        model, fixed_steps<integration::Rosenbrock4, system::WithAllSlopes>(kLength, h), exact, allowed));
+    errors.push_back(distance(model, fixed_steps<integration::Rosenbrock4, system::WithAllSlopes>(kLength, h),
+                              exact, allowed));
     const double other = distance(
         model, fixed_steps<integration::Rosenbrock2, system::CoupledSystem>(kLength, h), exact, allowed);
     RecordProperty("over_order_two_" + std::to_string(h * 1e6) + "_us",

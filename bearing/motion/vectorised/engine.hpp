@@ -100,7 +100,8 @@ class Engine {
   /// At the last linearisation.
   virtual BoreSlopes bore_slopes() const = 0;
   /// As factor(), for all but the bore's velocity and, with a cage and where it is `turning` at a speed that
-  /// changes in a step, its rotation, whose rates remain to be found or are given. That takes a quarter longer.
+  /// changes in a step, its rotation, whose rates remain to be found or are given. That takes a quarter
+  /// longer.
   virtual bool factor_open(double g, bool turning, PortMatrix& port) = 0;
   /// First part of a solution after factor_open(): begins `k` and gives the reduced force [N] and moment
   /// [N m] on the bore.

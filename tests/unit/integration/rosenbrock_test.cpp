@@ -53,44 +53,44 @@ double error_of(const State& x, double t) {
   return worst;
 }
 
-template <class Stepper>
-double error_at_two(int steps) {
-  Hyperbola system;
-  Stepper stepper(State(kLanes, 0.0), 1.0);  // nothing is weighed: no step is refused
-  State x = starts();
+// From zero to `end` in equal steps, none of which is refused, since nothing is weighed.
+template <class Stepper, class System>
+State after_equal_steps(System system, State x, double end, int steps) {
+  Stepper stepper(State(kLanes, 0.0), end);
   double t = 0.0;
   for (int i = 0; i < steps; ++i) {
-    double h = 2.0 * (i + 1) / steps - t;
+    double h = end * (i + 1) / steps - t;
     EXPECT_EQ(stepper.try_step(system, x, t, h), boost::numeric::odeint::success);
   }
-  return error_of(x, 2.0);
+  return x;
+}
+
+template <class Stepper>
+double error_at_two(int steps) {
+  return error_of(after_equal_steps<Stepper>(Hyperbola(), starts(), 2.0, steps), 2.0);
+}
+
+template <class Stepper>
+void expect_order(double order, int steps) {
+  constexpr double kMargin = 0.1;  // the term of next order
+  for (const int count : {steps, 2 * steps, 4 * steps})
+    EXPECT_NEAR(std::log2(error_at_two<Stepper>(count) / error_at_two<Stepper>(2 * count)), order, kMargin)
+        << count;
 }
 
 TEST(Rosenbrock2, ConvergesAtOrderTwo) {
-  constexpr double kMargin = 0.1;  // the term of next order, at steps of 1/100 and less
-  for (int steps : {200, 400, 800})
-    EXPECT_NEAR(std::log2(error_at_two<Rosenbrock2>(steps) / error_at_two<Rosenbrock2>(2 * steps)), 2.0,
-                kMargin)
-        << steps;
+  expect_order<Rosenbrock2>(2.0, 200);
 }
 
 // Issue 17, Build 2: ROS3 of [Sandu1997].
 TEST(Rosenbrock3, ConvergesAtOrderThree) {
-  constexpr double kMargin = 0.1;
-  for (int steps : {200, 400, 800})
-    EXPECT_NEAR(std::log2(error_at_two<Rosenbrock3>(steps) / error_at_two<Rosenbrock3>(2 * steps)), 3.0,
-                kMargin)
-        << steps;
+  expect_order<Rosenbrock3>(3.0, 200);
 }
 
 // Issue 17, Build 2: two right-hand sides, order 4. x^2 and t have the conditions with second and mixed third
-// derivatives; cubes are in the bearing's own test.
+// derivatives.
 TEST(Rosenbrock4, ConvergesAtOrderFour) {
-  constexpr double kMargin = 0.1;
-  for (int steps : {20, 40, 80})
-    EXPECT_NEAR(std::log2(error_at_two<Rosenbrock4>(steps) / error_at_two<Rosenbrock4>(2 * steps)), 4.0,
-                kMargin)
-        << steps;
+  expect_order<Rosenbrock4>(4.0, 20);
 }
 
 // x'' = -sin x in lanes 0 and 1, swinging by two radians: third derivatives count as much as second ones.
@@ -120,16 +120,9 @@ struct Pendulum {
 
 template <class Stepper>
 double pendulum_after_ten(int steps) {
-  Pendulum system;
-  Stepper stepper(State(kLanes, 0.0), 1.0);
   State x(kLanes, 0.0);
   x[0] = 2.0;
-  double t = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    double h = 10.0 * (i + 1) / steps - t;
-    stepper.try_step(system, x, t, h);
-  }
-  return x[0];
+  return after_equal_steps<Stepper>(Pendulum(), x, 10.0, steps)[0];
 }
 
 // Issue 17, Build 2.
@@ -182,11 +175,11 @@ TEST(Rosenbrock4, KeepsTheHeightOfAVibration) {
   }
 }
 
-// Its estimate holds all that is not linear: of third power in the step.
-TEST(Rosenbrock4, EstimatesWhatIsNotLinear) {
+template <class Stepper>
+void expect_estimate_of_third_power() {
   const auto estimate = [](double h) {
     Hyperbola system;
-    Rosenbrock4 stepper(State(kLanes, 1.0), 1.0);
+    Stepper stepper(State(kLanes, 1.0), 1.0);
     const State x = starts();
     stepper.begin(system, x, 0.3);
     return stepper.attempt(system, x, 0.3, h);
@@ -196,18 +189,14 @@ TEST(Rosenbrock4, EstimatesWhatIsNotLinear) {
     EXPECT_NEAR(std::log2(estimate(h) / estimate(0.5 * h)), 3.0, kMargin) << h;
 }
 
-// Its estimate is the error of a step of order 2, that is of third power in the step.
+// Its estimate is the error of a step of order 2.
 TEST(Rosenbrock3, EstimatesTheErrorOfAStepOfOrderTwo) {
-  const auto estimate = [](double h) {
-    Hyperbola system;
-    Rosenbrock3 stepper(State(kLanes, 1.0), 1.0);
-    const State x = starts();
-    stepper.begin(system, x, 0.3);
-    return stepper.attempt(system, x, 0.3, h);
-  };
-  constexpr double kMargin = 0.1;
-  for (const double h : {0.02, 0.01, 0.005})
-    EXPECT_NEAR(std::log2(estimate(h) / estimate(0.5 * h)), 3.0, kMargin) << h;
+  expect_estimate_of_third_power<Rosenbrock3>();
+}
+
+// Its estimate holds all that is not linear.
+TEST(Rosenbrock4, EstimatesWhatIsNotLinear) {
+  expect_estimate_of_third_power<Rosenbrock4>();
 }
 
 // Steps that reach the allowed error at `order`, from a first one that is too long on purpose.
@@ -308,47 +297,31 @@ TEST(Rosenbrock2, TakesNoTimeSlopeForZero) {
   EXPECT_NE(end(WithoutTimeSlope{}), end(Hyperbola{}));
 }
 
-// L-stable: one step, however long, takes away what is stiff. Of what lies off the curve it leaves, with z =
-// -h L,
-//   (1 + (1 - 2 gamma) z) / (1 - gamma z)^2, which for large -z is below 4.83 / -z.
+// L-stable: one step, however long, takes away what is stiff. Of what lies off the curve it leaves R(z), z =
+// -h L, for large -z below `left` / -z.
+template <class Stepper>
+void expect_damped(double left) {
+  const double h = 0.01;
+  for (const double decay : {1e6, 1e9}) {
+    const State one_off(kLanes, 2.0);
+    const State x = after_equal_steps<Stepper>(StiffCosine{decay}, one_off, h, 1);
+    EXPECT_NEAR(x[0], std::cos(h), left / (h * decay) + h * h) << decay;  // h^2: the bend of the curve
+  }
+}
+
+// R = (1 + (1 - 2 gamma) z) / (1 - gamma z)^2.
 TEST(Rosenbrock2, DampsWhatIsStiffInOneStep) {
-  const double h = 0.01;
-  for (const double decay : {1e6, 1e9}) {
-    StiffCosine system{decay};
-    Rosenbrock2 stepper(State(kLanes, 0.0), 1.0);
-    State x(kLanes, 2.0);  // one off the curve
-    double t = 0.0, step = h;
-    stepper.try_step(system, x, t, step);
-    EXPECT_NEAR(x[0], std::cos(h), 4.83 / (h * decay) + h * h) << decay;  // h^2: the bend of the curve
-  }
+  expect_damped<Rosenbrock2>(4.83);
 }
 
-// Issue 17, Build 2: of what lies off the curve ROS3 leaves, with z = -h L and its gamma,
-//   (1 + (1 - 3 gamma) z + (1/2 - 3 gamma + 3 gamma^2) z^2) / (1 - gamma z)^3, which for large -z is
-//   below 2.9 / -z.
+// Issue 17, Build 2: R = (1 + (1 - 3 gamma) z + (1/2 - 3 gamma + 3 gamma^2) z^2) / (1 - gamma z)^3.
 TEST(Rosenbrock3, DampsWhatIsStiffInOneStep) {
-  const double h = 0.01;
-  for (const double decay : {1e6, 1e9}) {
-    StiffCosine system{decay};
-    Rosenbrock3 stepper(State(kLanes, 0.0), 1.0);
-    State x(kLanes, 2.0);  // one off the curve
-    double t = 0.0, step = h;
-    stepper.try_step(system, x, t, step);
-    EXPECT_NEAR(x[0], std::cos(h), 2.9 / (h * decay) + h * h) << decay;
-  }
+  expect_damped<Rosenbrock3>(2.9);
 }
 
-// Issue 17, Build 2: that of order 4 leaves R(z), for large -z below 9.4 / -z.
+// Issue 17, Build 2: R as of the vibration above, with -28/3 / z.
 TEST(Rosenbrock4, DampsWhatIsStiffInOneStep) {
-  const double h = 0.01;
-  for (const double decay : {1e6, 1e9}) {
-    StiffCosine system{decay};
-    Rosenbrock4 stepper(State(kLanes, 0.0), 1.0);
-    State x(kLanes, 2.0);  // one off the curve
-    double t = 0.0, step = h;
-    stepper.try_step(system, x, t, step);
-    EXPECT_NEAR(x[0], std::cos(h), 9.4 / (h * decay) + h * h) << decay;
-  }
+  expect_damped<Rosenbrock4>(9.4);
 }
 
 }  // namespace
