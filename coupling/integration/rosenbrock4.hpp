@@ -2,21 +2,27 @@
 // linearisation, as those of order 2 and 3 do.
 //
 // With M = (1 - gamma h J)^-1, gamma = 1/4, f and f_t the rate and its slope by time where the step begins:
-//   k1 = M (f + gamma h f_t),   k_i = M (k_(i-1) + gamma h f_t)                                     i = 2, 3,
-//   4 r  = f(t + 3/4 h, x + h (k1/4 + 3/8 k2 + 3/8 k3 - k4/4)) + k1/2 - 5/2 k3 + k4 k5 = M (k4 + 64/27 r +
-//   gamma h f_t) x(t + h) = x + h (k1/4 - k2/3 + 13/6 k3 - 4/3 k4 + k5/4)
+//   k1 = M (f + gamma h f_t)
+//   ki = M (k(i-1) + gamma h f_t),   i = 2, 3, 4
+//   r  = f(t + 3/4 h, x + h (k1/4 + 3/8 k2 + 3/8 k3 - k4/4)) + k1/2 - 5/2 k3 + k4
+//   k5 = M (k4 + 64/27 r + gamma h f_t)
+//   x(t + h) = x + h (k1/4 - k2/3 + 13/6 k3 - 4/3 k4 + k5/4)
 // A Rosenbrock method in the sense of [Hairer1996], section IV.7, whose first four stages solve the
-// linearised equations. Since gamma h J k_i + gamma h f_t = k_i - k_(i-1), r is what the true rate has beyond
+// linearised equations. Since gamma h J ki + gamma h f_t = ki - k(i-1), r is what the true rate has beyond
 // the linear one at its argument; it is of order h^2.
 //
 // Of linear equations the step is the rational approximation of order 4 whose pole 1/gamma is fivefold,
-// L-stable: a vibration of w h = 0.3 loses less than a millionth of its height in a period, with ROS3 half a
-// per cent.
+// L-stable: a vibration of w h = 0.3 loses less than a millionth of its height in a period, with ROS3 half
+// a per cent.
 //
 // r enters with b h M = b h (1 + h J/4 ...), b = 16/27, from an argument at c = 3/4 that is the solution to
 // order 3 (and for large h J the linear one's limit). That meets the conditions of order 4 in which
-// derivatives of f by state and time stand:  f''  b c^2 = 1/3,   J f''  b c^2/4 = 1/12,   f''(J)  b c c^2/2 =
-// 1/8,   f'''  b c^3 = 1/4. It needs the true Jacobian: of slopes that J lacks it takes b c = 4/9 for 1/2.
+// derivatives of f by state and time stand:
+//   f''     b c^2 = 1/3
+//   J f''   b c^2/4 = 1/12
+//   f''(J)  b c c^2/2 = 1/8
+//   f'''    b c^3 = 1/4
+// It needs the true Jacobian: of slopes that J lacks it takes b c = 4/9 for 1/2.
 //
 // Error estimate h/4 (k2 - 3 k3 + 3 k4 - k5): the last stage left out, the whole of what r adds among it.
 #pragma once

@@ -61,6 +61,22 @@ TEST(StepControl, ByTwoErrorsGrowthIsAHalfAtMostAndNoneAfterARefusal) {
   EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.0), kStep);
 }
 
+// Issue 17, Build 5.
+TEST(StepControl, AStepOfOrderFourJustPasses) {
+  StepControl control(1.0, 4);
+  EXPECT_DOUBLE_EQ(control.after_refusal(kStep, 16.0), 0.85 / 2.0 * kStep);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(kStep, 0.6561), 0.85 / 0.9 * kStep);
+}
+
+// Issue 17, Build 5: one that a jump of the mesh stiffness cuts short has an error far below, which tells
+// nothing of the next.
+TEST(StepControl, ByTwoErrorsAStepCutShortIsPassedOver) {
+  StepControl control(1.0, 4, StepRule::two_errors);
+  const double asked = control.after_acceptance(kStep, 0.5);
+  control.after_acceptance(0.2 * asked, 1e-3);
+  EXPECT_DOUBLE_EQ(control.after_acceptance(asked, 0.5), 0.85 / std::pow(0.5, 0.4 / 4.0) * asked) << "steady";
+}
+
 TEST(StepControl, WithoutAnErrorToGoByAStepIsCutToAFifth) {
   StepControl control(1.0);
   EXPECT_DOUBLE_EQ(control.after_refusal(kStep, std::numeric_limits<double>::infinity()), 0.2 * kStep);
