@@ -28,7 +28,7 @@ struct CoupledSetup {
   DrivenBearingSetup bearing;  // of each; first_roller is that of the first bearing of a planet
   int bearings_per_planet = 2;
   /// Bearings that may take shorter steps than all others at a time; how many do is decided by what it costs.
-  int most_refined = std::numeric_limits<int>::max();  // [-]
+  int most_substepped = std::numeric_limits<int>::max();  // [-]
   std::vector<Eigen::Vector2d> bore_tilts = {};  // [rad]  (planets) where unlike; empty: bearing.bore_tilt
   std::vector<ScratchedPlanet> scratched = {};  // all others are sound
 };

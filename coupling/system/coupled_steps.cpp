@@ -12,11 +12,11 @@ namespace {
 
 using bearing::motion::BoreMotion;
 
-// Error of a step, over what is allowed, up to which a bearing is gone over again by itself: beyond it the
+// Error of a step, over what is allowed, up to which a bearing is substepped: beyond it the
 // bearing's force in the step of all is not to be trusted.
-constexpr double kLargestRefined = 30.0;
-// What it takes to begin going over a bearing again, in steps of one bearing.
-constexpr double kRefiningBegins = 1.5;
+constexpr double kLargestSubstepped = 30.0;
+// What it takes to begin substepping a bearing, in steps of one bearing.
+constexpr double kSubsteppingBegins = 1.5;
 
 std::vector<double> gears_alone(const CoupledSystem& system, const std::vector<double>& gears) {
   std::vector<double> allowed(system.size(), 0.0);
@@ -74,28 +74,28 @@ void CoupledSteps::take_errors(const CoupledSystem& system, double h) {
 }
 
 bool CoupledSteps::is_kept(double gears) const {
-  if (!(gears <= 1.0 && sorted_.front() <= kLargestRefined)) return false;
-  const auto refined =
+  if (!(gears <= 1.0 && sorted_.front() <= kLargestSubstepped)) return false;
+  const auto substepped =
       std::count_if(sorted_.begin(), sorted_.end(), [](double error) { return error > 1.0; });
-  return refined <= options_.most_refined;
+  return substepped <= options_.most_substepped;
 }
 
-// The error that decides on the next step. With the k worst bearings gone over again and errors that grow as the
-// square of the step, a step costs all bearings once and these again; the k is taken that costs least over the
-// time passed.
+// The error that decides on the next step. With the k worst bearings substepped and errors that grow as the
+// square of the step, a step costs all bearings once and these again; the k is taken that costs least over
+// the time passed.
 double CoupledSteps::cheapest_error(double gears) const {
   using integration::StepControl;
   const double all = static_cast<double>(sorted_.size());
-  const double least = std::max(gears, sorted_.front() / kLargestRefined);
+  const double least = std::max(gears, sorted_.front() / kLargestSubstepped);
   double cheapest = std::max(least, sorted_.front());
   double cost = all / StepControl::share(cheapest);
-  const std::size_t most = std::min(sorted_.size(), static_cast<std::size_t>(options_.most_refined));
+  const std::size_t most = std::min(sorted_.size(), static_cast<std::size_t>(options_.most_substepped));
   for (std::size_t k = 1; k <= most; ++k) {
     const double error = k < sorted_.size() ? std::max(least, sorted_[k]) : least;
     const double share = StepControl::share(error);
     double work = all;
     for (std::size_t i = 0; i < k; ++i)
-      work += kRefiningBegins + 1.0 / StepControl::share(sorted_[i] * share * share);
+      work += kSubsteppingBegins + 1.0 / StepControl::share(sorted_[i] * share * share);
     if (work / share >= cost) continue;
     cost = work / share;
     cheapest = error;
@@ -113,16 +113,16 @@ integration::StepResult CoupledSteps::try_step(CoupledSystem& system, std::vecto
     return integration::kRefused;
   }
   all_.accept(x);
-  refine_all(system, all_.taken_away(), t, h, x);
+  substep_all(system, all_.taken_away(), t, h, x);
   t += h;
   dt = control_.after_acceptance(h, cheapest_error(gears));
   return integration::kAccepted;
 }
 
-// Bearings gone over again do to the gears what the step of all did not know: the gears take up the difference
+// Substepped bearings do to the gears what the step of all did not know: the gears take up the difference
 // of the impulses at the end of the step, so that momentum is kept.
-void CoupledSteps::refine_all(CoupledSystem& system, const std::vector<double>& before, double t, double h,
-                              std::vector<double>& x) {
+void CoupledSteps::substep_all(CoupledSystem& system, const std::vector<double>& before, double t, double h,
+                               std::vector<double>& x) {
   bool any = false;
   for (int b = 0; b < system.bearings(); ++b) {
     if (!(errors_[static_cast<std::size_t>(b)] > 1.0)) continue;
@@ -132,7 +132,7 @@ void CoupledSteps::refine_all(CoupledSystem& system, const std::vector<double>& 
       any = true;
     }
     const bearing::motion::BoreReaction mean = system.mean_reaction(b);
-    const bearing::motion::BoreReaction impulse = refine(system, b, before, t, h, x);
+    const bearing::motion::BoreReaction impulse = substep(system, b, before, t, h, x);
     const Eigen::Index planet = b / system.model().per_planet;
     missed_.force.col(planet) += impulse.force - h * mean.force;
     missed_.moment[planet] += impulse.moment - h * mean.moment;
@@ -141,9 +141,9 @@ void CoupledSteps::refine_all(CoupledSystem& system, const std::vector<double>& 
 }
 
 // Returns what it did to the bore over the step [N s], [N m s].
-bearing::motion::BoreReaction CoupledSteps::refine(CoupledSystem& system, int b,
-                                                   const std::vector<double>& before, double t, double h,
-                                                   std::vector<double>& x) {
+bearing::motion::BoreReaction CoupledSteps::substep(CoupledSystem& system, int b,
+                                                    const std::vector<double>& before, double t, double h,
+                                                    std::vector<double>& x) {
   const CoupledModel& model = system.model();
   const auto motion_at = [&](const std::vector<double>& state, double time) {
     return bore_motion(model, model.port_of(b), system.true_time(time), system.part(state.data(), 0),
@@ -159,7 +159,7 @@ bearing::motion::BoreReaction CoupledSteps::refine(CoupledSystem& system, int b,
   integration::through_window(within_, driven, bearing_, h, {.most_steps = options_.most_steps}, step);
   std::copy(bearing_.begin(), bearing_.end(), system.of_bearing(x.data(), b));
   system.counted[place] = true;
-  ++refined_;
+  ++substepped_;
   return driven.impulse();
 }
 

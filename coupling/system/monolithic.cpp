@@ -50,7 +50,7 @@ CoupledStepOptions step_options(const CoupledSetup& setup, const CoupledModel& m
               coupled.bearing(0),
               system::allowed_errors(model.bearing_of(0), setup.bearing.allowed_length_error)),
           .longest_step = system::longest_step(model.bearing),
-          .most_refined = setup.most_refined,
+          .most_substepped = setup.most_substepped,
           .most_steps = setup.bearing.most_steps};
 }
 
@@ -366,8 +366,8 @@ integration::IntegrationReport Monolithic::report() const {
           .steps = inside_->system_.steps,
           .rejected = inside_->rejected_};
 }
-long Monolithic::refined() const {
-  return inside_->stepper_.refined();
+long Monolithic::substepped() const {
+  return inside_->stepper_.substepped();
 }
 
 DrivenGearsOutput Monolithic::gears() const {

@@ -53,7 +53,7 @@ class Monolithic final : public system::Motion {
   CoupledStart state() const;
   /// Steps since construction.
   integration::IntegrationReport report() const override;
-  long refined() const;  // [-]  bearings gone over again in steps of their own
+  long substepped() const;  // [-]  bearings substepped
 
   void save(SavedState& state) const;
   /// Throws std::invalid_argument where `state` is not one of such a system.

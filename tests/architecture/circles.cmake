@@ -1,6 +1,6 @@
 # cmake -DPYTHON=<python3> -DCHECK=<check_circles.py> -DWORK=<folder> -P circles.cmake
 #
-# The check for circles itself: each small tree must be accepted, or refused with the circle and the includes
+# Issue 13, Build 9. The check for circles itself: each small tree must be accepted, or refused with the circle and the includes
 # that make it.
 cmake_minimum_required(VERSION 3.25)
 

@@ -171,31 +171,31 @@ TEST_F(MonolithicPath, ConvergesInStepsOfOrderFourWithOil) {
   EXPECT_GT(std::log2(errors[1] / errors[3]) / 2.0, 2.8);
 }
 
-// Whether none, the worst two or all bearings may be gone over again.
+// Whether none, the worst two or all bearings may be substepped.
 TEST_F(MonolithicPath, FollowsTheReadableEquations) {
   constexpr double kLength = 0.2e-3;  // [s]
   const Eigen::VectorXd exact = reference(kLength, 1e-5);
   const Eigen::Index n = model.gears.layout.freedoms();
   const ReadableSystem readable(model);
-  // Hundreds of steps together stay below what one of them may err, with bearings gone over again or without.
+  // Hundreds of steps together stay below what one of them may err, with bearings substepped or without.
   const double one_step = system::kLinearlyImplicitErrorFactor * setup.bearing.allowed_length_error;  // [m]
-  for (const int refined : {0, 2, 8}) {
+  for (const int substepped : {0, 2, 8}) {
     std::vector<double> planets, all;  // [m], [-] of what dopri5 is allowed
     for (const double tighter : {1.0, 1e-2, 1e-4}) {
       system::CoupledSetup finer = setup;
       finer.bearing.allowed_length_error *= tighter;
       finer.gears.allowed_share *= tighter;
-      finer.most_refined = refined;
+      finer.most_substepped = substepped;
       system::Monolithic system(finer);
       system.initialize(0.0);
       system.advance({0.0, kLength});
-      EXPECT_EQ(system.refined() > 0, refined > 0);
+      EXPECT_EQ(system.substepped() > 0, substepped > 0);
       double worst = 0.0;
       for (const system::PlanetPort& port : model.ports)
         worst = std::max(worst, port.along(system.state().gears.head(n) - exact.head(n)).norm());
       planets.push_back(worst);
       all.push_back(distance(model, readable.flat(system.state()), exact, allowed_errors(setup, model)));
-      const std::string at = std::to_string(refined) + "_at_" + std::to_string(tighter);
+      const std::string at = std::to_string(substepped) + "_at_" + std::to_string(tighter);
       RecordProperty("planets_" + at, std::to_string(planets.back() * 1e9) + " nm");
       RecordProperty("all_" + at, std::to_string(all.back()));
     }

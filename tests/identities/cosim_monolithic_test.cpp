@@ -42,7 +42,7 @@ TEST(Monolithic, ComesBackToTheSameBitsWithOil) {
 }
 
 // Issue 17, Build 5: where nothing bounces, gears and bearings go in steps of order 4, longer than the
-// longest of order 2, few are refused, and no bearing is gone over again.
+// longest of order 2, few are refused, and no bearing is substepped.
 TEST(Monolithic, TakesLongStepsWithOil) {
   constexpr double kSeconds = 10e-3;
   Monolithic system(test::oiled_reducer());
@@ -50,7 +50,7 @@ TEST(Monolithic, TakesLongStepsWithOil) {
   system.advance({0.0, kSeconds});
   const integration::IntegrationReport report = system.report();
   const auto steps = static_cast<double>(report.steps);
-  EXPECT_EQ(system.refined(), 0);
+  EXPECT_EQ(system.substepped(), 0);
   EXPECT_LT(static_cast<double>(report.rejected), 0.1 * (steps + static_cast<double>(report.rejected)));
   const CoupledModel model = coupled_model(test::oiled_reducer());
   EXPECT_GT(kSeconds / steps, longest_step(model.bearing));
@@ -86,19 +86,19 @@ TEST(Monolithic, FollowedIsAsInWindows) {
   EXPECT_THROW(followed.advance({1.0, 2.0}), std::runtime_error);
 }
 
-TEST(Monolithic, GoesOverBearingsAgainWithoutHarm) {
+TEST(Monolithic, SubstepsBearingsWithoutHarm) {
   CoupledSetup setup = test::coupled_reducer(), even = setup;
-  even.most_refined = 0;
-  Monolithic refined(setup), plain(even);
-  for (Monolithic* system : {&refined, &plain}) {
+  even.most_substepped = 0;
+  Monolithic substepped(setup), plain(even);
+  for (Monolithic* system : {&substepped, &plain}) {
     system->initialize(0.0);
     system->advance({0.0, 10e-3});
   }
-  EXPECT_GT(refined.refined(), 100);
-  EXPECT_EQ(plain.refined(), 0);
-  EXPECT_LT(refined.report().steps, plain.report().steps);
+  EXPECT_GT(substepped.substepped(), 100);
+  EXPECT_EQ(plain.substepped(), 0);
+  EXPECT_LT(substepped.report().steps, plain.report().steps);
   for (int b = 0; b < 8; ++b)
-    EXPECT_NEAR(refined.life(b).bearing, plain.life(b).bearing, 0.03 * plain.life(b).bearing);
+    EXPECT_NEAR(substepped.life(b).bearing, plain.life(b).bearing, 0.03 * plain.life(b).bearing);
 }
 
 TEST(Monolithic, BearingsCarryWhatTheMeshesLeave) {

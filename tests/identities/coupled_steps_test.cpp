@@ -1,4 +1,4 @@
-// What bearings that are gone over again do to the gears, and what a step of all says they did.
+// What bearings that are substepped do to the gears, and what a step of all says they did.
 #include "coupling/system/coupled_steps.hpp"
 
 #include <gtest/gtest.h>
@@ -53,19 +53,20 @@ class CoupledStepsOfReducer : public testing::Test {
     return x;
   }
 
-  // Of the gears after `length` [s], by steps of `h` [s] of all; with `refined` bearings at most gone over
-  // again in steps as long as `tolerance` allows.
-  Eigen::VectorXd velocities(std::vector<double> x, double length, double h, int refined, double tolerance) {
+  // Of the gears after `length` [s], by steps of `h` [s] of all; with `substepped` bearings at most
+  // substepped in steps as long as `tolerance` allows.
+  Eigen::VectorXd velocities(std::vector<double> x, double length, double h, int substepped,
+                             double tolerance) {
     const auto bearing = linearly_implicit_errors(
         system.bearing(0), allowed_errors(model.bearing, tolerance * setup.bearing.allowed_length_error));
     const std::vector<double> gears(static_cast<std::size_t>(2 * n), 0.0);
-    CoupledSteps steps(system, {gears, bearing, h, refined, 100'000});
+    CoupledSteps steps(system, {gears, bearing, h, substepped, 100'000});
     integration::Rosenbrock2 plain(std::vector<double>(x.size(), 0.0), h);
     const long count = std::lround(length / h);
     double time = 0.0;
     for (long i = 0; i < count; ++i) {
       double step = h;
-      if (refined > 0) {
+      if (substepped > 0) {
         steps.begin(system, x, time);
         system.begun(x);
         EXPECT_EQ(steps.try_step(system, x, time, step), integration::kAccepted);
@@ -77,7 +78,7 @@ class CoupledStepsOfReducer : public testing::Test {
       system.stepped(time, h);
       system.settle(time, x);
     }
-    EXPECT_EQ(steps.refined() > 0, refined > 0);
+    EXPECT_EQ(steps.substepped() > 0, substepped > 0);
     return system.part(x.data(), n);
   }
 };
@@ -123,22 +124,22 @@ TEST_F(CoupledStepsOfReducer, MeanReactionsAreWhatTheGearsFelt) {
   }
 }
 
-// Issue 17, Build 5: gears take up what bearings gone over again did beyond the step of all. Long steps with
+// Issue 17, Build 5: gears take up what bearings substepped did beyond the step of all. Long steps with
 // these come closer to short ones than long steps alone, over states that follow each other.
-TEST_F(CoupledStepsOfReducer, GearsFeelWhatBearingsGoneOverAgainDid) {
+TEST_F(CoupledStepsOfReducer, GearsFeelWhatSubsteppedBearingsDid) {
   const double length = 60e-6, h = 6e-6;  // [s]
   Monolithic run(test::coupled_reducer());
   run.initialize(0.0);
-  double plain = 0.0, refined = 0.0;
+  double plain = 0.0, substepped = 0.0;
   for (int k = 0; k < 12; ++k) {
     run.advance({k == 0 ? 0.0 : begin + 1e-4 * (k - 1), begin + 1e-4 * k});
     const std::vector<double> x = state_of(run);
     const Eigen::VectorXd exact = velocities(x, length, h / 128, 0, 1.0);
     plain += (velocities(x, length, h, 0, 1.0) - exact).squaredNorm();
-    refined += (velocities(x, length, h, 8, 1.0) - exact).squaredNorm();
+    substepped += (velocities(x, length, h, 8, 1.0) - exact).squaredNorm();
   }
-  RecordProperty("refined_over_plain", std::to_string(std::sqrt(refined / plain)));
-  EXPECT_LT(refined, 0.4 * 0.4 * plain);
+  RecordProperty("substepped_over_plain", std::to_string(std::sqrt(substepped / plain)));
+  EXPECT_LT(substepped, 0.4 * 0.4 * plain);
 }
 
 // Issue 17, Build 5: the impulses go to planet, carrier and load as forces do.
@@ -201,13 +202,13 @@ TEST(DrivenSystem, ResumesFromWhatIsKnown) {
 }
 
 // Issue 17, Build 5: refusals of steps of all stay below a tenth where the mesh stiffness jumps, since single
-// bearings are gone over again before all are refused.
+// bearings are substepped before all are refused.
 TEST(CoupledSteps, RefuseFewSteps) {
   Monolithic system(test::coupled_reducer());
   system.initialize(0.0);
   system.advance({0.0, 10e-3});
   const integration::IntegrationReport report = system.report();
-  EXPECT_GT(system.refined(), 100);
+  EXPECT_GT(system.substepped(), 100);
   EXPECT_LT(static_cast<double>(report.rejected), 0.1 * static_cast<double>(report.steps + report.rejected));
 }
 

@@ -1,6 +1,6 @@
 // A roller bearing and a ball bearing by one and the same functions, from the bearing to its reference life:
 // the 209 of [Harris2006] and the 6305 of [ISO16281], with the numbers of harris_209_laminae_test.cpp and
-// ball_6305_test.cpp.
+// ball_6305_test.cpp. Issue 13, Build 1.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // Nothing is ignored in silence: every field of every kind of case, changed under every analysis, changes the
 // result, or is refused, or is warned of; and what an analysis is said not to feel by nature, or to ignore,
 // leaves its result equal to the last bit. So the table of fields cannot lie in either direction.
+// Issue 13, Build 4.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
