@@ -41,7 +41,7 @@ struct Term {
 // z = first + a + b (+ c).
 void add_terms(const double* first, Term a, Term b, double* z, std::size_t n);
 void add_terms(const double* first, Term a, Term b, Term c, double* z, std::size_t n);
-// As finish(), of three stages: x + h sum forward_i k_i, and h sum error_i k_i.
+// As finish(), of three or five stages: x + h sum forward_i k_i, and h sum error_i k_i.
 double finish(const double* x, double h, const double* const (&k)[3], const double (&forward)[3],
               const double (&error)[3], const double* weight, double* next, std::size_t n);
 double finish(const double* x, double h, const double* const (&k)[5], const double (&forward)[5],

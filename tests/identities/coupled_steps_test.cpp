@@ -124,7 +124,7 @@ TEST_F(CoupledStepsOfReducer, MeanReactionsAreWhatTheGearsFelt) {
   }
 }
 
-// Issue 17, Build 5: gears take up what bearings substepped did beyond the step of all. Long steps with
+// Issue 17, Build 5: gears take up what substepped bearings did beyond the step of all. Long steps with
 // these come closer to short ones than long steps alone, over states that follow each other.
 TEST_F(CoupledStepsOfReducer, GearsFeelWhatSubsteppedBearingsDid) {
   const double length = 60e-6, h = 6e-6;  // [s]
