@@ -1,4 +1,4 @@
-// The two ways a command ends badly, told apart by its exit code.
+// The two ways a command ends badly, distinguished by its exit code.
 #pragma once
 
 #include <stdexcept>

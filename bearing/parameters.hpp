@@ -107,12 +107,13 @@ struct RaceHarmonic {
 
 /// How a film takes part in the approach of roller and race.
 enum class FilmApproach {
-  added,       // elastic approach = geometric approach + film
-  as_printed,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see bearing/contact/printed_film.hpp
+  added,               // elastic approach = geometric approach + film
+  literature_variant,  // film subtracted, Eqs. (4) and (19) of [Gai2025]: see
+                       // bearing/contact/printed_film.hpp
 };
 
 constexpr described::Names<FilmApproach, 2> names_of(FilmApproach) {
-  return {{{FilmApproach::added, "added"}, {FilmApproach::as_printed, "as-printed"}}};
+  return {{{FilmApproach::added, "added"}, {FilmApproach::literature_variant, "as-printed"}}};
 }
 
 /// How a race moves relative to the load: every point of a turning one passes the loaded zone.

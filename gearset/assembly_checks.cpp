@@ -6,7 +6,7 @@
 
 #include "gearset/checks.hpp"
 #include "gearset/message.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::gearset {
 
@@ -99,7 +99,7 @@ void check_spacing(const PlanetarySet& set, Warnings& problems) {
 // Eq. (24).
 void check_neighbours(const PlanetarySet& set, const WorkingGeometry& geometry, Warnings& problems) {
   if (set.planets < 2) return;
-  const double step = std::min(least_step(planet_places(set)), boost::math::double_constants::pi);
+  const double step = std::min(least_step(angles_of_planets(set)), boost::math::double_constants::pi);
   const double pitch = 2.0 * geometry.centre_distance * std::sin(0.5 * step);
   const double tip_diameter = 2.0 * geometry.planet.tip_radius;
   if (tip_diameter < pitch) return;

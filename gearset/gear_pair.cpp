@@ -7,7 +7,7 @@
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
 #include "gearset/message.hpp"
-#include "gearset/tooth_remarks.hpp"
+#include "gearset/tooth_warnings.hpp"
 
 namespace orbearing::gearset {
 
@@ -59,14 +59,14 @@ void check_geometry(const GearPair& pair, Warnings& problems) {
     problems.push_back({kPairShift, "found no path of contact; teeth that reach each other are required"});
 }
 
-void remark_tips(const PairGeometry& g, int gear, int other, const std::string& name,
-                 const std::string& other_name, Remarks& remarks) {
+void check_tips(const PairGeometry& g, int gear, int other, const std::string& name,
+                const std::string& other_name, ToothWarnings& warnings) {
   const auto& tooth = g.gears[static_cast<std::size_t>(gear)];
   const auto& mate = g.gears[static_cast<std::size_t>(other)];
   const double line = g.centre_distance * std::sin(g.working_pressure_angle);
-  remarks.undercut(tooth, name);
-  remarks.reach(line - tangent_length(mate.base_radius, mate.tip_radius), tooth, other_name, name);
-  remarks.clearance(g.centre_distance - mate.tip_radius - tooth.root_radius, tooth.module, other_name, name);
+  warnings.undercut(tooth, name);
+  warnings.reach(line - tangent_length(mate.base_radius, mate.tip_radius), tooth, other_name, name);
+  warnings.clearance(g.centre_distance - mate.tip_radius - tooth.root_radius, tooth.module, other_name, name);
 }
 
 }  // namespace
@@ -99,11 +99,11 @@ Warnings pair_problems(const GearPair& pair) {
 }
 
 Warnings pair_warnings(const PairGeometry& geometry) {
-  Remarks remarks{kPairShift, {}};
-  remark_tips(geometry, 0, 1, "first gear", "second gear", remarks);
-  remark_tips(geometry, 1, 0, "second gear", "first gear", remarks);
-  remarks.contact_ratio(geometry.contact_ratio, "pair");
-  return remarks.list;
+  ToothWarnings warnings{kPairShift, {}};
+  check_tips(geometry, 0, 1, "first gear", "second gear", warnings);
+  check_tips(geometry, 1, 0, "second gear", "first gear", warnings);
+  warnings.contact_ratio(geometry.contact_ratio, "pair");
+  return warnings.list;
 }
 
 }  // namespace orbearing::gearset

@@ -4,7 +4,7 @@
 #include "gearset/checks.hpp"
 #include "gearset/involute.hpp"
 #include "gearset/message.hpp"
-#include "gearset/tooth_remarks.hpp"
+#include "gearset/tooth_warnings.hpp"
 
 namespace orbearing::gearset {
 
@@ -12,36 +12,37 @@ namespace {
 
 constexpr const char* kSetShift = "gearset.profile_shift";
 
-void remark_reaches(const WorkingGeometry& g, Remarks& remarks) {
+void check_reaches(const WorkingGeometry& g, ToothWarnings& warnings) {
   const double sun_line = g.centre_distance * std::sin(g.sun_mesh.working_pressure_angle);
   const double ring_line = g.centre_distance * std::sin(g.ring_mesh.working_pressure_angle);
   const double sun_tip = tangent_length(g.sun.base_radius, g.sun.tip_radius);
   const double planet_tip = tangent_length(g.planet.base_radius, g.planet.tip_radius);
   const double ring_tip = tangent_length(g.ring.base_radius, std::max(g.ring.tip_radius, g.ring.base_radius));
-  remarks.reach(sun_line - sun_tip, g.planet, "sun", "planet");
-  remarks.reach(ring_tip - ring_line, g.planet, "ring", "planet");
-  remarks.reach(sun_line - planet_tip, g.sun, "planet", "sun");
+  warnings.reach(sun_line - sun_tip, g.planet, "sun", "planet");
+  warnings.reach(ring_tip - ring_line, g.planet, "ring", "planet");
+  warnings.reach(sun_line - planet_tip, g.sun, "planet", "sun");
   if (g.ring.tip_radius < g.ring.base_radius) {
-    remarks.list.push_back({kSetShift, "the ring's tip circle " + millimetres(g.ring.tip_radius) +
-                                           " lies inside its base circle " + millimetres(g.ring.base_radius) +
-                                           ", where there is no involute; raise the ring's shift"});
+    warnings.list.push_back({kSetShift, "the ring's tip circle " + millimetres(g.ring.tip_radius) +
+                                            " lies inside its base circle " +
+                                            millimetres(g.ring.base_radius) +
+                                            ", where there is no involute; raise the ring's shift"});
   }
 }
 
 // Shifted external gears come closer than the sum of their shifts asks; ring and planet lose clearance where
 // their addenda are their own.
-void remark_clearances(const WorkingGeometry& g, Remarks& remarks) {
+void check_clearances(const WorkingGeometry& g, ToothWarnings& warnings) {
   const double a = g.centre_distance;
-  remarks.clearance(a - g.sun.tip_radius - g.planet.root_radius, g.sun.module, "sun", "planet");
-  remarks.clearance(a - g.planet.tip_radius - g.sun.root_radius, g.sun.module, "planet", "sun");
-  remarks.clearance(g.ring.root_radius - a - g.planet.tip_radius, g.ring.module, "planet", "ring");
-  remarks.clearance(g.ring.tip_radius - a - g.planet.root_radius, g.ring.module, "ring", "planet");
+  warnings.clearance(a - g.sun.tip_radius - g.planet.root_radius, g.sun.module, "sun", "planet");
+  warnings.clearance(a - g.planet.tip_radius - g.sun.root_radius, g.sun.module, "planet", "sun");
+  warnings.clearance(g.ring.root_radius - a - g.planet.tip_radius, g.ring.module, "planet", "ring");
+  warnings.clearance(g.ring.tip_radius - a - g.planet.root_radius, g.ring.module, "ring", "planet");
 }
 
-void remark_fouling(const WorkingGeometry& geometry, Remarks& remarks) {
+void check_fouling(const WorkingGeometry& geometry, ToothWarnings& warnings) {
   const double clearance = ring_tip_clearance(geometry);
   if (clearance >= 0.0) return;
-  remarks.list.push_back(
+  warnings.list.push_back(
       {kSetShift, "the tips of planet and ring foul each other outside the path of contact, by " +
                       millimetres(-clearance) +
                       " along the ring's tip circle; use fewer planet teeth or a smaller addendum"});
@@ -69,15 +70,15 @@ double ring_tip_clearance(const WorkingGeometry& geometry) {
 }
 
 Warnings tooth_warnings(const WorkingGeometry& geometry) {
-  Remarks remarks{kSetShift, {}};
-  remarks.undercut(geometry.sun, "sun");
-  remarks.undercut(geometry.planet, "planet");
-  remark_reaches(geometry, remarks);
-  remark_clearances(geometry, remarks);
-  remark_fouling(geometry, remarks);
-  remarks.contact_ratio(geometry.sun_mesh.contact_ratio, "sun mesh");
-  remarks.contact_ratio(geometry.ring_mesh.contact_ratio, "ring mesh");
-  return remarks.list;
+  ToothWarnings warnings{kSetShift, {}};
+  warnings.undercut(geometry.sun, "sun");
+  warnings.undercut(geometry.planet, "planet");
+  check_reaches(geometry, warnings);
+  check_clearances(geometry, warnings);
+  check_fouling(geometry, warnings);
+  warnings.contact_ratio(geometry.sun_mesh.contact_ratio, "sun mesh");
+  warnings.contact_ratio(geometry.ring_mesh.contact_ratio, "ring mesh");
+  return warnings.list;
 }
 
 }  // namespace orbearing::gearset

@@ -1,4 +1,4 @@
-// A remark about the gear set, tied to the place in the case file that it concerns.
+// A warning about the gear set, tied to the place in the case file that it concerns.
 #pragma once
 
 #include <string>

@@ -102,12 +102,12 @@ void add_profile(std::vector<Field>& fields) {
 }
 
 // The mean over one roller pitch knows like rollers and races that stand.
-const Use& of_turning_form() {
+const Use& of_waviness() {
   static const Use use(use::rollers_in_motion, use::bearings_as_springs | use::mesh, use::rollers_at_rest);
   return use;
 }
 
-const Use& of_standing_form() {
+const Use& of_out_of_roundness() {
   static const Use use(use::lives | use::bearings_as_springs | use::fmu_bearing | use::planet_stiffness,
                        use::mesh);
   return use;
@@ -137,12 +137,12 @@ void add_form(std::vector<Field>& fields, const std::string& block, const std::s
 }
 
 void add_forms(std::vector<Field>& fields) {
-  add_form(fields, "bearing.inner_race.standing_form", "the pin's race, standing in the carrier",
-           of_standing_form());
-  add_form(fields, "bearing.inner_race.turning_form", "the pin's race, turning with it", of_turning_form());
-  add_form(fields, "bearing.outer_race.standing_form", "the bore's race, standing in the carrier",
-           of_standing_form());
-  add_form(fields, "bearing.outer_race.turning_form", "the bore's race, turning with it", of_turning_form());
+  add_form(fields, "bearing.inner_race.out_of_roundness", "the pin's race, standing in the carrier",
+           of_out_of_roundness());
+  add_form(fields, "bearing.inner_race.waviness", "the pin's race, turning with it", of_waviness());
+  add_form(fields, "bearing.outer_race.out_of_roundness", "the bore's race, standing in the carrier",
+           of_out_of_roundness());
+  add_form(fields, "bearing.outer_race.waviness", "the bore's race, turning with it", of_waviness());
 }
 
 }  // namespace

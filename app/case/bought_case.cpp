@@ -13,7 +13,7 @@
 #include "app/case/bought_fields.hpp"
 #include "app/case/field_table.hpp"
 #include "app/case/objection.hpp"
-#include "app/case/put_in_place.hpp"
+#include "app/case/substitute.hpp"
 #include "app/units.hpp"
 #include "bearing/catalogue/clearance_class.hpp"
 #include "bearing/catalogue/inference.hpp"
@@ -79,7 +79,7 @@ class Bought {
     return field != nullptr && (field->models & model_) != 0;
   }
   void put(const std::string& path, const std::string& text, const std::string& reason) {
-    if (takes(path)) put_in_place(data_, prefix_ + path, text, reason);
+    if (takes(path)) substitute(data_, prefix_ + path, text, reason);
   }
   void put_usual(const std::string& path, const std::string& text, const std::string& reason) {
     if (takes(path)) put_where_absent(data_, prefix_ + path, text, reason);

@@ -58,7 +58,7 @@ Field choice(std::string path, std::string meaning, const Use& use, unsigned mod
           .choices = std::move(choices)};
 }
 
-// Frequencies of a scratched bearing are told by its cage.
+// The frequencies of a scratched bearing are those of its cage.
 Use use_of_complement(const std::vector<Field>& fields) {
   constexpr unsigned moving = use::planet_defect;
   const Use& cage = use_of_row(fields, bought::kDensity);

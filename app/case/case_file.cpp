@@ -9,6 +9,7 @@
 
 #include "app/case/case_resolver.hpp"
 #include "app/case/consistency.hpp"
+#include "app/case/former_keys.hpp"
 #include "app/case/settings.hpp"
 #include "app/case/uncertain_case.hpp"
 
@@ -68,6 +69,7 @@ Outcome resolve_all(std::string_view text, const std::string& name,
   Outcome outcome;
   std::optional<Entry> root = read_root(text, outcome.mistakes);
   Entry unread;
+  if (root) rename_former_keys(*root);
   apply_settings(root ? *root : unread, settings, outcome.mistakes);
   if (!root) return outcome;
   outcome.resolved.emplace(resolve(*root, name, outcome.mistakes));

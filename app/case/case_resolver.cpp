@@ -89,7 +89,7 @@ class Resolver {
     const Member* bearing = find_member(root_, "bearing");
     const bool rollers = bearing != nullptr && bearing->value.shape == Entry::Shape::block &&
                          find_member(bearing->value, "rollers") != nullptr;
-    model_ = told_apart(model_, find_member(root_, "simulation") != nullptr, rollers);
+    model_ = specific_model(model_, find_member(root_, "simulation") != nullptr, rollers);
     if (model_ != no_model) allowed_ = model_;
   }
 

@@ -20,7 +20,7 @@
 #include "app/case/spectrum_case.hpp"
 #include "app/case/uneven_planets.hpp"
 #include "gearset/checks.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::app {
 
@@ -267,10 +267,10 @@ void check_whole_cage(Checker& check, const ResolvedCase& resolved) {
 void check_contact(const ResolvedCase& in, std::vector<Mistake>& mistakes) {
   if (in.model() != spin_film || !in.has("film.solver")) return;
   if (!in.has("contact.length")) {
-    const bool told = std::any_of(mistakes.begin(), mistakes.end(), [](const Mistake& mistake) {
+    const bool reported = std::any_of(mistakes.begin(), mistakes.end(), [](const Mistake& mistake) {
       return mistake.path == "contact.ellipticity";
     });
-    if (!in.has("contact.ellipticity") && !told)
+    if (!in.has("contact.ellipticity") && !reported)
       mistakes.push_back({in.place("model"),
                           "contact.ellipticity",
                           {"neither an ellipse nor a line",
@@ -316,7 +316,7 @@ void check_one_set(const ResolvedCase& resolved, std::vector<Mistake>& mistakes)
 }
 
 // Each set as a case of its own, what is said of it under its name; then what joins them.
-void check_several_sets(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
+void check_multi_stage(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   for (const std::string& set : resolved.shape().sets) {
     std::vector<Mistake> of_set;
     const ResolvedCase one = resolved.of_set(set);
@@ -355,7 +355,7 @@ bool takes_part_in_consistency(std::string_view path) {
 
 void check_consistency(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   if (resolved.shape().several)
-    check_several_sets(resolved, mistakes);
+    check_multi_stage(resolved, mistakes);
   else
     check_one_set(resolved, mistakes);
   Checker check(resolved, mistakes);

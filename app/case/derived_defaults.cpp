@@ -167,8 +167,8 @@ void fill_derived_defaults(CaseData& data) {
   const auto found = data.values.find("model");
   if (found == data.values.end()) return;
   const Model model =
-      told_apart(model_of(found->second.value.given), data.values.contains("simulation.duration"),
-                 data.values.contains("bearing.rollers"));
+      specific_model(model_of(found->second.value.given), data.values.contains("simulation.duration"),
+                     data.values.contains("bearing.rollers"));
   fill_as_bought(data, model);
   fill_from_grade(data, model);
   if ((model & described::in_time) == 0) return;

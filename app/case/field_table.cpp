@@ -246,7 +246,7 @@ Model model_of(std::string_view name) {
   return no_model;
 }
 
-Model told_apart(Model named, bool simulation, bool rollers) {
+Model specific_model(Model named, bool simulation, bool rollers) {
   if (named == ball_bearing && simulation) return ball_motion;
   return named == raceway_defect && rollers ? roller_defect : named;
 }

@@ -40,7 +40,7 @@ std::string_view model_name(Model model);
 Model model_of(std::string_view name);
 /// Of the model that a case names: a ball bearing with a block `simulation`, and a scratched bearing with
 /// rollers, are models of their own.
-Model told_apart(Model named, bool simulation, bool rollers);
+Model specific_model(Model named, bool simulation, bool rollers);
 const std::vector<Model>& models();
 
 /// The known word nearest to `word` by edit distance; empty where none is near.

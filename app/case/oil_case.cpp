@@ -7,7 +7,7 @@
 
 #include "app/case/field_table.hpp"
 #include "app/case/objection.hpp"
-#include "app/case/put_in_place.hpp"
+#include "app/case/substitute.hpp"
 #include "bearing/film/oil_grade.hpp"
 
 namespace orbearing::app {
@@ -75,7 +75,7 @@ void fill_from_grade(CaseData& data, Model model) {
   for (const OilProperty& property : properties) {
     const Field* field = find_field(property.path);
     if ((field->models & model) == 0) continue;
-    put_in_place(data, property.path, property.text, property.reason);
+    substitute(data, property.path, property.text, property.reason);
   }
 }
 

@@ -125,7 +125,7 @@ void check_places(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) 
 
 void check_refinements(const ResolvedCase& resolved, std::vector<Mistake>& mistakes) {
   for (const char* race : {"inner_race", "outer_race"})
-    for (const char* form : {"standing_form", "turning_form"})
+    for (const char* form : {"out_of_roundness", "waviness"})
       check_form(resolved, fmt::format("bearing.{}.{}", race, form), mistakes);
   check_rim(resolved, mistakes);
   check_tooth_contact(resolved, mistakes);

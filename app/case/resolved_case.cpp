@@ -76,7 +76,7 @@ std::string ResolvedCase::origin(std::string_view path) const {
 
 Model ResolvedCase::model() const {
   if (!has("model")) return no_model;
-  return told_apart(model_of(choice("model")), has("simulation.duration"), has("bearing.rollers"));
+  return specific_model(model_of(choice("model")), has("simulation.duration"), has("bearing.rollers"));
 }
 
 ResolvedCase ResolvedCase::without_sweep() const {

@@ -141,7 +141,7 @@ class ResolvedCase {
   ResolvedCase with(const std::vector<Setting>& settings) const;
   ResolvedCase with(const std::string& path, const std::string& text) const;
   ResolvedCase with_numbers(const std::vector<NumberSetting>& settings) const;
-  /// As with(), with what is wrong told to `mistakes` instead; what could not be set keeps its value.
+  /// As with(), with what is wrong added to `mistakes` instead; what could not be set keeps its value.
   ResolvedCase with(const std::vector<Setting>& settings, std::vector<Mistake>& mistakes) const;
 
   /// One of several sets as a case of its own, without sweep: its fields at the top, with what all share.

@@ -35,7 +35,7 @@ bool next_csv_line(std::istream& stream, std::string& line, int& number);
 
 /// The list that the file holds, every entry with its place there. Lines that are empty or begin with # are
 /// passed over. `file` is taken from the folder of `case_file`. What is wrong with the file as a whole, or
-/// with its header, is told to `mistakes`, with the list empty; what is wrong with a value is found when the
+/// with its header, is added to `mistakes`, with the list empty; what is wrong with a value is found when the
 /// list is read.
 Entry rows_of_file(const Field& field, const Entry& block, const std::string& path,
                    const std::string& case_file, std::vector<Mistake>& mistakes);

@@ -309,7 +309,7 @@ void add_shapes(Json& schema) {
 }
 
 // Either the fields of one set at the top, or several sets and their shafts.
-void add_several_sets(Json& schema) {
+void add_multi_stage(Json& schema) {
   Json set = {{"type", "object"},
               {"additionalProperties", false},
               {"required", Json::array()},
@@ -336,7 +336,7 @@ Json model_schema(Model model) {
   if (model == planetary_drivetrain) schema["properties"]["sweep"] = sweep_schema(model);
   schema["properties"]["uncertain"] = uncertain_schema(model);
   schema["properties"]["assumed"] = assumed_schema(model);
-  if (model == planetary_drivetrain) add_several_sets(schema);
+  if (model == planetary_drivetrain) add_multi_stage(schema);
   return schema;
 }
 

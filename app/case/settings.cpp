@@ -4,6 +4,7 @@
 
 #include "app/case/case_shape.hpp"
 #include "app/case/field_table.hpp"
+#include "app/case/former_keys.hpp"
 
 namespace orbearing::app {
 
@@ -86,7 +87,7 @@ void put(Entry& root, const std::vector<std::string>& keys, Entry value) {
 
 void apply(Entry& root, const std::string& setting, Place place, std::vector<Mistake>& mistakes) {
   const auto sign = setting.find('=');
-  const std::string path = trim(setting.substr(0, sign));
+  const std::string path = present_path(trim(setting.substr(0, sign)));
   const std::vector<std::string> keys = keys_of(path);
   const bool gap = std::find(keys.begin(), keys.end(), "") != keys.end();
   if (sign == std::string::npos || gap) {

@@ -21,6 +21,7 @@ set(ORBEARING_CASE_SOURCES
   case/field_table.cpp
   case/field_use.cpp
   case/film_fields.cpp
+  case/former_keys.cpp
   case/gear_dynamics_fields.cpp
   case/mistake.cpp
   case/oil_case.cpp
@@ -28,7 +29,7 @@ set(ORBEARING_CASE_SOURCES
   case/pair_case.cpp
   case/printable.cpp
   case/profile_case.cpp
-  case/put_in_place.cpp
+  case/substitute.cpp
   case/refinement_consistency.cpp
   case/resolved_case.cpp
   case/rows_file.cpp

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::app {
 

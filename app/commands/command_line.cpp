@@ -304,7 +304,7 @@ bool known(const CLI::App& program, const std::string& word) {
                      [&](const CLI::App* command) { return command->check_name(word); });
 }
 
-// The name of a command that does not exist is told as such and not as a missing command.
+// The name of a command that does not exist is reported as such and not as a missing command.
 void require_known_command(const CLI::App& program, int argc, char** argv) {
   const std::string word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.front() == '-' || known(program, word)) return;

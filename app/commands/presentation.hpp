@@ -23,7 +23,7 @@ void print_warnings(const std::vector<std::string>& warnings);
 void print_failures(const std::string& line, const Options& options);
 
 /// Prints what a finished sweep found: JSON, or the table, the chart and the peak; points that failed are
-/// told in any case. Returns the exit code.
+/// reported in any case. Returns the exit code.
 int present_sweep(const ResolvedCase& resolved, const SweepOutcome& outcome, const Options& options);
 
 }  // namespace orbearing::app

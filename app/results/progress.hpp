@@ -15,10 +15,11 @@ namespace orbearing::app {
 /// "120 of 1201 points done, 1081 left, 0:42 to go". `seconds` [s] went by for the `done` less `kept` points.
 std::string progress_text(std::size_t done, std::size_t kept, std::size_t all, double seconds);
 
-/// A caller in the same process who is told in place of standard error; from any thread, one call at a time.
+/// A caller in the same process who sees the progress in place of standard error; from any thread, one call
+/// at a time.
 using ProgressObserver = std::function<void(std::size_t done, std::size_t all, const std::string& doing)>;
 
-/// While it lives, what this thread begins is told to the observer, if there is one.
+/// While it lives, what this thread begins is reported to the observer, if there is one.
 class ObservedProgress {
  public:
   explicit ObservedProgress(ProgressObserver observer);
@@ -54,7 +55,7 @@ class Progress {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_{};
   std::size_t done_;
-  std::mutex printing_;  // motions are told of by those who compute
+  std::mutex printing_;  // motions are reported by those who compute
   std::optional<system::ObservedMotions> motions_;
 };
 

@@ -72,7 +72,7 @@ class ResultFolder {
 };
 
 /// Opens `folder`, fresh or to be resumed, or memory alone where `folder` is empty. Files found missing or
-/// damaged are told on standard error unless `quiet`.
+/// damaged are reported on standard error unless `quiet`.
 ResultFolder open_results(const std::filesystem::path& folder, const ManifestHeader& header,
                           const std::string& resolved_case, bool resume, bool quiet);
 

@@ -60,9 +60,9 @@ std::vector<study::PlanetResult>::const_iterator shortest_lived(const PointResul
 }
 
 double shortest_life(const PointResult& result) {
-  if (result.two_way)
-    return *std::min_element(result.two_way->bearing_life_hours.begin(),
-                             result.two_way->bearing_life_hours.end());
+  if (result.coupled)
+    return *std::min_element(result.coupled->bearing_life_hours.begin(),
+                             result.coupled->bearing_life_hours.end());
   if (!result.seats.empty()) {
     const auto shorter = [](const auto& a, const auto& b) { return a.life_hours < b.life_hours; };
     return std::min_element(result.seats.begin(), result.seats.end(), shorter)->life_hours;
@@ -258,9 +258,9 @@ const std::vector<Column>& trailing_columns() {
        }},
       {"interface_energy_residual", "interface_energy_residual", "1",
        "energy that the exchange of gears and bearings made or lost, over that which passed", 1.0,
-       [](const PointResult& r) { return r.two_way ? r.two_way->energy_residual : not_given; }},
+       [](const PointResult& r) { return r.coupled ? r.coupled->energy_residual : not_given; }},
       {"interface_window_us", "interface_window", "s", "mean time between two exchanges; 0: one system",
-       microseconds, [](const PointResult& r) { return r.two_way ? r.two_way->window : not_given; }},
+       microseconds, [](const PointResult& r) { return r.coupled ? r.coupled->window : not_given; }},
       fit_column("runs", "1", "runs of gears and bearing until the law between them was found",
                  [](const OneWayRecord& fit) { return double(fit.runs); }),
       fit_column("accepted", "1", "1: the law stayed from one run to the next; 0: it still changed",

@@ -12,7 +12,7 @@ namespace orbearing::app {
 /// Braille where the locale's character set is UTF-8 (LC_ALL, LC_CTYPE, LANG, in this order).
 Glyphs glyphs_of_locale();
 
-/// Life [h], logarithmic, over input speed [rpm], axes labelled, the peak marked and told in a line below.
+/// Life [h], logarithmic, over input speed [rpm], axes labelled, the peak marked and written in a line below.
 /// Points without a life are left out and counted. Fewer than two speeds give the line alone.
 std::string life_chart(const TableHead& head, const std::vector<ResultRow>& rows, const LifePeak& peak,
                        Glyphs glyphs);

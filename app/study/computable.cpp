@@ -36,7 +36,7 @@ void require_coupled(const ResolvedCase& in, const std::string& fidelity) {
 
 void require_computable(const ResolvedCase& in, const std::string& fidelity, bool sweep) {
   if (in.model() != planetary_drivetrain || !in.has(kAcceleration)) return;  // gears alone have none
-  if (two_way(fidelity_of(fidelity))) require_coupled(in, fidelity);
+  if (is_coupled(fidelity_of(fidelity))) require_coupled(in, fidelity);
   const bool swept = std::any_of(in.axes().begin(), in.axes().end(),
                                  [](const SweepAxis& axis) { return axis.path == kAcceleration; });
   if (sweep && (swept || runs_up(in)))

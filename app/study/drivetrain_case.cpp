@@ -30,8 +30,8 @@ void add_waves(const ResolvedCase& in, const std::string& block, bool turning,
 
 std::vector<bearing::RaceHarmonic> form_of(const ResolvedCase& in, const std::string& race) {
   std::vector<bearing::RaceHarmonic> form;
-  add_waves(in, race + ".standing_form", false, form);
-  add_waves(in, race + ".turning_form", true, form);
+  add_waves(in, race + ".out_of_roundness", false, form);
+  add_waves(in, race + ".waviness", true, form);
   return form;
 }
 

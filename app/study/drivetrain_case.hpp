@@ -1,4 +1,4 @@
-// From a resolved case to the parameters of a drivetrain, and what the case should be told about its teeth.
+// From a resolved case to the parameters of a drivetrain, and warnings about its teeth.
 #pragma once
 
 #include <string>

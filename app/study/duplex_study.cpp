@@ -18,7 +18,7 @@ namespace {
 namespace duplex = bearing::duplex;
 
 constexpr auto kPhysical = duplex::TiltPlanes::physical;
-constexpr auto kPrinted = duplex::TiltPlanes::as_printed;
+constexpr auto kPrinted = duplex::TiltPlanes::literature_variant;
 
 PairColumn column_of(const duplex::Shaft& shaft, const duplex::Stiffness& stiffness,
                      const std::optional<duplex::Housing>& housing, duplex::TiltPlanes planes) {

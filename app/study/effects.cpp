@@ -32,14 +32,15 @@ const std::vector<NamedChange>& one_wave_more() {
   static const std::vector<NamedChange> list{
       {"oval bore, 5 um",
        "form",
-       {"bearing.outer_race.standing_form.order=[2]", "bearing.outer_race.standing_form.amplitude=[5e-6 m]"}},
+       {"bearing.outer_race.out_of_roundness.order=[2]",
+        "bearing.outer_race.out_of_roundness.amplitude=[5e-6 m]"}},
       {"oval pin, 5 um",
        "form",
-       {"bearing.inner_race.standing_form.order=[2]", "bearing.inner_race.standing_form.amplitude=[5e-6 m]"}},
+       {"bearing.inner_race.out_of_roundness.order=[2]",
+        "bearing.inner_race.out_of_roundness.amplitude=[5e-6 m]"}},
       {"11 waves on the bore, 0.5 um",
        "form",
-       {"bearing.outer_race.turning_form.order=[11]",
-        "bearing.outer_race.turning_form.amplitude=[0.5e-6 m]"}},
+       {"bearing.outer_race.waviness.order=[11]", "bearing.outer_race.waviness.amplitude=[0.5e-6 m]"}},
   };
   return list;
 }

@@ -20,7 +20,7 @@ inline bool in_time(study::Fidelity fidelity) {
 }
 
 /// Whether the bearings act back on the gears.
-inline bool two_way(study::Fidelity fidelity) {
+inline bool is_coupled(study::Fidelity fidelity) {
   return fidelity == study::Fidelity::co_simulated || fidelity == study::Fidelity::monolithic;
 }
 

@@ -17,7 +17,7 @@ nlohmann::ordered_json modes_json(const std::vector<gearset::dynamics::Mode>& mo
 const char* kind_name(gearset::dynamics::ModeKind kind);
 std::string modes_text(const std::vector<gearset::dynamics::Mode>& modes);
 
-/// Modes at rest and the frequency that published ones may be told by.
+/// Modes at rest and the frequency by which published ones may be recognised.
 struct ModeStudy {
   std::vector<gearset::dynamics::Mode> modes;
   double planet_frequency = 0.0;  // [Hz]  of a planet on its bearing alone

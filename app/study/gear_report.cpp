@@ -259,7 +259,7 @@ Json mode_shapes(const SetModel& model) {
                       {"kind", modes_json({mode})[0]["kind"]},
                       {"shape", snapshot_of(mode)}});
   }
-  return {{"places_rad", model.places},
+  return {{"places_rad", model.planet_angles},
           {"centre_distance_mm", 1e3 * model.parameters.carrier.radius},
           {"sun_radius_mm", 1e3 * model.parameters.sun.radius},
           {"ring_radius_mm", 1e3 * model.parameters.ring.radius},

@@ -168,7 +168,8 @@ std::string standing_text(const ResolvedCase& in, const std::string& path) {
   return in.assumed().contains(path) ? "assumed" : "given";
 }
 
-// Lengths of micrometres are told by one of them, what is zero by its unit, all else by a hundredth.
+// The effect is stated of one micrometre for lengths of micrometres, of one unit for what is zero, else of a
+// hundredth.
 LifeDerivative derivative_of(const ResolvedCase& in, const DifferentiatedLife& life, const CaseNumber& number,
                              const NumberSlope& slope, double scale) {
   const Field& field = *number.input.field;

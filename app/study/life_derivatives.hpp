@@ -38,7 +38,7 @@ struct LifeDerivative {
   std::string standing;              // given, assumed or default
   double derivative = 0.0;           // [life/unit]
   std::optional<double> elasticity;  // [-]  d ln(life)/d ln(value); none where the value is zero
-  std::string step;                  // "1 um", "1 %": a change whose effect is told
+  std::string step;                  // "1 um", "1 %": a change whose effect is stated
   double change = 0.0;               // [life]  by that step, to first order
   int side = 0;                      // as in NumberSlope
 };

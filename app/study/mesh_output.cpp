@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kCurveSamples = 200;     // of the curve, a period
-constexpr std::size_t kErrorStep = 4;  // of the samples of a transmission error, one is told
+constexpr std::size_t kErrorStep = 4;  // of the samples of a transmission error, one is written
 
 Json parts_json(const gearset::GearCompliance& gear) {
   return {{"bending_N_per_m", 1.0 / gear.tooth.bending},

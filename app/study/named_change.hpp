@@ -37,7 +37,7 @@ struct ChangeStudy {
       };
 };
 
-/// Told when one more change is done, in their order: the first `done` of `results` are whole.
+/// Called when one more change is done, in their order: the first `done` of `results` are whole.
 using ChangesDone = std::function<void(const std::vector<ChangeResult>& results, std::size_t done)>;
 
 /// `changes` after the case as it stands.

@@ -366,21 +366,21 @@ nlohmann::ordered_json report_data(const ResolvedCase& resolved, const Manifest&
   data["polar"] = polar(drivetrain, geometry, shown_speeds(grid));
   data["drawing"] = drawing(drivetrain, geometry, property(grid, "peak_speed_rpm"));
   data["ablation"] = effect_curves(slice.at, shown, fine);
-  data["ledger"] = rows_json(table);
-  add_numbers_of_sweep(outcome, data["ledger"]);
-  data["worth"] = sensitivities_json(table);
+  data["validation"] = rows_json(table);
+  add_numbers_of_sweep(outcome, data["validation"]);
+  data["sensitivities"] = sensitivities_json(table);
   if (has_gear_report(slice.at)) data["gears"] = gear_report(slice.at, grid.speed_rpm);
   data["dynamic"] = nullptr;
   const study::Fidelity fidelity = fidelity_of(outcome.header.fidelity);
   if (in_time(fidelity))
     data["dynamic"] = {
-        {"ablation", two_way(fidelity)
+        {"ablation", is_coupled(fidelity)
                          ? Json::array()
                          : effects_in_time(slice.at, shown, shown_speeds(grid), every_effect, progress)},
         {"quasi_static",
          {{"polar", polar(drivetrain, geometry, shown_speeds(grid, best_speed_rpm(found.peak)))}}}};
-  if (two_way(fidelity))
-    data["two_way"] = coupled_report(drivetrain, grid.speed_rpm, one_way(slice.at, shown, grid.speed_rpm),
+  if (is_coupled(fidelity))
+    data["coupled"] = coupled_report(drivetrain, grid.speed_rpm, one_way(slice.at, shown, grid.speed_rpm),
                                      outcome.header.fidelity);
   return data;
 }

@@ -11,7 +11,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/units.hpp"
 #include "gearset/dynamics/mode_kind.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::app {
 
@@ -93,7 +93,7 @@ ModesAtSpeed modes_at_rpm(const ResolvedCase& resolved, double rpm) {
 
 std::vector<Meeting> meetings(const std::vector<ModesAtSpeed>& points, const gearset::PlanetarySet& set) {
   std::vector<Meeting> list;
-  const std::vector<double> places = planet_places(set);
+  const std::vector<double> places = angles_of_planets(set);
   for (int order = 1; order <= kMetHarmonics; ++order)
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
       for (const NamedFrequency& mode : points[i].modes) {

@@ -71,7 +71,7 @@ StaticStudy static_study(const ResolvedCase& in) {
   const rating::ElementLoads outer{unlike ? state.outer_load : state.contact_load, state.lamina_load};
   study.reference_life = rating::reference_life(bearing, study.ratings.contacts, inner, outer);
   if (bearing.has_rollers())
-    study.lundberg_palmgren = bearing::lundberg_palmgren_life(bearing, in.number("life.lambda"),
+    study.lundberg_palmgren = bearing::lundberg_palmgren_life(bearing, in.number("life.reduction_factor"),
                                                               study.contact_load, study.contact_load);
   rate(in, rating::rolling_element(bearing), study);
   if (motion.film && state.inner_rolling.size() > 0) {

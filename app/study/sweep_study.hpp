@@ -1,4 +1,4 @@
-// The sweep of a case: its points, how each is computed, where life peaks, and what the user must be told.
+// The sweep of a case: its points, how each is computed, where life peaks, and its warnings.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

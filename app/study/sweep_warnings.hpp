@@ -1,4 +1,4 @@
-// What the user must be told about a sweep besides its numbers.
+// Warnings of a sweep, beside its numbers.
 #pragma once
 
 #include <string>

@@ -24,10 +24,10 @@ struct VariantRows {
   std::vector<ResultRow> rows;
 };
 
-/// Computes the operating point of each variant, with the bits of a sweep's point, on `jobs` threads (0: one for
-/// each core). A variant that is no case or that fails keeps its reason as its row's status. `done` is told how many
-/// are done, from any thread, one at a time. Throws BadInput where the case itself, a path or the fidelity is of no
-/// use, and Cancelled after request_stop().
+/// Computes the operating point of each variant, with the bits of a sweep's point, on `jobs` threads (0: one
+/// for each core). A variant that is no case or that fails keeps its reason as its row's status. `done`
+/// receives how many are done, from any thread, one at a time. Throws BadInput where the case itself, a path
+/// or the fidelity is of no use, and Cancelled after request_stop().
 VariantRows evaluate_variants(const ResolvedCase& resolved, const Variants& variants,
                               const std::string& fidelity, int jobs,
                               const std::function<void(std::size_t)>& done = {});

@@ -24,11 +24,11 @@ Film::Film(const FilmContact& contact, double entrainment_speed)
 }
 
 double Film::central(double load) const {
-  return thinned(load) ? std::exp(law_.log_central(std::log(load), log_speed_)) : cap_;
+  return loaded(load) ? std::exp(law_.log_central(std::log(load), log_speed_)) : cap_;
 }
 
 double Film::slope(double load) const {
-  if (!thinned(load)) return 0.0;
+  if (!loaded(load)) return 0.0;
   return exponential(law_.log_central(logarithm(mechanics::variable<0>(load)), log_speed_)).by<0>();
 }
 
@@ -37,7 +37,7 @@ double Film::least(double load) const {
 }
 
 double Film::energy(double load) const {
-  return thinned(load) ? law_.energy(load, log_speed_) : 0.0;
+  return loaded(load) ? law_.energy(load, log_speed_) : 0.0;
 }
 
 }  // namespace orbearing::bearing

@@ -51,7 +51,7 @@ class Film {
   double log_speed() const { return log_speed_; }
 
  private:
-  bool thinned(double load) const { return oiled_ && load > cap_load_; }
+  bool loaded(double load) const { return oiled_ && load > cap_load_; }
 
   bool oiled_ = false;
   FilmLaw<double> law_;

@@ -65,9 +65,9 @@ struct FilmLaw {
   auto energy(const Load& load, const LogSpeed& log_speed) const {
     using mechanics::exponential, mechanics::logarithm, mechanics::larger;
     const auto log_cap = kCapLoadSpeed * log_speed + log_cap_load;
-    const auto thinned = larger(logarithm(load), log_cap);
+    const auto log_loaded = larger(logarithm(load), log_cap);
     const auto at_cap = exponential(log_uncapped(log_cap, log_speed) + log_cap);
-    return (kLoad / (1.0 - kLoad)) * (exponential(log_uncapped(thinned, log_speed) + thinned) - at_cap);
+    return (kLoad / (1.0 - kLoad)) * (exponential(log_uncapped(log_loaded, log_speed) + log_loaded) - at_cap);
   }
 };
 

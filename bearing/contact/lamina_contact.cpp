@@ -71,36 +71,39 @@ LaminaContact::LaminaContact(const LaminaLaw& law, double length, std::span<cons
   drop_.resize(static_cast<std::size_t>(padded_), vectorised::kNoLamina);
 }
 
-LaminaForce LaminaContact::evaluate(double approach, double tip) const {
-  if (approach + std::abs(tip) <= least_drop_) return {};
-  const vectorised::LaminaSums sums = kernel_->sums(place_.data(), drop_.data(), padded_, approach, tip);
+LaminaForce LaminaContact::evaluate(double approach, double end_displacement) const {
+  if (approach + std::abs(end_displacement) <= least_drop_) return {};
+  const vectorised::LaminaSums sums =
+      kernel_->sums(place_.data(), drop_.data(), padded_, approach, end_displacement);
   const double slope = LaminaLaw::exponent * scale_;
-  return {scale_ * sums.load, scale_ * sums.tip_load, slope * sums.by_approach, slope * sums.mixed,
-          slope * sums.by_tip};
+  return {scale_ * sums.load, scale_ * sums.end_load, slope * sums.by_approach, slope * sums.mixed,
+          slope * sums.by_end_displacement};
 }
 
-void LaminaContact::put_loads(double approach, double tip, double* load) const {
+void LaminaContact::put_loads(double approach, double end_displacement, double* load) const {
   std::array<double, kMostPadded> padded_load, root;
-  if (approach + std::abs(tip) <= least_drop_) {
+  if (approach + std::abs(end_displacement) <= least_drop_) {
     std::fill_n(load, laminae_, 0.0);
     return;
   }
-  kernel_->loads(place_.data(), drop_.data(), padded_, approach, tip, padded_load.data(), root.data());
+  kernel_->loads(place_.data(), drop_.data(), padded_, approach, end_displacement, padded_load.data(),
+                 root.data());
   for (int k = 0; k < laminae_; ++k) load[k] = scale_ * padded_load[static_cast<std::size_t>(k)];
 }
 
-LaminaLoads LaminaContact::loads(double approach, double tip) const {
+LaminaLoads LaminaContact::loads(double approach, double end_displacement) const {
   LaminaLoads result{Eigen::ArrayXd(padded_), Eigen::ArrayXd(padded_)};
-  kernel_->loads(place_.data(), drop_.data(), padded_, approach, tip, result.load.data(),
+  kernel_->loads(place_.data(), drop_.data(), padded_, approach, end_displacement, result.load.data(),
                  result.stiffness.data());
   result.load = (scale_ * result.load.head(laminae_)).eval();
   result.stiffness = (LaminaLaw::exponent * scale_ * result.stiffness.head(laminae_)).eval();
   return result;
 }
 
-double LaminaContact::energy(double approach, double tip) const {
+double LaminaContact::energy(double approach, double end_displacement) const {
   const Eigen::Map<const Eigen::ArrayXd> drop(drop_.data(), laminae_);
-  return (loads(approach, tip).load * (approach + tip * places() - drop)).sum() / (LaminaLaw::exponent + 1.0);
+  return (loads(approach, end_displacement).load * (approach + end_displacement * places() - drop)).sum() /
+         (LaminaLaw::exponent + 1.0);
 }
 
 }  // namespace orbearing::bearing::laminae

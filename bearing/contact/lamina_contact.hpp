@@ -3,7 +3,7 @@
 //
 //      race  ____________________________            x: along the axis from the middle
 //            \\\\\\ |   |   |   |   | ///             a: approach of the bodies at x = 0
-//      roller  '-.._|___|___|___|__.-'                tip: how much more the bodies approach at x = l/2
+//      roller  '-.._|___|___|___|__.-'                end displacement: what x = l/2 approaches more
 //                          |--> x                     P: drop of both profiles
 #pragma once
 
@@ -41,10 +41,10 @@ std::vector<double> lamina_drops(const profile::Profile& roller, const profile::
 /// multiplied.
 struct LaminaForce {
   double load = 0.0;         // [N]
-  double tip_load = 0.0;     // [N]    moment about the middle over l/2
+  double end_load = 0.0;     // [N]    moment about the middle over l/2
   double by_approach = 0.0;  // [N/m]  d(load)/d(approach)
-  double mixed = 0.0;        // [N/m]  d(load)/d(tip) = d(tip load)/d(approach)
-  double by_tip = 0.0;       // [N/m]  d(tip load)/d(tip)
+  double mixed = 0.0;        // [N/m]  d(load)/d(end displacement) = d(end load)/d(approach)
+  double by_end_displacement = 0.0;  // [N/m]  d(end load)/d(end displacement)
 };
 
 /// Loads of single laminae and their stiffness, arrays over laminae.
@@ -60,20 +60,20 @@ class LaminaContact {
   LaminaContact(const LaminaLaw& law, double length, std::span<const double> drops,
                 mechanics::InstructionSet set = mechanics::best_instruction_set());
 
-  /// At `approach` [m] in the middle and `tip` [m] more at x = l/2.
-  LaminaForce evaluate(double approach, double tip) const;
-  /// Elastic energy [J]; its slopes by approach and tip are load and tip load.
-  double energy(double approach, double tip) const;
+  /// At `approach` [m] in the middle and `end_displacement` [m] more at x = l/2.
+  LaminaForce evaluate(double approach, double end_displacement) const;
+  /// Elastic energy [J]; its slopes by approach and end displacement are load and end load.
+  double energy(double approach, double end_displacement) const;
   /// Of each lamina.
-  LaminaLoads loads(double approach, double tip) const;
+  LaminaLoads loads(double approach, double end_displacement) const;
   /// Loads [N] of the laminae into an array of that many.
-  void put_loads(double approach, double tip, double* load) const;
+  void put_loads(double approach, double end_displacement, double* load) const;
 
   int laminae() const { return laminae_; }
   /// c of the whole contact [N/m^(10/9)].
   double constant() const { return scale_ * laminae_; }
   double half_length() const { return half_length_; }  // [m]
-  /// Smallest drop [m]: below this approach and with no tip nothing touches.
+  /// Smallest drop [m]: below this approach and with no end displacement nothing touches.
   double least_drop() const { return least_drop_; }
   double greatest_drop() const { return greatest_drop_; }  // [m]
   /// Fractions of half the length.

@@ -8,21 +8,22 @@ namespace orbearing::bearing::vectorised {
 inline constexpr int kLaminaPadding = 16;
 inline constexpr double kNoLamina = 1e9;  // [m]  a drop that no approach reaches
 
-/// With d = (approach + place * tip - drop) where that is positive, else 0:
+/// With d = (approach + place * end displacement - drop) where that is positive, else 0:
 struct LaminaSums {
   double load = 0.0;         // [m^(10/9)]  sum of d^(10/9)
-  double tip_load = 0.0;     // [m^(10/9)]  sum of d^(10/9) place
+  double end_load = 0.0;     // [m^(10/9)]  sum of d^(10/9) place
   double by_approach = 0.0;  // [m^(1/9)]  sum of d^(1/9)
   double mixed = 0.0;        // [m^(1/9)]  sum of d^(1/9) place
-  double by_tip = 0.0;       // [m^(1/9)]  sum of d^(1/9) place^2
+  double by_end_displacement = 0.0;  // [m^(1/9)]  sum of d^(1/9) place^2
 };
 
 /// Places are fractions of half the length, -1 to 1; `count` is a multiple of kLaminaPadding.
 struct LaminaKernel {
-  LaminaSums (*sums)(const double* place, const double* drop, int count, double approach, double tip);
+  LaminaSums (*sums)(const double* place, const double* drop, int count, double approach,
+                     double end_displacement);
   /// Of each lamina: `load` d^(10/9) [m^(10/9)] and `root` d^(1/9) [m^(1/9)].
-  void (*loads)(const double* place, const double* drop, int count, double approach, double tip, double* load,
-                double* root);
+  void (*loads)(const double* place, const double* drop, int count, double approach, double end_displacement,
+                double* load, double* root);
 };
 
 /// One for each instruction set. They stand in files of their own, so that the engines keep their bits.

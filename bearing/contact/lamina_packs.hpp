@@ -12,10 +12,11 @@ struct LaminaPack {
   Pack place, load, root;
 };
 
-inline LaminaPack lamina_pack(const double* place, const double* drop, double approach, double tip) {
+inline LaminaPack lamina_pack(const double* place, const double* drop, double approach,
+                              double end_displacement) {
   LaminaPack pack;
   pack.place = mechanics::ORBEARING_PACKS::load(place);
-  const Pack depth = (approach + pack.place * tip) - mechanics::ORBEARING_PACKS::load(drop);
+  const Pack depth = (approach + pack.place * end_displacement) - mechanics::ORBEARING_PACKS::load(drop);
   const Mask touching = depth > 0.0;
   pack.root = only(touching, ninth_root(only(touching, depth)));
   pack.load = only(touching, depth) * pack.root;
@@ -23,24 +24,24 @@ inline LaminaPack lamina_pack(const double* place, const double* drop, double ap
 }
 
 inline LaminaSums lamina_sums(const double* place, const double* drop, int count, double approach,
-                              double tip) {
-  Pack load{}, tip_load{}, by_approach{}, mixed{}, by_tip{};
+                              double end_displacement) {
+  Pack load{}, end_load{}, by_approach{}, mixed{}, by_end_displacement{};
   for (int k = 0; k < count; k += kLanes) {
-    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, tip);
+    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, end_displacement);
     const Pack sloped = pack.root * pack.place;
     load += pack.load;
-    tip_load += pack.load * pack.place;
+    end_load += pack.load * pack.place;
     by_approach += pack.root;
     mixed += sloped;
-    by_tip += sloped * pack.place;
+    by_end_displacement += sloped * pack.place;
   }
-  return {sum(load), sum(tip_load), sum(by_approach), sum(mixed), sum(by_tip)};
+  return {sum(load), sum(end_load), sum(by_approach), sum(mixed), sum(by_end_displacement)};
 }
 
-inline void lamina_loads(const double* place, const double* drop, int count, double approach, double tip,
-                         double* load, double* root) {
+inline void lamina_loads(const double* place, const double* drop, int count, double approach,
+                         double end_displacement, double* load, double* root) {
   for (int k = 0; k < count; k += kLanes) {
-    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, tip);
+    const LaminaPack pack = lamina_pack(place + k, drop + k, approach, end_displacement);
     store(pack.load, load + k);
     store(pack.root, root + k);
   }

@@ -8,7 +8,7 @@ namespace orbearing::bearing::motion {
 
 namespace {
 
-constexpr double kBalance = 1e-14;  // of both tip loads, where round-off begins
+constexpr double kBalance = 1e-14;  // of both end loads, where round-off begins
 constexpr int kMostTiltSteps = 100;
 
 // Within which a roller under some load comes to stand where both contacts balance [s]. A rigid film of a
@@ -22,11 +22,12 @@ bool symmetric(const laminae::LaminaContact& contact) {
   return (drops - drops.reverse()).abs().maxCoeff() <= 1e-15 * drops.abs().maxCoeff();
 }
 
-// Slope of the tip load by the tip [N/m], of a contact that carries on its whole length.
+// Slope of the end load by the end displacement [N/m], of a contact that carries on its whole
+// length.
 double tilting_stiffness(const laminae::LaminaContact& contact) {
   double approach = contact.greatest_drop() + 1e-8;
   while (contact.evaluate(approach, 0.0).load < kTypicalLoad) approach *= 1.1;
-  return contact.evaluate(approach, 0.0).by_tip;
+  return contact.evaluate(approach, 0.0).by_end_displacement;
 }
 
 bool flat(const laminae::LaminaContact& contact) {
@@ -38,53 +39,57 @@ bool flat(const laminae::LaminaContact& contact) {
 LaminaRaces::LaminaRaces(laminae::LaminaContact inner, laminae::LaminaContact outer, const Vector2& bore_tilt)
     : inner_(std::move(inner)),
       outer_(std::move(outer)),
-      bore_tip_(bore_tilt * outer_.half_length()),
+      bore_end_displacement_(bore_tilt * outer_.half_length()),
       resistance_(kRelaxation * (tilting_stiffness(inner_) + tilting_stiffness(outer_))),
       upright_(bore_tilt == Vector2::Zero() && symmetric(inner_) && symmetric(outer_)),
       even_(upright_ && flat(inner_) && flat(outer_)) {}
 
-// The elastic energy is convex in the tip, so that the moment out of balance falls with it: Newton's method
-// within a bracket.
-double LaminaRaces::balanced_tip(double inner_approach, double outer_approach, const Vector2& outward) const {
+// The elastic energy is convex in the end displacement, so that the moment out of balance falls with it:
+// Newton's method within a bracket.
+double LaminaRaces::balanced_end_displacement(double inner_approach, double outer_approach,
+                                              const Vector2& outward) const {
   if (upright_) return 0.0;
-  const double outer_tip = bore_tip_.dot(outward);
-  const double reach = std::abs(outer_tip) + std::max(inner_approach, 0.0) + std::max(outer_approach, 0.0) +
+  const double outer_end_displacement = bore_end_displacement_.dot(outward);
+  const double reach = std::abs(outer_end_displacement) + std::max(inner_approach, 0.0) +
+                       std::max(outer_approach, 0.0) +
                        std::max(inner_.greatest_drop(), outer_.greatest_drop());
   double low = -reach, high = reach;
-  double tip = inner_approach <= inner_.least_drop()   ? outer_tip
-               : outer_approach <= outer_.least_drop() ? 0.0
-                                                       : 0.5 * outer_tip;
+  double end_displacement = inner_approach <= inner_.least_drop()   ? outer_end_displacement
+                            : outer_approach <= outer_.least_drop() ? 0.0
+                                                                    : 0.5 * outer_end_displacement;
   for (int i = 0; i < kMostTiltSteps; ++i) {
-    const laminae::LaminaForce in = inner_.evaluate(inner_approach, -tip);
-    const laminae::LaminaForce out = outer_.evaluate(outer_approach, tip - outer_tip);
-    const double excess = in.tip_load - out.tip_load;
+    const laminae::LaminaForce in = inner_.evaluate(inner_approach, -end_displacement);
+    const laminae::LaminaForce out =
+        outer_.evaluate(outer_approach, end_displacement - outer_end_displacement);
+    const double excess = in.end_load - out.end_load;
     if (std::abs(excess) <= kBalance * (in.load + out.load)) break;
-    (excess > 0.0 ? low : high) = tip;
-    const double stiffness = in.by_tip + out.by_tip;
-    double next = stiffness > 0.0 ? tip + excess / stiffness : low;
+    (excess > 0.0 ? low : high) = end_displacement;
+    const double stiffness = in.by_end_displacement + out.by_end_displacement;
+    double next = stiffness > 0.0 ? end_displacement + excess / stiffness : low;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (next == tip) break;
-    tip = next;
+    if (next == end_displacement) break;
+    end_displacement = next;
   }
-  return tip;
+  return end_displacement;
 }
 
 LaminaRaceLoads LaminaRaces::loads(const LaminaStand& stand, const Vector2& outward) const {
-  const laminae::LaminaForce in = inner_.evaluate(stand.inner_approach, -stand.tip);
-  const laminae::LaminaForce out = outer_.evaluate(stand.outer_approach, stand.tip - bore_tip_.dot(outward));
-  return {in.load, out.load, in.tip_load - out.tip_load, out.tip_load};
+  const laminae::LaminaForce in = inner_.evaluate(stand.inner_approach, -stand.end_displacement);
+  const laminae::LaminaForce out =
+      outer_.evaluate(stand.outer_approach, stand.end_displacement - bore_end_displacement_.dot(outward));
+  return {in.load, out.load, in.end_load - out.end_load, out.end_load};
 }
 
 void LaminaRaces::put_loads(Race race, const LaminaStand& stand, const Vector2& outward, double* load) const {
   if (race == Race::inner)
-    inner_.put_loads(stand.inner_approach, -stand.tip, load);
+    inner_.put_loads(stand.inner_approach, -stand.end_displacement, load);
   else
-    outer_.put_loads(stand.outer_approach, stand.tip - bore_tip_.dot(outward), load);
+    outer_.put_loads(stand.outer_approach, stand.end_displacement - bore_end_displacement_.dot(outward), load);
 }
 
 double LaminaRaces::energy(const LaminaStand& stand, const Vector2& outward) const {
-  return inner_.energy(stand.inner_approach, -stand.tip) +
-         outer_.energy(stand.outer_approach, stand.tip - bore_tip_.dot(outward));
+  return inner_.energy(stand.inner_approach, -stand.end_displacement) +
+         outer_.energy(stand.outer_approach, stand.end_displacement - bore_end_displacement_.dot(outward));
 }
 
 }  // namespace orbearing::bearing::motion

@@ -18,15 +18,16 @@ namespace orbearing::bearing::motion {
 struct LaminaStand {
   double inner_approach = 0.0;  // [m]  elastic, in the middle of the roller
   double outer_approach = 0.0;  // [m]
-  double tip = 0.0;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
+  double end_displacement =
+      0.0;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
 };
 
 /// Elastic loads of both contacts of a roller.
 struct LaminaRaceLoads {
   double inner = 0.0;           // [N]
   double outer = 0.0;           // [N]
-  double excess = 0.0;          // [N]  moment that turns the roller towards +tip, over l/2
-  double outer_tip_load = 0.0;  // [N]  moment of the outer contact about its middle, over l/2
+  double excess = 0.0;          // [N]  moment that turns the roller towards +end displacement, over l/2
+  double outer_end_load = 0.0;  // [N]  moment of the outer contact about its middle, over l/2
 };
 
 class LaminaRaces {
@@ -36,12 +37,13 @@ class LaminaRaces {
 
   /// Loads of a roller in direction `outward`.
   LaminaRaceLoads loads(const LaminaStand& stand, const Vector2& outward) const;
-  /// Elastic energy [J]; its slopes by the approaches are the loads, that by the tip is -excess.
+  /// Elastic energy [J]; its slopes by the approaches are the loads, that by the end displacement is -excess.
   double energy(const LaminaStand& stand, const Vector2& outward) const;
-  /// The tip [m] at which both contacts balance at the elastic approaches [m] in the middle of a roller; that
-  /// of the race it touches where it touches one alone.
-  double balanced_tip(double inner_approach, double outer_approach, const Vector2& outward) const;
-  /// Resistance to tilting [N s/m]: rate of the tip = excess / resistance.
+  /// The end displacement [m] at which both contacts balance at the elastic approaches [m] in the middle of a
+  /// roller; that of the race it touches where it touches one alone.
+  double balanced_end_displacement(double inner_approach, double outer_approach,
+                                   const Vector2& outward) const;
+  /// Resistance to tilting [N s/m]: rate of the end displacement = excess / resistance.
   double resistance() const { return resistance_; }
 
   const laminae::LaminaContact& inner() const { return inner_; }
@@ -52,14 +54,14 @@ class LaminaRaces {
   bool even() const { return even_; }
 
   /// How much further outward the bore stands at x = l/2 for each direction [m].
-  const Vector2& bore_tip() const { return bore_tip_; }
+  const Vector2& bore_end_displacement() const { return bore_end_displacement_; }
   /// Whether no roller ever tilts: the bore is not tilted and the profiles are symmetric.
   bool upright() const { return upright_; }
 
  private:
   laminae::LaminaContact inner_;
   laminae::LaminaContact outer_;
-  Vector2 bore_tip_;   // [m]
+  Vector2 bore_end_displacement_;   // [m]
   double resistance_;  // [N s/m]
   bool upright_;
   bool even_;

@@ -73,7 +73,7 @@ struct LandLaw {
   double clearance = 0.0;             // [m]  radial
   double cage_radius = 0.0;           // [m]  of the cage's guided surface
   double largest_eccentricity = 0.0;  // [-]  of the clearance: the film is held at this, touch-down begins
-  bool as_printed = false;            // film force of the source, without squeeze and whirl
+  bool literature_variant = false;    // film force of the source, without squeeze and whirl
   double film_scale = 0.0;            // [N s/m]  lands eta L^3 R / c^3
   double printed_scale = 0.0;         // [N s/m]  lands eta L^3 / c^2
   double shear_scale = 0.0;           // [N m s]  2 pi eta R^3 lands L / c
@@ -120,7 +120,7 @@ struct LandLaw {
     const T across = result.squeeze_y * e_x - result.squeeze_x * e_y;
     T force_along{}, force_across{};
     const T speed_square = along * along + across * across;
-    if (as_printed) {
+    if (literature_variant) {
       printed_film(motion.cage_speed + land_speed, held, force_along, force_across);
     } else if (value_of(speed_square) > 0.0) {
       const T per_speed = inverse_root(speed_square);

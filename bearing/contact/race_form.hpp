@@ -42,7 +42,8 @@ inline bool is_round(const Bearing& bearing) {
          bearing.rollers().diameter_deviation.empty();
 }
 
-/// Whether the bearing repeats itself when the cage turns by one roller pitch: equal rollers, standing forms.
+/// Whether the bearing repeats itself when the cage turns by one roller pitch: equal rollers,
+/// out-of-roundness forms.
 inline bool every_pitch_alike(const Bearing& bearing) {
   const auto turns = [](const RaceHarmonic& wave) { return wave.turning; };
   return bearing.rollers().diameter_deviation.empty() &&

@@ -12,11 +12,11 @@ namespace orbearing::bearing {
 
 /// How far an element sinks between the edges of a scratch, over where it stands: s from the middle, width w.
 enum class ScratchForm {
-  raised_cosine,  // depth (1 + cos(2 pi s/w))/2: level where it begins and ends
-  half_cosine,    // depth cos(pi s/w): steep edges
-  edges,          // depth (1 - 2|s|/w)^2: a rigid ball that rolls over two sharp edges
-  as_printed,     // depth cos(2 pi s/w), eq. 3 of [ScratchVibration]: jumps at both edges
-  profile         // a table, of a scratch that was measured
+  raised_cosine,       // depth (1 + cos(2 pi s/w))/2: level where it begins and ends
+  half_cosine,         // depth cos(pi s/w): steep edges
+  edges,               // depth (1 - 2|s|/w)^2: a rigid ball that rolls over two sharp edges
+  literature_variant,  // depth cos(2 pi s/w), eq. 3 of [ScratchVibration]: jumps at both edges
+  profile              // a table, of a scratch that was measured
 };
 
 /// Sinking and its slope along the track.

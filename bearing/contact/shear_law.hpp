@@ -14,7 +14,7 @@ enum class ShearLaw {
   ree_eyring,      // Ree-Eyring film up to the same limit [JohnsonTevaarwerk1977] [BairWiner1979]
 };
 
-/// What the laws are told.
+/// Inputs of the laws.
 struct ShearParameters {
   ShearLaw law = ShearLaw::ree_eyring;
   double friction = 0.05;           // [-]    Coulomb's coefficient

@@ -15,7 +15,7 @@ constexpr described::Names<ScratchForm, 5> names_of(ScratchForm) {
   return {{{ScratchForm::raised_cosine, "raised-cosine"},
            {ScratchForm::half_cosine, "half-cosine"},
            {ScratchForm::edges, "edges"},
-           {ScratchForm::as_printed, "as-printed"},
+           {ScratchForm::literature_variant, "as-printed"},
            {ScratchForm::profile, "profile"}}};
 }
 

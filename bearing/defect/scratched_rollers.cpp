@@ -17,7 +17,7 @@ void check(const Scratch& scratch, const motion::BearingModel& model) {
   if (scratch.race == Scratched::ball)
     throw std::invalid_argument(
         "scratch: found a ball; required: a race or a roller of a bearing of rollers");
-  if (scratch.form == ScratchForm::as_printed)
+  if (scratch.form == ScratchForm::literature_variant)
     throw std::invalid_argument(
         "form of the scratch: found as-printed; required: one that does not jump at its edges, since the "
         "motion is "

@@ -35,9 +35,10 @@ const char* name_of(ModeKind kind);
 
 /// Which tilt moves the shaft in the plane of x and z.
 enum class TiltPlanes {
-  physical,    // that about y
-  as_printed,  // that about x: the calculated column of [FangDuplex] pairs the inertia about x with motion in
-               // x
+  physical,            // that about y
+  literature_variant,  // that about x: the calculated column of [FangDuplex] pairs the inertia about x with
+                       // motion in
+                       // x
 };
 
 /// One natural mode: the freedom that holds most of its energy names it.
@@ -50,7 +51,7 @@ struct PairMode {
 using PairModes = std::array<PairMode, 5>;
 
 /// Modes in the order of `mode_kinds`, each kind once, of the shaft against the housing where that is free.
-/// A stiffness below zero by round-off counts as none. Modes that are alike in x and y are told apart by
+/// A stiffness below zero by round-off counts as none. Modes that are alike in x and y are distinguished by
 /// their planes.
 PairModes modes_of(const Stiffness& stiffness, const Shaft& shaft, const std::optional<Housing>& housing = {},
                    TiltPlanes planes = TiltPlanes::physical);

@@ -38,7 +38,7 @@ Contact contact_at(const ContactPlace& place, double log_stiffness, const Eigen:
   Contact contact{.load = Eigen::ArrayXd::Zero(n), .slope = Eigen::ArrayXd::Zero(n), .oiled = film.oiled()};
   const std::vector<double> stations = lamina_places(static_cast<int>(n));
   contact.station = Eigen::Map<const Eigen::ArrayXd>(stations.data(), n);
-  contact.approach = place.approach + place.tip * contact.station - drop;
+  contact.approach = place.approach + place.end_displacement * contact.station - drop;
   for (Eigen::Index k = 0; k < n; ++k) {
     if (!(contact.approach[k] > 0.0)) continue;
     const Dual load =
@@ -118,7 +118,8 @@ BalanceSetting ring_setting(const Bearing& bearing, const RaceEquilibrium& probl
   RowNumbers row = row_numbers(bearing, problem.contacts);
   const bool cut = bearing.rollers().laminae > 0;
   const double lever = cut ? -0.5 * bearing.rollers().length : 0.0;
-  row.tip = lever * (problem.angle.cos() * point.bore_tilt.x() + problem.angle.sin() * point.bore_tilt.y());
+  row.end_displacement =
+      lever * (problem.angle.cos() * point.bore_tilt.x() + problem.angle.sin() * point.bore_tilt.y());
   row.inertial_load = problem.inertial_load;
   row.approach.resize(rollers);
   row.moves.setZero(ring.size(), 2 * rollers);
@@ -133,8 +134,8 @@ BalanceSetting ring_setting(const Bearing& bearing, const RaceEquilibrium& probl
 std::vector<RollerPlace> roller_places(const LaminaState& state) {
   std::vector<RollerPlace> places;
   for (const RollerState& roller : state.rollers)
-    places.push_back(
-        {{roller.inner_approach(), roller.inner_tip}, {roller.outer_approach, roller.outer_tip}});
+    places.push_back({{roller.inner_approach(), roller.inner_end_displacement},
+                      {roller.outer_approach, roller.outer_end_displacement}});
   return places;
 }
 
@@ -193,7 +194,7 @@ BalanceSlopes::Settling BalanceSlopes::settling(const Roller& roller, const RowN
   Eigen::Vector4d remains;
   remains[0] = change.approach[j] + film_change(roller.inner, row.inner_film, change.inner_film, inner[0]) +
                film_change(roller.outer, row.outer_film, change.outer_film, outer[0]);
-  remains[1] = change.tip[j];
+  remains[1] = change.end_displacement[j];
   remains.tail<2>() = (inner - outer + change.inertial_load[j] * Eigen::Vector2d::UnitX()) / roller.scale;
   result.place = roller.system.solve(remains);
   return result;

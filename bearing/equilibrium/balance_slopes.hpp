@@ -5,8 +5,8 @@
 // A balance is one of rollers between two races, each race at a place that is linear in the coordinates z of
 // the rings:
 //
-//     approach and tip of the races at roller j = c_j - G_j^T z,     0 = r(z) + sum over rollers G_j (Q_o,
-//     M_o)
+//     approach and end displacement of the races at roller j = c_j - G_j^T z
+//     0 = r(z) + sum over rollers G_j (Q_o, M_o)
 //
 // A contact that is not cut is one lamina without drop.
 #pragma once
@@ -36,9 +36,10 @@ struct RowNumbers {
   FilmNumbers inner_film, outer_film;
   Eigen::ArrayXd inner_drop, outer_drop;  // [m]  (laminae)
   Eigen::ArrayXd approach;                // [m]  (rollers)  of the races in the middle
-  Eigen::ArrayXd tip;                     // [m]  (rollers)  how much more they have come closer at x = l/2
+  Eigen::ArrayXd end_displacement;        // [m]  (rollers)  how much more they have come closer at x = l/2
   Eigen::ArrayXd inertial_load;           // [N]  (rollers)  outward
-  Eigen::MatrixXd moves;  // [-]  (coordinates, 2 rollers)  G_j: by approach and by tip, outward positive
+  Eigen::MatrixXd
+      moves;  // [-]  (coordinates, 2 rollers)  G_j: by approach and by end displacement, outward positive
 };
 
 /// All of them, of the bearings that balance together at one cage angle.
@@ -57,7 +58,7 @@ void each_number(BalanceNumbers& numbers, Visit&& visit) {
       for (double* one : {&film->log_factor, &film->log_cap_load, &film->log_speed})
         visit(one, Eigen::Index{1});
     for (Eigen::ArrayXd* all :
-         {&row.inner_drop, &row.outer_drop, &row.approach, &row.tip, &row.inertial_load})
+         {&row.inner_drop, &row.outer_drop, &row.approach, &row.end_displacement, &row.inertial_load})
       visit(all->data(), all->size());
     visit(row.moves.data(), row.moves.size());
   }
@@ -82,7 +83,7 @@ RowNumbers row_numbers(const Bearing& bearing, const RollerContacts& contacts);
 /// Where one contact stands in a balance.
 struct ContactPlace {
   double approach = 0.0;  // [m]  elastic, in the middle
-  double tip = 0.0;       // [m]  by how much more at x = l/2
+  double end_displacement = 0.0;  // [m]  by how much more at x = l/2
 };
 struct RollerPlace {
   ContactPlace inner, outer;
@@ -118,7 +119,7 @@ class BalanceSlopes {
     Eigen::ArrayXd load;                                  // [N]    (laminae)
     Eigen::ArrayXd slope;                                 // [N/m]  (laminae)
     Eigen::ArrayXd station;                               // [-]    (laminae)  fractions of half the length
-    Eigen::Vector2d force = Eigen::Vector2d::Zero();      // [N]    load and tip load
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();      // [N]    load and end load
     Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  // [N/m]
     double film_slope = 0.0;                              // [m/N]  of the central film by the load
     bool oiled = false;
@@ -129,7 +130,7 @@ class BalanceSlopes {
     Contact inner, outer;
     double scale = 0.0;  // [N/m]  0: nothing touches
     Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix4d> system;
-    // Both places by approach and tip of the races, and the outer force [N/m] by them.
+    // Both places by approach and end displacement of the races, and the outer force [N/m] by them.
     Eigen::Matrix<double, 4, 2> by_races = Eigen::Matrix<double, 4, 2>::Zero();
     Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();
   };

@@ -164,9 +164,9 @@ struct BallLaw {
       at.inner_load = film::load_at(inner.film, at.inner_approach, motion.inner_rolling, motion.inner_spin);
       at.outer_load = film::load_at(outer.film, at.outer_approach, motion.outer_rolling, motion.outer_spin);
     }
-    const double sign = gyroscopic_moment == GyroscopicMoment::balanced     ? 1.0
-                        : gyroscopic_moment == GyroscopicMoment::as_printed ? -1.0
-                                                                            : 0.0;
+    const double sign = gyroscopic_moment == GyroscopicMoment::balanced             ? 1.0
+                        : gyroscopic_moment == GyroscopicMoment::literature_variant ? -1.0
+                                                                                    : 0.0;
     BallMotionForces<T> forces;
     forces.centrifugal = mass * pitch_radius * (at.motion.orbit * at.motion.orbit);
     forces.gyroscopic = (sign * moment_of_inertia) * (at.motion.orbit * at.motion.radial_spin);

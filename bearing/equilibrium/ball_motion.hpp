@@ -39,14 +39,14 @@ constexpr described::Names<BallAttitude, 4> names_of(BallAttitude) {
 
 /// The gyroscopic moment by which races hold a ball whose axis goes round.
 enum class GyroscopicMoment {
-  balanced,    // it is the rate of the ball's angular momentum
-  as_printed,  // turned round, as in the equations of [Harris2006]
-  none,        // left out
+  balanced,            // it is the rate of the ball's angular momentum
+  literature_variant,  // turned round, as in the equations of [Harris2006]
+  none,                // left out
 };
 
 constexpr described::Names<GyroscopicMoment, 3> names_of(GyroscopicMoment) {
   return {{{GyroscopicMoment::balanced, "balanced"},
-           {GyroscopicMoment::as_printed, "as-printed"},
+           {GyroscopicMoment::literature_variant, "as-printed"},
            {GyroscopicMoment::none, "none"}}};
 }
 

@@ -9,7 +9,7 @@ namespace orbearing::bearing::laminae {
 
 namespace {
 
-// The unknowns of one roller are E (elastic) and y = (outer approach, tip), its equations
+// The unknowns of one roller are E (elastic) and y = (outer approach, end displacement), its equations
 //   r0 = E - h_i(Q_i) - h_o(Q_o) - approach(u) = 0,  r = (Q_o - Q_i - I, M_o - M_i) = 0,
 // those of the ring F + sum Q_o e = 0 in u, with d(approach)/du = -e (u and e with the waves of an elastic
 // race). With multipliers m0, m of the roller and v of the ring, L + m0 r0 + m . r + v . (F + sum Q_o e) is
@@ -30,8 +30,8 @@ AdjointRoller adjoint_roller(const LaminaBearing& bearing, const RollerContacts&
                              const Eigen::ArrayXd& by_outer) {
   const LaminaContact &inner = bearing.contact(Race::inner), &outer = bearing.contact(Race::outer);
   AdjointRoller adjoint;
-  adjoint.inner = inner.loads(roller.inner_approach(), roller.inner_tip);
-  adjoint.outer = outer.loads(roller.outer_approach, roller.outer_tip);
+  adjoint.inner = inner.loads(roller.inner_approach(), roller.inner_end_displacement);
+  adjoint.outer = outer.loads(roller.outer_approach, roller.outer_end_displacement);
   adjoint.inner_film_slope = contacts.inner.film().slope(roller.inner.load);
   adjoint.outer_film_slope = contacts.outer.film().slope(roller.outer.load);
   const Eigen::ArrayXd in = by_inner * adjoint.inner.stiffness, out = by_outer * adjoint.outer.stiffness;

@@ -30,7 +30,7 @@ LaminaContact contact_of(const Bearing& bearing, Race race, mechanics::Instructi
 struct Rollers {
   const LaminaBearing& bearing;
   const RaceEquilibrium& problem;
-  Eigen::ArrayXd outer_tip;  // [m]  (rollers)
+  Eigen::ArrayXd outer_end_displacement;  // [m]  (rollers)
   SettlingRollers settling;
 };
 
@@ -44,7 +44,7 @@ template <int N>
 mechanics::Imbalance<N> imbalance_at(const Rollers& rollers, const RingCoordinates<N>& ring,
                                      const Eigen::Vector<double, N>& place) {
   return ring.imbalance(place, [&](Eigen::Index j, double approach) {
-    const RollerState& state = rollers.settling.settle(j, approach, rollers.outer_tip[j]);
+    const RollerState& state = rollers.settling.settle(j, approach, rollers.outer_end_displacement[j]);
     return SettledRoller{state.outer.load, state.stiffness};
   });
 }
@@ -58,7 +58,7 @@ Eigen::ArrayXd outer_tips(const LaminaBearing& bearing, const OperatingPoint& po
 // The rigid contacts' reach, with what profiles and tilt add.
 mechanics::SearchLimits limits_of(const Rollers& rollers) {
   mechanics::SearchLimits limits = search_limits(rollers.problem);
-  const double more = 2.0 * largest_drop(rollers.bearing) + rollers.outer_tip.abs().maxCoeff();
+  const double more = 2.0 * largest_drop(rollers.bearing) + rollers.outer_end_displacement.abs().maxCoeff();
   limits.size += more + limits.reach;
   limits.reach += more;
   return limits;
@@ -86,9 +86,10 @@ SettlingRollers::SettlingRollers(const LaminaBearing& bearing, const RaceEquilib
       problem_(problem),
       states_(states) {}
 
-const RollerState& SettlingRollers::settle(Eigen::Index j, double approach, double outer_tip) const {
+const RollerState& SettlingRollers::settle(Eigen::Index j, double approach,
+                                           double outer_end_displacement) const {
   RollerState& state = states_[static_cast<std::size_t>(j)];
-  settle_roller(roller_, {approach, 0.0, outer_tip, problem_.inertial_load[j]}, state);
+  settle_roller(roller_, {approach, 0.0, outer_end_displacement, problem_.inertial_load[j]}, state);
   return state;
 }
 
@@ -102,7 +103,7 @@ Eigen::Vector2d force_on_bore(const LaminaState& state) {
 Eigen::Vector2d moment_on_bore(const LaminaBearing& bearing, const LaminaState& state) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (Eigen::Index j = 0; j < state.angle.size(); ++j)
-    sum += bearing.half_length() * state.rollers[static_cast<std::size_t>(j)].outer.tip_load *
+    sum += bearing.half_length() * state.rollers[static_cast<std::size_t>(j)].outer.end_load *
            direction(state.angle[j]);
   return sum;
 }
@@ -128,11 +129,13 @@ void put_position(const LaminaBearing& bearing, LaminaState state, Eigen::Index 
     const Eigen::Index place = position + j * positions;
     result.inner_load[place] = roller.inner.load;
     result.outer_load[place] = roller.outer.load;
-    result.roller_tilt[place] = roller.tip / bearing.half_length();
+    result.roller_tilt[place] = roller.end_displacement / bearing.half_length();
     bearing.contact(Race::inner)
-        .put_loads(roller.inner_approach(), roller.inner_tip, result.inner_lamina_load.col(place).data());
+        .put_loads(roller.inner_approach(), roller.inner_end_displacement,
+                   result.inner_lamina_load.col(place).data());
     bearing.contact(Race::outer)
-        .put_loads(roller.outer_approach, roller.outer_tip, result.outer_lamina_load.col(place).data());
+        .put_loads(roller.outer_approach, roller.outer_end_displacement,
+                   result.outer_lamina_load.col(place).data());
   }
   result.states.push_back(std::move(state));
 }

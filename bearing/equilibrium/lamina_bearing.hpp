@@ -67,8 +67,8 @@ class SettlingRollers {
                   std::vector<RollerState>& states);
 
   /// Roller `j` between races that have come closer by `approach` [m] in the middle, the outer one with its
-  /// end displaced by `outer_tip` [m].
-  const RollerState& settle(Eigen::Index j, double approach, double outer_tip) const;
+  /// end displaced by `outer_end_displacement` [m].
+  const RollerState& settle(Eigen::Index j, double approach, double outer_end_displacement) const;
 
  private:
   TiltedRoller roller_;

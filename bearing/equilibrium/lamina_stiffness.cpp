@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Matrix2d;
 
-// By approach and tip of one contact [N/m].
+// By approach and end displacement of one contact [N/m].
 Matrix2d contact_stiffness(const LaminaForce& force) {
   Matrix2d stiffness;
-  stiffness << force.by_approach, force.mixed, force.mixed, force.by_tip;
+  stiffness << force.by_approach, force.mixed, force.mixed, force.by_end_displacement;
   return stiffness;
 }
 
@@ -54,7 +54,7 @@ Eigen::Matrix4d stiffness_at(const LaminaBearing& bearing, const LaminaState& st
   sum.diagonal().tail(waves) = wave_stiffness(outer_race);
   for (Eigen::Index j = 0; j < state.angle.size(); ++j) {
     const Eigen::RowVector2d outward(std::cos(state.angle[j]), std::sin(state.angle[j]));
-    Eigen::Matrix<double, 2, Eigen::Dynamic> follows =  // approach and tip of the races
+    Eigen::Matrix<double, 2, Eigen::Dynamic> follows =  // approach and end displacement of the races
         Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, 4 + waves);
     follows.topLeftCorner<1, 2>() = outward;
     follows.block<1, 2>(1, 2) = bearing.half_length() * outward;

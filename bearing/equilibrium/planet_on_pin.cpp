@@ -73,7 +73,7 @@ struct PinnedPlanet {
     return sum;
   }
 
-  // Coordinates by approach (outward) and tip of roller `j` of a bearing.
+  // Coordinates by approach (outward) and end displacement of roller `j` of a bearing.
   Eigen::Matrix<double, Eigen::Dynamic, 2> moves(std::size_t k, Index j) const {
     const Vector2d e = direction(races[k].angle[j]);
     Eigen::Matrix<double, Eigen::Dynamic, 2> all = Eigen::MatrixXd::Zero(size(), 2);
@@ -109,10 +109,10 @@ struct PinnedPlanet {
     state.displacement = displacement(k, at);
     const Vector2d relative = tilt(k, at);
     for (Index j = 0; j < race.angle.size(); ++j) {
-      const double tip = bearing.half_length() * relative.dot(direction(race.angle[j]));
-      const RollerState& one = rollers.settle(j, race.approach(j, state.displacement), tip);
+      const double end_displacement = bearing.half_length() * relative.dot(direction(race.angle[j]));
+      const RollerState& one = rollers.settle(j, race.approach(j, state.displacement), end_displacement);
       const Eigen::Matrix<double, Eigen::Dynamic, 2> by = moves(k, j);
-      sum.force += by * Vector2d(one.outer.load, one.outer.tip_load);
+      sum.force += by * Vector2d(one.outer.load, one.outer.end_load);
       sum.stiffness += by * roller_stiffness(one) * by.transpose();
     }
   }
@@ -232,7 +232,8 @@ BalanceSetting planet_setting(const PlanetOnPin& planet, const OperatingPoint& p
     const Index rollers = race.angle.size();
     RowNumbers row = row_numbers(planet.bearings[k].bearing(), race.contacts);
     const Vector2d displacement = problem.displacement(k, place), tilt = problem.tilt(k, place);
-    row.tip = -planet.bearings[k].half_length() * (race.angle.cos() * tilt.x() + race.angle.sin() * tilt.y());
+    row.end_displacement =
+        -planet.bearings[k].half_length() * (race.angle.cos() * tilt.x() + race.angle.sin() * tilt.y());
     row.inertial_load = race.inertial_load;
     row.approach.resize(rollers);
     row.moves.resize(problem.size(), 2 * rollers);

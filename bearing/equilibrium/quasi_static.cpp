@@ -78,7 +78,7 @@ void require_equal_pitches(const Bearing& bearing) {
   if (every_pitch_alike(bearing)) return;
   throw std::invalid_argument(
       "bearing: found unequal rollers or waves that turn with a race; required by the means over one pitch: "
-      "equal rollers and standing forms. Compute the motion in time instead");
+      "equal rollers and out-of-roundness alone. Compute the motion in time instead");
 }
 
 void keep_worst(const SolverReport& one, SolverReport& all) {
@@ -95,7 +95,7 @@ RaceEquilibrium quasi_static_problem(const Bearing& bearing, const BearingGeomet
   const CarrierFrame frame = carrier_frame(point.carrier, options.inertia);
   const double cage_speed = kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
 
-  const bool subtracted = options.film && options.film_approach == FilmApproach::as_printed;
+  const bool subtracted = options.film && options.film_approach == FilmApproach::literature_variant;
   const double film_clearance = subtracted ? printed_film(bearing, geometry, *options.film, point.inner_speed,
                                                           point.outer_speed, point.bore_load.norm())
                                                  .clearance()

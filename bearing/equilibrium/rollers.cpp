@@ -71,9 +71,10 @@ void RollerRow::add_forces(const RingPlace& place, RingImbalance& sum) const {
   for (Eigen::Index j = 0; j < cosine_.size(); ++j) {
     const Eigen::Vector2d at = coordinates(j, place);
     const laminae::LaminaForce contact = contact_.evaluate(at[0], at[1]);
-    const Eigen::Vector2d load(contact.load, contact.tip_load);
+    const Eigen::Vector2d load(contact.load, contact.end_load);
     const Eigen::Matrix2d stiffness =
-        (Eigen::Matrix2d() << contact.by_approach, contact.mixed, contact.mixed, contact.by_tip).finished();
+        (Eigen::Matrix2d() << contact.by_approach, contact.mixed, contact.mixed, contact.by_end_displacement)
+            .finished();
     const Eigen::Matrix<double, 5, 2> direction = moves(j);
     sum.scale += contact.load;
     sum.force -= direction * load;

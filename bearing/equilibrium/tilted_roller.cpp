@@ -18,7 +18,7 @@ constexpr int kMostFilmSteps = 60;
 using RollerImbalance = mechanics::Imbalance<2>;
 
 // The roller between races whose elastic approaches add up to `elastic`: the energy of both contacts and of
-// the inertial load is convex in its place and tip.
+// the inertial load is convex in its place and end displacement.
 struct DryRoller {
   const TiltedRoller& roller;
   const RollerSetting& setting;
@@ -26,11 +26,11 @@ struct DryRoller {
   RollerState& state;
 
   RollerImbalance operator()(const Eigen::Vector2d& at) const {
-    state.inner = roller.inner.evaluate(elastic - at[0], setting.inner_tip - at[1]);
-    state.outer = roller.outer.evaluate(at[0], at[1] - setting.outer_tip);
+    state.inner = roller.inner.evaluate(elastic - at[0], setting.inner_end_displacement - at[1]);
+    state.outer = roller.outer.evaluate(at[0], at[1] - setting.outer_end_displacement);
     const LaminaForce &in = state.inner, &out = state.outer;
     RollerImbalance slope;
-    slope.force << setting.inertial_load + in.load - out.load, in.tip_load - out.tip_load;
+    slope.force << setting.inertial_load + in.load - out.load, in.end_load - out.end_load;
     slope.stiffness = settling_stiffness(state);
     slope.scale = std::abs(setting.inertial_load) + in.load + out.load;
     return slope;
@@ -38,8 +38,9 @@ struct DryRoller {
 };
 
 double lengths_at_hand(const TiltedRoller& roller, const RollerSetting& setting, double elastic) {
-  return std::abs(elastic) + std::abs(setting.approach) + std::abs(setting.inner_tip) +
-         std::abs(setting.outer_tip) + std::max(roller.inner.greatest_drop(), roller.outer.greatest_drop());
+  return std::abs(elastic) + std::abs(setting.approach) + std::abs(setting.inner_end_displacement) +
+         std::abs(setting.outer_end_displacement) +
+         std::max(roller.inner.greatest_drop(), roller.outer.greatest_drop());
 }
 
 // Elastic approach of a straight contact [m].
@@ -52,7 +53,7 @@ Eigen::Vector2d first_guess(const TiltedRoller& roller, const RollerSetting& set
   const double load = setting.inertial_load, half = 0.5 * elastic;
   const double outer = load > 0.0 ? std::max(half, straight_approach(roller.outer, load)) : half;
   const double place = load < 0.0 ? std::min(half, elastic - straight_approach(roller.inner, -load)) : outer;
-  return {place, 0.5 * (setting.inner_tip + setting.outer_tip)};
+  return {place, 0.5 * (setting.inner_end_displacement + setting.outer_end_displacement)};
 }
 
 mechanics::SearchLimits limits_of(const TiltedRoller& roller, const RollerSetting& setting, double elastic) {
@@ -77,12 +78,16 @@ double zero_of_falling(const Force& force, double low, double high) {
 
 // The same least of the energy by two searches, one within the other, each along one unknown in which the
 // force falls: slow, and sure where a lamina or two barely touch and Newton's steps lead to and fro. The
-// energy that is least in the place is convex in the tip.
+// energy that is least in the place is convex in the end displacement.
 RollerImbalance settle_within_brackets(const DryRoller& roller, double reach, Eigen::Vector2d& at) {
   RollerImbalance now;
-  const auto settle_place = [&](double tip) {
-    at[1] = tip;
-    at[0] = zero_of_falling([&](double place) { return roller({place, tip}).force[0]; }, -reach, reach);
+  const auto settle_place = [&](double end_displacement) {
+    at[1] = end_displacement;
+    at[0] = zero_of_falling(
+        [&](double place) {
+          return roller({place, end_displacement}).force[0];
+        },
+        -reach, reach);
     now = roller(at);
     return now.force[1];
   };
@@ -103,7 +108,8 @@ double settle_dry(const TiltedRoller& roller, const RollerSetting& setting, doub
                   RollerState& state) {
   Eigen::Vector2d at = first_guess(roller, setting, elastic);
   if (state.known)
-    at = Eigen::Vector2d(state.outer_approach, state.tip) + (elastic - state.elastic) * state.per_elastic;
+    at = Eigen::Vector2d(state.outer_approach, state.end_displacement) +
+         (elastic - state.elastic) * state.per_elastic;
   RollerImbalance now;
   const DryRoller problem{roller, setting, elastic, state};
   const mechanics::SearchLimits limits = limits_of(roller, setting, elastic);
@@ -113,7 +119,7 @@ double settle_dry(const TiltedRoller& roller, const RollerSetting& setting, doub
   state.settled = report.converged || mechanics::is_balanced<2>(now, at, limits);
   state.elastic = elastic;
   state.outer_approach = at[0];
-  state.tip = at[1];
+  state.end_displacement = at[1];
   return put_slopes(now, state);
 }
 
@@ -152,8 +158,8 @@ void settle_roller(const TiltedRoller& roller, const RollerSetting& setting, Rol
     settle_with_film(roller, setting, state);
   }
   state.approach = setting.approach;
-  state.inner_tip = setting.inner_tip - state.tip;
-  state.outer_tip = state.tip - setting.outer_tip;
+  state.inner_end_displacement = setting.inner_end_displacement - state.end_displacement;
+  state.outer_end_displacement = state.end_displacement - setting.outer_end_displacement;
 }
 
 }  // namespace orbearing::bearing::laminae

@@ -26,8 +26,8 @@ struct TiltedRoller {
 /// What the races and the frame do to one roller.
 struct RollerSetting {
   double approach = 0.0;       // [m]  of the races in the middle
-  double inner_tip = 0.0;      // [m]  of the inner race
-  double outer_tip = 0.0;      // [m]  of the outer race
+  double inner_end_displacement = 0.0;  // [m]  of the inner race
+  double outer_end_displacement = 0.0;  // [m]  of the outer race
   double inertial_load = 0.0;  // [N]  outward, in the middle: outer load - inner load
 };
 
@@ -36,27 +36,28 @@ struct RollerState {
   bool known = false;           // false: no earlier state to start from
   double elastic = 0.0;         // [m]  sum of both elastic approaches in the middle: approach and films
   double outer_approach = 0.0;  // [m]  elastic, in the middle
-  double tip = 0.0;             // [m]  of the roller
+  double end_displacement = 0.0;  // [m]  of the roller
   double approach = 0.0;        // [m]  of the races, for which it settled
-  double inner_tip = 0.0;       // [m]  how much more the inner contact is approached at x = l/2
-  double outer_tip = 0.0;       // [m]  the same of the outer contact
+  double inner_end_displacement = 0.0;  // [m]  how much more the inner contact is approached at x = l/2
+  double outer_end_displacement = 0.0;  // [m]  the same of the outer contact
   LaminaForce inner;
   LaminaForce outer;
   double stiffness = 0.0;                                 // [N/m]  d(outer load)/d(approach of the races)
   double per_approach = 1.0;                              // [-]    d(elastic)/d(approach)
-  Eigen::Vector2d per_elastic = Eigen::Vector2d::Zero();  // [-]    d(outer approach, tip)/d(elastic)
+  Eigen::Vector2d per_elastic =
+      Eigen::Vector2d::Zero();  // [-]    d(outer approach, end displacement)/d(elastic)
   bool settled = false;
 
   /// Elastic approach of the inner contact in the middle [m].
   double inner_approach() const { return elastic - outer_approach; }
 };
 
-/// Stiffness [N/m] that holds the roller in its place and tip between races at rest.
+/// Stiffness [N/m] that holds the roller in its place and end displacement between races at rest.
 inline Eigen::Matrix2d settling_stiffness(const RollerState& state) {
   const double mixed = state.inner.mixed + state.outer.mixed;
   Eigen::Matrix2d stiffness;
   stiffness << state.inner.by_approach + state.outer.by_approach, mixed, mixed,
-      state.inner.by_tip + state.outer.by_tip;
+      state.inner.by_end_displacement + state.outer.by_end_displacement;
   return stiffness;
 }
 

@@ -73,18 +73,19 @@ double gamma(const BallSet& set) {
   return set.diameter * std::cos(set.contact_angle) / set.pitch_diameter;
 }
 
-double ball_capacity_factor(double gamma, double inner_osculation, double outer_osculation, double lambda) {
+double ball_capacity_factor(double gamma, double inner_osculation, double outer_osculation,
+                            double reduction_factor) {
   const double ratio = 1.04 * race_ratio(gamma, inner_osculation, outer_osculation);
   const double races = std::pow(1.0 + std::pow(ratio, 10.0 / 3.0), -0.3);
   const double groove = std::pow(2.0 * inner_osculation / (2.0 * inner_osculation - 1.0), 0.41);
   const double curvature = std::pow(gamma, 0.3) * std::pow(1.0 - gamma, 1.39) / std::cbrt(1.0 + gamma);
-  return 0.41 * 98.0665 * lambda * races * groove * curvature;
+  return 0.41 * 98.0665 * reduction_factor * races * groove * curvature;
 }
 
 double ball_capacity_factor(const BallSet& set) {
   if (set.inner_osculation <= kTableInner && set.outer_osculation <= kTableOuter)
-    return ball_capacity_factor(gamma(set), kTableInner, kTableInner, set.lambda);
-  return ball_capacity_factor(gamma(set), set.inner_osculation, set.outer_osculation, set.lambda);
+    return ball_capacity_factor(gamma(set), kTableInner, kTableInner, set.reduction_factor);
+  return ball_capacity_factor(gamma(set), set.inner_osculation, set.outer_osculation, set.reduction_factor);
 }
 
 double dynamic_capacity(const BallSet& set) {

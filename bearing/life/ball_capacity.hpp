@@ -15,7 +15,7 @@ struct BallSet {
   double inner_osculation = 0.52;  // [-]    groove radius over ball diameter
   double outer_osculation = 0.53;  // [-]
   double material_factor = 1.3;    // [-]    b_m: 1.3 for deep-groove and angular-contact bearings
-  double lambda = 0.95;            // [-]    for one row; 0.90 for two
+  double reduction_factor = 0.95;  // [-]    for one row; 0.90 for two
 };
 
 /// The rating's view of a bearing of balls, of one row.
@@ -27,7 +27,7 @@ double gamma(const BallSet& set);
 /// Factor f_c [N, mm] in the closed form of [ISO1281]. The table of [ISO281] is that of both osculations
 /// 0.52.
 double ball_capacity_factor(double gamma, double inner_osculation = 0.52, double outer_osculation = 0.52,
-                            double lambda = 0.95);
+                            double reduction_factor = 0.95);
 
 /// f_c of a bearing: that of the table for grooves of up to 0.52 inside and 0.53 outside, as [ISO281] allows;
 /// that of its own osculations for wider ones.

@@ -1,4 +1,4 @@
-// What a rating may be told per contact.
+// Inputs of a rating per contact.
 #pragma once
 
 #include "bearing/life/lundberg_palmgren.hpp"

@@ -10,20 +10,20 @@ using boost::math::double_constants::two_pi;
 
 namespace {
 
-// place_of() where a call would cost more than what it does. Whole turns by truncation, since the library's
+// bin_of() where a call would cost more than what it does. Whole turns by truncation, since the library's
 // floor() is a call, too: the same number.
-inline Eigen::Index place_at(double angle, double places) {
-  const double turns = angle / two_pi + 0.5 / places;
+inline Eigen::Index bin_at(double angle, double bins) {
+  const double turns = angle / two_pi + 0.5 / bins;
   double whole = static_cast<double>(static_cast<long long>(turns));
   if (whole > turns) whole -= 1.0;
-  const double place = (turns - whole) * places;
-  return static_cast<Eigen::Index>(std::min(place, places - 1.0));
+  const double bin = (turns - whole) * bins;
+  return static_cast<Eigen::Index>(std::min(bin, bins - 1.0));
 }
 
 }  // namespace
 
-Eigen::Index place_of(double angle, Eigen::Index places) {
-  return place_at(angle, static_cast<double>(places));
+Eigen::Index bin_of(double angle, Eigen::Index bins) {
+  return bin_at(angle, static_cast<double>(bins));
 }
 
 RaceSpeeds race_speeds(const BearingGeometry& geometry, double inner, double outer) {
@@ -34,20 +34,20 @@ Eigen::Index uneven_laminae(const LaminaRaces* laminae) {
   return laminae && !laminae->even() ? laminae->inner().laminae() : 0;
 }
 
-RacePassages::RacePassages(Eigen::Index places, Eigen::Index laminae, DamagePower damage_power)
-    : way(Eigen::ArrayXd::Zero(places)),
+RacePassages::RacePassages(Eigen::Index bins, Eigen::Index laminae, DamagePower damage_power)
+    : way(Eigen::ArrayXd::Zero(bins)),
       load(way),
       power(way),
-      lamina_fourth_power(Eigen::ArrayXXd::Zero(laminae, laminae > 0 ? places : 0)),
+      lamina_fourth_power(Eigen::ArrayXXd::Zero(laminae, laminae > 0 ? bins : 0)),
       damage_power_(damage_power) {}
 
-void RacePassages::add_laminae(Eigen::Index place, double passed, double force,
+void RacePassages::add_laminae(Eigen::Index bin, double passed, double force,
                                const Eigen::Ref<const Eigen::ArrayXd>& forces) {
   const double elastic = forces.sum();
   if (!(elastic > 0.0)) return;
   const double damped = force / elastic;
   const double square = damped * damped;
-  lamina_fourth_power.col(place) += (passed * square * square) * forces.square().square();
+  lamina_fourth_power.col(bin) += (passed * square * square) * forces.square().square();
   lamina_largest = std::max(lamina_largest, damped * forces.maxCoeff());
 }
 
@@ -75,14 +75,15 @@ Eigen::ArrayXXd RacePassages::lamina_damage() const {
 namespace {
 
 // Of one roller, where it is loaded.
-void add_laminae_of(const RollerLoads& loads, Eigen::Index j, Race race, Eigen::Index place, double passed,
+void add_laminae_of(const RollerLoads& loads, Eigen::Index j, Race race, Eigen::Index bin, double passed,
                     Eigen::ArrayXd& forces, RacePassages& sums, RacePassages* others) {
   const double force = (race == Race::inner ? loads.inner : loads.outer)[j];
   if (!(force > 0.0)) return;
-  loads.laminae->put_loads(race, {loads.inner_approach[j], loads.outer_approach[j], loads.tip[j]},
+  loads.laminae->put_loads(race,
+                           {loads.inner_approach[j], loads.outer_approach[j], loads.end_displacement[j]},
                            direction(loads.angle[j]), forces.data());
-  sums.add_laminae(place, passed, force, forces);
-  if (others) others->add_laminae(place, passed, force, forces);
+  sums.add_laminae(bin, passed, force, forces);
+  if (others) others->add_laminae(bin, passed, force, forces);
 }
 
 }  // namespace
@@ -94,23 +95,23 @@ void DamageSums::add(double time, Eigen::Index rollers, const RollerLoads& loads
   }
   const RaceSpeeds& races = loads.races;
   const bool cut = inner.lamina_fourth_power.rows() > 0;
-  const double places = static_cast<double>(inner.way.size());
+  const double bins = static_cast<double>(inner.way.size());
   for (Eigen::Index j = 0; j < rollers; ++j) {
-    const Eigen::Index place = place_at(loads.angle[j], places);
+    const Eigen::Index bin = bin_at(loads.angle[j], bins);
     const double on_inner = time * std::abs(loads.orbital_speed[j] - races.inner);
     const double on_outer = time * std::abs(loads.orbital_speed[j] - races.outer);
     const RacePassages::Share to_inner = inner.share_of(on_inner, loads.inner[j]),
                               to_outer = outer.share_of(on_outer, loads.outer[j]);
-    inner.add(place, to_inner);
-    outer.add(place, to_outer);
+    inner.add(bin, to_inner);
+    outer.add(bin, to_outer);
     if (other) {
-      other->inner.add(place, to_inner);
-      other->outer.add(place, to_outer);
+      other->inner.add(bin, to_inner);
+      other->outer.add(bin, to_outer);
     }
     if (!cut) continue;
-    add_laminae_of(loads, j, Race::inner, place, on_inner, lamina_forces_, inner,
+    add_laminae_of(loads, j, Race::inner, bin, on_inner, lamina_forces_, inner,
                    other ? &other->inner : nullptr);
-    add_laminae_of(loads, j, Race::outer, place, on_outer, lamina_forces_, outer,
+    add_laminae_of(loads, j, Race::outer, bin, on_outer, lamina_forces_, outer,
                    other ? &other->outer : nullptr);
   }
   const double all = time * static_cast<double>(rollers);
@@ -127,18 +128,19 @@ life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inn
   return life::lamina_means(motions, inner.whole.transpose(), outer.whole.transpose());
 }
 
-BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamageView& inner,
+BearingLife life_under(const Bearing& bearing, double reduction_factor, const RaceDamageView& inner,
                        const RaceDamageView& outer, const life::LaminaMeans* means) {
   if (inner.laminae.rows() == 0)
-    return lundberg_palmgren_life(bearing, lambda, inner.whole.pow(0.25), outer.whole.pow(0.25));
-  return life::life_of_means(life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, lambda),
-                             means ? *means : means_of(bearing.motions, inner, outer));
+    return lundberg_palmgren_life(bearing, reduction_factor, inner.whole.pow(0.25), outer.whole.pow(0.25));
+  return life::life_of_means(
+      life::lamina_rating(bearing, life::LifeMeasure::lundberg_palmgren, reduction_factor),
+      means ? *means : means_of(bearing.motions, inner, outer));
 }
 
-BearingLife DamageSums::life(const Bearing& bearing, double lambda) const {
+BearingLife DamageSums::life(const Bearing& bearing, double reduction_factor) const {
   const RaceDamage of_inner{inner.damage(), inner.lamina_damage()},
       of_outer{outer.damage(), outer.lamina_damage()};
-  return life_under(bearing, lambda, of_inner, of_outer);
+  return life_under(bearing, reduction_factor, of_inner, of_outer);
 }
 
 }  // namespace orbearing::bearing::motion

@@ -1,4 +1,4 @@
-// What rollers that pass do to the races of a bearing, and the life that it leaves: the one place where loads
+// What rollers that pass do to the races of a bearing, and the life that it leaves: the one bin where loads
 // in motion are counted. A passage counts where and when it happens: rollers that stand closer together, or
 // a cage that runs ahead or lags, load a race more or less often than pure rolling would.
 #pragma once
@@ -16,9 +16,9 @@ namespace orbearing::bearing::motion {
 /// evenly all along whatever the load.
 Eigen::Index uneven_laminae(const LaminaRaces* laminae);
 
-/// The bin, of `places` on a race, in which `angle` [rad] lies. Bins are evenly spaced in the carrier frame,
+/// The bin, of `bins` on a race, in which `angle` [rad] lies. Bins are evenly spaced in the carrier frame,
 /// the first centred on the outward direction.
-Eigen::Index place_of(double angle, Eigen::Index places);
+Eigen::Index bin_of(double angle, Eigen::Index bins);
 
 /// Speeds of the races, and of the cage were all rollers to roll without slip [rad/s], relative to the
 /// carrier.
@@ -40,45 +40,45 @@ struct RollerLoads {
   const LaminaRaces* laminae = nullptr;
   const double* inner_approach = nullptr;
   const double* outer_approach = nullptr;
-  const double* tip = nullptr;
+  const double* end_displacement = nullptr;
 };
 
 /// Power of a load by which its passages count: of lines, rollers; of points, balls. [LundbergPalmgren1947]
 /// [LundbergPalmgren1952]
 enum class DamagePower { of_points = 3, of_lines = 4 };
 
-/// Sums of one race. Places stand in the carrier frame, as loads do. N^p: by the damage power.
+/// Sums of one race. Bins stand in the carrier frame, as loads do. N^p: by the damage power.
 struct RacePassages {
-  Eigen::ArrayXd way;    // [rad]      (places)  that elements went over the race while at a place
-  Eigen::ArrayXd load;   // [N rad]    (places)
-  Eigen::ArrayXd power;  // [N^p rad]  (places)
+  Eigen::ArrayXd way;    // [rad]      (bins)  that elements went over the race while at a bin
+  Eigen::ArrayXd load;   // [N rad]    (bins)
+  Eigen::ArrayXd power;  // [N^p rad]  (bins)
   double rolling = 0.0;  // [rad]  way of all elements at pure rolling
-  Eigen::ArrayXXd lamina_fourth_power;  // [N^4 rad]  (laminae, places)  no rows: laminae are not counted
+  Eigen::ArrayXXd lamina_fourth_power;  // [N^4 rad]  (laminae, bins)  no rows: laminae are not counted
   double lamina_largest = 0.0;          // [N]
 
-  explicit RacePassages(Eigen::Index places, Eigen::Index laminae = 0,
+  explicit RacePassages(Eigen::Index bins, Eigen::Index laminae = 0,
                         DamagePower damage_power = DamagePower::of_lines);
-  void add(Eigen::Index place, double passed, double force) { add(place, share_of(passed, force)); }
+  void add(Eigen::Index bin, double passed, double force) { add(bin, share_of(passed, force)); }
   /// `forces` [N] (laminae) are those of the elastic contact, whose sum the damping turns into `force`.
-  void add_laminae(Eigen::Index place, double passed, double force,
+  void add_laminae(Eigen::Index bin, double passed, double force,
                    const Eigen::Ref<const Eigen::ArrayXd>& forces);
 
-  /// Passages that happened over those of pure rolling [-]  (places)
+  /// Passages that happened over those of pure rolling [-]  (bins)
   Eigen::ArrayXd passages() const;
-  /// Mean over the passages at each place [N]; zero where there were none  (places)
+  /// Mean over the passages at each bin [N]; zero where there were none  (bins)
   Eigen::ArrayXd mean_load() const;
-  /// Powers of all passages over the number of passages at pure rolling [N^p]  (places)
+  /// Powers of all passages over the number of passages at pure rolling [N^p]  (bins)
   Eigen::ArrayXd damage() const;
-  /// Fourth powers of single laminae likewise [N^4]  (laminae, places)
+  /// Fourth powers of single laminae likewise [N^4]  (laminae, bins)
   Eigen::ArrayXXd lamina_damage() const;
 
-  /// Whether these are of as many places and laminae, and of the same power, as `other`.
+  /// Whether these are of as many bins and laminae, and of the same power, as `other`.
   bool is_counted_as(const RacePassages& other) const {
     return way.size() == other.way.size() && damage_power_ == other.damage_power_ &&
            lamina_fourth_power.rows() == other.lamina_fourth_power.rows();
   }
 
-  /// What one element adds at its place.
+  /// What one element adds at its bin.
   struct Share {
     double way, load, power;  // [rad], [N rad], [N^p rad]
   };
@@ -87,10 +87,10 @@ struct RacePassages {
     return {passed, passed * force,
             passed * square * (damage_power_ == DamagePower::of_points ? force : square)};
   }
-  void add(Eigen::Index place, const Share& share) {
-    way[place] += share.way;
-    load[place] += share.load;
-    power[place] += share.power;
+  void add(Eigen::Index bin, const Share& share) {
+    way[bin] += share.way;
+    load[bin] += share.load;
+    power[bin] += share.power;
   }
 
  private:
@@ -101,8 +101,8 @@ struct RacePassages {
 
 /// What both races' damage() says, and lamina_damage() where laminae are counted.
 struct RaceDamage {
-  Eigen::ArrayXd whole;     // [N^4]  (places)
-  Eigen::ArrayXXd laminae;  // [N^4]  (laminae, places)  no rows: every lamina carries alike
+  Eigen::ArrayXd whole;     // [N^4]  (bins)
+  Eigen::ArrayXXd laminae;  // [N^4]  (laminae, bins)  no rows: every lamina carries alike
 };
 
 /// The same where it stands, which must outlive this.
@@ -115,15 +115,15 @@ struct RaceDamageView {
   RaceDamageView(const RaceDamage& damage) : RaceDamageView(damage.whole, damage.laminae) {}
 };
 
-/// Means over the places, lamina by lamina; contacts that are not cut are those of one lamina.
+/// Means over the bins, lamina by lamina; contacts that are not cut are those of one lamina.
 life::LaminaMeans means_of(const RaceMotions& motions, const RaceDamageView& inner,
                            const RaceDamageView& outer);
 
-/// Life by Lundberg and Palmgren from both races' damage, as if each place were loaded evenly by its fourth
-/// root: the standing race takes each place's own life, [(1/2pi) integral D^(4.5/4)]^(1/4.5); the turning
+/// Life by Lundberg and Palmgren from both races' damage, as if each bin were loaded evenly by its fourth
+/// root: the standing race takes each bin's own life, [(1/2pi) integral D^(4.5/4)]^(1/4.5); the turning
 /// race shares all passages, [(1/2pi) integral D]^(1/4). By bearing/life, lamina by lamina, where laminae are
 /// counted. Arguments as in lundberg_palmgren_life(); `means` where they are known.
-BearingLife life_under(const Bearing& bearing, double lambda, const RaceDamageView& inner,
+BearingLife life_under(const Bearing& bearing, double reduction_factor, const RaceDamageView& inner,
                        const RaceDamageView& outer, const life::LaminaMeans* means = nullptr);
 
 /// Sums of both races since the start.
@@ -133,15 +133,14 @@ class DamageSums {
   RacePassages outer;
 
   /// `laminae` as uneven_laminae() says.
-  explicit DamageSums(Eigen::Index places, Eigen::Index laminae = 0,
-                      DamagePower power = DamagePower::of_lines)
-      : inner(places, laminae, power), outer(places, laminae, power), lamina_forces_(laminae) {}
+  explicit DamageSums(Eigen::Index bins, Eigen::Index laminae = 0, DamagePower power = DamagePower::of_lines)
+      : inner(bins, laminae, power), outer(bins, laminae, power), lamina_forces_(laminae) {}
 
   /// `rollers` rollers whose loads last for `time` [s]; also into `other`, where there is one: the same
   /// numbers as one after the other, for less work.
   void add(double time, Eigen::Index rollers, const RollerLoads& loads, DamageSums* other = nullptr);
   /// Life [rev] were it to go on like this; infinite where nothing was loaded or nothing turned.
-  BearingLife life(const Bearing& bearing, double lambda) const;
+  BearingLife life(const Bearing& bearing, double reduction_factor) const;
 
   /// Every number in turn, for `visit(double* first, long size)`.
   template <class Visit>

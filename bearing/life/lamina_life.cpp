@@ -15,9 +15,11 @@ using Loads = LaminaLoads;
 constexpr double kWeibullSlope = rating::weibull_slope(rating::RollingElement::roller);
 constexpr double kMillionRevolutions = 1e6;
 
-rating::ContactCapacities capacities_of(const Bearing& bearing, LifeMeasure measure, double lambda) {
+rating::ContactCapacities capacities_of(const Bearing& bearing, LifeMeasure measure,
+                                        double reduction_factor) {
   if (measure == LifeMeasure::lundberg_palmgren)
-    return {contact_capacity(bearing, Race::inner, lambda), contact_capacity(bearing, Race::outer, lambda)};
+    return {contact_capacity(bearing, Race::inner, reduction_factor),
+            contact_capacity(bearing, Race::outer, reduction_factor)};
   const rating::RollerSet set = rating::roller_set(bearing);
   return rating::contact_capacities(set, rating::dynamic_capacity(set));
 }
@@ -107,8 +109,8 @@ LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int lami
   return {weights(even, capacities.inner), weights(even, capacities.outer), motions};
 }
 
-LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double lambda) {
-  const rating::ContactCapacities capacities = capacities_of(bearing, measure, lambda);
+LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double reduction_factor) {
+  const rating::ContactCapacities capacities = capacities_of(bearing, measure, reduction_factor);
   const Eigen::ArrayXd riser = riser_of(std::max(bearing.rollers().laminae, 1), measure);
   return {weights(riser, capacities.inner), weights(riser, capacities.outer), bearing.motions};
 }

@@ -33,8 +33,9 @@ struct LaminaRating {
   RaceMotions motions;
 };
 
-/// `lambda` [-] enters the capacities of Lundberg and Palmgren only. A bearing without laminae has one.
-LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double lambda);
+/// `reduction_factor` [-] enters the capacities of Lundberg and Palmgren only. A bearing without laminae has
+/// one.
+LaminaRating lamina_rating(const Bearing& bearing, LifeMeasure measure, double reduction_factor);
 
 /// The same for stated capacities [N] of a whole contact, without stress riser.
 LaminaRating lamina_rating(const rating::ContactCapacities& capacities, int laminae,

@@ -12,13 +12,13 @@ namespace {
 constexpr double kWeibullSlope = rating::weibull_slope(rating::RollingElement::roller);
 }  // namespace
 
-double contact_capacity(const Bearing& bearing, Race race, double lambda) {
+double contact_capacity(const Bearing& bearing, Race race, double reduction_factor) {
   const CylindricalRollers& rollers = bearing.rollers();
   const double gamma = slenderness(bearing);
   const double side = race == Race::inner ? -gamma : gamma;
   const double diameter_mm = 1e3 * rollers.diameter;
   const double length_mm = 1e3 * rollers.length;
-  return 552.0 * lambda * std::pow(1.0 + side, 29.0 / 27.0) / std::pow(1.0 - side, 0.25) *
+  return 552.0 * reduction_factor * std::pow(1.0 + side, 29.0 / 27.0) / std::pow(1.0 - side, 0.25) *
          std::pow(gamma, 2.0 / 9.0) * std::pow(diameter_mm, 29.0 / 27.0) * std::pow(length_mm, 7.0 / 9.0) *
          std::pow(rollers.count, -0.25);
 }
@@ -43,11 +43,12 @@ double system_life(double one_bearing, int n) {
   return one_bearing * std::pow(n, -1.0 / kWeibullSlope);
 }
 
-BearingLife lundberg_palmgren_life(const Bearing& bearing, double lambda,
+BearingLife lundberg_palmgren_life(const Bearing& bearing, double reduction_factor,
                                    const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                    const Eigen::Ref<const Eigen::ArrayXd>& outer_loads) {
   const auto life_of = [&](Race race, const Eigen::Ref<const Eigen::ArrayXd>& loads) {
-    return race_life(contact_capacity(bearing, race, lambda), equivalent_load(loads, bearing.motion(race)));
+    return race_life(contact_capacity(bearing, race, reduction_factor),
+                     equivalent_load(loads, bearing.motion(race)));
   };
   const double inner = life_of(Race::inner, inner_loads);
   const double outer = life_of(Race::outer, outer_loads);

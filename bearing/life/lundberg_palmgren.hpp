@@ -14,9 +14,9 @@ struct BearingLife {
   double bearing = 0.0;  // [rev]
 };
 
-/// Basic dynamic capacity of one roller-race contact [N], Eq. (36) of [Gai2025]. `lambda` is the product
-/// lambda nu of ISO/TR 1281-1 (0.83 for cylindrical rollers) [-].
-double contact_capacity(const Bearing& bearing, Race race, double lambda);
+/// Basic dynamic capacity of one roller-race contact [N], Eq. (36) of [Gai2025]. `reduction_factor` is the
+/// product lambda nu of ISO/TR 1281-1 (0.83 for cylindrical rollers) [-].
+double contact_capacity(const Bearing& bearing, Race race, double reduction_factor);
 
 /// Equivalent roller load [N] of a race: fourth-power mean where it turns relative to the load, power 4.5
 /// where it stands, Eqs. (37) and (39) of [Gai2025]. `loads` [N] are taken at places evenly spaced on the
@@ -34,7 +34,7 @@ double combined_life(double inner, double outer);
 double system_life(double one_bearing, int n);
 
 /// Both races and the bearing, for roller loads [N] at places evenly spaced on each race.
-BearingLife lundberg_palmgren_life(const Bearing& bearing, double lambda,
+BearingLife lundberg_palmgren_life(const Bearing& bearing, double reduction_factor,
                                    const Eigen::Ref<const Eigen::ArrayXd>& inner_loads,
                                    const Eigen::Ref<const Eigen::ArrayXd>& outer_loads);
 

@@ -18,24 +18,27 @@ double load_of_damage(double capacity, double damage) {
 
 }  // namespace
 
-std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
-                                          const OilCondition& oil, const motion::RaceDamageView& inner,
+std::optional<ModifiedLife> modified_life(const Bearing& bearing, double reduction_factor,
+                                          const Ratings& ratings, const OilCondition& oil,
+                                          const motion::RaceDamageView& inner,
                                           const motion::RaceDamageView& outer) {
-  return modified_life(bearing, lambda, ratings, oil, motion::means_of(bearing.motions, inner, outer));
+  return modified_life(bearing, reduction_factor, ratings, oil,
+                       motion::means_of(bearing.motions, inner, outer));
 }
 
-std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
-                                          const OilCondition& oil, const life::LaminaMeans& means) {
+std::optional<ModifiedLife> modified_life(const Bearing& bearing, double reduction_factor,
+                                          const Ratings& ratings, const OilCondition& oil,
+                                          const life::LaminaMeans& means) {
   if (!(oil.viscosity_ratio >= kLeastViscosityRatio)) return std::nullopt;
-  const ContactCapacities own{contact_capacity(bearing, Race::inner, lambda),
-                              contact_capacity(bearing, Race::outer, lambda)};
+  const ContactCapacities own{contact_capacity(bearing, Race::inner, reduction_factor),
+                              contact_capacity(bearing, Race::outer, reduction_factor)};
   const auto damage_of = [&](const ContactCapacities& capacities) {
     const auto laminae = static_cast<int>(means.inner.size());
     return life::lamina_damage(life::lamina_rating(capacities, laminae, bearing.motions), means);
   };
   const ByLamina plain = damage_of(own), standard = damage_of(ratings.contacts);
   const auto laminae = static_cast<double>(plain.inner.size());
-  const double capacity = ratings.dynamic_capacity / roller_set(bearing).lambda;
+  const double capacity = ratings.dynamic_capacity / roller_set(bearing).reduction_factor;
   double modified_inner = 0.0, modified_outer = 0.0;
   for (Eigen::Index k = 0; k < plain.inner.size(); ++k) {
     if (plain.inner[k] + plain.outer[k] == 0.0) continue;

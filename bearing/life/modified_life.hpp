@@ -32,12 +32,14 @@ struct ModifiedLife {
 };
 
 /// None where kappa is below 0.1, where [ISO281] gives no a_ISO. `inner` and `outer` as in
-/// motion::life_under(), `lambda` [-] likewise.
-std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
-                                          const OilCondition& oil, const motion::RaceDamageView& inner,
+/// motion::life_under(), `reduction_factor` [-] likewise.
+std::optional<ModifiedLife> modified_life(const Bearing& bearing, double reduction_factor,
+                                          const Ratings& ratings, const OilCondition& oil,
+                                          const motion::RaceDamageView& inner,
                                           const motion::RaceDamageView& outer);
 /// The same from means over the places; a contact that is not cut is one lamina.
-std::optional<ModifiedLife> modified_life(const Bearing& bearing, double lambda, const Ratings& ratings,
-                                          const OilCondition& oil, const life::LaminaMeans& means);
+std::optional<ModifiedLife> modified_life(const Bearing& bearing, double reduction_factor,
+                                          const Ratings& ratings, const OilCondition& oil,
+                                          const life::LaminaMeans& means);
 
 }  // namespace orbearing::bearing::rating

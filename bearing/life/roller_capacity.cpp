@@ -30,18 +30,18 @@ double gamma(const RollerSet& set) {
   return set.diameter * std::cos(set.contact_angle) / set.pitch_diameter;
 }
 
-double roller_capacity_factor(double gamma, double lambda) {
+double roller_capacity_factor(double gamma, double reduction_factor) {
   const double curvature =
       std::pow(gamma, 2.0 / 9.0) * std::pow(1.0 - gamma, 29.0 / 27.0) / std::pow(1.0 + gamma, 0.25);
   const double races = std::pow(1.0 + std::pow(1.04 * race_ratio(gamma), kWeakerRace), -kBothRaces);
-  return 0.377 * 551.13373 * lambda * curvature * races;
+  return 0.377 * 551.13373 * reduction_factor * curvature * races;
 }
 
 double dynamic_capacity(const RollerSet& set) {
   const double length = kMillimetres * set.length * set.rows * std::cos(set.contact_angle);  // [mm]
   const double diameter = kMillimetres * set.diameter;                                       // [mm]
-  return set.material_factor * roller_capacity_factor(gamma(set), set.lambda) * std::pow(length, 7.0 / 9.0) *
-         std::pow(set.rollers, 0.75) * std::pow(diameter, 29.0 / 27.0);
+  return set.material_factor * roller_capacity_factor(gamma(set), set.reduction_factor) *
+         std::pow(length, 7.0 / 9.0) * std::pow(set.rollers, 0.75) * std::pow(diameter, 29.0 / 27.0);
 }
 
 double static_capacity(const RollerSet& set) {
@@ -50,7 +50,7 @@ double static_capacity(const RollerSet& set) {
 }
 
 ContactCapacities contact_capacities(const RollerSet& set, double dynamic_capacity) {
-  const double share = dynamic_capacity / (set.lambda * set.rollers * std::cos(set.contact_angle) *
+  const double share = dynamic_capacity / (set.reduction_factor * set.rollers * std::cos(set.contact_angle) *
                                            std::pow(set.rows, 7.0 / 9.0));
   const double ratio = std::pow(1.038 * race_ratio(gamma(set)), kWeakerRace);
   return {.inner = share / 0.378 * std::pow(1.0 + ratio, kBothRaces),

@@ -14,7 +14,7 @@ struct RollerSet {
   double pitch_diameter = 0.0;   // [m]
   double contact_angle = 0.0;    // [rad]
   double material_factor = 1.1;  // [-]   b_m: 1.1 for cylindrical rollers of today's steel
-  double lambda = 0.83;          // [-]   product lambda nu: load not shared evenly along the roller
+  double reduction_factor = 0.83;  // [-]   product lambda nu: load not shared evenly along the roller
 };
 
 /// The rating's view of a cylindrical roller bearing of one row.
@@ -24,7 +24,7 @@ RollerSet roller_set(const Bearing& bearing);
 double gamma(const RollerSet& set);
 
 /// Factor f_c of [ISO281] [N, mm], of which the standard prints a table over `gamma` in (0, 1).
-double roller_capacity_factor(double gamma, double lambda = 0.83);
+double roller_capacity_factor(double gamma, double reduction_factor = 0.83);
 
 /// Basic dynamic radial load rating C_r [N].
 double dynamic_capacity(const RollerSet& set);
@@ -33,7 +33,8 @@ double dynamic_capacity(const RollerSet& set);
 double static_capacity(const RollerSet& set);
 
 /// Capacities [N] of one roller on either race, of a bearing whose load rating is `dynamic_capacity` [N].
-/// lambda is taken out of it again: laminae see for themselves how the load lies along the roller.
+/// The reduction factor is taken out of it again: laminae see for themselves how the load lies along the
+/// roller.
 ContactCapacities contact_capacities(const RollerSet& set, double dynamic_capacity);
 
 /// Capacity [N] of one of `laminae` laminae of a contact.

@@ -14,7 +14,7 @@ constexpr double kRollerTable = 0.30;
 constexpr double kBallTable = 0.40;
 
 double factor_of(const RollerSet& set) {
-  return roller_capacity_factor(gamma(set), set.lambda);
+  return roller_capacity_factor(gamma(set), set.reduction_factor);
 }
 double factor_of(const BallSet& set) {
   return ball_capacity_factor(set);
@@ -44,7 +44,7 @@ Ratings ratings_of(const Bearing& bearing, const StatedRatings& stated) {
   if (!bearing.has_rollers())
     return ratings_of_set(ball_set(bearing), RollingElement::ball, kBallTable, stated);
   RollerSet set = roller_set(bearing);
-  set.lambda = stated.lambda.value_or(set.lambda);
+  set.reduction_factor = stated.reduction_factor.value_or(set.reduction_factor);
   return ratings_of_set(set, RollingElement::roller, kRollerTable, stated);
 }
 

@@ -16,7 +16,7 @@ RollingElement rolling_element(const Bearing& bearing);
 
 /// What takes the place of values that the standards give.
 struct StatedRatings {
-  std::optional<double> lambda;              // [-]  reduction factor of roller bearings; none: 0.83
+  std::optional<double> reduction_factor;    // [-]  reduction factor of roller bearings; none: 0.83
   std::optional<double> dynamic_capacity;    // [N]  C_r
   std::optional<double> fatigue_load_limit;  // [N]  C_u
 };

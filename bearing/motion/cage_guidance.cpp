@@ -17,7 +17,7 @@ LandLaw land_law(const GuidanceModel& model) {
           .clearance = model.clearance,
           .cage_radius = model.cage_radius,
           .largest_eccentricity = model.largest_eccentricity,
-          .as_printed = model.film == GuidanceFilm::as_printed,
+          .literature_variant = model.film == GuidanceFilm::literature_variant,
           .film_scale = printed * model.cage_radius / model.clearance,
           .printed_scale = printed,
           .shear_scale = shear,

@@ -59,7 +59,8 @@ void tilt_rollers(const BearingModel& model, double* x) {
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
     const RollerBody roller = roller_body(model, state, j);
     const LaminaStand stand = roller_contacts(model, rings, roller, j).stand;
-    tilted.tip[j] = model.laminae->balanced_tip(stand.inner_approach, stand.outer_approach, roller.outward);
+    tilted.end_displacement[j] =
+        model.laminae->balanced_end_displacement(stand.inner_approach, stand.outer_approach, roller.outward);
   }
 }
 

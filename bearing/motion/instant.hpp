@@ -53,7 +53,7 @@ struct RollerBody {
   double angle = 0.0;          // [rad]
   double radial_speed = 0.0;   // [m/s]
   double orbital_speed = 0.0;  // [rad/s]
-  double tip = 0.0;            // [m]      LaminaStand::tip
+  double end_displacement = 0.0;  // [m]      LaminaStand::end_displacement
 };
 
 inline RollerBody roller_body(const BearingModel& model, const ConstStateViews& state, Eigen::Index j) {
@@ -67,7 +67,7 @@ inline RollerBody roller_body(const BearingModel& model, const ConstStateViews& 
   roller.motion.velocity =
       roller.radial_speed * roller.outward + roller.radius * roller.orbital_speed * across(roller.outward);
   roller.motion.speed = state.spin[j];
-  if (model.layout.tilting) roller.tip = state.tip[j];
+  if (model.layout.tilting) roller.end_displacement = state.end_displacement[j];
   for (const RollerScratch& scratch : model.roller_scratches)
     if (scratch.roller == j) roller.motion.angle = state.turned[scratch.followed];
   return roller;
@@ -137,7 +137,8 @@ inline RollerContacts roller_contacts(const BearingModel& model, const RingBodie
   contacts.inner_elastic = straight_contact(model.inner, contacts.inner.contact);
   contacts.outer_elastic = straight_contact(model.outer, contacts.outer.contact);
   if (model.laminae) {
-    contacts.stand = {contacts.inner_elastic.approach, contacts.outer_elastic.approach, roller.tip};
+    contacts.stand = {contacts.inner_elastic.approach, contacts.outer_elastic.approach,
+                      roller.end_displacement};
     contacts.tilting = model.laminae->loads(contacts.stand, roller.outward);
     contacts.inner_elastic.load = contacts.tilting.inner;
     contacts.outer_elastic.load = contacts.tilting.outer;
@@ -153,7 +154,7 @@ inline RollerForces roller_forces(const BearingModel& model, const RingBodies& r
   const bool tilts = model.layout.tilting;
   const double tip_rate = tilts ? tilting.excess / model.laminae->resistance() : 0.0;
   const double passing =
-      tilts ? model.laminae->bore_tip().dot(across(roller.outward)) * roller.orbital_speed : 0.0;
+      tilts ? model.laminae->bore_end_displacement().dot(across(roller.outward)) * roller.orbital_speed : 0.0;
   return {.inner = race_forces(model.inner, contacts.inner, rings.pin, contacts.inner_elastic),
           .outer = race_forces(model.outer, contacts.outer, rings.bore, contacts.outer_elastic),
           .pocket = model.layout.caged ? pocket_forces(model.pocket, roller.motion, rings.cage,
@@ -165,7 +166,7 @@ inline RollerForces roller_forces(const BearingModel& model, const RingBodies& r
           .outer_normal = contacts.outer.contact.normal,
           .tip_rate = tip_rate,
           .tilt_power = tilting.excess * tip_rate,
-          .held_tilt = -tilting.outer_tip_load * passing};
+          .held_tilt = -tilting.outer_end_load * passing};
 }
 
 /// The same for a model that is plain, at less cost.

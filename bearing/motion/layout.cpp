@@ -14,7 +14,7 @@ struct Variable {
 constexpr Variable kOfRollers[] = {
     {"radius [m]", VariableKind::length},           {"angle [rad]", VariableKind::angle},
     {"radial_speed [m/s]", VariableKind::velocity}, {"orbital_speed [rad/s]", VariableKind::angular_speed},
-    {"spin [rad/s]", VariableKind::angular_speed},  {"tip [m]", VariableKind::length}};
+    {"spin [rad/s]", VariableKind::angular_speed},  {"end_displacement [m]", VariableKind::length}};
 constexpr Variable kOfRings[] = {{"cage_x [m]", VariableKind::length},
                                  {"cage_y [m]", VariableKind::length},
                                  {"cage_angle [rad]", VariableKind::angle},

@@ -1,8 +1,8 @@
 // Where each variable of the state stands in the flat vector, and what it is called. No other file knows.
 //
-//   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | tip (Z), where rollers tilt | cage x y psi x' y'
-//   psi', where there is one | bore x y x' y' | pin x y x' y' | waves | rates of the waves | turned
-//   (followed) ]
+//   [ r (Z) | theta (Z) | r' (Z) | theta' (Z) | spin (Z) | end displacement (Z), where rollers tilt
+//     | cage x y psi x' y' psi', where there is one | bore x y x' y' | pin x y x' y' | waves | rates of the waves
+//     | turned (followed) ]
 //
 #pragma once
 
@@ -56,7 +56,7 @@ struct StateViews {
   View<Eigen::Vector2d> pin_position;   // [m]
   View<Eigen::Vector2d> pin_velocity;   // [m/s]
   View<Eigen::ArrayXd> turned;       // [rad]    (followed)  by the rollers that are followed, since the start
-  View<Eigen::ArrayXd> tip;          // [m]      (rollers) or none; LaminaStand::tip
+  View<Eigen::ArrayXd> end_displacement;  // [m]      (rollers) or none; LaminaStand::end_displacement
   View<Eigen::VectorXd> wave;        // [m]      (waves)
   View<Eigen::VectorXd> wave_speed;  // [m/s]    (waves)
 };

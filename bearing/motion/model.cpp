@@ -93,7 +93,7 @@ void check(const Bearing& bearing, const BearingGeometry& geometry, const Dynami
           static_cast<double>(parameters.race.traction), "regularised Coulomb or limiting shear for rollers");
   check_oil(parameters);
   check_form(bearing, geometry);
-  require(std::isfinite(parameters.driving.ramp), "growth of the speeds [1/s]", parameters.driving.ramp,
+  require(std::isfinite(parameters.driving.ramp), "speed ramp [1/s]", parameters.driving.ramp,
           "a finite number");
 }
 
@@ -196,16 +196,17 @@ std::optional<LaminaRaces> lamina_races(const Bearing& bearing, const BearingMod
 // Eq. (8) of [Gai2025] has the minus sign of a turning inner race with the speed of the outer.
 double reference_cage_speed(const BearingGeometry& geometry, const OperatingPoint& point,
                             ReferenceSpeed which) {
-  if (which == ReferenceSpeed::as_printed) return kinematic_cage_speed(geometry, point.outer_speed, 0.0);
+  if (which == ReferenceSpeed::literature_variant)
+    return kinematic_cage_speed(geometry, point.outer_speed, 0.0);
   return kinematic_cage_speed(geometry, point.inner_speed, point.outer_speed);
 }
 
-// The carrier's acceleration follows from the growth of its speed; the planet's Euler load is added to what
+// The carrier's acceleration follows from the ramp of its speed; the planet's Euler load is added to what
 // the load on the bore holds.
 void set_driving(const InertiaSwitches& inertia, BearingModel& model) {
   CarrierMotion& carrier = model.point.carrier;
   require(carrier.acceleration == 0.0, "acceleration of the carrier [rad/s^2]", carrier.acceleration,
-          "0 in a run-up, where it follows from the growth of the speeds");
+          "0 in a run-up, where it follows from the speed ramp");
   const Vector2 none = Vector2::Zero();
   model.bore_loads.centrifugal = model.bore_mass * inertial_acceleration(model.frame, none, none);
   model.bore_loads.meshes = model.point.bore_load - model.bore_loads.centrifugal;

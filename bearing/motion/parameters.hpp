@@ -45,13 +45,13 @@ constexpr described::Names<RollingLaw, 2> names_of(RollingLaw) {
 
 /// What the damping of a race contact acts on.
 enum class DampingLaw {
-  approach_speed,  // [HuntCrossley1975]
-  as_printed,      // Eq. (9) of [Gai2025]: c delta^n without a speed, which is no damping but stiffness; c is
-                   // read as damping * 1 m/s of the contact's constant
+  approach_speed,      // [HuntCrossley1975]
+  literature_variant,  // Eq. (9) of [Gai2025]: c delta^n without a speed, which is no damping but stiffness;
+                       // c is read as damping * 1 m/s of the contact's constant
 };
 
 constexpr described::Names<DampingLaw, 2> names_of(DampingLaw) {
-  return {{{DampingLaw::approach_speed, "approach-speed"}, {DampingLaw::as_printed, "as-printed"}}};
+  return {{{DampingLaw::approach_speed, "approach-speed"}, {DampingLaw::literature_variant, "as-printed"}}};
 }
 
 /// Race contacts: damping, friction, and whether the film adds to the elastic approach.
@@ -165,12 +165,12 @@ void describe(Visitor& visit, RaceContactParameters& m) {
 
 /// Force of the oil between cage and land.
 enum class GuidanceFilm {
-  short_bearing,  // with squeeze and whirl, [Ocvirk1952]
-  as_printed,     // Eqs. (24) and (25) of [Gai2025], which lack both
+  short_bearing,       // with squeeze and whirl, [Ocvirk1952]
+  literature_variant,  // Eqs. (24) and (25) of [Gai2025], which lack both
 };
 
 constexpr described::Names<GuidanceFilm, 2> names_of(GuidanceFilm) {
-  return {{{GuidanceFilm::short_bearing, "short-bearing"}, {GuidanceFilm::as_printed, "as-printed"}}};
+  return {{{GuidanceFilm::short_bearing, "short-bearing"}, {GuidanceFilm::literature_variant, "as-printed"}}};
 }
 
 /// Oil between rolling element and cage pocket before they touch.
@@ -185,12 +185,12 @@ constexpr described::Names<PocketFilm, 2> names_of(PocketFilm) {
 
 /// Cage speed at which a run starts and from which its slip is counted.
 enum class ReferenceSpeed {
-  rolling,     // pure rolling on both races
-  as_printed,  // Eq. (8) of [Gai2025]: that of a turning inner race, with the speed of the outer
+  rolling,             // pure rolling on both races
+  literature_variant,  // Eq. (8) of [Gai2025]: that of a turning inner race, with the speed of the outer
 };
 
 constexpr described::Names<ReferenceSpeed, 2> names_of(ReferenceSpeed) {
-  return {{{ReferenceSpeed::rolling, "rolling"}, {ReferenceSpeed::as_printed, "as-printed"}}};
+  return {{{ReferenceSpeed::rolling, "rolling"}, {ReferenceSpeed::literature_variant, "as-printed"}}};
 }
 
 /// Cage pockets and the land that guides the cage. Where a case leaves out the clearance, the stiffness of

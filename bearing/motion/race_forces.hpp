@@ -42,7 +42,7 @@ struct RaceForces {
   double damping_power = 0.0;   // [W]    dissipated, as are all powers
   double traction_power = 0.0;  // [W]
   double rolling_power = 0.0;   // [W]
-  double form_power = 0.0;      // [W]    that what holds a standing form takes from the turning race
+  double form_power = 0.0;      // [W]    that what holds an out-of-round race takes from the turning race
 };
 
 /// |rolling| [m/s], rounded at zero over `scale` [m/s] so that film and resistance have a slope there.

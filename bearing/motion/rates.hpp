@@ -44,7 +44,7 @@ inline void set_turning(const BearingModel& model, const ConstStateViews& state,
        2.0 * roller.radial_speed * roller.orbital_speed) /
       roller.radius;
   rate.spin[j] = moment / model.roller.inertia - frame.euler;
-  if (model.layout.tilting) rate.tip[j] = forces.tip_rate;
+  if (model.layout.tilting) rate.end_displacement[j] = forces.tip_rate;
 }
 
 // Rollers, with what they exert on the rings. `forces_on` is roller_forces, or plain_roller_forces where the

@@ -29,7 +29,7 @@ void resize(Snapshot& into, Eigen::Index rollers, bool cut, bool caged) {
   resize(into.inner, rollers);
   resize(into.outer, rollers);
   into.angle.resize(rollers);
-  for (Eigen::ArrayXd* stand : {&into.inner_approach, &into.outer_approach, &into.tip})
+  for (Eigen::ArrayXd* stand : {&into.inner_approach, &into.outer_approach, &into.end_displacement})
     stand->resize(cut ? rollers : 0);
   into.orbital_speed.resize(rollers);
   into.spin.resize(rollers);
@@ -49,7 +49,7 @@ void record(const RaceForces& forces, const FilmContact& film, Eigen::Index j, R
 void put_stand(const LaminaStand& stand, Eigen::Index j, Snapshot& into) {
   into.inner_approach[j] = stand.inner_approach;
   into.outer_approach[j] = stand.outer_approach;
-  into.tip[j] = stand.tip;
+  into.end_displacement[j] = stand.end_displacement;
 }
 
 void add_neighbour(const NeighbourTouch& ahead, Eigen::Index j, Snapshot& into) {
@@ -131,13 +131,14 @@ double teeth_power(const BearingModel& model, const ConstStateViews& state, doub
   return power;
 }
 
-// Wrenches on the rings alone, without what is reported per roller, and the power that standing forms give.
+// Wrenches on the rings alone, without what is reported per roller, and the power that out-of-round races
+// give.
 RingWrenches ring_wrenches(const BearingModel& model, const ConstStateViews& state, const RingBodies& rings,
-                           double& standing_form) {
+                           double& out_of_roundness) {
   RingWrenches sum;
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
     const RollerForces forces = roller_forces(model, rings, roller_body(model, state, j), j);
-    standing_form += forces.held_tilt - forces.inner.form_power - forces.outer.form_power;
+    out_of_roundness += forces.held_tilt - forces.inner.form_power - forces.outer.form_power;
     sum.add(forces);
   }
   sum.add(guidance_forces(model.guidance, rings.cage, land_body(model, rings)), model.guiding_race);
@@ -202,7 +203,7 @@ double changing_film_power(const BearingModel& model, double time, const Eigen::
 RollerLoads loads_of(const Snapshot& snapshot) {
   return {snapshot.angle.data(),          snapshot.orbital_speed.data(),  snapshot.inner.load.data(),
           snapshot.outer.load.data(),     snapshot.race_speeds,           snapshot.laminae,
-          snapshot.inner_approach.data(), snapshot.outer_approach.data(), snapshot.tip.data()};
+          snapshot.inner_approach.data(), snapshot.outer_approach.data(), snapshot.end_displacement.data()};
 }
 
 Snapshot snapshot(const BearingModel& model, const Eigen::Ref<const Eigen::VectorXd>& x, double time) {
@@ -276,15 +277,15 @@ PowerInput power_input(const BearingModel& model, double time, const Eigen::Ref<
                        const Eigen::Ref<const Eigen::VectorXd>& dx) {
   const ConstStateViews state = state_views(model.layout, x.data());
   const RingBodies rings = ring_bodies(model, state, time);
-  double standing_form = 0.0;
-  const RingWrenches on_rings = ring_wrenches(model, state, rings, standing_form);
-  const double growth = model.driving.ramp / speed_ratio(model.driving, time);
+  double out_of_roundness = 0.0;
+  const RingWrenches on_rings = ring_wrenches(model, state, rings, out_of_roundness);
+  const double ramp = model.driving.ramp / speed_ratio(model.driving, time);
   return {.bore_load = bore_load(model, time).dot(rings.bore.velocity),
           .rotations = -on_rings.bore.moment * rings.bore.speed - on_rings.pin.moment * rings.pin.speed,
           .euler = euler_power(model, state, rings),
           .changing_film = changing_film_power(model, time, x, dx),
-          .standing_form = standing_form,
-          .changing_frame = 2.0 * growth * stored_energy(model, x, time).centrifugal,
+          .out_of_roundness = out_of_roundness,
+          .changing_frame = 2.0 * ramp * stored_energy(model, x, time).centrifugal,
           .teeth = teeth_power(model, state, time)};
 }
 

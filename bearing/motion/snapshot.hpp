@@ -56,12 +56,12 @@ struct PowerInput {
   double rotations = 0.0;       // what keeps bore and pin at their speeds
   double euler = 0.0;           // inertial loads of a carrier that speeds up
   double changing_film = 0.0;   // work of the films as their speed changes
-  double standing_form = 0.0;   // of what holds a form or a tilt while race or rollers turn through it
+  double out_of_roundness = 0.0;  // of what holds a form or a tilt while race or rollers turn through it
   double changing_frame = 0.0;  // of the centrifugal field as the carrier's speed changes
   double teeth = 0.0;           // of their forces on an elastic rim, as they change
 
   double total() const {
-    return bore_load + rotations + euler + changing_film + standing_form + changing_frame + teeth;
+    return bore_load + rotations + euler + changing_film + out_of_roundness + changing_frame + teeth;
   }
 };
 
@@ -82,7 +82,7 @@ struct Snapshot {
   double bore_friction_moment = 0.0;        // [N m]  of the bearing on the bore
   RaceSpeeds race_speeds;
   /// Where the contacts stand [m] (rollers), and the laminae; empty and none where contacts are not cut.
-  Eigen::ArrayXd inner_approach, outer_approach, tip;
+  Eigen::ArrayXd inner_approach, outer_approach, end_displacement;
   const LaminaRaces* laminae = nullptr;
   Eigen::VectorXd waves;  // [m]  of an elastic race; none: rigid
   PowerLoss loss;

@@ -32,14 +32,14 @@ PowerLoss operator/(const PowerLoss& loss, double by) {
           .support = loss.support / by};
 }
 
-StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index places, Eigen::Index laminae)
-    : rollers_(rollers), places_(places), laminae_(laminae), damage_(places, laminae) {}
+StatisticsCollector::StatisticsCollector(Eigen::Index rollers, Eigen::Index bins, Eigen::Index laminae)
+    : rollers_(rollers), bins_(bins), laminae_(laminae), damage_(bins, laminae) {}
 
 void StatisticsCollector::begin(double time, const Snapshot& at_start) {
   for (RaceSums* sums : {&inner_, &outer_})
     *sums = {.roller_square = Eigen::ArrayXd::Zero(rollers_),
              .least_film = std::numeric_limits<double>::infinity()};
-  damage_ = DamageSums(places_, laminae_);
+  damage_ = DamageSums(bins_, laminae_);
   weight_ = 0.0;
   sums_ = {};
   begin_time_ = time;

@@ -1,4 +1,4 @@
-// Means over a window of time: loads by place on the race, losses, cage; and the life that follows.
+// Means over a window of time: loads by bin on the race, losses, cage; and the life that follows.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,15 +12,15 @@ namespace orbearing::bearing::motion {
 PowerLoss& operator+=(PowerLoss& sum, const PowerLoss& other);
 PowerLoss operator/(const PowerLoss& loss, double by);
 
-/// Loads of one race over a window. Places are the bins of place_of().
+/// Loads of one race over a window. Places are the bins of bin_of().
 struct RaceStatistics {
   Eigen::ArrayXd roller_rms;      // [N]    (rollers)  unloaded time included
   double load_rms = 0.0;          // [N]    over all rollers
   double load_max = 0.0;          // [N]
-  Eigen::ArrayXd mean_load;       // [N]    (places)  over the passages of rollers
-  Eigen::ArrayXd passages;        // [-]    (places)  that happened, over those of pure rolling
-  Eigen::ArrayXd damage;          // [N^4]  (places)  fourth powers of all passages over those of pure rolling
-  Eigen::ArrayXXd lamina_damage;  // [N^4]  (laminae, places)  the same; no rows: all laminae carry alike
+  Eigen::ArrayXd mean_load;       // [N]    (bins)  over the passages of rollers
+  Eigen::ArrayXd passages;        // [-]    (bins)  that happened, over those of pure rolling
+  Eigen::ArrayXd damage;          // [N^4]  (bins)  fourth powers of all passages over those of pure rolling
+  Eigen::ArrayXXd lamina_damage;  // [N^4]  (laminae, bins)  the same; no rows: all laminae carry alike
   double lamina_load_max = 0.0;   // [N]
   double mean_sliding = 0.0;      // [m/s]  mean of |sliding| over all rollers
   double least_film = 0.0;        // [m]    least film of the most loaded roller
@@ -47,7 +47,7 @@ struct WindowStatistics {
 class StatisticsCollector {
  public:
   /// `laminae` as uneven_laminae() says.
-  StatisticsCollector(Eigen::Index rollers, Eigen::Index places, Eigen::Index laminae = 0);
+  StatisticsCollector(Eigen::Index rollers, Eigen::Index bins, Eigen::Index laminae = 0);
 
   /// `at_start` is the snapshot at the beginning of the window.
   void begin(double time, const Snapshot& at_start);
@@ -69,7 +69,7 @@ class StatisticsCollector {
   RaceStatistics means(const RaceSums& sums, const RacePassages& passages) const;
 
   Eigen::Index rollers_;
-  Eigen::Index places_;
+  Eigen::Index bins_;
   Eigen::Index laminae_;
   RaceSums inner_;
   RaceSums outer_;

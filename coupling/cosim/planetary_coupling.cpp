@@ -16,12 +16,12 @@ struct PlanetNames {
 
 std::vector<Port> planet_ports(const Participant& of, Gives gives, const PlanetNames& names) {
   const auto motion = [&](const std::string& name) {
-    return gives == Gives::motion ? place_of(of.outputs(), names.motion + name)
-                                  : place_of(of.inputs(), names.motion + name);
+    return gives == Gives::motion ? index_of(of.outputs(), names.motion + name)
+                                  : index_of(of.inputs(), names.motion + name);
   };
   const auto force = [&](const std::string& name) {
-    return gives == Gives::force ? place_of(of.outputs(), names.force + name)
-                                 : place_of(of.inputs(), names.force + name);
+    return gives == Gives::force ? index_of(of.outputs(), names.force + name)
+                                 : index_of(of.inputs(), names.force + name);
   };
   std::vector<Port> ports;
   for (const char* axis : {"x", "y"})
@@ -48,13 +48,13 @@ Side side_of(system::DrivenGears& gears, const gearset::dynamics::Operation& ope
     for (Port& port : planet_ports(gears, Gives::motion, {"planet_" + number + ".", own, own}))
       side.ports.push_back(std::move(port));
     side.outputs.push_back(
-        nominal(place_of(gears.outputs(), own + "speed"), operation, operation.speeds.planet_relative));
+        nominal(index_of(gears.outputs(), own + "speed"), operation, operation.speeds.planet_relative));
   }
   return side;
 }
 
 Side side_of(system::DrivenBearing& bearing, int planet, const gearset::dynamics::Operation& operation) {
-  const auto input = [&](const char* name) { return place_of(bearing.inputs(), name); };
+  const auto input = [&](const char* name) { return index_of(bearing.inputs(), name); };
   const double carrier = operation.speeds.carrier;
   const auto acceleration = [operation, carrier](double time) {
     return InputPolynomial::constant(carrier * speed_at(operation, time).rate);

@@ -240,7 +240,7 @@ fmi2Status fmi2GetBooleanStatus(fmi2Component instance, fmi2StatusKind kind, fmi
   return guarded(instance, __func__, [&](Instance&) {
     require(value, "value");
     if (kind != fmi2Terminated) no_status();
-    *value = fmi2False;  // an instance ends when it is told to
+    *value = fmi2False;  // an instance ends when its importer says so
   });
 }
 fmi2Status fmi2GetStringStatus(fmi2Component instance, fmi2StatusKind, fmi2String*) {

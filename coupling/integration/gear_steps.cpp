@@ -14,15 +14,15 @@ constexpr double kMargin = 1e-9;  // [mesh period]  kept off a jump: far above r
 }  // namespace
 
 Jumps jumps_of(const SetModel& model, double from) {
-  const std::vector<double> places = jump_places(model);
+  const std::vector<double> phases = jump_phases(model);
   const gearset::dynamics::Operation& operation = model.operation;
-  if (places.empty() || operation.mesh_frequency <= 0.0) return {};
+  if (phases.empty() || operation.mesh_frequency <= 0.0) return {};
   const double passed =
       from > 0.0 ? std::floor(gearset::dynamics::mesh_periods(operation, from)) : 0.0;  // [mesh period]
-  const auto time = [places, operation, passed](long index) {
-    const long count = static_cast<long>(places.size());
+  const auto time = [phases, operation, passed](long index) {
+    const long count = static_cast<long>(phases.size());
     const double periods =
-        passed + static_cast<double>(index / count) + places[static_cast<std::size_t>(index % count)];
+        passed + static_cast<double>(index / count) + phases[static_cast<std::size_t>(index % count)];
     return gearset::dynamics::time_of_periods(operation, periods);
   };
   return {time, kMargin / operation.mesh_frequency};

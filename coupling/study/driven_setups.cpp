@@ -14,11 +14,11 @@ system::DrivenBearingSetup driven_bearing_setup(const PlanetaryDrivetrain& drive
           .dynamics = bearing_dynamics(drivetrain, geometry),
           .orbit_radius = geometry.gears.centre_distance,
           .first_roller = drivetrain.steady_state.first_roller,
-          .lambda = drivetrain.lambda,
+          .reduction_factor = drivetrain.reduction_factor,
           .bore_tilt = point.bore_tilt,
           .outer_race = point.outer_race,
           .allowed_length_error = drivetrain.steady_state.allowed_length_error,
-          .places = drivetrain.steady_state.places};
+          .bins = drivetrain.steady_state.bins};
 }
 
 system::DrivenGearsSetup driven_gears_setup(const PlanetaryDrivetrain& drivetrain) {

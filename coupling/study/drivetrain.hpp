@@ -197,7 +197,7 @@ struct PlanetaryDrivetrain {
   bearing::Lubricant lubricant;
   bool film_in_approach = false;
   bearing::FilmApproach film_approach = bearing::FilmApproach::added;
-  double lambda = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
+  double reduction_factor = 0.83;  // [-]  product lambda nu of ISO/TR 1281-1
   Misalignment misalignment;
   PinSeats seats;
   bearing::motion::DynamicsParameters dynamics;  // roller dynamics: what the members above do not state
@@ -228,7 +228,7 @@ void describe(Visitor& visit, PlanetaryDrivetrain& m) {
             {.models = planetary_drivetrain, .reason = "as published models have it; thin rims bend"}),
       apart(m.inertia), apart(m.lubricant), apart(m.film_in_approach),
       apart(m.film_approach),  // dynamics' own
-      system::lambda_row(m.lambda), part(m.misalignment), part(m.seats), part(m.dynamics),
+      system::reduction_factor_row(m.reduction_factor), part(m.misalignment), part(m.seats), part(m.dynamics),
       part(m.steady_state), part(m.exchange), part(m.run_up), apart(m.gear_set), apart(m.uneven_planets),
       apart(m.rated),
       field(m.mesh_variation, "gearset.mesh_variation", Felt::gear_motion,

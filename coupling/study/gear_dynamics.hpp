@@ -21,7 +21,7 @@ struct GearRunOptions {
   // place of the mesh period: where the stiffness jumps, a grid that repeats would always see one side.
   long samples_per_period = 128;
   long series_periods = 4;                      // [mesh period]  the last ones, kept as time series
-  int harmonics = 12;                           // orders of the mesh frequency that are told
+  int harmonics = 12;                           // orders of the mesh frequency that are written
   double allowed_share = 1e-4;                  // [-]  error of one step over the mean deflection of a mesh
   integration::IntegrationOptions integration;  // allowed_error and step are filled in
 };

@@ -7,7 +7,7 @@
 
 #include "gearset/dynamics/bodies.hpp"
 #include "gearset/mesh/loaded/set_teeth.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::study {
 
@@ -108,7 +108,7 @@ SetParameters lumped_set(const GearDynamicsChoice& choice, int planets, double p
   SetParameters set = assemble(
       choice, planets, std::nullopt,
       {.bodies = {unit, unit, unit, unit}, .sun_angle = pressure_angle, .ring_angle = pressure_angle});
-  set.planet_places = places;
+  set.planet_angles = places;
   set.sun_phase.assign(static_cast<std::size_t>(planets), 0.0);
   set.ring_phase = set.sun_phase;
   return set;
@@ -138,7 +138,7 @@ SetParameters geometric_set(const GearDynamicsChoice& choice, const gearset::Pla
     if (!choice.sun_mesh_stiffness) out.sun_mesh.loaded = share(teeth.sun);
     if (!choice.ring_mesh_stiffness) out.ring_mesh.loaded = share(teeth.ring);
   }
-  if (stands_unevenly(set)) out.planet_places = planet_places(set);
+  if (stands_unevenly(set)) out.planet_angles = angles_of_planets(set);
   // A mesh that lags behind is earlier in its period.
   for (const double lag : meshes.sun_lag) out.sun_phase.push_back(-lag);
   for (const double lag : meshes.ring_lag) out.ring_phase.push_back(-lag);

@@ -31,8 +31,8 @@ constexpr Eigen::Index kOfLife = 3;  // ln of both capacities and of the speed
 
 Eigen::Vector<double, kOfLife> life_numbers(const PlanetaryDrivetrain& drivetrain, const BearingDuty& duty) {
   const bearing::Bearing& b = drivetrain.bearing;
-  return {std::log(bearing::contact_capacity(b, Race::inner, drivetrain.lambda)),
-          std::log(bearing::contact_capacity(b, Race::outer, drivetrain.lambda)),
+  return {std::log(bearing::contact_capacity(b, Race::inner, drivetrain.reduction_factor)),
+          std::log(bearing::contact_capacity(b, Race::outer, drivetrain.reduction_factor)),
           std::log(std::abs(bearing::turning_speed(b, duty.point)))};
 }
 
@@ -218,7 +218,7 @@ LifeSlopes::Balances LifeSlopes::balance_planet(const PlanetaryDrivetrain& drive
 
 void LifeSlopes::rate(const PlanetaryDrivetrain& drivetrain) {
   const bearing::life::LaminaRating rating = bearing::life::lamina_rating(
-      drivetrain.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain.lambda);
+      drivetrain.bearing, bearing::life::LifeMeasure::lundberg_palmgren, drivetrain.reduction_factor);
   LoadsOfBearings loads;
   loads.resize(lives_.front().balances.size());
   for (const Balances& planet : lives_)

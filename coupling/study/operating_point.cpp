@@ -171,7 +171,7 @@ class BearingsAtRest {
 // The one life of all fidelities; `powers` where they are known.
 bearing::BearingLife life_under_means(const PlanetaryDrivetrain& drivetrain, const WindowStatistics& means,
                                       const bearing::life::LaminaMeans* powers = nullptr) {
-  return bearing::motion::life_under(drivetrain.bearing, drivetrain.lambda, damage_of(means.inner),
+  return bearing::motion::life_under(drivetrain.bearing, drivetrain.reduction_factor, damage_of(means.inner),
                                      damage_of(means.outer), powers);
 }
 
@@ -196,7 +196,7 @@ ModifiedRecord modified_record(const PlanetaryDrivetrain& drivetrain, const Bear
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const bearing::rating::OilCondition oil = oil_of(drivetrain, duty, means);
   ModifiedRecord record{oil.viscosity_ratio, oil.contamination_factor, none, none, none, none, none};
-  const auto modified = bearing::rating::modified_life(drivetrain.bearing, drivetrain.lambda,
+  const auto modified = bearing::rating::modified_life(drivetrain.bearing, drivetrain.reduction_factor,
                                                        drivetrain.rated->ratings, oil, powers);
   if (!modified) return record;
   const double reliability = drivetrain.rated->reliability_factor;
@@ -502,7 +502,7 @@ PointResult coupled_point(const PlanetaryDrivetrain& drivetrain, const Drivetrai
               by_planet(run.bearings, drivetrain.bearings_per_planet), result);
   put_system_life(drivetrain, result);
   result.system_life_hours = life_together(record.bearing_life_hours);
-  result.two_way = record;
+  result.coupled = record;
   return result;
 }
 

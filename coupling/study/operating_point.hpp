@@ -133,7 +133,7 @@ struct PointResult {
   std::optional<LaminaRecord> laminae;   // none from whole contacts
   std::vector<PlanetResult> planets;     // none where all planets carry alike
   std::vector<SeatResult> seats;         // of one planet, where its tilt is computed
-  std::optional<CoupledRecord> two_way;  // none where the bearings do not act back on the gears
+  std::optional<CoupledRecord> coupled;  // none where the bearings do not act back on the gears
   std::string limiting_set;              // of several sets, the one these numbers belong to
   std::vector<SetResult> sets;           // of several sets, all with bearings, in the order given
   std::string status = "ok";             // "ok" or why the point failed

@@ -10,7 +10,7 @@
 #include "coupling/study/low_pass.hpp"
 #include "coupling/system/monolithic.hpp"
 #include "gearset/mean_loads.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::study {
 
@@ -93,7 +93,7 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
                                  const std::vector<system::ScratchedPlanet>& scratched,
                                  const PlanetSampling& sampling,
                                  const std::function<void(double)>& progress) {
-  constexpr long kShown = 100;  // times that progress is told
+  constexpr long kShown = 100;  // times that progress is reported
   system::CoupledSetup setup = coupled_setup(drivetrain, derive(drivetrain));
   setup.scratched = scratched;
   gearset::dynamics::Operation& operation = setup.gears.operation;
@@ -104,7 +104,7 @@ PlanetVibration sample_vibration(const PlanetaryDrivetrain& drivetrain,
   const int bearing =
       planet * setup.bearings_per_planet + (scratched.empty() ? 0 : scratched.front().bearing);
   const Turning turning(operation);
-  const std::vector<double> places = gearset::planet_places(drivetrain.set);
+  const std::vector<double> places = gearset::angles_of_planets(drivetrain.set);
 
   system::Monolithic motion(setup);
   PlanetVibration out{.rate = plan.rate,

@@ -36,12 +36,11 @@ void describe(Visitor& visit, PlanetSampling& m) {
       visit, m,
       field(m.rate, "signal.sampling_rate", Felt::defect, "samples of the vibration a second",
             {.models = scratched_bearings, .dimension = dimension::frequency}),
-      field(
-          m.revolutions, "signal.carrier_revolutions", Felt::defect,
-          "revolutions of the carrier that are sampled; lines as close as its speed over them are told apart",
-          {.models = planetary_drivetrain,
-           .range = positive(1e4),
-           .reason = "side bands of the carrier sixteen lines apart"}),
+      field(m.revolutions, "signal.carrier_revolutions", Felt::defect,
+            "revolutions of the carrier that are sampled; lines as close as its speed over them are resolved",
+            {.models = planetary_drivetrain,
+             .range = positive(1e4),
+             .reason = "side bands of the carrier sixteen lines apart"}),
       field(
           m.settling_revolutions, "signal.carrier_settling", Felt::defect,
           "revolutions of the carrier before, in which the start dies away",

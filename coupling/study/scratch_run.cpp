@@ -181,7 +181,7 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given, c
 RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given,
                                const bearing::balls::MotionParameters& parameters, double length_error,
                                const Sampling& sampling, const std::function<void(double)>& progress) {
-  constexpr long kShown = 100;  // times that progress is told
+  constexpr long kShown = 100;  // times that progress is reported
   bearing::defect::ScratchedBearing scratched = given;
   scratched.run_up = run_up_of(given.shaft_speed, sampling);
   BallBearing model(scratched_numbers(scratched, parameters), scratched_duty(scratched));
@@ -205,7 +205,7 @@ RingVibration sample_vibration(const bearing::defect::ScratchedBearing& given,
     for (long i = 1; i <= instants; ++i) {
       const double time = static_cast<double>(i) * record.interval();
       balls.advance(system, time, budget, vibration.report);
-      system::require_balls_in_place(model.numbers(), x.data());
+      system::require_containment(model.numbers(), x.data());
       model.derivative(time, x.data(), now.data());
       record.take(along_load(now.data() + layout.outer() + bearing::balls::kRingUnknowns), [&] {
         if (!std::exchange(sampled, true)) sampled_from = time, turned_then = x[cage_turn];

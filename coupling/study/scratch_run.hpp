@@ -32,7 +32,7 @@ void describe(Visitor& visit, Sampling& m) {
              .range = {1e-3, 1e5},
              .reason = "a usual rate of instruments, far above the vibration of the ring"}),
       field(m.revolutions, "signal.revolutions", Felt::defect,
-            "revolutions of the shaft that are sampled; lines as close as its speed over them are told apart",
+            "revolutions of the shaft that are sampled; lines as close as its speed over them are resolved",
             {.models = lone_scratched,
              .range = {2.0, 1e5},
              .reason = "lines a fiftieth of the shaft's frequency apart"}),

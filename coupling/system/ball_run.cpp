@@ -62,12 +62,11 @@ double rolling_cage_speed(const bearing::BearingGeometry& geometry, const bearin
 // Sums what passes in each step.
 class WatchedBalls : public BallEquations {
  public:
-  WatchedBalls(BallBearing& bearing, const bearing::BearingGeometry& geometry, double observe_from,
-               long places)
+  WatchedBalls(BallBearing& bearing, const bearing::BearingGeometry& geometry, double observe_from, long bins)
       : BallEquations(bearing),
         geometry_(geometry),
         observe_from_(observe_from),
-        sums_{.damage = bearing::motion::DamageSums(places, 0, bearing::motion::DamagePower::of_points)} {}
+        sums_{.damage = bearing::motion::DamageSums(bins, 0, bearing::motion::DamagePower::of_points)} {}
 
   // The loads of the linearisation are those of the step's beginning; they count until its end.
   void begun(const std::vector<double>& x) {
@@ -267,7 +266,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
     return options.duration * static_cast<double>(i) / options.samples;
   };
   const double observe_from = sample_time(first_observed);
-  WatchedBalls system(model, geometry, observe_from, options.places);
+  WatchedBalls system(model, geometry, observe_from, options.bins);
   BallsInTime balls(x, ball_stepper(numbers, options.length_error));
   std::optional<PrintedSteps> printed;
   if (options.form == BallForm::printed) printed.emplace(model, x, options.printed_step);
@@ -304,7 +303,7 @@ BallRunResult run_balls(const bearing::Bearing& bearing, const bearing::balls::M
         x = balls.state();
       }
       time = sample_time(i);
-      require_balls_in_place(numbers, x.data());
+      require_containment(numbers, x.data());
       sample();
       if (progress) progress(time);
     }

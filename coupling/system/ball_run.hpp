@@ -43,7 +43,7 @@ struct BallRunOptions {
   std::vector<double>
       from;  // final_state of a run before it, from which this one goes on; empty: from the start
   double printed_step = 1e-6;    // [s]  of the classic Runge-Kutta method in the printed form
-  int places = 72;               // [-]  bins on the races
+  int bins = 72;                 // [-]  bins on the races
   double most_seconds = 3600.0;  // [s]  of wall time
 };
 

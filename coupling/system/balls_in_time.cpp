@@ -52,7 +52,7 @@ integration::Rosenbrock2 ball_stepper(const BallNumbers& numbers, double length,
                                   steps.longest / ball_frequency(numbers));
 }
 
-void require_balls_in_place(const BallNumbers& c, const double* x) {
+void require_containment(const BallNumbers& c, const double* x) {
   const StateLayout layout{c.balls};
   for (int j = 0; j < c.balls; ++j)
     if (!(std::abs(x[j] - c.pitch_radius) < c.radius) ||

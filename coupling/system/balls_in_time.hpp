@@ -38,7 +38,7 @@ integration::Rosenbrock2 ball_stepper(const bearing::balls::BallNumbers& numbers
 
 /// Throws std::runtime_error, with what came out, unless balls are between the races and the cage about them
 /// in the padded state `x`.
-void require_balls_in_place(const bearing::balls::BallNumbers& numbers, const double* x);
+void require_containment(const bearing::balls::BallNumbers& numbers, const double* x);
 
 /// The equations as the stepper and its windows see them. Who watches the steps derives from it and has
 /// begun() and stepped() of its own.

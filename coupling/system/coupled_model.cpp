@@ -21,7 +21,7 @@ using gearset::dynamics::PlanetBearing;
 
 PlanetPort port_of(const PlanetBearing& bearing) {
   PlanetPort port;
-  port.place = bearing.place;
+  port.planet_index = bearing.planet_index;
   port.of_carrier << -bearing.radial.central.transpose(), -bearing.tangential.central.transpose(),
       bearing.rotation.central.transpose();
   port.of_planet << -bearing.radial.planet.transpose(), -bearing.tangential.planet.transpose(),

@@ -39,15 +39,15 @@ DrivenBearingSetup bearing_of_planet(const CoupledSetup& setup, int planet, int 
 /// How the bore of a planet follows the gear set: linear in (x, y, u) of carrier and planet, less the error
 /// of its pin.
 struct PlanetPort {
-  Eigen::Index place = 0;                  // of the planet in the layout
-  // Rows: place x and y [-], rotation of the planet relative to the carrier [1/m].
+  Eigen::Index planet_index = 0;  // of the planet in the layout
+  // Rows: position x and y [-], rotation of the planet relative to the carrier [1/m].
   Eigen::Matrix3d of_carrier, of_planet;
   Eigen::Vector2d pin_error;               // [m]
 
   /// Place and rotation.
   Eigen::Vector3d of(const Eigen::Ref<const Eigen::VectorXd>& q) const {
     return of_carrier * q.segment<3>(gearset::dynamics::SetLayout::carrier()) +
-           of_planet * q.segment<3>(place);
+           of_planet * q.segment<3>(planet_index);
   }
   Eigen::Vector2d along(const Eigen::Ref<const Eigen::VectorXd>& q) const { return of(q).head<2>(); }
   double turn(const Eigen::Ref<const Eigen::VectorXd>& q) const { return of(q)[2]; }
@@ -89,7 +89,7 @@ struct CoupledStart {
 };
 
 /// Gears and bearings at rest in each other's forces, as a co-simulation begins: the gear set in its static
-/// state under mean loads, the rollers of each bearing in balance at the place of its planet.
+/// state under mean loads, the rollers of each bearing in balance at its planet's angle.
 /// @throws std::runtime_error where no balance is found
 CoupledStart coupled_start(const CoupledSetup& setup, const CoupledModel& model, double time);
 

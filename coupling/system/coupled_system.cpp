@@ -11,18 +11,18 @@ using bearing::motion::BoreMotion;
 using bearing::vectorised::VectorBearing;
 using gearset::dynamics::SetLayout;
 
-bearing::motion::DamageSums empty_sums(const CoupledModel& model, long places) {
-  return bearing::motion::DamageSums(places, uneven_laminae(cut_races(model.bearing_of(0))));
+bearing::motion::DamageSums empty_sums(const CoupledModel& model, long bins) {
+  return bearing::motion::DamageSums(bins, uneven_laminae(cut_races(model.bearing_of(0))));
 }
 
 constexpr Eigen::Index kEight = 8;  // the stepper works on as many numbers at once
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(const CoupledModel& model, long places, bool turning)
+CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool turning)
     : loads(static_cast<std::size_t>(model.bearings()),
             system::LoadsAtStep(static_cast<int>(model.bearing.layout.rollers))),
-      sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, places)),
+      sums(static_cast<std::size_t>(model.bearings()), empty_sums(model, bins)),
       counted(static_cast<std::size_t>(model.bearings()), false),
       model_(model),
       turning_(turning),
@@ -43,8 +43,8 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long places, bool turnin
   gear_rate_after_.resize(2 * freedoms());
 }
 
-bearing::motion::DamageSums CoupledSystem::no_damage(long places) const {
-  return empty_sums(model_, places);
+bearing::motion::DamageSums CoupledSystem::no_damage(long bins) const {
+  return empty_sums(model_, bins);
 }
 
 void CoupledSystem::set_piece(double begin, double first, double last) {
@@ -143,8 +143,8 @@ void CoupledSystem::solve(const double* rhs, double* k) {
     const PlanetPort& port = model_.port_of(b);
     const Eigen::Vector3d on_planet(force[0], force[1], force[2]);
     right_.segment<3>(SetLayout::carrier()) += port.of_carrier.transpose() * on_planet;
-    right_.segment<3>(port.place) += port.of_planet.transpose() * on_planet;
-    if (model_.gears.load_place >= 0) right_[model_.gears.load_place] += model_.gears.load_share * force[2];
+    right_.segment<3>(port.planet_index) += port.of_planet.transpose() * on_planet;
+    if (model_.gears.load_index >= 0) right_[model_.gears.load_index] += model_.gears.load_share * force[2];
   }
   rate_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
   matrix_.solve(rate_);

@@ -24,7 +24,7 @@ class CoupledSystem {
   using Vector = Eigen::Map<const Eigen::VectorXd>;
 
   /// `turning`: the matrix holds what rotations of the planets do to bearings, and these to them.
-  CoupledSystem(const CoupledModel& model, long places, bool turning = false);
+  CoupledSystem(const CoupledModel& model, long bins, bool turning = false);
 
   Eigen::Index freedoms() const { return model_.gears.layout.freedoms(); }
   /// Positions (from 0) or velocities (from freedoms()) of the gears.
@@ -56,7 +56,7 @@ class CoupledSystem {
   void settle(double time, std::vector<double>& x) const;
 
   /// Sums of a bearing that nothing was counted of yet.
-  bearing::motion::DamageSums no_damage(long places) const;
+  bearing::motion::DamageSums no_damage(long bins) const;
 
   std::vector<system::LoadsAtStep> loads;         // (bearings)
   std::vector<bearing::motion::DamageSums> sums;  // (bearings)
@@ -112,8 +112,8 @@ class CoupledSystem {
 /// The same for steps that ask for all slopes, as those of order 4 do, that by time alone among them.
 class WithAllSlopes : public CoupledSystem {
  public:
-  WithAllSlopes(const CoupledModel& model, long places, bool turning = true)
-      : CoupledSystem(model, places, turning) {}
+  WithAllSlopes(const CoupledModel& model, long bins, bool turning = true)
+      : CoupledSystem(model, bins, turning) {}
   void time_slope(double time, double* dx) { mesh_slope(time, dx); }
 };
 

@@ -55,11 +55,11 @@ void check_numbers(const DrivenBearingSetup& setup) {
           setup.orbit_radius, "0 or more");
   require(std::isfinite(setup.first_roller), "place of the first roller [rad]", setup.first_roller,
           "a finite number");
-  require(std::isfinite(setup.lambda) && setup.lambda > 0.0, "lambda of the life [-]", setup.lambda,
-          "more than 0");
+  require(std::isfinite(setup.reduction_factor) && setup.reduction_factor > 0.0,
+          "reduction factor of the life [-]", setup.reduction_factor, "more than 0");
   require(std::isfinite(setup.allowed_length_error) && setup.allowed_length_error > 0.0,
           "allowed length error [m]", setup.allowed_length_error, "more than 0");
-  require(setup.places >= 1, "places on the races", static_cast<double>(setup.places), "at least 1");
+  require(setup.bins >= 1, "bins on the races", static_cast<double>(setup.bins), "at least 1");
   const double tilt = setup.bore_tilt.norm();
   require(std::isfinite(tilt), "tilt of the bore [rad]", tilt, "a finite number");
   require(tilt == 0.0 || setup.bearing.rollers().laminae > 0, "tilt of the bore [rad]", tilt,
@@ -70,12 +70,12 @@ void check_numbers(const DrivenBearingSetup& setup) {
 }
 
 void check_effects(const bearing::motion::DynamicsParameters& dynamics) {
-  require(dynamics.driving.ramp == 0.0, "growth of the speeds [1/s]", dynamics.driving.ramp,
+  require(dynamics.driving.ramp == 0.0, "speed ramp [1/s]", dynamics.driving.ramp,
           "0, since the speeds are inputs");
   require(dynamics.excitation.harmonics.empty(), "harmonics of a mesh excitation",
           static_cast<double>(dynamics.excitation.harmonics.size()), "none, since the motion is an input");
-  const bool printed =
-      dynamics.race.film_in_approach && dynamics.race.film_approach == bearing::FilmApproach::as_printed;
+  const bool printed = dynamics.race.film_in_approach &&
+                       dynamics.race.film_approach == bearing::FilmApproach::literature_variant;
   require(!printed, "film in the approach as printed", 1.0,
           "a film that is added, since the printed one asks for the load beforehand");
 }
@@ -217,7 +217,7 @@ DrivenBearingOutput driven_output(const bearing::BearingGeometry& geometry, doub
 struct DrivenBearing::Inside {
   DrivenBearingSetup setup;
   BearingModel model;
-  VectorBearing fast;
+  VectorBearing vectorised;
   integration::Rosenbrock2 stepper;
   system::LoadsAtStep loads;
   DrivenState state, backup;
@@ -226,29 +226,29 @@ struct DrivenBearing::Inside {
   explicit Inside(const DrivenBearingSetup& given)
       : setup(given),
         model(driven_model(given)),
-        fast(model),
-        stepper(
-            system::linearly_implicit_errors(fast, system::allowed_errors(model, setup.allowed_length_error)),
-            system::longest_step(model)),
+        vectorised(model),
+        stepper(system::linearly_implicit_errors(vectorised,
+                                                 system::allowed_errors(model, setup.allowed_length_error)),
+                system::longest_step(model)),
         loads(given.bearing.rollers().count),
-        at_instant(static_cast<std::size_t>(fast.layout().size())),
+        at_instant(static_cast<std::size_t>(vectorised.layout().size())),
         rate(at_instant) {
     state.sums = no_damage();
     set(Eigen::VectorXd::Zero(model.layout.size()));
   }
 
-  DamageSums no_damage() const { return DamageSums(setup.places, uneven_laminae(cut_races(model))); }
+  DamageSums no_damage() const { return DamageSums(setup.bins, uneven_laminae(cut_races(model))); }
 
-  void set(const Eigen::VectorXd& x) { state.x = fast.padded(x); }
+  void set(const Eigen::VectorXd& x) { state.x = vectorised.padded(x); }
   Eigen::VectorXd flat() const {
     Eigen::VectorXd x(model.layout.size());
-    fast.flatten(state.x.data(), x);
+    vectorised.flatten(state.x.data(), x);
     return x;
   }
 
-  // What a saved state must agree in: version, rollers, places, waves, cage.
+  // What a saved state must agree in: version, rollers, bins, waves, cage.
   std::vector<double> head() const {
-    return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.places),
+    return {kVersion, static_cast<double>(setup.bearing.rollers().count), static_cast<double>(setup.bins),
             static_cast<double>(model.layout.waves), setup.bearing.has_cage() ? 1.0 : 0.0};
   }
 
@@ -261,7 +261,7 @@ struct DrivenBearing::Inside {
     const InputPolynomial angle = integral(state.angle, inputs.speed);
     const integration::WindowLimits limits{.most_steps = setup.most_steps};
     loads.step_before = state.step_before;
-    DrivenSystem system(fast, inputs, state.angle, loads, state.sums);
+    DrivenSystem system(vectorised, inputs, state.angle, loads, state.sums);
     system.settle(0.0, state.x);
     integration::through_window(stepper, system, state.x, length, limits, state.step);
     state.step_before = loads.step_before;
@@ -274,14 +274,14 @@ struct DrivenBearing::Inside {
   // The vectorised bearing with its bore where `motion` says; `linear` keeps slopes.
   BoreReaction evaluate(const BoreMotion& motion, bool linear) {
     at_instant = state.x;
-    double* bore = at_instant.data() + fast.layout().bore();
+    double* bore = at_instant.data() + vectorised.layout().bore();
     std::copy_n(motion.position.data(), 2, bore);
     std::copy_n(motion.velocity.data(), 2, bore + 2);
     if (linear)
-      fast.linearise(motion, at_instant.data(), rate.data());
+      vectorised.linearise(motion, at_instant.data(), rate.data());
     else
-      fast.derivative(motion, at_instant.data(), rate.data());
-    return fast.reaction();
+      vectorised.derivative(motion, at_instant.data(), rate.data());
+    return vectorised.reaction();
   }
   BoreReaction reaction(const BoreMotion& motion) { return evaluate(motion, false); }
 
@@ -374,7 +374,7 @@ DrivenBearingOutput DrivenBearing::output(const BoreMotion& motion) const {
   const BoreMotion here = in.here(motion);
   return driven_output(in.model.geometry, motion.speed, driven_snapshot(in.model, here, in.flat()),
                        in.reaction(here), in.state.turned,
-                       in.state.sums.life(in.setup.bearing, in.setup.lambda).bearing);
+                       in.state.sums.life(in.setup.bearing, in.setup.reduction_factor).bearing);
 }
 
 void DrivenBearing::take_snapshot(const BoreMotion& motion, Snapshot& into) const {
@@ -394,7 +394,7 @@ ForceSlopes DrivenBearing::slopes(const BoreMotion& motion) const {
   const BoreMotion here = in.here(motion);
   ForceSlopes slopes;
   in.evaluate(here, true);
-  const bearing::vectorised::BoreSlopes exact = in.fast.bore_slopes();
+  const bearing::vectorised::BoreSlopes exact = in.vectorised.bore_slopes();
   for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 2; ++k) {
       slopes.by_displacement(i, k) = exact.by_position[i][k];

@@ -22,13 +22,13 @@ struct DrivenBearingSetup {
   bearing::motion::DynamicsParameters dynamics;  // no run-up, no excitation: the inputs bring them
   double orbit_radius = 0.0;                     // [m]    from the carrier's axis to the pin's
   double first_roller = 0.0;                     // [rad]  place of the first roller at the start
-  double lambda = 0.83;                          // [-]    of the Lundberg-Palmgren life
+  double reduction_factor = 0.83;                // [-]    of the Lundberg-Palmgren life
   /// Inclination [rad] of the bore's axis against the pin's, which stays: it runs along (x, y, 1). Felt by
   /// laminae only, and refused without them.
   Eigen::Vector2d bore_tilt = Eigen::Vector2d::Zero();
   bearing::ElasticRace outer_race = {};  // how the outer race bends, under mean forces of the teeth
   double allowed_length_error = 2e-10;  // [m]    of one step; all other variables follow from it
-  long places = 72;                     // [-]    bins on the races, for the life
+  long bins = 72;                       // [-]    bins on the races, for the life
   long most_steps = 10'000'000;         // [-]    in one call of advance() before it gives up
   double planet_speed = 0.0;   // [rad/s]  of the bore relative to the carrier, at the start where nobody says
   double carrier_speed = 0.0;  // [rad/s]  the same
@@ -38,9 +38,9 @@ struct DrivenBearingSetup {
 };
 
 /// Of a drivetrain too.
-inline described::Row<double> lambda_row(double& lambda) {
+inline described::Row<double> reduction_factor_row(double& reduction_factor) {
   using namespace described;
-  return field(lambda, "life.lambda", Felt::life,
+  return field(reduction_factor, "life.reduction_factor", Felt::life,
                "reduction factor of the capacity: the product lambda nu of ISO/TR 1281-1",
                {.models = with_rollers,
                 .range = positive(1.0),
@@ -71,9 +71,9 @@ void describe(Visitor& visit, DrivenBearingSetup& m) {
                         {.dimension = dimension::force, .fmu = InFmu::parameter}),
                internal(m.start_load.y(), "start_load.y", "the same in the sense of carrier rotation",
                         {.dimension = dimension::force, .fmu = InFmu::parameter})),
-      apart(m.outer_race), lambda_row(m.lambda), system::length_error_row(m.allowed_length_error),
-      internal(m.places, "simulation.places"), internal(m.most_steps, "simulation.most_steps"),
-      internal(m.planet_speed, "operation.planet_speed"),
+      apart(m.outer_race), reduction_factor_row(m.reduction_factor),
+      system::length_error_row(m.allowed_length_error), internal(m.bins, "simulation.bins"),
+      internal(m.most_steps, "simulation.most_steps"), internal(m.planet_speed, "operation.planet_speed"),
       internal(m.carrier_speed, "operation.carrier_speed"),
       together(internal(m.start_displacement.x(), "operation.displacement.x"),
                internal(m.start_displacement.y(), "operation.displacement.y")));

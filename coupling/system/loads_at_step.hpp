@@ -12,7 +12,7 @@ namespace orbearing::system {
 
 struct LoadsAtStep {
   std::vector<double> angle, orbital_speed, inner, outer;   // [rad], [rad/s], [N]  (rollers)
-  std::vector<double> inner_approach, outer_approach, tip;  // [m]  (rollers) or none
+  std::vector<double> inner_approach, outer_approach, end_displacement;  // [m]  (rollers) or none
   const bearing::motion::LaminaRaces* laminae = nullptr;    // where they are counted one by one
   bearing::motion::RaceSpeeds races;
   double step_before = 0.0;                                   // [s]
@@ -31,7 +31,7 @@ struct LoadsAtStep {
     if (!laminae) return;
     inner_approach.assign(loads.inner_approach, loads.inner_approach + angle.size());
     outer_approach.assign(loads.outer_approach, loads.outer_approach + angle.size());
-    tip.assign(loads.tip, loads.tip + angle.size());
+    end_displacement.assign(loads.end_displacement, loads.end_displacement + angle.size());
   }
   /// Those of the padded state `x`, at which `bearing` was evaluated last, with its races at `speeds`.
   void take(const bearing::vectorised::VectorBearing& bearing, const double* x,
@@ -39,13 +39,13 @@ struct LoadsAtStep {
     const int lanes = bearing.layout().lanes();
     const bearing::vectorised::ContactLoads loads = bearing.loads();
     take({x + lanes, x + 3 * lanes, loads.inner, loads.outer, speeds, cut_races(bearing.model()),
-          loads.inner_approach, loads.outer_approach, loads.tip});
+          loads.inner_approach, loads.outer_approach, loads.end_displacement});
   }
 
   /// Valid until the next are taken.
   bearing::motion::RollerLoads loads() const {
-    return {angle.data(), orbital_speed.data(),  inner.data(),          outer.data(), races,
-            laminae,      inner_approach.data(), outer_approach.data(), tip.data()};
+    return {angle.data(), orbital_speed.data(),  inner.data(),          outer.data(),           races,
+            laminae,      inner_approach.data(), outer_approach.data(), end_displacement.data()};
   }
   /// A step of `length` [s] begins: the loads go to the collector and into `sums`, where there are any.
   /// @return how long they count [s]

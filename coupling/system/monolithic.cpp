@@ -108,7 +108,7 @@ struct Monolithic::Inside {
   void show(double time);
   void show_all();
   void count_turns();
-  void require_in_place() const;
+  void require_containment() const;
   template <class Visit>
   void each(Visit visit);
   std::vector<double> head() const;
@@ -135,7 +135,7 @@ Monolithic::Inside::Inside(const CoupledSetup& setup)
     : setup_(setup),
       model_(coupled_model(setup)),
       equations(model_.gears),
-      system_(model_, setup.bearing.places, is_smooth(model_)),
+      system_(model_, setup.bearing.bins, is_smooth(model_)),
       stepper_(system_, step_options(setup, model_, system_)),
       x_(system_.size(), 0.0),
       before_(x_),
@@ -166,7 +166,7 @@ void Monolithic::Inside::forget() {
     turned_[place] = 0.0;
     angle_[place] = motion(b).angle;
     system_.loads[place].step_before = 0.0;
-    system_.sums[place] = system_.no_damage(setup_.bearing.places);
+    system_.sums[place] = system_.no_damage(setup_.bearing.bins);
   }
 }
 
@@ -218,7 +218,7 @@ void Monolithic::Inside::advance(const Window& window) {
   }
   show_all();
   count_turns();
-  require_in_place();
+  require_containment();
 }
 
 void Monolithic::Inside::follow(double time) {
@@ -234,7 +234,7 @@ void Monolithic::Inside::follow(double time) {
   }
   show(time);
   count_turns();
-  require_in_place();
+  require_containment();
 }
 
 void Monolithic::Inside::show_all() {
@@ -260,7 +260,7 @@ void Monolithic::Inside::count_turns() {
   }
 }
 
-void Monolithic::Inside::require_in_place() const {
+void Monolithic::Inside::require_containment() const {
   for (int b = 0; b < system_.bearings(); ++b) {
     const std::string reason = system::out_of_place(model_.bearing_of(b), bearing_state(b));
     if (reason.empty()) continue;
@@ -415,7 +415,7 @@ void Monolithic::observe_steps(const system::StepObservers& observers) {
 
 bearing::BearingLife Monolithic::life(int b) const {
   const DrivenBearingSetup& setup = inside_->setup_.bearing;
-  return inside_->system_.sums[static_cast<std::size_t>(b)].life(setup.bearing, setup.lambda);
+  return inside_->system_.sums[static_cast<std::size_t>(b)].life(setup.bearing, setup.reduction_factor);
 }
 
 CoupledStart Monolithic::state() const {

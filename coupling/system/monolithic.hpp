@@ -27,7 +27,7 @@ class Monolithic final : public system::Motion {
   /// From `window.begin`, where the system stands, to its end. On an error (std::runtime_error) the state is
   /// that at the beginning.
   void advance(const Window& window);
-  /// To `time` [s], not before the present one: as fast as steps go, which may pass it; what is told of the
+  /// To `time` [s], not before the present one: as fast as steps go, which may pass it; what is shown of the
   /// state is then interpolated. In place of windows, and without save() and restore(). On an error
   /// (std::runtime_error) the state is not to be used.
   void follow(double time);

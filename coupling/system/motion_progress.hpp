@@ -5,11 +5,11 @@
 
 namespace orbearing::system {
 
-/// Told how far one of the motions in progress is [s] and how far it may go at most [s].
+/// Called with how far one of the motions in progress is [s] and how far it may go at most [s].
 using MotionObserver = std::function<void(double time, double most)>;
 
-/// While it lives `observer` is told of every motion of the process, from any thread, one call at a time. One
-/// object at a time.
+/// While it lives `observer` is called for every motion of the process, from any thread, one call at a time.
+/// One object at a time.
 class ObservedMotions {
  public:
   explicit ObservedMotions(MotionObserver observer);

@@ -72,9 +72,9 @@ class Participant {
   std::vector<Output> outputs_;
 };
 
-/// Place of the one called `name` among inputs or outputs; kNone where there is no such one.
+/// Index of the one called `name` among inputs or outputs; kNone where there is no such one.
 template <class Described>
-std::size_t place_of(const std::vector<Described>& all, std::string_view name) {
+std::size_t index_of(const std::vector<Described>& all, std::string_view name) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Described& one) { return one.name == name; });
   return found == all.end() ? kNone : static_cast<std::size_t>(found - all.begin());

@@ -90,7 +90,7 @@ class Observation {
       : motion_(motion), options_(options), most_(most) {
     motion_.take_snapshot(0, snapshot_);
     for (int b = 0; b < motion_.bearings(); ++b)
-      collectors_.emplace_back(snapshot_.angle.size(), options.places, uneven_laminae(snapshot_.laminae));
+      collectors_.emplace_back(snapshot_.angle.size(), options.bins, uneven_laminae(snapshot_.laminae));
   }
 
   /// Means of all bearings over `times`; `series`, where given, keeps the last `per_window` of the first one.
@@ -307,8 +307,7 @@ SteadyStateResult run_to_steady_state(const bearing::Bearing& bearing, const bea
                                       const std::optional<Eigen::VectorXd>& start) {
   const BearingModel model = bearing_model(bearing, point, parameters);
   if (model.driving.ramp != 0.0)
-    throw std::invalid_argument(
-        "growth of the speeds: found a run-up, which has no steady state; required: 0");
+    throw std::invalid_argument("speed ramp: found a run-up, which has no steady state; required: 0");
   FreeBearing motion(model,
                      start ? *start : initial_state(bearing, model, parameters, options.first_roller).x,
                      options.allowed_length_error, options.integration);

@@ -21,7 +21,7 @@ struct SteadyStateOptions {
   int observed_windows = 3;             // [-]  averaged once steady; at least ten for reliable maxima
   long samples_per_window = 2000;       // [-]
   long series_samples = 500;            // [-]  of the last window, kept as time series
-  long places = 72;                     // [-]  bins on the races
+  long bins = 72;                       // [-]  bins on the races
   double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
   integration::IntegrationOptions integration;  // of a bearing by itself; allowed_error is filled in
   BoreObserver on_bore = {};  // sees the observed windows of a bearing by itself, step by step; may be empty

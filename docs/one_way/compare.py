@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""compare.py ONE_WAY.csv ONE_SYSTEM.csv: table and picture of ../two_way.md, from the sweep.csv of two sweeps.
+"""compare.py ONE_WAY.csv ONE_SYSTEM.csv: table and picture of ../coupled_steady_state.md, from the sweep.csv of two sweeps.
 
     speeds="[$(python3 compare.py --speeds)]"
     case=cases/reducer_150kW/case.yaml

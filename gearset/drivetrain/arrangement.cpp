@@ -33,7 +33,7 @@ void add_parallel_stage(const std::string& name, const std::array<int, 2>& teeth
                         bool Shaft::*role, Arrangement& arrangement) {
   const auto had = std::find_if(arrangement.shafts.begin(), arrangement.shafts.end(),
                                 [&](const Shaft& shaft) { return shaft.*role; });
-  if (had == arrangement.shafts.end()) return;  // told of by arrangement_problems
+  if (had == arrangement.shafts.end()) return;  // reported by arrangement_problems
   const std::size_t set = arrangement.sets.size();
   arrangement.sets.push_back({name, teeth[0], 0, teeth[1]});
   (*had).*role = false;

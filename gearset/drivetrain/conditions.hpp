@@ -1,5 +1,5 @@
-// The linear equations of an arrangement, each row and column with a name, so that a fault can be told in the
-// user's words. Eqs. (26) to (29) of gearset/README.md.
+// The linear equations of an arrangement, each row and column with a name, so that a fault can be stated in
+// the user's words. Eqs. (26) to (29) of gearset/README.md.
 #pragma once
 
 #include <Eigen/Core>

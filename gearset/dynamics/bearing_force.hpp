@@ -19,10 +19,10 @@ inline Eigen::Vector2d bearing_force(const PlanetMember& planet, const PlanetBea
                                      const Eigen::Ref<const Eigen::VectorXd>& q,
                                      const Eigen::Ref<const Eigen::VectorXd>& v) {
   const Eigen::Index carrier = SetLayout::carrier();
-  const Eigen::Vector2d deflection(bearing.radial.of(q, carrier, bearing.place),
-                                   bearing.tangential.of(q, carrier, bearing.place));
-  const Eigen::Vector2d rate(bearing.radial.of(v, carrier, bearing.place),
-                             bearing.tangential.of(v, carrier, bearing.place));
+  const Eigen::Vector2d deflection(bearing.radial.of(q, carrier, bearing.planet_index),
+                                   bearing.tangential.of(q, carrier, bearing.planet_index));
+  const Eigen::Vector2d rate(bearing.radial.of(v, carrier, bearing.planet_index),
+                             bearing.tangential.of(v, carrier, bearing.planet_index));
   if (const auto& law = planet.affine_bearing)
     return law->force + law->stiffness * (deflection + bearing.pin_error) + law->damping * rate;
   return planet.bearing_stiffness * (deflection + bearing.pin_error) + planet.bearing_damping * rate;

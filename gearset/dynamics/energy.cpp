@@ -15,20 +15,20 @@ double square(double value) {
   return value * value;
 }
 
-// -1/2 m Omega^2 distance^2 from the axis, less its value in the nominal place.
+// -1/2 m Omega^2 distance^2 from the axis, less its value in the nominal position.
 double centrifugal_energy(const SetModel& model, const CarrierTurn& turn, const State& q) {
   double squares = 0.0;  // [kg m^2]
-  for (Eigen::Index place = 0; place < SetLayout::planet(0); place += 3)
-    squares += model.mass[place] * q.segment<2>(place).squaredNorm();
+  for (Eigen::Index index = 0; index < SetLayout::planet(0); index += 3)
+    squares += model.mass[index] * q.segment<2>(index).squaredNorm();
   const double radius = model.parameters.carrier.radius;
-  for (Eigen::Index place = SetLayout::planet(0); place < model.layout.freedoms(); place += 3)
-    squares += model.mass[place] * q[place] * (q[place] + 2.0 * radius);
+  for (Eigen::Index index = SetLayout::planet(0); index < model.layout.freedoms(); index += 3)
+    squares += model.mass[index] * q[index] * (q[index] + 2.0 * radius);
   return -0.5 * turn.centrifugal * squares;
 }
 
 Eigen::Vector2d deflection(const PlanetBearing& bearing, const State& q) {
-  return {bearing.radial.of(q, SetLayout::carrier(), bearing.place),
-          bearing.tangential.of(q, SetLayout::carrier(), bearing.place)};
+  return {bearing.radial.of(q, SetLayout::carrier(), bearing.planet_index),
+          bearing.tangential.of(q, SetLayout::carrier(), bearing.planet_index)};
 }
 
 // Of the symmetric part of the stiffness; the rest stores nothing.
@@ -76,11 +76,11 @@ void add_bearing_loss(const SetModel& model, const State& q, const State& v, Pow
 
 void add_support_powers(const SetModel& model, const CarrierTurn& turn, const State& q, const State& v,
                         PowerFlow& flow) {
-  for_each_support(model, [&](Eigen::Index place, const Support& support) {
-    const Eigen::Vector2d own = v.segment<2>(place);
-    const Eigen::Vector2d in_housing = velocity_in_housing(turn, q.segment<2>(place), own);
+  for_each_support(model, [&](Eigen::Index index, const Support& support) {
+    const Eigen::Vector2d own = v.segment<2>(index);
+    const Eigen::Vector2d in_housing = velocity_in_housing(turn, q.segment<2>(index), own);
     flow.support_loss +=
-        support.damping * in_housing.squaredNorm() + support.torsional_damping * square(v[place + 2]);
+        support.damping * in_housing.squaredNorm() + support.torsional_damping * square(v[index + 2]);
     flow.frame += support.damping * in_housing.dot(in_housing - own);
   });
 }
@@ -113,9 +113,9 @@ Energy energy(const SetModel& model, double time, const State& x) {
     for (const FlankForce& flank : {both.loaded, both.back}) result.meshes += flank.energy;
   }
   result.bearings = bearing_energy(model, q);
-  for_each_support(model, [&](Eigen::Index place, const Support& support) {
-    result.supports += 0.5 * support.stiffness * q.segment<2>(place).squaredNorm() +
-                       0.5 * support.torsional_stiffness * square(q[place + 2]);
+  for_each_support(model, [&](Eigen::Index index, const Support& support) {
+    result.supports += 0.5 * support.stiffness * q.segment<2>(index).squaredNorm() +
+                       0.5 * support.torsional_stiffness * square(q[index + 2]);
   });
   const SpeedState speed = speed_at(model.operation, time);
   result.centrifugal = centrifugal_energy(model, carrier_turn(model, speed), q);

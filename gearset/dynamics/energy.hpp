@@ -11,7 +11,7 @@ struct Energy {
   double meshes = 0.0;       // [J]
   double bearings = 0.0;     // [J]  of the planets
   double supports = 0.0;     // [J]
-  double centrifugal = 0.0;  // [J]  potential; zero where every body is in its nominal place
+  double centrifugal = 0.0;  // [J]  potential; zero where every body is in its nominal position
 
   double stored() const { return meshes + bearings + supports + centrifugal; }
   double total() const { return kinetic + stored(); }

@@ -18,7 +18,7 @@ void add_meshes(const SetModel& model, double time, const Positions& q, const Po
     const MeshForce both = mesh_force(model, mesh, now, q, v);
     const double loaded = both.loaded.total(), back = both.back.total();
     force.segment<3>(mesh.central) -= loaded * mesh.loaded.central + back * mesh.back.central;
-    force.segment<3>(mesh.place) -= loaded * mesh.loaded.planet + back * mesh.back.planet;
+    force.segment<3>(mesh.planet_index) -= loaded * mesh.loaded.planet + back * mesh.back.planet;
   }
 }
 
@@ -26,13 +26,13 @@ void add_meshes(const SetModel& model, double time, const Positions& q, const Po
 void add_bearing(const PlanetBearing& bearing, const Eigen::Vector2d& on_planet, Forces force) {
   force.segment<3>(SetLayout::carrier()) -=
       on_planet.x() * bearing.radial.central + on_planet.y() * bearing.tangential.central;
-  force.segment<3>(bearing.place) -=
+  force.segment<3>(bearing.planet_index) -=
       on_planet.x() * bearing.radial.planet + on_planet.y() * bearing.tangential.planet;
 }
 
 void add_moment(const PlanetBearing& bearing, double on_planet, Forces force) {
   force.segment<3>(SetLayout::carrier()) += on_planet * bearing.rotation.central;
-  force.segment<3>(bearing.place) += on_planet * bearing.rotation.planet;
+  force.segment<3>(bearing.planet_index) += on_planet * bearing.rotation.planet;
 }
 
 void add_planet_bearings(const SetModel& model, const Positions& q, const Positions& v, Forces force) {
@@ -44,11 +44,11 @@ void add_planet_bearings(const SetModel& model, const Positions& q, const Positi
 
 void add_supports(const SetModel& model, const CarrierTurn& turn, const Positions& q, const Positions& v,
                   Forces force) {
-  const auto add = [&](Eigen::Index place, const Support& support) {
+  const auto add = [&](Eigen::Index index, const Support& support) {
     // The housing's damper sees the velocity in the housing, not that in the carrier's frame.
-    const Eigen::Vector2d velocity = velocity_in_housing(turn, q.segment<2>(place), v.segment<2>(place));
-    force.segment<2>(place) -= support.stiffness * q.segment<2>(place) + support.damping * velocity;
-    force[place + 2] -= support.torsional_stiffness * q[place + 2] + support.torsional_damping * v[place + 2];
+    const Eigen::Vector2d velocity = velocity_in_housing(turn, q.segment<2>(index), v.segment<2>(index));
+    force.segment<2>(index) -= support.stiffness * q.segment<2>(index) + support.damping * velocity;
+    force[index + 2] -= support.torsional_stiffness * q[index + 2] + support.torsional_damping * v[index + 2];
   };
   add(SetLayout::sun(), model.parameters.sun.support);
   add(SetLayout::ring(), model.parameters.ring.support);
@@ -102,7 +102,7 @@ void add_port_loads(const SetModel& model, const PortLoads& loads, Forces force)
     add_bearing(bearing, loads.force.col(i), force);
     add_moment(bearing, loads.moment[i], force);
   }
-  if (model.load_place >= 0) force[model.load_place] += model.load_share * loads.moment.sum();
+  if (model.load_index >= 0) force[model.load_index] += model.load_share * loads.moment.sum();
 }
 
 void PlanetarySetEquations::derivative(double time, const Eigen::Ref<const Eigen::VectorXd>& x,
@@ -138,13 +138,13 @@ void PlanetarySetEquations::motion_at_ports(const Eigen::Ref<const Eigen::Vector
   for (Eigen::Index i = 0; i < model_.layout.planets; ++i) {
     const PlanetBearing& bearing = model_.bearings[static_cast<std::size_t>(i)];
     const auto along = [&](const DeflectionVector& vector, const auto& motion) {
-      return -vector.of(motion, SetLayout::carrier(), bearing.place);
+      return -vector.of(motion, SetLayout::carrier(), bearing.planet_index);
     };
     ports.displacement.col(i) << along(bearing.radial, q) - bearing.pin_error.x(),
         along(bearing.tangential, q) - bearing.pin_error.y();
     ports.velocity.col(i) << along(bearing.radial, v), along(bearing.tangential, v);
-    ports.angle[i] = bearing.rotation.of(q, SetLayout::carrier(), bearing.place);
-    ports.speed[i] = bearing.rotation.of(v, SetLayout::carrier(), bearing.place);
+    ports.angle[i] = bearing.rotation.of(q, SetLayout::carrier(), bearing.planet_index);
+    ports.speed[i] = bearing.rotation.of(v, SetLayout::carrier(), bearing.planet_index);
   }
 }
 

@@ -47,13 +47,13 @@ inline Eigen::Vector2d planet_frame_acceleration(const CarrierTurn& turn, double
 inline void add_frame_forces(const SetModel& model, const CarrierTurn& turn,
                              const Eigen::Ref<const Eigen::VectorXd>& q,
                              const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::Ref<Eigen::VectorXd> force) {
-  for (Eigen::Index place = 0; place < SetLayout::planet(0); place += 3)
-    force.segment<2>(place) +=
-        model.mass[place] * frame_acceleration(turn, q.segment<2>(place), v.segment<2>(place));
+  for (Eigen::Index index = 0; index < SetLayout::planet(0); index += 3)
+    force.segment<2>(index) +=
+        model.mass[index] * frame_acceleration(turn, q.segment<2>(index), v.segment<2>(index));
   const double radius = model.parameters.carrier.radius;
-  for (Eigen::Index place = SetLayout::planet(0); place < model.layout.freedoms(); place += 3)
-    force.segment<2>(place) +=
-        model.mass[place] * planet_frame_acceleration(turn, radius, q[place], v.segment<2>(place));
+  for (Eigen::Index index = SetLayout::planet(0); index < model.layout.freedoms(); index += 3)
+    force.segment<2>(index) +=
+        model.mass[index] * planet_frame_acceleration(turn, radius, q[index], v.segment<2>(index));
 }
 
 /// Forces [N] on the rotations as their nominal speeds rise; planets are carried round as well.

@@ -21,7 +21,7 @@ struct SetLayout {
   Eigen::Index freedoms() const { return 3 * bodies(); }
   Eigen::Index size() const { return 2 * freedoms(); }
 
-  /// First of the three places of a body among the positions.
+  /// First of the three indices of a body among the positions.
   static constexpr Eigen::Index sun() { return 0; }
   static constexpr Eigen::Index ring() { return 3; }
   static constexpr Eigen::Index carrier() { return 6; }

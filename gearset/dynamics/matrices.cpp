@@ -26,8 +26,8 @@ void add_bearings(const SetModel& model, const Eigen::Matrix2d& stiffness, Matri
   if (model.parameters.planet.coupled_bearing) return;
   for (const PlanetBearing& bearing : model.bearings) {
     MatrixXd along(model.layout.freedoms(), 2);
-    along << whole(model, bearing.radial, SetLayout::carrier(), bearing.place),
-        whole(model, bearing.tangential, SetLayout::carrier(), bearing.place);
+    along << whole(model, bearing.radial, SetLayout::carrier(), bearing.planet_index),
+        whole(model, bearing.tangential, SetLayout::carrier(), bearing.planet_index);
     matrix += along * stiffness * along.transpose();
   }
 }
@@ -37,22 +37,23 @@ void add_linked_planets(const SetModel& model, const Eigen::Matrix4d& stiffness,
   for (const PlanetBearing& bearing : model.bearings) {
     MatrixXd along(model.layout.freedoms(), 4);
     for (const PlanetMesh& mesh : model.meshes)
-      if (mesh.place == bearing.place)
-        along.col(mesh.kind == MeshKind::sun ? 0 : 1) = whole(model, mesh.loaded, mesh.central, mesh.place);
-    along.col(2) = whole(model, bearing.radial, SetLayout::carrier(), bearing.place);
-    along.col(3) = whole(model, bearing.tangential, SetLayout::carrier(), bearing.place);
+      if (mesh.planet_index == bearing.planet_index)
+        along.col(mesh.kind == MeshKind::sun ? 0 : 1) =
+            whole(model, mesh.loaded, mesh.central, mesh.planet_index);
+    along.col(2) = whole(model, bearing.radial, SetLayout::carrier(), bearing.planet_index);
+    along.col(3) = whole(model, bearing.tangential, SetLayout::carrier(), bearing.planet_index);
     matrix += along * stiffness * along.transpose();
   }
 }
 
-void add_support(Index place, double planar, double torsional, MatrixXd& matrix) {
-  matrix.diagonal().segment<3>(place) += Eigen::Vector3d(planar, planar, torsional);
+void add_support(Index index, double planar, double torsional, MatrixXd& matrix) {
+  matrix.diagonal().segment<3>(index) += Eigen::Vector3d(planar, planar, torsional);
 }
 
 void add_support_stiffness(const SetModel& model, MatrixXd& matrix) {
   const SetParameters& set = model.parameters;
-  const auto add = [&](Index place, const Support& support) {
-    add_support(place, support.stiffness, support.torsional_stiffness, matrix);
+  const auto add = [&](Index index, const Support& support) {
+    add_support(index, support.stiffness, support.torsional_stiffness, matrix);
   };
   add(SetLayout::sun(), set.sun.support);
   add(SetLayout::ring(), set.ring.support);
@@ -75,10 +76,11 @@ MatrixXd damping_matrix(const SetModel& model) {
   const SetParameters& set = model.parameters;
   MatrixXd damping = MatrixXd::Zero(model.layout.freedoms(), model.layout.freedoms());
   for (const PlanetMesh& mesh : model.meshes)
-    add_spring(whole(model, mesh.loaded, mesh.central, mesh.place), model.mesh(mesh.kind).damping, damping);
+    add_spring(whole(model, mesh.loaded, mesh.central, mesh.planet_index), model.mesh(mesh.kind).damping,
+               damping);
   add_bearings(model, bearing_law(set.planet).damping, damping);
-  const auto add = [&](Index place, const Support& support) {
-    add_support(place, support.damping, support.torsional_damping, damping);
+  const auto add = [&](Index index, const Support& support) {
+    add_support(index, support.damping, support.torsional_damping, damping);
   };
   add(SetLayout::sun(), set.sun.support);
   add(SetLayout::ring(), set.ring.support);
@@ -87,9 +89,9 @@ MatrixXd damping_matrix(const SetModel& model) {
 }
 
 // Force = -matrix * (positions or velocities): +c on (x, y) of each body against -c on (y, x).
-void add_turn(Index place, double value, MatrixXd& matrix) {
-  matrix(place, place + 1) -= value;
-  matrix(place + 1, place) += value;
+void add_turn(Index index, double value, MatrixXd& matrix) {
+  matrix(index, index + 1) -= value;
+  matrix(index + 1, index) += value;
 }
 
 }  // namespace
@@ -99,8 +101,10 @@ MatrixXd stiffness_with(const SetModel& model, const ContactState& contact) {
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     const PlanetMesh& mesh = model.meshes[i];
     const double mean = model.mesh(mesh.kind).stiffness.mean();
-    if (contact.loaded[i]) add_spring(whole(model, mesh.loaded, mesh.central, mesh.place), mean, stiffness);
-    if (contact.back[i]) add_spring(whole(model, mesh.back, mesh.central, mesh.place), mean, stiffness);
+    if (contact.loaded[i])
+      add_spring(whole(model, mesh.loaded, mesh.central, mesh.planet_index), mean, stiffness);
+    if (contact.back[i])
+      add_spring(whole(model, mesh.back, mesh.central, mesh.planet_index), mean, stiffness);
   }
   add_bearings(model, bearing_law(model.parameters.planet).stiffness, stiffness);
   add_support_stiffness(model, stiffness);
@@ -111,9 +115,9 @@ MatrixXd centrifugal_stiffness(const SetModel& model) {
   const Index n = model.layout.freedoms();
   const double centrifugal = carrier_turn(model, {}).centrifugal;
   MatrixXd stiffness = MatrixXd::Zero(n, n);
-  for (Index place = 0; place < n; place += 3) {
-    stiffness(place, place) -= model.mass[place] * centrifugal;
-    if (place < SetLayout::planet(0)) stiffness(place + 1, place + 1) -= model.mass[place] * centrifugal;
+  for (Index index = 0; index < n; index += 3) {
+    stiffness(index, index) -= model.mass[index] * centrifugal;
+    if (index < SetLayout::planet(0)) stiffness(index + 1, index + 1) -= model.mass[index] * centrifugal;
   }
   return stiffness;
 }
@@ -127,8 +131,8 @@ SetMatrices set_matrices(const SetModel& model) {
                        .damping = damping_matrix(model),
                        .circulatory = MatrixXd::Zero(n, n)};
   const CarrierTurn turn = carrier_turn(model, {});
-  for (Index place = 0; place < n; place += 3)
-    add_turn(place, 2.0 * model.mass[place] * turn.coriolis, matrices.gyroscopic);
+  for (Index index = 0; index < n; index += 3)
+    add_turn(index, 2.0 * model.mass[index] * turn.coriolis, matrices.gyroscopic);
   add_turn(SetLayout::sun(), model.parameters.sun.support.damping * turn.speed, matrices.circulatory);
   add_turn(SetLayout::ring(), model.parameters.ring.support.damping * turn.speed, matrices.circulatory);
   add_turn(SetLayout::carrier(), model.parameters.carrier.support.damping * turn.speed, matrices.circulatory);

@@ -8,7 +8,7 @@
 
 namespace orbearing::gearset::dynamics {
 
-/// Common place in the mesh period at one instant.
+/// Phase common to all meshes at one instant.
 struct MeshClock {
   double periods = 0.0;    // [mesh period]
   double frequency = 0.0;  // [Hz]
@@ -20,7 +20,7 @@ inline MeshClock mesh_clock(const Operation& operation, double time) {
 
 /// What time alone decides of a mesh at one instant.
 struct MeshExcitation {
-  double place = 0.0;           // [mesh period]
+  double phase = 0.0;           // [mesh period]
   double frequency = 0.0;       // [Hz]
   double stiffness = 0.0;       // [N/m]    not of loaded teeth
   double stiffness_rate = 0.0;  // [N/m/s]  not of loaded teeth
@@ -29,10 +29,10 @@ struct MeshExcitation {
 };
 
 inline MeshExcitation excitation(const Mesh& mesh, double phase, const MeshClock& clock) {
-  const double place = clock.periods + phase;
-  const CurvePoint stiffness = mesh.loaded ? CurvePoint{} : mesh.stiffness.at(place);
-  const CurvePoint error = mesh.error.at(place);
-  return {place,           clock.frequency,
+  const double in_period = clock.periods + phase;
+  const CurvePoint stiffness = mesh.loaded ? CurvePoint{} : mesh.stiffness.at(in_period);
+  const CurvePoint error = mesh.error.at(in_period);
+  return {in_period,       clock.frequency,
           stiffness.value, stiffness.slope * clock.frequency,
           error.value,     error.slope * clock.frequency};
 }
@@ -55,14 +55,14 @@ struct FlankForce {
 inline FlankForce elastic_flank(const Mesh& mesh, const MeshExcitation& now, double approach,
                                 double approach_rate) {
   if (mesh.loaded) {
-    const ToothForce teeth = mesh.loaded->at(now.place, approach);
+    const ToothForce teeth = mesh.loaded->at(now.phase, approach);
     return {approach,
             approach_rate,
             teeth.force,
             0.0,
             teeth.stiffness,
             teeth.energy,
-            teeth.energy_by_place * now.frequency};
+            teeth.energy_by_phase * now.frequency};
   }
   const double half_square = 0.5 * approach * approach;
   return {approach,
@@ -101,11 +101,11 @@ inline MeshForce mesh_force(const SetModel& model, const PlanetMesh& mesh, const
   const double gap = separation ? 0.5 * law.backlash : 0.0;
   MeshForce force;
   force.loaded =
-      flank_force(law, separation, now, mesh.loaded.of(q, mesh.central, mesh.place) - now.error - gap,
-                  mesh.loaded.of(v, mesh.central, mesh.place) - now.error_rate);
+      flank_force(law, separation, now, mesh.loaded.of(q, mesh.central, mesh.planet_index) - now.error - gap,
+                  mesh.loaded.of(v, mesh.central, mesh.planet_index) - now.error_rate);
   if (separation)
-    force.back = flank_force(law, separation, now, mesh.back.of(q, mesh.central, mesh.place) - gap,
-                             mesh.back.of(v, mesh.central, mesh.place));
+    force.back = flank_force(law, separation, now, mesh.back.of(q, mesh.central, mesh.planet_index) - gap,
+                             mesh.back.of(v, mesh.central, mesh.planet_index));
   return force;
 }
 

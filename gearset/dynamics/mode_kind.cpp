@@ -13,11 +13,11 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-// Motions of the planets one against another, by kind; Eq. (13): each column a pattern over their places,
-// orthonormal. Rotational: all alike; translational: with the cosine and sine of their place; planet: the
+// Motions of the planets one against another, by kind; Eq. (13): each column a pattern over their angles,
+// orthonormal. Rotational: all alike; translational: with the cosine and sine of their angle; planet: the
 // rest.
-MatrixXd patterns(const std::vector<double>& places, ModeKind kind) {
-  const Eigen::Map<const Eigen::ArrayXd> angle(places.data(), static_cast<Index>(places.size()));
+MatrixXd patterns(const std::vector<double>& angles, ModeKind kind) {
+  const Eigen::Map<const Eigen::ArrayXd> angle(angles.data(), static_cast<Index>(angles.size()));
   constexpr double none = 1e-9;  // of a pattern that is one of those before
   MatrixXd columns(angle.size(), 3), basis(angle.size(), 0);
   columns << Eigen::VectorXd::Ones(angle.size()), angle.cos(), angle.sin();
@@ -39,11 +39,11 @@ MatrixXd patterns(const std::vector<double>& places, ModeKind kind) {
 // The share of each column that belongs to `kind`.
 MatrixXcd projected(const SetModel& model, const MatrixXcd& shapes, ModeKind kind) {
   MatrixXcd part = MatrixXcd::Zero(shapes.rows(), shapes.cols());
-  for (Index place = 0; place < SetLayout::planet(0); place += 3) {
-    if (kind == ModeKind::translational) part.middleRows(place, 2) = shapes.middleRows(place, 2);
-    if (kind == ModeKind::rotational) part.row(place + 2) = shapes.row(place + 2);
+  for (Index index = 0; index < SetLayout::planet(0); index += 3) {
+    if (kind == ModeKind::translational) part.middleRows(index, 2) = shapes.middleRows(index, 2);
+    if (kind == ModeKind::rotational) part.row(index + 2) = shapes.row(index + 2);
   }
-  const MatrixXd own = patterns(model.places, kind);
+  const MatrixXd own = patterns(model.planet_angles, kind);
   for (Index pattern = 0; pattern < own.cols(); ++pattern) {
     MatrixXcd amplitude = MatrixXcd::Zero(3, shapes.cols());
     for (Index n = 0; n < own.rows(); ++n)
@@ -104,17 +104,17 @@ std::vector<KindShapes> by_kind(const SetModel& model, const MatrixXcd& shapes) 
   return parts;
 }
 
-bool excites(const std::vector<double>& places, int teeth, ModeKind kind) {
+bool excites(const std::vector<double>& angles, int teeth, ModeKind kind) {
   constexpr double none = 1e-9;  // [-]  of forces that cancel
-  const auto planets = static_cast<Index>(places.size());
+  const auto planets = static_cast<Index>(angles.size());
   Eigen::VectorXcd force(planets);  // of the meshes on the planets, one after the other
-  for (Index n = 0; n < planets; ++n) force[n] = std::polar(1.0, teeth * places[static_cast<std::size_t>(n)]);
+  for (Index n = 0; n < planets; ++n) force[n] = std::polar(1.0, teeth * angles[static_cast<std::size_t>(n)]);
   if (kind == ModeKind::planet)
-    return (patterns(places, kind).transpose() * force).norm() > none * force.norm();
+    return (patterns(angles, kind).transpose() * force).norm() > none * force.norm();
   const auto total = [&](int turn) {  // on a central member: its moment, or its force seen from one side
     std::complex<double> sum = 0.0;
     for (Index n = 0; n < planets; ++n)
-      sum += force[n] * std::polar(1.0, turn * places[static_cast<std::size_t>(n)]);
+      sum += force[n] * std::polar(1.0, turn * angles[static_cast<std::size_t>(n)]);
     return std::abs(sum) / static_cast<double>(planets);
   };
   return kind == ModeKind::rotational ? total(0) > none : total(1) > none || total(-1) > none;

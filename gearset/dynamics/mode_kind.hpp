@@ -10,7 +10,7 @@ namespace orbearing::gearset::dynamics {
 
 /// Kinds of [LinParker1999], by the motion's symmetry under an exchange of planets:
 /// rotational      central members turn, all planets do the same;
-/// translational  central members shift, the planets' motion goes with cosine and sine of their place;
+/// translational  central members shift, the planets' motion goes with cosine and sine of their angle;
 /// planet         central members rest, the planets' motion is any other.
 /// Planets at unequal steps keep the kinds where equal forces on all of them balance on the sun
 /// [LinParker2000]; elsewhere rotational and translational modes mix.
@@ -42,7 +42,7 @@ std::vector<KindShapes> by_kind(const SetModel& model, const Eigen::MatrixXcd& s
 /// Whether a force of the meshes that goes `teeth` times round the sun while the carrier goes round once
 /// against it excites modes of that kind: harmonic l of the mesh frequency has l z_s. Eq. (14),
 /// [ParkerLin2004].
-/// @param places [rad] of the planets
-bool excites(const std::vector<double>& places, int teeth, ModeKind kind);
+/// @param angles [rad] of the planets
+bool excites(const std::vector<double>& angles, int teeth, ModeKind kind);
 
 }  // namespace orbearing::gearset::dynamics

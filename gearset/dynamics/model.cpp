@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "gearset/mesh/loaded/transmission_error.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 #include "mechanics/checks.hpp"
 
 namespace orbearing::gearset::dynamics {
@@ -19,7 +19,7 @@ using mechanics::require;
 using mechanics::require_not_negative;
 using mechanics::require_positive;
 
-constexpr double same_place = 1e-9;  // [mesh period]  jumps closer than this are one
+constexpr double same_phase = 1e-9;  // [mesh period]  jumps closer than this are one
 
 void require_sound(const CentralMember& member) {
   require_positive(member.mass, "mass of a member of the gear set");
@@ -58,8 +58,8 @@ void require_sound(const SetParameters& set) {
   for (const std::vector<double>* phases : {&set.sun_phase, &set.ring_phase})
     require(phases->size() == planets, "number of mesh phases", static_cast<double>(phases->size()),
             "one for each planet");
-  require(set.planet_places.empty() || set.planet_places.size() == planets, "number of places of planets",
-          static_cast<double>(set.planet_places.size()), "one for each planet, or none");
+  require(set.planet_angles.empty() || set.planet_angles.size() == planets, "number of angles of planets",
+          static_cast<double>(set.planet_angles.size()), "one for each planet, or none");
   require(set.pin_error.cols() == 0 || set.pin_error.cols() == set.planets, "number of pin errors",
           static_cast<double>(set.pin_error.cols()), "one for each planet, or none");
 }
@@ -74,11 +74,11 @@ void set_masses(SetModel& model) {
   const SetParameters& set = model.parameters;
   model.mass.resize(model.layout.freedoms());
   model.mobility.resize(model.layout.freedoms());
-  const auto put_central = [&](Eigen::Index place, const CentralMember& member) {
-    const double planar = member.support.held_in_place ? 0.0 : 1.0 / member.mass;
+  const auto put_central = [&](Eigen::Index index, const CentralMember& member) {
+    const double planar = member.support.held ? 0.0 : 1.0 / member.mass;
     const double turning = member.support.held_in_rotation ? 0.0 : 1.0 / member.inertia;
-    model.mass.segment<3>(place) << member.mass, member.mass, member.inertia;
-    model.mobility.segment<3>(place) << planar, planar, turning;
+    model.mass.segment<3>(index) << member.mass, member.mass, member.inertia;
+    model.mobility.segment<3>(index) << planar, planar, turning;
   };
   put_central(SetLayout::sun(), set.sun);
   put_central(SetLayout::ring(), set.ring);
@@ -123,7 +123,7 @@ void set_load(SetModel& model) {
   const SetParameters& set = model.parameters;
   const auto consider = [&](Member member, const CentralMember& body, double torque, double speed) {
     if (member == operation.driven || torque == 0.0 || speed == 0.0) return;
-    model.load_place = SetLayout::central(member) + 2;
+    model.load_index = SetLayout::central(member) + 2;
     model.load_share = -operation.speeds.planet_relative / (speed * body.radius);
   };
   if (!operation.load_yields) return;
@@ -150,15 +150,15 @@ SetModel set_model(SetParameters parameters, const Operation& operation) {
   require_sound(operation);
   linearise_meshes(parameters, operation);
   SetModel model{.layout = {parameters.planets}, .parameters = std::move(parameters), .operation = operation};
-  model.places = model.parameters.planet_places;
-  if (model.places.empty()) model.places = even_places(model.parameters.planets);
+  model.planet_angles = model.parameters.planet_angles;
+  if (model.planet_angles.empty()) model.planet_angles = even_angles(model.parameters.planets);
   set_masses(model);
   for (const MeshKind kind : {MeshKind::sun, MeshKind::ring})
     for (Eigen::Index n = 0; n < model.layout.planets; ++n)
-      add_mesh(model, kind, n, model.places[static_cast<std::size_t>(n)]);
+      add_mesh(model, kind, n, model.planet_angles[static_cast<std::size_t>(n)]);
   const Eigen::Matrix2Xd& errors = model.parameters.pin_error;
   for (Eigen::Index n = 0; n < model.layout.planets; ++n) {
-    const double angle = model.places[static_cast<std::size_t>(n)];
+    const double angle = model.planet_angles[static_cast<std::size_t>(n)];
     const Eigen::Vector2d error = errors.cols() == 0 ? Eigen::Vector2d::Zero().eval() : errors.col(n).eval();
     model.bearings.push_back(
         {SetLayout::planet(n), radial_bearing_deflection(angle), tangential_bearing_deflection(angle), error,
@@ -194,13 +194,13 @@ double time_of_periods(const Operation& operation, double periods) {
   return 2.0 * nominal / (run_up.from + std::sqrt(run_up.from * run_up.from + 2.0 * rate * nominal));
 }
 
-std::vector<double> jump_places(const SetModel& model) {
-  std::vector<double> places;
+std::vector<double> jump_phases(const SetModel& model) {
+  std::vector<double> phases;
   const auto add = [&](const PeriodicCurve& curve, double phase) {
     for (const double jump : curve.jumps()) {
-      const double place = jump - phase;
-      const double wrapped = place - std::floor(place);
-      places.push_back(wrapped > 1.0 - same_place ? 0.0 : wrapped);
+      const double shifted = jump - phase;
+      const double wrapped = shifted - std::floor(shifted);
+      phases.push_back(wrapped > 1.0 - same_phase ? 0.0 : wrapped);
     }
   };
   for (const PlanetMesh& mesh : model.meshes) {
@@ -208,10 +208,10 @@ std::vector<double> jump_places(const SetModel& model) {
     if (!law.loaded) add(law.stiffness, mesh.phase);  // the force of loaded teeth is continuous
     add(law.error, mesh.phase);
   }
-  std::sort(places.begin(), places.end());
-  const auto same = [](double a, double b) { return b - a < same_place; };
-  places.erase(std::unique(places.begin(), places.end(), same), places.end());
-  return places;
+  std::sort(phases.begin(), phases.end());
+  const auto same = [](double a, double b) { return b - a < same_phase; };
+  phases.erase(std::unique(phases.begin(), phases.end(), same), phases.end());
+  return phases;
 }
 
 SetModel averaged(const SetModel& model) {

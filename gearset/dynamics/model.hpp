@@ -15,8 +15,8 @@ enum class MeshKind { sun, ring };
 struct PlanetMesh {
   MeshKind kind = MeshKind::sun;
   Eigen::Index planet = 0;   // counted from 0
-  Eigen::Index central = 0;  // place of sun or ring in the layout
-  Eigen::Index place = 0;    // of the planet in the layout
+  Eigen::Index central = 0;  // index of sun or ring in the layout
+  Eigen::Index planet_index = 0;  // of the planet in the layout
   DeflectionVector loaded;   // of the flank that carries the mean load
   DeflectionVector back;     // of the other
   double phase = 0.0;        // [mesh period]
@@ -24,7 +24,7 @@ struct PlanetMesh {
 
 /// Bearing of one planet on its pin.
 struct PlanetBearing {
-  Eigen::Index place = 0;  // of the planet in the layout
+  Eigen::Index planet_index = 0;  // in the layout
   DeflectionVector radial;
   DeflectionVector tangential;
   Eigen::Vector2d pin_error = Eigen::Vector2d::Zero();  // [m]
@@ -36,12 +36,12 @@ struct SetModel {
   SetLayout layout;
   SetParameters parameters;
   Operation operation;
-  std::vector<double> places;           // [rad]  of the planets on the carrier, anticlockwise
+  std::vector<double> planet_angles;    // [rad]  of the planets on the carrier, anticlockwise
   std::vector<PlanetMesh> meshes;       // sun meshes of all planets, then ring meshes
   std::vector<PlanetBearing> bearings;  // (planets)
   Eigen::VectorXd mass;                 // [kg]    (freedoms)
   Eigen::VectorXd mobility;             // [1/kg]  (freedoms)  1 / mass; 0 where the housing holds
-  Eigen::Index load_place = -1;  // of the u that delivers the power; -1: none, or the load does not yield
+  Eigen::Index load_index = -1;  // of the u that delivers the power; -1: none, or the load does not yield
   double load_share = 0.0;       // [1/m]   force on it for each moment of a bearing on its planet; Eq. (16)
 
   const Mesh& mesh(MeshKind kind) const {
@@ -74,7 +74,7 @@ double time_of_periods(const Operation& operation, double periods);
 
 /// Places of the common mesh period, in [0, 1) and ascending, where the stiffness or the error of some mesh
 /// jumps.
-std::vector<double> jump_places(const SetModel& model);
+std::vector<double> jump_phases(const SetModel& model);
 
 /// The same set with each mesh at its mean stiffness and mean error; loaded teeth as the spring that they are
 /// about the mean load.

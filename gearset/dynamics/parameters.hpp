@@ -90,7 +90,7 @@ struct Support {
   double damping = 0.0;              // [N s/m]  x and y
   double torsional_stiffness = 0.0;  // [N/m]    on u; 0: free to turn
   double torsional_damping = 0.0;    // [N s/m]  on u
-  bool held_in_place = false;        // x and y are zero, whatever the force
+  bool held = false;                 // x and y are zero, whatever the force
   bool held_in_rotation = false;     // u is zero
 };
 
@@ -106,8 +106,7 @@ void describe(Visitor& visit, Support& m, const std::string& body) {
           torsional_row(m.torsional_stiffness, body),
           internal(m.torsional_damping, path + ".torsional_damping",
                    "damping between " + body + " and housing on radius x angle", damping),
-          internal(m.held_in_place, path + ".held_in_place"),
-          internal(m.held_in_rotation, path + ".held_in_rotation"));
+          internal(m.held, path + ".held"), internal(m.held_in_rotation, path + ".held_in_rotation"));
 }
 
 /// Sun, ring or carrier.
@@ -213,14 +212,14 @@ void describe(Visitor& visit, FrameSwitches& m) {
 /// One planetary set.
 struct SetParameters {
   int planets = 0;
-  std::vector<double> planet_places;  // [rad]  (planets)  anticlockwise; empty: 2 pi n / planets
+  std::vector<double> planet_angles;  // [rad]  (planets)  anticlockwise; empty: 2 pi n / planets
   CentralMember sun;
   CentralMember ring;
   CentralMember carrier;
   PlanetMember planet;
   Mesh sun_mesh;
   Mesh ring_mesh;
-  std::vector<double> sun_phase;   // [mesh period]  (planets)  added to the common place in the period
+  std::vector<double> sun_phase;   // [mesh period]  (planets)  added to the common phase
   std::vector<double> ring_phase;  // [mesh period]  (planets)
   Eigen::Matrix2Xd pin_error;  // [m]  (radial and tangential, planets)  of the pin in the carrier; or empty
   FrameSwitches frame;
@@ -233,7 +232,7 @@ void describe(Visitor& visit, SetParameters& m) {
   members(visit, m,
           internal(m.planets, "gearset.planets", "number of planets",
                    {.range = positive(), .fmu = InFmu::constant}),
-          internal(m.planet_places, "gearset.planet_places"), part(m.planet),
+          internal(m.planet_angles, "gearset.planet_angles"), part(m.planet),
           part(m.sun, [&] { describe(visit, m.sun, "sun"); }),
           part(m.ring, [&] { describe(visit, m.ring, "ring"); }),
           part(m.carrier, [&] { describe(visit, m.carrier, "carrier"); }),

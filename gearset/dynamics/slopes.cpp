@@ -36,8 +36,8 @@ FlankSlopes flank_slopes(const Mesh& mesh, bool separation, const FlankForce& fo
 void add_flank(const PlanetMesh& mesh, const DeflectionVector& along, const FlankSlopes& flank,
                ForceSlopes& slopes) {
   if (flank.stiffness == 0.0 && flank.damping == 0.0) return;
-  add_spring(along, along, mesh.central, mesh.place, flank.stiffness, slopes.by_position);
-  add_spring(along, along, mesh.central, mesh.place, flank.damping, slopes.by_velocity);
+  add_spring(along, along, mesh.central, mesh.planet_index, flank.stiffness, slopes.by_position);
+  add_spring(along, along, mesh.central, mesh.planet_index, flank.damping, slopes.by_velocity);
 }
 
 void add_meshes(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& q,
@@ -61,7 +61,7 @@ void add_planet_bearings(const SetModel& model, ForceSlopes& slopes) {
     for (Index i = 0; i < 2; ++i)
       for (Index j = 0; j < 2; ++j) {
         const auto add = [&](double stiffness, MatrixXd& by) {
-          add_spring(*along[i], *along[j], SetLayout::carrier(), bearing.place, stiffness, by);
+          add_spring(*along[i], *along[j], SetLayout::carrier(), bearing.planet_index, stiffness, by);
         };
         add(law.stiffness(i, j), slopes.by_position);
         add(law.damping(i, j), slopes.by_velocity);
@@ -70,32 +70,32 @@ void add_planet_bearings(const SetModel& model, ForceSlopes& slopes) {
 }
 
 // The force is `value` times the component y on x, and its opposite times x on y.
-void add_turn_slope(Index place, double value, MatrixXd& slopes) {
-  slopes(place, place + 1) += value;
-  slopes(place + 1, place) -= value;
+void add_turn_slope(Index index, double value, MatrixXd& slopes) {
+  slopes(index, index + 1) += value;
+  slopes(index + 1, index) -= value;
 }
 
-void add_support(const Support& support, const CarrierTurn& turn, Index place, ForceSlopes& slopes) {
-  slopes.by_position.diagonal().segment<3>(place) -=
+void add_support(const Support& support, const CarrierTurn& turn, Index index, ForceSlopes& slopes) {
+  slopes.by_position.diagonal().segment<3>(index) -=
       Vector3d(support.stiffness, support.stiffness, support.torsional_stiffness);
-  slopes.by_velocity.diagonal().segment<3>(place) -=
+  slopes.by_velocity.diagonal().segment<3>(index) -=
       Vector3d(support.damping, support.damping, support.torsional_damping);
-  add_turn_slope(place, support.damping * turn.speed, slopes.by_position);
+  add_turn_slope(index, support.damping * turn.speed, slopes.by_position);
 }
 
 // Eqs. (8) and (9) of gearset/dynamics/README.md.
 void add_frame(const SetModel& model, const CarrierTurn& turn, ForceSlopes& slopes) {
-  for (Index place = 0; place < model.layout.freedoms(); place += 3) {
-    const double mass = model.mass[place];
-    const bool central = place < SetLayout::planet(0);
-    slopes.by_position(place, place) += mass * turn.centrifugal;
+  for (Index index = 0; index < model.layout.freedoms(); index += 3) {
+    const double mass = model.mass[index];
+    const bool central = index < SetLayout::planet(0);
+    slopes.by_position(index, index) += mass * turn.centrifugal;
     if (central) {
-      slopes.by_position(place + 1, place + 1) += mass * turn.centrifugal;
-      add_turn_slope(place, mass * turn.euler, slopes.by_position);
+      slopes.by_position(index + 1, index + 1) += mass * turn.centrifugal;
+      add_turn_slope(index, mass * turn.euler, slopes.by_position);
     } else {
-      slopes.by_position(place + 1, place) -= 2.0 * mass * turn.euler;
+      slopes.by_position(index + 1, index) -= 2.0 * mass * turn.euler;
     }
-    add_turn_slope(place, 2.0 * mass * turn.coriolis, slopes.by_velocity);
+    add_turn_slope(index, 2.0 * mass * turn.coriolis, slopes.by_velocity);
   }
 }
 
@@ -105,15 +105,15 @@ void add_drive(const SetModel& model, const SpeedState& speed, const Eigen::Ref<
   const Operation& operation = model.operation;
   if (operation.power <= 0.0) return;
   const SetParameters& set = model.parameters;
-  const Index place = SetLayout::central(operation.driven) + 2;
+  const Index index = SetLayout::central(operation.driven) + 2;
   const CentralMember& driven = operation.driven == Member::sun    ? set.sun
                                 : operation.driven == Member::ring ? set.ring
                                                                    : set.carrier;
   const double nominal = operation.driven == Member::sun    ? operation.speeds.sun
                          : operation.driven == Member::ring ? operation.speeds.ring
                                                             : operation.speeds.carrier;
-  const double circumferential = nominal * speed.factor * driven.radius + v[place];
-  slopes.by_velocity(place, place) -= operation.power / (circumferential * circumferential);
+  const double circumferential = nominal * speed.factor * driven.radius + v[index];
+  slopes.by_velocity(index, index) -= operation.power / (circumferential * circumferential);
 }
 
 }  // namespace

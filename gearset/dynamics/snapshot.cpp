@@ -49,10 +49,10 @@ void take_snapshot(const PlanetarySetEquations& equations, double time,
   const Eigen::Index n = model.layout.freedoms();
   const CarrierTurn turn = carrier_turn(model, speed_at(model.operation, time));
   for (Eigen::Index i = 0; i < planets; ++i) {
-    const Eigen::Index place = SetLayout::planet(i);
-    out.acceleration.col(i) = dx.segment<2>(n + place).array();
+    const Eigen::Index index = SetLayout::planet(i);
+    out.acceleration.col(i) = dx.segment<2>(n + index).array();
     const Eigen::Vector2d frame =
-        planet_frame_acceleration(turn, model.parameters.carrier.radius, x[place], x.segment<2>(n + place));
+        planet_frame_acceleration(turn, model.parameters.carrier.radius, x[index], x.segment<2>(n + index));
     out.in_housing.col(i) = out.acceleration.col(i) - frame.array();
   }
 }

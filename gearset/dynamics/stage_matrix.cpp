@@ -17,11 +17,11 @@ void StageMatrix::assemble(const SetModel& model, const ForceSlopes& slopes, dou
   take(0, 0, centre_);
   centre_.diagonal() += model.mass.head<kCentre>();
   for (std::size_t n = 0; n < planets_.size(); ++n) {
-    const Eigen::Index place = SetLayout::planet(static_cast<Eigen::Index>(n));
-    take(place, place, planets_[n].own);
-    take(place, 0, planets_[n].by_centre);
-    take(0, place, planets_[n].centre_by);
-    planets_[n].own.diagonal() += model.mass.segment<3>(place);
+    const Eigen::Index index = SetLayout::planet(static_cast<Eigen::Index>(n));
+    take(index, index, planets_[n].own);
+    take(index, 0, planets_[n].by_centre);
+    take(0, index, planets_[n].centre_by);
+    planets_[n].own.diagonal() += model.mass.segment<3>(index);
   }
 }
 
@@ -34,9 +34,9 @@ void StageMatrix::add_port(const SetModel& model, Eigen::Index planet, const Eig
   at.centre_by.middleRows<3>(carrier) += of_carrier.transpose() * by_planet;
   at.by_centre.middleCols<3>(carrier) += of_planet.transpose() * by_carrier;
   at.own += of_planet.transpose() * by_planet;
-  if (model.load_place < 0) return;
-  centre_.row(model.load_place).segment<3>(carrier) += model.load_share * by_carrier.row(2);
-  at.centre_by.row(model.load_place) += model.load_share * by_planet.row(2);
+  if (model.load_index < 0) return;
+  centre_.row(model.load_index).segment<3>(carrier) += model.load_share * by_carrier.row(2);
+  at.centre_by.row(model.load_index) += model.load_share * by_planet.row(2);
 }
 
 bool StageMatrix::factor(const SetModel& model) {

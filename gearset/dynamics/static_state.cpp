@@ -35,7 +35,7 @@ FlankPlace flank_place(const SetModel& model, const PlanetMesh& mesh, bool loade
 ContactState contact_at(const SetModel& model, const VectorXd& q) {
   ContactState contact;
   const auto touches = [&](const FlankPlace& flank) {
-    return flank.along.of(q, flank.mesh.central, flank.mesh.place) > flank.offset;
+    return flank.along.of(q, flank.mesh.central, flank.mesh.planet_index) > flank.offset;
   };
   const bool separation = model.parameters.separation;
   for (const PlanetMesh& mesh : model.meshes) {
@@ -45,7 +45,7 @@ ContactState contact_at(const SetModel& model, const VectorXd& q) {
   return contact;
 }
 
-// Loads on the set in its nominal place, with the given flanks in contact.
+// Loads on the set in its nominal position, with the given flanks in contact.
 VectorXd loads_with(const SetModel& model, const ContactState& contact) {
   SetModel toothless = model;
   toothless.meshes.clear();
@@ -54,7 +54,7 @@ VectorXd loads_with(const SetModel& model, const ContactState& contact) {
   const auto add = [&](const FlankPlace& flank) {
     const double preload = flank.stiffness * flank.offset;
     force.segment<3>(flank.mesh.central) += preload * flank.along.central;
-    force.segment<3>(flank.mesh.place) += preload * flank.along.planet;
+    force.segment<3>(flank.mesh.planet_index) += preload * flank.along.planet;
   };
   for (std::size_t i = 0; i < model.meshes.size(); ++i) {
     if (contact.loaded[i]) add(flank_place(model, model.meshes[i], true));
@@ -140,13 +140,13 @@ MatrixXd loads_of_pins(const SetModel& model) {
   MatrixXd loads = MatrixXd::Zero(model.layout.freedoms(), 2 * static_cast<Index>(model.bearings.size()));
   Index column = 0;
   for (const PlanetBearing& bearing : model.bearings) {
-    const auto along = [&](Index place, const Eigen::Vector3d& radial, const Eigen::Vector3d& tangential) {
-      loads.block<3, 1>(place, column) = -(radial * stiffness(0, 0) + tangential * stiffness(1, 0));
-      loads.block<3, 1>(place, column + 1) = -(radial * stiffness(0, 1) + tangential * stiffness(1, 1));
+    const auto along = [&](Index index, const Eigen::Vector3d& radial, const Eigen::Vector3d& tangential) {
+      loads.block<3, 1>(index, column) = -(radial * stiffness(0, 0) + tangential * stiffness(1, 0));
+      loads.block<3, 1>(index, column + 1) = -(radial * stiffness(0, 1) + tangential * stiffness(1, 1));
     };
     const Index carrier = SetLayout::carrier();
     along(carrier, bearing.radial.central, bearing.tangential.central);
-    along(bearing.place, bearing.radial.planet, bearing.tangential.planet);
+    along(bearing.planet_index, bearing.radial.planet, bearing.tangential.planet);
     column += 2;
   }
   return loads;

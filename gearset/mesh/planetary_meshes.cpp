@@ -5,7 +5,7 @@
 #include "gearset/mesh/elastic_ring.hpp"
 #include "gearset/mesh/iso6336.hpp"
 #include "gearset/message.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 namespace orbearing::gearset {
 
@@ -31,7 +31,7 @@ PlanetaryMeshes planetary_meshes(const PlanetarySet& set, const WorkingGeometry&
   const double to_ring =
       ring_to_sun_lag(meshes.sun_gears, meshes.ring_gears, geometry.sun_mesh.working_pressure_angle,
                       geometry.ring_mesh.working_pressure_angle);
-  for (const double angle : planet_places(set)) {
+  for (const double angle : angles_of_planets(set)) {
     meshes.sun_lag.push_back(sun_mesh_lag(set.sun_teeth, angle, motion));
     meshes.ring_lag.push_back(whole_periods_off(to_ring + ring_mesh_lag(set.ring_teeth, angle, motion)));
   }

@@ -129,7 +129,7 @@ void add_command(py::module_& module) {
       "compute", &compute, py::arg("case").none(true), py::arg("command"), py::arg("options") = py::dict(),
       py::arg("progress") = py::none(),
       "The result of a command as JSON text, and lines about points that failed. `options` are those of the "
-      "command line with _ for -; `progress(done, all, doing)` is told how far it is.");
+      "command line with _ for -; `progress(done, all, doing)` receives how far it is.");
   module.def("command_line", &command_line, py::arg("arguments"), py::call_guard<py::gil_scoped_release>(),
              "The command line in this process; returns its exit code.");
 }

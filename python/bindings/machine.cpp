@@ -32,14 +32,14 @@ class Machine {
 
   /// A slope by time that is given stands for the rate that otherwise goes with the input.
   void set_input(const std::string& name, double value, std::optional<double> slope) {
-    const std::size_t place = place_of(facts_.inputs, name, "input");
-    inputs_[place] = value;
-    slopes_[place] = slope.value_or(0.0);
-    has_slope_[place] = slope.has_value();
-    given_[place] = true;
+    const std::size_t index = index_of(facts_.inputs, name, "input");
+    inputs_[index] = value;
+    slopes_[index] = slope.value_or(0.0);
+    has_slope_[index] = slope.has_value();
+    given_[index] = true;
   }
 
-  double input(const std::string& name) const { return inputs_[place_of(facts_.inputs, name, "input")]; }
+  double input(const std::string& name) const { return inputs_[index_of(facts_.inputs, name, "input")]; }
 
   /// What nobody set fits the rest: the displacement is that under the start load.
   void initialize(double time) {
@@ -63,8 +63,8 @@ class Machine {
   }
 
   double output(const std::string& name) {
-    const std::size_t place = place_of(facts_.outputs, name, "output");
-    return values(place + 1)[place];
+    const std::size_t index = index_of(facts_.outputs, name, "output");
+    return values(index + 1)[index];
   }
 
   std::vector<double> outputs() { return values(facts_.outputs.size()); }
@@ -73,7 +73,7 @@ class Machine {
   double slope(const std::string& output, const std::string& input) {
     if (!begun_) initialize(time_);
     return participant_->slopes(
-        inputs_, place_of(facts_.inputs, input, "input"))[place_of(facts_.outputs, output, "output")];
+        inputs_, index_of(facts_.inputs, input, "input"))[index_of(facts_.outputs, output, "output")];
   }
 
   /// Everything the future depends on: time, inputs, their slopes, the inner state.
@@ -107,9 +107,9 @@ class Machine {
 
  private:
   template <class Described>
-  static std::size_t place_of(const std::vector<Described>& all, const std::string& name, const char* what) {
-    const std::size_t place = system::place_of(all, name);
-    if (place != system::kNone) return place;
+  static std::size_t index_of(const std::vector<Described>& all, const std::string& name, const char* what) {
+    const std::size_t index = system::index_of(all, name);
+    if (index != system::kNone) return index;
     std::string known;
     for (const Described& one : all) known += (known.empty() ? "" : ", ") + one.name;
     throw app::BadInput(name + ": found no " + what + " of that name; required: one of " + known);

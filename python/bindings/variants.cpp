@@ -17,10 +17,10 @@ namespace {
 
 using Table = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// Told now and then: asking for the interpreter after each point would cost more than a point.
-class Told {
+// Called now and then: asking for the interpreter after each point would cost more than a point.
+class Progress {
  public:
-  explicit Told(const py::object& progress) : progress_(progress) {}
+  explicit Progress(const py::object& progress) : progress_(progress) {}
 
   void operator()(std::size_t done) {
     const auto now = Clock::now();
@@ -50,12 +50,12 @@ py::tuple evaluate(const CoreCase& core, const std::vector<std::string>& paths, 
     throw app::BadInput(
         "values: found an array of another shape; required: (variants, paths), at least one path");
   const app::Variants variants{paths, {values.data(), values.data() + values.size()}};
-  Told told(progress);
+  Progress report(progress);
   const app::VariantRows found = [&] {
     const py::gil_scoped_release released;
     const app::Interruption interruption;
     return app::evaluate_variants(core.resolved, variants, fidelity, jobs,
-                                  progress.is_none() ? std::function<void(std::size_t)>{} : std::ref(told));
+                                  progress.is_none() ? std::function<void(std::size_t)>{} : std::ref(report));
   }();
   const std::vector<std::size_t> places = number_columns(found.head);
   std::vector<std::string> columns;
@@ -79,7 +79,7 @@ void add_variants(py::module_& module) {
              "(variants, paths) "
              "[SI]: the columns of a sweep's table, their numbers (variants, columns) and the status of each "
              "variant. "
-             "`progress(done)` is told how many are done.");
+             "`progress(done)` receives how many are done.");
 }
 
 }  // namespace orbearing::python

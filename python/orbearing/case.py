@@ -57,8 +57,8 @@ def evaluate(case: "Case", paths: Sequence[str], values, fidelity: str = "quasi-
     variant's status. The numbers are those of a sweep to the last bit, whatever `jobs`.
     """
     table = np.ascontiguousarray(values, dtype=float)
-    with _told(progress, len(table)) as told:
-        return _core.evaluate(case.core, list(paths), table, fidelity, jobs, told)
+    with _reporting(progress, len(table)) as report:
+        return _core.evaluate(case.core, list(paths), table, fidelity, jobs, report)
 
 
 class Case:
@@ -248,8 +248,8 @@ class Case:
             kept = tempfile.mkdtemp(prefix="orbearing-")
             given["output"] = str(Path(kept) / "results")
         try:
-            with _told(progress, None) as told:
-                text, failures = _core.compute(self._core, command, given, told)
+            with _reporting(progress, None) as report:
+                text, failures = _core.compute(self._core, command, given, report)
         except BaseException:
             if kept:
                 shutil.rmtree(kept, ignore_errors=True)
@@ -272,7 +272,7 @@ def _as_text(value) -> str:
     raise CaseError(f"found a value of type {type(value).__name__}; required: a text with its unit, a number, a switch, a list or a dict")
 
 
-class _told:
+class _reporting:
     """What the program tells of its progress: to nobody, to a function, or to tqdm where that is installed."""
 
     def __init__(self, progress: Progress, total: Optional[int]):

@@ -19,7 +19,7 @@ def page(report: Report, blocks: Sequence[FigureBlock], animations: Sequence[str
     """The whole document; `animations` are pages beside it, by their name below its folder."""
     name = report.record("case").get("name") or "unnamed case"
     sections = [_answer(report), *(_figure(index, block) for index, block in enumerate(blocks, start=1))]
-    sections += [_animations(animations), _failed(report), _assumptions(report), _warnings(report), _ledger(report), _worths(report), _versions(report), _reproduce(report)]
+    sections += [_animations(animations), _failed(report), _assumptions(report), _warnings(report), _validation(report), _sensitivities(report), _versions(report), _reproduce(report)]
     return "\n".join([
         "<!DOCTYPE html>", '<html lang="en">', "<head>", '<meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
@@ -117,8 +117,8 @@ def _warnings(report: Report) -> str:
     return _section("Warnings", "<ul>" + "\n".join(f"<li>{escape(str(text))}</li>" for text in texts) + "</ul>")
 
 
-def _ledger(report: Report) -> str:
-    rows = [row for row in report.records("ledger") if not row.get("reading")]
+def _validation(report: Report) -> str:
+    rows = [row for row in report.records("validation") if not row.get("reading")]
     if not rows:
         return _section("Published numbers beside ours", "<p>No published numbers are compared for this case.</p>")
     moving = report.fidelity != "quasi-static"
@@ -133,8 +133,8 @@ def _ledger(report: Report) -> str:
     return _section("Published numbers beside ours", note + table(Table(names, cells)))
 
 
-def _worths(report: Report) -> str:
-    rows = report.records("worth")
+def _sensitivities(report: Report) -> str:
+    rows = report.records("sensitivities")
     if not rows:
         return ""
     names = ("assumption", "other reading", "peak (rpm)", "life at the peak (h)", "worth")

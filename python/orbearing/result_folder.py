@@ -103,10 +103,10 @@ class Report:
     @property
     def is_dynamic(self) -> bool:
         """Whether the bearing moves in time."""
-        return self.fidelity == "dynamic" or self.is_two_way
+        return self.fidelity == "dynamic" or self.is_coupled
 
     @property
-    def is_two_way(self) -> bool:
+    def is_coupled(self) -> bool:
         """Whether the bearings act back on the gears."""
         return self.fidelity in ("co-simulated", "monolithic")
 

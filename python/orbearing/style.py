@@ -14,7 +14,7 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-# Palette of Okabe and Ito, told apart with every common colour vision deficiency.
+# Palette of Okabe and Ito, distinguished with every common colour vision deficiency.
 BLUE, ORANGE, GREEN, VERMILION = "#0072B2", "#E69F00", "#009E73", "#D55E00"
 PURPLE, SKY, BLACK, GREY = "#CC79A7", "#56B4E9", "#1a1a1a", "#767676"
 SERIES = (BLACK, BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
@@ -118,7 +118,7 @@ def legend_label(text: str) -> str:
 
 
 def points_look(count: int, with_curve: bool = False) -> dict:
-    """Points of a sweep: markers while they can be told apart, joined where no finer curve runs through them."""
+    """Points of a sweep: markers while they can be distinguished, joined where no finer curve runs through them."""
     few = count <= MOST_MARKERS
     return {} if few and with_curve else {"linestyle": "-", "linewidth": 0.9, **({} if few else {"marker": ""})}
 

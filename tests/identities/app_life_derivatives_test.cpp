@@ -33,7 +33,7 @@ double log_life(const ResolvedCase& in) {
   return std::log(study::evaluate(bearing_sets(in), study::Fidelity::quasi_static).life_hours);
 }
 
-// Elements of lists are told by an index that a setting does not know.
+// Elements of lists have an index that a setting does not know.
 bool is_element(const LifeDerivative& one) {
   return one.path.ends_with(']');
 }

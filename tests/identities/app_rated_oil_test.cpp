@@ -85,7 +85,7 @@ TEST(RatedOil, ViscositiesOfTheGradeTakeTheirPlaceAndThatIsSaid) {
               Contains(HasSubstr("lubricant.temperature: 80 degC has no effect")));
 }
 
-TEST(RatedOil, CleanlinessThatIsNotSaidIsToldOf) {
+TEST(RatedOil, CleanlinessThatIsNotSaidIsReported) {
   EXPECT_THAT(oil_warnings(reducer({kGrade})), Contains(HasSubstr("'high' (-/15/12 of ISO 4406) is taken")));
   EXPECT_THAT(oil_warnings(reducer({kGrade, "life.contamination_factor=0.5"})), testing::IsEmpty());
   EXPECT_THAT(oil_warnings(reducer({})), testing::IsEmpty());

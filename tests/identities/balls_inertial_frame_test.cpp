@@ -591,7 +591,7 @@ Means implicit_run(BallBearing& model, std::vector<double> x, const Steps& run) 
   return means;
 }
 
-struct Course {
+struct RunCase {
   const char* name;
   double contact_angle;  // [rad]
   motion::TractionLaw law;
@@ -600,11 +600,11 @@ struct Course {
   motion::PocketFilm pockets;
 };
 
-void PrintTo(const Course& course, std::ostream* out) {
-  *out << course.name;
+void PrintTo(const RunCase& run, std::ostream* out) {
+  *out << run.name;
 }
 
-class BallsInertialRun : public testing::TestWithParam<Course> {};
+class BallsInertialRun : public testing::TestWithParam<RunCase> {};
 
 // Some turns of the balls under thrust and a radial load, the inner ring free. Sums over the same instants.
 TEST_P(BallsInertialRun, RunsAlike) {
@@ -650,17 +650,17 @@ TEST_P(BallsInertialRun, RunsAlike) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Courses, BallsInertialRun,
-                         testing::Values(Course{"angular_contact",
-                                                0.4,
-                                                motion::TractionLaw::regularised_coulomb,
-                                                RingDrive::steady(800.0),
-                                                {},
-                                                Race::outer,
-                                                motion::PocketFilm::none},
-                                         Course{"deep_groove", 0.0, motion::TractionLaw::ree_eyring,
-                                                RingDrive::steady(-200.0), RingDrive::steady(600.0),
-                                                Race::inner, motion::PocketFilm::hydrodynamic}),
-                         [](const testing::TestParamInfo<Course>& course) { return course.param.name; });
+                         testing::Values(RunCase{"angular_contact",
+                                                 0.4,
+                                                 motion::TractionLaw::regularised_coulomb,
+                                                 RingDrive::steady(800.0),
+                                                 {},
+                                                 Race::outer,
+                                                 motion::PocketFilm::none},
+                                         RunCase{"deep_groove", 0.0, motion::TractionLaw::ree_eyring,
+                                                 RingDrive::steady(-200.0), RingDrive::steady(600.0),
+                                                 Race::inner, motion::PocketFilm::hydrodynamic}),
+                         [](const testing::TestParamInfo<RunCase>& run) { return run.param.name; });
 
 }  // namespace
 }  // namespace orbearing::bearing::balls::balls_inertial_frame_test

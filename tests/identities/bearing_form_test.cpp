@@ -106,7 +106,7 @@ TEST(PrintedFilm, IsAClearance) {
   QuasiStaticOptions options;
   const QuasiStaticResult expected = quasi_static_bearing(wider, kPoint, options);
   options.film = oil;
-  options.film_approach = FilmApproach::as_printed;
+  options.film_approach = FilmApproach::literature_variant;
   const QuasiStaticResult found = quasi_static_bearing(bearing, kPoint, options);
   EXPECT_LT((found.outer_load - expected.outer_load).abs().maxCoeff(), kBalance * scale_of(expected));
 }

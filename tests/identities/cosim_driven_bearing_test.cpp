@@ -77,20 +77,20 @@ TEST(DrivenBearingPath, HasOrderTwo) {
   const BearingModel model = system::driven_model(setup);
   const BoreMotion about = test::pressed_motion();
   const BoreInputs inputs = test::swinging_polynomial(about, 0.5e-6, 1e4, 0.0);
-  bearing::vectorised::VectorBearing fast(model);
+  bearing::vectorised::VectorBearing vectorised(model);
   constexpr double kLength = 16e-6;  // [s]
   const auto end_state = [&](int steps) {
     const double h = kLength / steps;
     std::vector<double> x =
-        fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
+        vectorised.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
     integration::Rosenbrock2 stepper(std::vector<double>(x.size(), 0.0), h);
     LoadsAtStep loads(setup.bearing.rollers().count);
     bearing::motion::DamageSums sums(72);
-    DrivenSystem system(fast, inputs, 0.0, loads, sums);
+    DrivenSystem system(vectorised, inputs, 0.0, loads, sums);
     double step = h;
     integration::through_window(stepper, system, x, kLength, {}, step);
     Eigen::VectorXd flat(model.layout.size());
-    fast.flatten(x.data(), flat);
+    vectorised.flatten(x.data(), flat);
     return flat;
   };
   const Eigen::VectorXd scale = allowed_errors(model, 1.0).cwiseInverse();

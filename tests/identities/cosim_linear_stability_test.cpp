@@ -1,4 +1,4 @@
-// How long windows of explicit exchange may be: the closed form for a mass whose spring and damper are told
+// How long windows of explicit exchange may be: the closed form for a mass whose spring and damper are inputs
 // in windows, Eqs. (12) to (14) of coupling/cosim/README.md, and what the scheme does on both sides of it.
 #include <gtest/gtest.h>
 

@@ -164,10 +164,11 @@ TEST(DrivenSystem, ResumesFromWhatIsKnown) {
   const DrivenBearingSetup setup = test::driven_reducer();
   const bearing::motion::BearingModel model = driven_model(setup);
   const BoreInputs inputs = test::swinging_polynomial(test::pressed_motion(), 0.5e-6, 1e4, 0.0);
-  bearing::vectorised::VectorBearing fast(model);
+  bearing::vectorised::VectorBearing vectorised(model);
   const std::vector<double> start =
-      fast.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
-  const auto allowed = linearly_implicit_errors(fast, allowed_errors(model, setup.allowed_length_error));
+      vectorised.padded(driven_start(setup.bearing, model, setup.dynamics, inputs.at(0.0), 0.3));
+  const auto allowed =
+      linearly_implicit_errors(vectorised, allowed_errors(model, setup.allowed_length_error));
   struct End {
     std::vector<double> x;
     bearing::motion::BoreReaction impulse;
@@ -176,12 +177,12 @@ TEST(DrivenSystem, ResumesFromWhatIsKnown) {
   const auto run = [&](bool resumes) {
     LoadsAtStep loads(setup.bearing.rollers().count);
     bearing::motion::DamageSums sums(72);
-    DrivenSystem system(fast, inputs, 0.0, loads, sums);
+    DrivenSystem system(vectorised, inputs, 0.0, loads, sums);
     std::vector<double> x = start, rate(start.size());
     if (resumes) {
       system.linearise(0.0, x.data(), rate.data());
       system.begun(x);
-      const bearing::motion::BoreReaction reaction = fast.reaction();
+      const bearing::motion::BoreReaction reaction = vectorised.reaction();
       // Evaluated elsewhere in between, as the second stage of the step of all is.
       std::vector<double> ahead = x, other(x.size());
       ahead[0] += 1e-7;

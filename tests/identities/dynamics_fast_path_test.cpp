@@ -113,7 +113,7 @@ class FastPathEnergy : public testing::TestWithParam<AuditedSteps> {};
 // its cube root where steps of order 3 are as long as that. ENERGY_AUDIT_SECONDS: for that long.
 TEST_P(FastPathEnergy, StepsAddLittleAndLessAtASmallerAllowedError) {
   constexpr double kShareOfLoss = 0.01;
-  constexpr double kStandard = 2e-10;  // [m]  what a run allows unless told otherwise
+  constexpr double kStandard = 2e-10;  // [m]  what a run allows unless stated otherwise
   const char* text = std::getenv("ENERGY_AUDIT_SECONDS");
   const double seconds = text != nullptr ? std::atof(text) : GetParam().squeeze ? 8e-3 : 4e-3;
   const int order = GetParam().squeeze ? 3 : 2;  // of the steps

@@ -87,9 +87,9 @@ class DynamicsIdentity : public testing::TestWithParam<Variant> {
         bearing.rollers().diameter_deviation = {1e-6, -2e-6, 0.0, 1e-6};
         break;
       case Refinement::printed:
-        parameters.race.film_approach = FilmApproach::as_printed;
-        parameters.race.damping_law = DampingLaw::as_printed;
-        parameters.cage.reference_speed = ReferenceSpeed::as_printed;
+        parameters.race.film_approach = FilmApproach::literature_variant;
+        parameters.race.damping_law = DampingLaw::literature_variant;
+        parameters.cage.reference_speed = ReferenceSpeed::literature_variant;
         break;
     }
   }

@@ -11,31 +11,31 @@ namespace {
 
 constexpr double kRoundOff = 1e-12;
 
-BearingModel growing_model(double growth) {
+BearingModel ramping_model(double ramp) {
   DynamicsParameters parameters = test::reducer_parameters();
-  parameters.driving.ramp = growth;
+  parameters.driving.ramp = ramp;
   return bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
 }
 
 // When the speed has doubled, the load is that of the doubled speed at the same power, and Euler's load.
 TEST(RunUp, LoadsAreThoseOfTheSpeedThatIsReached) {
-  const double growth = 20.0;
-  const BearingModel model = growing_model(growth);
+  const double ramp = 20.0;
+  const BearingModel model = ramping_model(ramp);
   for (double ratio : {0.5, 1.0, 1.7, 2.0}) {
-    const double time = (ratio - 1.0) / growth;
+    const double time = (ratio - 1.0) / ramp;
     const OperatingPoint reached = test::reducer_point(6000.0 * ratio);
-    const double euler = -0.186 * growth * model.point.carrier.speed * model.frame.orbit_radius;
+    const double euler = -0.186 * ramp * model.point.carrier.speed * model.frame.orbit_radius;
     const Vector2 expected = reached.bore_load + Vector2(0.0, euler);
     EXPECT_LT((bore_load(model, time) - expected).norm(), kRoundOff * expected.norm());
     const CarrierFrame frame = frame_at(model, time);
     EXPECT_NEAR(frame.coriolis_speed, reached.carrier.speed, kRoundOff * reached.carrier.speed);
     EXPECT_NEAR(frame.centrifugal, std::pow(reached.carrier.speed, 2), kRoundOff * frame.centrifugal);
-    EXPECT_NEAR(frame.euler, growth * model.point.carrier.speed, kRoundOff * frame.euler);
+    EXPECT_NEAR(frame.euler, ramp * model.point.carrier.speed, kRoundOff * frame.euler);
   }
 }
 
 TEST(RunUp, AnglesAreTheIntegralsOfTheSpeeds) {
-  const BearingModel model = growing_model(-40.0);
+  const BearingModel model = ramping_model(-40.0);
   const Eigen::VectorXd x = Eigen::VectorXd::Zero(model.layout.size());
   const ConstStateViews state = state_views(model.layout, x.data());
   const double time = 0.01, step = 1e-5;

@@ -103,7 +103,7 @@ TEST(GearDynamicsMotion, WorkBalancesWithLoadedTeeth) {
   SetParameters set = test::reducer_dynamics();
   test::load_teeth(set);
   const SetModel model = set_model(set, test::reducer_operation(628.0));
-  EXPECT_TRUE(jump_places(model).empty());
+  EXPECT_TRUE(jump_phases(model).empty());
   // Tables that leave a step of a billionth of the period's gap at their corners are seen at this accuracy.
   const Balance balance = work_balance(model, 1e-9, 30.0 + 0.11);
   EXPECT_LT(std::abs(balance.residual), kBalance * balance.turned_over);
@@ -121,7 +121,7 @@ TEST(GearDynamicsLimits, LoadedTeethRestUnderTheirMeanLoad) {
   const VectorXd x = static_state(model);
   for (const PlanetMesh& mesh : model.meshes) {
     const Mesh& law = model.mesh(mesh.kind);
-    const double approach = mesh.loaded.of(x.head(21), mesh.central, mesh.place) - 0.5 * law.backlash;
+    const double approach = mesh.loaded.of(x.head(21), mesh.central, mesh.planet_index) - 0.5 * law.backlash;
     EXPECT_NEAR(law.stiffness.mean() * (approach - law.free_approach), loads.normal_force,
                 1e-6 * loads.normal_force);
     double mean = 0.0;
@@ -175,7 +175,7 @@ TEST(GearDynamicsLimits, StaticStateCarriesTheMeanLoads) {
     const auto along = [&](const PlanetMesh& mesh) {
       const double gap = separation ? 0.5 * model.mesh(mesh.kind).backlash : 0.0;
       return model.mesh(mesh.kind).stiffness.mean() *
-             (mesh.loaded.of(x.head(21), mesh.central, mesh.place) - gap);
+             (mesh.loaded.of(x.head(21), mesh.central, mesh.planet_index) - gap);
     };
     const double round_off = 1e-6;  // relative: the springs' 1e8 N/m times round-off of the backlash
     for (const PlanetMesh& mesh : model.meshes)
@@ -183,8 +183,8 @@ TEST(GearDynamicsLimits, StaticStateCarriesTheMeanLoads) {
     const double centrifugal =
         parameters.planet.mass * parameters.carrier.radius * std::pow(loads.carrier_speed, 2);
     for (const PlanetBearing& bearing : model.bearings) {
-      const double radial = bearing.radial.of(x.head(21), SetLayout::carrier(), bearing.place);
-      const double tangential = bearing.tangential.of(x.head(21), SetLayout::carrier(), bearing.place);
+      const double radial = bearing.radial.of(x.head(21), SetLayout::carrier(), bearing.planet_index);
+      const double tangential = bearing.tangential.of(x.head(21), SetLayout::carrier(), bearing.planet_index);
       // The planet's own outward shift adds a share of some 1e-5 to its centrifugal force.
       EXPECT_NEAR(-radial * parameters.planet.bearing_stiffness, loads.radial_force + centrifugal,
                   1e-4 * loads.normal_force);
@@ -202,7 +202,7 @@ TEST(GearDynamicsLimits, TheOtherSenseLoadsTheOtherFlanks) {
   const SetModel model = set_model(test::reducer_dynamics(), operation_of(set, drive));
   const VectorXd x = static_state(model);
   for (const PlanetMesh& mesh : model.meshes) {
-    const double approach = mesh.loaded.of(x.head(21), mesh.central, mesh.place) - 50e-6;
+    const double approach = mesh.loaded.of(x.head(21), mesh.central, mesh.planet_index) - 50e-6;
     EXPECT_NEAR(model.mesh(mesh.kind).stiffness.mean() * approach, loads.normal_force,
                 1e-6 * loads.normal_force);
   }
@@ -212,7 +212,7 @@ TEST(GearDynamicsLimits, TheOtherSenseLoadsTheOtherFlanks) {
 TEST(GearDynamicsLimits, ASingleMeshSwingsAsOneFreedom) {
   SetParameters set = test::lin_parker(1);
   set.separation = false;
-  set.sun.support.held_in_place = set.carrier.support.held_in_place = true;
+  set.sun.support.held = set.carrier.support.held = true;
   set.carrier.support.held_in_rotation = true;
   set.planet.bearing_stiffness = 1e15;
   set.ring_mesh.stiffness = PeriodicCurve::constant(1e-3);

@@ -184,7 +184,7 @@ TEST(ArrangementIdentities, RandomOnesAreSolvedOrRefusedWithMembersNamed) {
       EXPECT_FALSE(problems.empty()) << "arrangement " << i;
       continue;
     }
-    if (motor_is_load) continue;  // what the motor gives and the load takes there cannot be told apart
+    if (motor_is_load) continue;  // what the motor gives and the load takes there cannot be distinguished
     EXPECT_EQ(problems.empty(), has_one_solution(WholeSystem(arrangement).whole())) << "arrangement " << i;
     for (const ArrangementProblem& problem : problems) EXPECT_FALSE(problem.members.empty());
     if (problems.empty()) expect_balanced(arrangement, power_flow(arrangement));

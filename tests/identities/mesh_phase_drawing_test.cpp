@@ -119,8 +119,8 @@ double drawn_lag(const WorkingGeometry& g, bool sun_drives) {
   return contact_begins(ring) - contact_begins(sun);
 }
 
-// Of contact told by a gap of 1e-11 m between flanks whose radii differ like 1/(1 m): sqrt(2e-11 m * 1 m) =
-// 4 um of some 6 mm, and half of the last step.
+// Of contact recognised by a gap of 1e-11 m between flanks whose radii differ like 1/(1 m): sqrt(2e-11 m * 1
+// m) = 4 um of some 6 mm, and half of the last step.
 constexpr double of_the_drawing = 1e-3;  // [mesh period]
 
 TEST(MeshPhase, OfRingAndSunMeshIsThatOfDrawnTeeth) {

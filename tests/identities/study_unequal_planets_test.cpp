@@ -12,7 +12,7 @@
 #include "gearset/dynamics/mode_kind.hpp"
 #include "gearset/dynamics/modes.hpp"
 #include "gearset/mesh/mesh_phase.hpp"
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 #include "tests/coupled_reducer.hpp"
 #include "tests/gear_sets.hpp"
 
@@ -103,7 +103,7 @@ TEST(UnequalPlanets, AtEqualStepsAreEqualPlanets) {
   const gearset::dynamics::SetParameters a = stated.gear_set(), b = plain.gear_set();
   EXPECT_EQ(a.sun_phase, b.sun_phase);
   EXPECT_EQ(a.ring_phase, b.ring_phase);
-  EXPECT_EQ(a.planet_places, b.planet_places);
+  EXPECT_EQ(a.planet_angles, b.planet_angles);
 }
 
 // Three forces on a sun that floats: each goes with the sine of the angle between the other two.
@@ -175,7 +175,7 @@ TEST(UnequalPlanets, InOppositePairsKeepTheKindsOfModes) {
 TEST(UnequalPlanets, AreExcitedByWhatTheForcesOfAllMeshesLeave) {
   for (const int planets : {3, 4, 5, 6})
     for (const int teeth : {36, 37, 38, 39, 40}) {
-      const std::vector<double> even = gearset::even_places(planets);
+      const std::vector<double> even = gearset::even_angles(planets);
       const int k = teeth % planets;
       const bool shifts = k == 1 || k == planets - 1;
       EXPECT_EQ(excites(even, teeth, ModeKind::rotational), k == 0) << planets << " " << teeth;
@@ -194,10 +194,10 @@ TEST(UnequalPlanets, AreExcitedByWhatTheForcesOfAllMeshesLeave) {
 
 TEST(UnequalPlanets, TellTheirPlacesToTheModel) {
   const SetModel model = reducer_placed({0, 22, 58, 80});
-  EXPECT_NEAR(model.places[1], 22 * two_pi / 116.0, 1e-12);
-  EXPECT_NEAR(model.bearings[1].radial.central.x(), std::cos(model.places[1]), 1e-12);
+  EXPECT_NEAR(model.planet_angles[1], 22 * two_pi / 116.0, 1e-12);
+  EXPECT_NEAR(model.bearings[1].radial.central.x(), std::cos(model.planet_angles[1]), 1e-12);
   gearset::dynamics::SetParameters wrong = model.parameters;
-  wrong.planet_places.pop_back();
+  wrong.planet_angles.pop_back();
   EXPECT_THROW(set_model(wrong, model.operation), std::invalid_argument);
 }
 

@@ -44,9 +44,9 @@ SETTINGS = {
     "unknown unit": ("gearset.module=3 mmm", "gearset.module", "unit 'mmm' is not known"),
     "wrong dimension": ("gearset.module=3 kg", "gearset.module", "does not measure the same"),
     "speed in hertz": ("input.speed=100 Hz", "input.speed", "how much angle"),
-    "unit on a ratio": ("life.lambda=0.83 mm", "life.lambda", "number without unit"),
+    "unit on a ratio": ("life.reduction_factor=0.83 mm", "life.reduction_factor", "number without unit"),
     "infinite": ("input.power=.inf kW", "input.power", "finite number"),
-    "not a number": ("life.lambda=.nan", "life.lambda", "finite number"),
+    "not a number": ("life.reduction_factor=.nan", "life.reduction_factor", "finite number"),
     "overflow": ("input.power=1e999 kW", "input.power", "too large"),
     "wrong sign": ("gearset.module=-3 mm", "gearset.module", "greater than 0 mm"),
     "zero power": ("input.power=0 kW", "input.power", "at least 1e-06 kW"),
@@ -166,7 +166,7 @@ class BadInput(unittest.TestCase):
     def test_settings(self):
         self.expect_settings_refused(SHIPPED, SETTINGS)
 
-    def test_settings_of_several_sets(self):
+    def test_settings_of_multi_stage(self):
         self.expect_settings_refused(THREE, SETTINGS_OF_SETS)
 
     def expect_settings_refused(self, shipped, settings):
@@ -208,10 +208,10 @@ class BadInput(unittest.TestCase):
                 self.assertEqual(run(command, SHIPPED, "-o", "").returncode, 2)
 
     def test_all_mistakes_at_once_in_order(self):
-        result = run("check", SHIPPED, "--set", "life.lambda=2", "--set", "input.power=1 m", "--set", "x=1")
+        result = run("check", SHIPPED, "--set", "life.reduction_factor=2", "--set", "input.power=1 m", "--set", "x=1")
         self.assertEqual(result.returncode, 2)
         keys = [line.split(": ")[1] for line in result.stderr.splitlines() if line.startswith("--set: ")]
-        self.assertEqual(keys, ["life.lambda", "input.power", "x"])
+        self.assertEqual(keys, ["life.reduction_factor", "input.power", "x"])
 
     def test_every_command_refuses_and_writes_nothing(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -79,7 +79,7 @@ class BallRun(unittest.TestCase):
         unused = run("run", MOTOR, "--json", "--set", "heat.inlet=50 degC", *SHORT)
         self.assertTrue(any("heat.inlet" in warning for warning in json.loads(unused.stdout)["warnings"]))
 
-    def test_oil_that_goes_round_churns_less_and_is_told_of(self):
+    def test_oil_that_goes_round_churns_less_and_is_warned_of(self):
         rest = json.loads(run("run", MOTOR, "--json", *SHORT).stdout)
         done = run("run", MOTOR, "--json", "--set", "drag.mixture=carried", *SHORT)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -112,7 +112,7 @@ class ComputedTilt(unittest.TestCase):
         self.assertTrue(any("planet_tilt" in text and "no effect" in text for text in found["warnings"]))
         self.assertAlmostEqual(found["recommended"]["drop_um"], self.study["recommended"]["drop_um"], delta=1e-6)
 
-    def test_rollers_that_yield_are_told_of(self):
+    def test_rollers_that_yield_are_warned_of(self):
         found = crown("--starts", "1", "--set", "input.speed=100 rpm")
         self.assertTrue(any("yield" in text for text in found["warnings"]))
 
@@ -203,7 +203,7 @@ class Choices(unittest.TestCase):
         self.assertGreater(life_at(study, 1, 0), life_at(study, 0, 0))
         self.assertGreater(study["optimum"]["drop_um"], 3)
 
-    def test_one_of_several_sets(self):
+    def test_one_set_of_multi_stage(self):
         case = CASES / "three_sets_150kW" / "case.yaml"
         text = refusal(case=case)
         self.assertIn("--of: found nothing", text)

@@ -38,27 +38,27 @@ class FmuCommand(unittest.TestCase):
         for version, linux in (("2", "linux64"), ("3", "x86_64-linux")):
             for model in ("bearing", "gearset"):
                 with self.subTest(version=version, model=model):
-                    told, archive = self.written("--fmi", version, "--model", model)
+                    answer, archive = self.written("--fmi", version, "--model", model)
                     root = xml.fromstring(archive.read("modelDescription.xml"))
                     self.assertEqual(root.get("fmiVersion"), version + ".0")
-                    self.assertEqual(root.get("guid") or root.get("instantiationToken"), told["token"])
-                    self.assertRegex(told["token"], r"^\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}$")
+                    self.assertEqual(root.get("guid") or root.get("instantiationToken"), answer["token"])
+                    self.assertRegex(answer["token"], r"^\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}$")
                     identifier = root.find("CoSimulation").get("modelIdentifier")
                     self.assertIn(f"binaries/{linux}/{identifier}.so", archive.namelist())
                     for name in ("resources/model.txt", "documentation/index.html",
                                  "documentation/licenses/license.txt"):
                         self.assertIn(name, archive.namelist())
-                    self.assertEqual(told["inputs"], len(root.findall(".//*[@causality='input']")))
+                    self.assertEqual(answer["inputs"], len(root.findall(".//*[@causality='input']")))
 
-    def test_windows_library_is_inside_or_its_lack_is_told(self):
-        told, archive = self.written()
+    def test_windows_library_is_inside_or_its_lack_is_reported(self):
+        answer, archive = self.written()
         inside = "binaries/win64/orbearing_bearing.dll" in archive.namelist()
-        self.assertEqual(inside, "win64" in told["platforms"])
-        self.assertEqual(inside, not any("win64" in line for line in told["warnings"]))
+        self.assertEqual(inside, "win64" in answer["platforms"])
+        self.assertEqual(inside, not any("win64" in line for line in answer["warnings"]))
 
     def test_default_is_the_bearing_for_fmi_2(self):
-        told, _ = self.written()
-        self.assertEqual((told["fmi"], told["model"]), ("2", "bearing"))
+        answer, _ = self.written()
+        self.assertEqual((answer["fmi"], answer["model"]), ("2", "bearing"))
 
     def test_equal_cases_give_equal_files(self):
         for name in ("a.fmu", "b.fmu"):
@@ -149,30 +149,30 @@ class WindowsLibraryWhenItIsNeeded(unittest.TestCase):
         return json.loads(result.stdout), zipfile.ZipFile(file), result.stderr
 
     @staticmethod
-    def lacks(told):
-        return [line for line in told["warnings"] if line.startswith("only linux64 is inside")]
+    def lacks(answer):
+        return [line for line in answer["warnings"] if line.startswith("only linux64 is inside")]
 
     def test_is_built_once(self):
         self.recipe('cd "$(dirname "$0")" && mkdir win64 && printf MZ > win64/orbearing.dll && rm build_win64')
-        told, archive, message = self.made()
-        self.assertEqual((told["platforms"], self.lacks(told)), (["linux64", "win64"], []))
+        answer, archive, message = self.made()
+        self.assertEqual((answer["platforms"], self.lacks(answer)), (["linux64", "win64"], []))
         self.assertEqual(archive.read("binaries/win64/orbearing_bearing.dll"), b"MZ")
         self.assertIn("win64", message)
         self.assertEqual(self.made()[2], "")
 
     def test_quiet_builds_without_a_word(self):
         self.recipe('cd "$(dirname "$0")" && mkdir win64 && printf MZ > win64/orbearing.dll')
-        told, _, message = self.made("--quiet")
-        self.assertEqual((told["platforms"], message), (["linux64", "win64"], ""))
+        answer, _, message = self.made("--quiet")
+        self.assertEqual((answer["platforms"], message), (["linux64", "win64"], ""))
 
     def expect_linux_alone(self, reason):
-        told, archive, _ = self.made()
-        self.assertEqual(told["platforms"], ["linux64"])
+        answer, archive, _ = self.made()
+        self.assertEqual(answer["platforms"], ["linux64"])
         self.assertEqual([name for name in archive.namelist() if "win64" in name], [])
-        self.assertEqual(len(self.lacks(told)), 1)
-        self.assertIn(reason, self.lacks(told)[0])
+        self.assertEqual(len(self.lacks(answer)), 1)
+        self.assertIn(reason, self.lacks(answer)[0])
 
-    def test_failure_is_told_with_its_reason(self):
+    def test_failure_is_reported_with_its_reason(self):
         self.recipe("echo many words; echo the compiler is gone; exit 1")
         self.expect_linux_alone("the compiler is gone")
 

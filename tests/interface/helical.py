@@ -100,7 +100,7 @@ class Helical(unittest.TestCase):
                 said = "in the plane" if model == "gearset" else "overturn"
                 self.assertTrue(warned(json.loads(made.stdout), said))
 
-    def test_several_sets(self):
+    def test_multi_stage(self):
         found = answer("sweep", SETS, "sets.reduction." + HELIX, "sweep.input.speed=[6000 rpm]")
         self.assertTrue(warned(found, "sets.reduction.gearset.helix_angle: the axial forces overturn"))
         self.assertEqual(found["points"][0]["status"], "ok")
@@ -134,7 +134,7 @@ class Helical(unittest.TestCase):
         for wrong in ("[20]", "[0, 5]", "[2.5, 5]"):
             self.assertEqual(run("check", REDUCER, *settings((f"parallel_stage.front={wrong}",))).returncode, 2, wrong)
 
-    def test_tips_in_the_roots_of_the_ring_are_told_of(self):
+    def test_tips_in_the_roots_of_the_ring_are_warned_of(self):
         heights = ["gearset.addendum_of.planet=1.4", "gearset.root_fillet_radius=0.1", "gearset.clearance_of.sun=0.6"]
         self.assertTrue(warned(answer("run", WIND, *heights), "tips of the planet dig into the roots of the ring by 1.1"))
         self.assertFalse(warned(answer("run", WIND), "dig into"))
@@ -143,11 +143,11 @@ class Helical(unittest.TestCase):
         self.assertIsNone(answer("run", WIND)["stiffness"])
         self.assertIsNotNone(answer("run", WIND, "bearing.tilt_state=stated")["stiffness"])
 
-    def test_few_laminae_are_told_of(self):
+    def test_few_laminae_are_warned_of(self):
         self.assertTrue(warned(answer("run", WIND, "bearing.laminae=1"), "bearing.laminae: 1 feel"))
         self.assertFalse(warned(answer("run", WIND), "bearing.laminae"))
 
-    def test_thrust_of_spur_gears_is_told_of(self):
+    def test_thrust_of_spur_gears_is_warned_of(self):
         found = answer("mesh", REDUCER, "gearset.sun_thrust=carrier")
         self.assertTrue(warned(found, "gearset.sun_thrust"))
 

@@ -167,10 +167,10 @@ class Results(unittest.TestCase):
         np.testing.assert_array_equal(twin.sweep(grid_only=True).life_h, case.sweep(grid_only=True).life_h)
         self.assertEqual(twin.core.hash(), case.core.hash())
 
-    def test_progress_is_told(self):
-        told = []
-        orbearing.load(REDUCER).sweep(progress=lambda done, every, doing: told.append((done, every)))
-        self.assertTrue(told and told[0][1] == 12)
+    def test_progress_is_reported(self):
+        seen = []
+        orbearing.load(REDUCER).sweep(progress=lambda done, every, doing: seen.append((done, every)))
+        self.assertTrue(seen and seen[0][1] == 12)
 
 
 class LiveMachine(unittest.TestCase):

@@ -114,7 +114,7 @@ def make_report():
         "published": [{"source": "[Gai2025]", "quantity": "life at the peak", "speed_rpm": 6000, "life_h": 43869}],
         "fine": content, "polar": [polar(speed) for speed in (1000, 6000, 12000)], "drawing": drawing(),
         "ablation": ablation(),
-        "ledger": [{"source": "[Gai2025]", "quantity": "life at 6000 rpm [h]", "published": 43869, "ours": float(life(6000)),
+        "validation": [{"source": "[Gai2025]", "quantity": "life at 6000 rpm [h]", "published": 43869, "ours": float(life(6000)),
                     "deviation": "+4.9 %", "tolerance": "15 %", "verdict": "reproduced"}],
         "dynamic": None,
     }

@@ -112,15 +112,15 @@ class CompletePage(unittest.TestCase):
     def test_a_sweep_in_motion_is_not_mixed_with_quasi_static_numbers(self):
         content = fixture.make_report()
         content["fidelity"] = "monolithic"
-        content["ledger"][0]["of_sweep"] = 40123.0
-        content["worth"] = [{"assumption": "contact.law", "reading": "another", "peak_speed_rpm": 6000, "peak_life_h": 49356.0,
+        content["validation"][0]["of_sweep"] = 40123.0
+        content["sensitivities"] = [{"assumption": "contact.law", "reading": "another", "peak_speed_rpm": 6000, "peak_life_h": 49356.0,
                              "worth_h": 2e-11}]
         page = make_page(content)
         self.assertIn("as one system", re.search(r"<h1>(.*?)</h1>", page).group(1))
-        ledger = re.search(r"<h2>Published numbers beside ours</h2>.*?</section>", page, re.S).group(0)
-        self.assertIn("<th scope=\"col\">quasi-static</th>", ledger)
-        self.assertIn("<th scope=\"col\">monolithic</th>", ledger)
-        self.assertIn("40,123", ledger)
+        table = re.search(r"<h2>Published numbers beside ours</h2>.*?</section>", page, re.S).group(0)
+        self.assertIn("<th scope=\"col\">quasi-static</th>", table)
+        self.assertIn("<th scope=\"col\">monolithic</th>", table)
+        self.assertIn("40,123", table)
         worths = re.search(r"<h2>What each assumption is worth</h2>.*?</section>", page, re.S).group(0)
         self.assertIn("0 h", worths)
         self.assertNotIn("e\u2212", worths)  # round-off is no worth
@@ -130,7 +130,7 @@ class CompletePage(unittest.TestCase):
         for fidelity, there in (("monolithic", False), ("co-simulated", True)):
             content["fidelity"] = fidelity
             content["points"] = [{**point, "interface_energy_residual": 1e-4} for point in content["points"]]
-            content["two_way"] = {"convergence": {"rows": [{"scheme": "Jacobi, degree 0", "window_us": 5.0, "force_error": 0.1,
+            content["coupled"] = {"convergence": {"rows": [{"scheme": "Jacobi, degree 0", "window_us": 5.0, "force_error": 0.1,
                                                             "energy_residual": 0.01}]}}
             found = set(outline(make_page(content)).identifiers)
             self.assertEqual("interface-energy" in found, there)

@@ -28,14 +28,14 @@ class Contract(unittest.TestCase):
         self.assertAlmostEqual(found["life_h"] / point["life_h"], 1, places=9)
         rows = {row["path"]: row for row in found["inputs"]}
         self.assertIsNone(rows["bearing.radial_clearance"]["elasticity"])  # its value is zero
-        self.assertAlmostEqual(rows["life.lambda"]["elasticity"], 4, places=8)
+        self.assertAlmostEqual(rows["life.reduction_factor"]["elasticity"], 4, places=8)
         # A percent of power by the run itself; what is of second order is left.
         more, less = (loaded("run", case("reducer_150kW"), "--set", f"input.power={p} kW")["points"][0]["life_h"] for p in (150.15, 149.85))
         self.assertAlmostEqual((more - less) / 0.3 / rows["input.power"]["derivative"], 1, places=4)
-        told = {row["path"] for row in found["inputs"] + found["not_differentiable"]} | set(found["without_effect"])
+        named = {row["path"] for row in found["inputs"] + found["not_differentiable"]} | set(found["without_effect"])
         for row in loaded("check", case("reducer_150kW"))["inputs"]:
             if row["path"] not in ("name", "source", "model"):
-                self.assertIn(row["path"], told)
+                self.assertIn(row["path"], named)
 
     def test_of_a_single_bearing(self):
         found = loaded("sensitivities", case("ball_6305_iso16281"))
@@ -55,9 +55,9 @@ class Contract(unittest.TestCase):
             with open(pathlib.Path(folder) / "s" / "sensitivities.csv", newline="") as file:
                 rows = list(csv.DictReader(file))
             self.assertEqual(len(rows), sum(len(written[key]) for key in ("inputs", "not_differentiable", "without_effect")))
-            for row, told in zip(rows, written["inputs"]):
-                self.assertEqual(row["input"], told["path"])
-                self.assertAlmostEqual(float(row["derivative_Mrev_per_unit"]) / told["derivative"], 1, places=10)
+            for row, wanted in zip(rows, written["inputs"]):
+                self.assertEqual(row["input"], wanted["path"])
+                self.assertAlmostEqual(float(row["derivative_Mrev_per_unit"]) / wanted["derivative"], 1, places=10)
             again = call("sensitivities", case("harris_209"), "-o", pathlib.Path(folder) / "s")
             self.assertEqual(again.returncode, 2)
             self.assertEqual(call("sensitivities", case("harris_209"), "-o", pathlib.Path(folder) / "s", "--resume").returncode, 0)
@@ -84,7 +84,7 @@ class Validation(unittest.TestCase):
     def test_assumptions_by_each_unit(self):
         rows = loaded("validate", case("reducer_150kW"))["assumptions"]
         by_path = {row["assumption"]: row for row in rows}
-        self.assertAlmostEqual(by_path["life.lambda"]["elasticity"], 4, places=8)
+        self.assertAlmostEqual(by_path["life.reduction_factor"]["elasticity"], 4, places=8)
         self.assertIsNone(by_path["film.enabled"]["derivative_h_per_unit"])
         found = loaded("sensitivities", case("reducer_150kW"))  # whose speed is that of the peak
         rows = {row["path"]: row for row in found["inputs"]}

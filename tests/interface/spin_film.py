@@ -52,7 +52,7 @@ class Contact(unittest.TestCase):
         self.assertGreater(still["h_min_um"], found[0]["h_min_um"])
         self.assertEqual(still["h_min_HamrockDowson_um"], found[0]["h_min_HamrockDowson_um"])
 
-    def test_what_lies_beyond_the_regressions_is_told(self):
+    def test_what_lies_beyond_the_regressions_is_reported(self):
         warnings = run(FILM, "points=[[500 N, 5 m/s, 200 rad/s], [100 N, 50 m/s, 900 rad/s]]")["warnings"]
         self.assertEqual(len(warnings), 3)
         for warning, word in zip(warnings, ("rolling speed", "load", "spin")):
@@ -60,7 +60,7 @@ class Contact(unittest.TestCase):
             self.assertIn(word, warning)
         self.assertTrue(any("ellipticity" in one for one in run(FILM, "contact.ellipticity=12")["warnings"]))
 
-    def test_what_is_assumed_is_told(self):
+    def test_what_is_assumed_is_reported(self):
         assumed = {row["key"] for row in run(FILM)["assumptions"]}
         for path in ("contact.rolling_radius", "contact.ellipticity", "lubricant.viscosity", "lubricant.pressure_viscosity"):
             self.assertIn(path, assumed)
@@ -153,7 +153,7 @@ class Bearing(unittest.TestCase):
         self.assertAlmostEqual(row["film_inner_load_N"], max(found["contact_loads_N"]), places=6)
         self.assertIsNone(run(BEARING, "operation.speeds=[9000 rpm]")["least_film_turns_at_rpm"]["inner"])
 
-    def test_film_on_rings_at_rest_is_told(self):
+    def test_film_on_rings_at_rest_is_reported(self):
         settings = ["operation.shaft_speed=0 rpm", "operation.speeds=[0 rpm]"]
         self.assertTrue(any(one.startswith("film.enabled") for one in run(BEARING, *settings)["warnings"]))
 

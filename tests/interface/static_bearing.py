@@ -151,10 +151,10 @@ class Balls(unittest.TestCase):
                 self.assertGreater(found["L10r_Mrev"], 0.0)
         self.assertIsNone(run(BALL, "bearing.contact_angle=25 deg", "load.axial=1500 N")["L10_Mrev"])
 
-    def test_loose_rings_and_steep_contacts_are_told(self):
+    def test_loose_rings_and_steep_contacts_are_reported(self):
         jones = CASES / "jones_218" / "case.yaml"
-        told = " ".join(run(jones, "operation.shaft_speed=0 rpm", "load.radial=100 N", "load.axial=0 N")["warnings"])
-        self.assertIn("nothing holds the ring along y", told)
+        warnings = " ".join(run(jones, "operation.shaft_speed=0 rpm", "load.radial=100 N", "load.axial=0 N")["warnings"])
+        self.assertIn("nothing holds the ring along y", warnings)
         self.assertIn("more than 70 degrees", " ".join(run(jones, "load.radial=500 N", "load.axial=250 N")["warnings"]))
         for case in (jones, HARRIS, BALL):
             self.assertNotIn("nothing holds", " ".join(run(case)["warnings"]))

@@ -80,7 +80,7 @@ class Contract(unittest.TestCase):
         # At constant power the load falls with speed until rollers are thrown outward; the frame is the carrier's.
         self.assertGreater(found["points"][0]["load"]["y_N"], found["points"][5]["load"]["y_N"])
 
-    def test_planets_of_several_sets(self):
+    def test_planets_of_multi_stage(self):
         found = stiffness("three_sets_150kW", "sweep.input.speed=[3000 rpm, 6000 rpm]")
         self.check_points(found)
         self.assertEqual(len({point["set"] for point in found["points"]}) * 2, len(found["points"]))

@@ -98,12 +98,12 @@ class OnWorkers(unittest.TestCase):
             killer.start()
             begin, first = time.monotonic(), []
 
-            def told(done, points):
+            def seen(done, points):
                 if done:
                     first.append(time.monotonic() - begin)
                     killer.begun.set()
 
-            study(self.place / "killed", client, progress=told)
+            study(self.place / "killed", client, progress=seen)
             killer.ended.set()
             killer.join()
         self.check(self.place / "killed")
@@ -133,7 +133,7 @@ class OnWorkers(unittest.TestCase):
             after = random.Random(SEED).randint(1, 6)
             seen = []
 
-            def told(done, points):
+            def look(done, points):
                 seen.append(done)
                 if len(seen) == after + 1:
                     scheduler.kill()
@@ -141,7 +141,7 @@ class OnWorkers(unittest.TestCase):
             with Client(scheduler_file=str(file), timeout=20) as client:
                 client._timeout = PATIENCE
                 with self.assertRaises(Lost):
-                    study(folder, client, progress=told)
+                    study(folder, client, progress=look)
         finally:
             for process in (scheduler, worker):
                 process.kill()
@@ -149,9 +149,9 @@ class OnWorkers(unittest.TestCase):
         part = orbearing.open_study(folder)
         self.assertTrue(0 < part.missing < part.points, part)
         begun = part.points - part.missing
-        told_first = []
-        study(folder, "threads", resume=True, progress=lambda done, points: told_first.append(done))
-        self.assertEqual(told_first[0], begun, "what was finished is not computed again")
+        seen_first = []
+        study(folder, "threads", resume=True, progress=lambda done, points: seen_first.append(done))
+        self.assertEqual(seen_first[0], begun, "what was finished is not computed again")
         self.check(folder)
 
     def test_no_scheduler(self):

@@ -92,7 +92,7 @@ class SweepFolder(unittest.TestCase):
         self.assertIn("--resume", message)
         self.assertTrue(manifest_points(folder))
 
-    def test_damaged_points_are_told_and_computed_again(self):
+    def test_damaged_points_are_reported_and_computed_again(self):
         finished = self.finished()
         before = snapshot(finished)
         points = finished / "points"
@@ -104,7 +104,7 @@ class SweepFolder(unittest.TestCase):
             (points / name).unlink()
             if content is not None:
                 (points / name).write_bytes(content)
-        # --quiet stands in sweep_call(); what was wrong is told without it.
+        # --quiet stands in sweep_call(); what was wrong is reported without it.
         result = run([part for part in sweep_call(finished, "--resume") if part != "--quiet"])
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in damages:

@@ -66,7 +66,7 @@ class TeethUnderLoad(unittest.TestCase):
         self.assertNotEqual(highest(LOADED, SLOW), highest(LOADED, "input.speed=12000 rpm"))
         self.assertEqual(highest(SLOW), highest("input.speed=12000 rpm"))
 
-    def test_what_has_no_effect_is_told(self):
+    def test_what_has_no_effect_is_reported(self):
         warnings = answer("mesh", REDUCER, "gearset.tip_relief.sun=10 um")["warnings"]
         self.assertTrue(any("gearset.tip_relief.sun" in text and "gearset.tooth_contact" in text for text in warnings))
         warnings = answer("mesh", REDUCER, LOADED, "gearset.tip_relief.length=2")["warnings"]

@@ -78,7 +78,7 @@ class Runner(unittest.TestCase):
         cells = json.loads(done.notebook())["cells"]
         self.assertEqual([cell["cell_type"] for cell in cells], ["markdown", "code", "markdown", "code"])
 
-    def test_a_block_or_a_check_that_fails_is_told_with_its_line(self):
+    def test_a_block_or_a_check_that_fails_is_reported_with_its_line(self):
         for text in ("# T\n\n```python\n1 / 0\n```\n", "# T\n\n<!-- check\nassert False\n-->\n"):
             with self.assertRaisesRegex(tutorial.TutorialError, r"page\.md: the block at line 4 failed"):
                 self.run_text(text)

@@ -43,7 +43,7 @@ class Numbers(unittest.TestCase):
             self.assertIsNone(row.log_ratio)
         self.assertIsNone(validation.statistics([replace(ROW, ours=None)]).bias)
 
-    def test_values_are_told_apart_by_source_value_and_settings(self):
+    def test_values_are_distinguished_by_source_value_and_settings(self):
         rows = [ROW, replace(ROW, case="other", quantity="again"), replace(ROW, published=3.0), replace(ROW, reading="a=1, b=2"),
                 replace(ROW, reading="b=2, a=1"), replace(ROW, source="[A2000], Table 2")]
         self.assertEqual(len(validation.distinct(rows)), 4)

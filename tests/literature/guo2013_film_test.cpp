@@ -42,7 +42,7 @@ TEST(Guo2013Film, LoadByApproach) {
   EXPECT_EQ(load_at(law, -1e-6, 20.0, 0.0), 0.0);
 }
 
-TEST(Guo2013Film, RangesAreTold) {
+TEST(Guo2013Film, RangesAreReported) {
   EXPECT_TRUE(outside_of_range(contact, {.load = 500.0, .rolling = 5.0, .spin = 200.0}).empty());
   EXPECT_EQ(outside_of_range(contact, {.load = 100.0, .rolling = 50.0, .spin = 900.0}).size(), 3u);
 }

@@ -140,8 +140,8 @@ ordered_json zone_of(const Stage& stage, const Named& profile, double tilt, std:
       const auto& roller = loads.states[s].rollers[j];
       std::vector<double> pressure;
       if (roller.inner.load > 1.0) {
-        const auto found =
-            stage.pressure.on(Race::inner, profile.made, roller.inner.load, roller.inner_tip / half);
+        const auto found = stage.pressure.on(Race::inner, profile.made, roller.inner.load,
+                                             roller.inner_end_displacement / half);
         pressure = scaled(found.pressure, 1e-6);
         x = scaled(found.x, 1e3);
       }

@@ -60,7 +60,7 @@ struct CrownStudy {
   int failed = 0;  // points without balance
 };
 
-/// Runs it on `jobs` threads (0: all); `progressed` is told of finished points of the grid. Throws
+/// Runs it on `jobs` threads (0: all); `progressed` is called with finished points of the grid. Throws
 /// ComputationFailed where no crown could be found at all.
 CrownStudy crown_study(const CrownRequest& request, int jobs, const study::crowning::Progressed& progressed);
 

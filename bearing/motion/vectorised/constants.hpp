@@ -67,8 +67,8 @@ struct LaminaConstants {
   const double* place = nullptr;       // (count)  -1 to 1
   const double* inner_drop = nullptr;  // (count)  [m]
   const double* outer_drop = nullptr;  // (count)  [m]
-  double bore_tip_x = 0.0;             // [m]
-  double bore_tip_y = 0.0;             // [m]
+  double bore_end_displacement_x = 0.0;             // [m]
+  double bore_end_displacement_y = 0.0;             // [m]
   double resistance = 0.0;             // [N s/m]  against tilting
   bool upright = true;                 // symmetric, and no roller ever tilts
 };

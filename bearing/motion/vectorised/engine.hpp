@@ -6,10 +6,10 @@
 
 namespace orbearing::bearing::vectorised {
 
-/// Order of the padded state: [ r | theta | r' | theta' | spin | tip, where rollers tilt ] of lanes() entries
-/// each, then cage x y psi x' y' psi' where there is one, bore x y x' y', pin x y x' y', waves of an elastic
-/// rim, their rates and what the followed rollers have turned as in motion/layout.hpp. Entries beyond the
-/// rollers are at rest.
+/// Order of the padded state: [ r | theta | r' | theta' | spin | end displacement, where rollers tilt ] of
+/// lanes() entries each, then cage x y psi x' y' psi' where there is one, bore x y x' y', pin x y x' y',
+/// waves of an elastic rim, their rates and what the followed rollers have turned as in motion/layout.hpp.
+/// Entries beyond the rollers are at rest.
 struct PaddedLayout {
   /// So many fit in without more entries.
   static constexpr int kMostFollowed = 2;
@@ -40,7 +40,7 @@ struct ContactLoads {
   const double* outer;
   const double* inner_approach = nullptr;  // [m]  elastic, in the middle of the roller; null: not cut
   const double* outer_approach = nullptr;  // [m]
-  const double* tip =
+  const double* end_displacement =
       nullptr;  // [m]  how much further outward the roller stands at x = l/2 than in the middle
 };
 

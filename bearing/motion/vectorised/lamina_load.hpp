@@ -10,8 +10,8 @@ using namespace mechanics::ORBEARING_PACKS;
 /// Sums over the laminae of both contacts of each roller, d being the approach of a lamina: of d^(10/9), of
 /// d^(1/9), and of both times the place and its square.
 struct LaminaPackSums {
-  PackPair load{}, tip_load{};
-  PackPair by_approach{}, mixed{}, by_tip{};
+  PackPair load{}, end_load{};
+  PackPair by_approach{}, mixed{}, by_end_displacement{};
 };
 
 inline NumberPair drop_of(const LaminaConstants& laminae, int k) {
@@ -32,40 +32,41 @@ inline LaminaPackSums upright_sums(const LaminaConstants& laminae, const PackPai
 }
 
 inline LaminaPackSums tilted_sums(const LaminaConstants& laminae, const PackPair& elastic,
-                                  const PackPair& tip) {
+                                  const PackPair& end_displacement) {
   LaminaPackSums sums;
   for (int k = 0; k < laminae.count; ++k) {
     const double place = laminae.place[k];
-    const PackPair depth = elastic + place * tip - drop_of(laminae, k);
+    const PackPair depth = elastic + place * end_displacement - drop_of(laminae, k);
     const PackPair root = only(depth > 0.0, ninth_root(depth));
     const PackPair load = root * depth;
     sums.load += load;
-    sums.tip_load += place * load;
+    sums.end_load += place * load;
     sums.by_approach += root;
     sums.mixed += place * root;
-    sums.by_tip += (place * place) * root;
+    sums.by_end_displacement += (place * place) * root;
   }
   return sums;
 }
 
-/// How much more each contact is approached at x = l/2 where the roller stands at `tip`, the bore at
-/// `outer_tip`.
-inline PackPair contact_tips(const Pack& tip, const Pack& outer_tip) {
-  return {-tip, tip - outer_tip};
+/// How much more each contact is approached at x = l/2 where the roller stands at `end_displacement`, the
+/// bore at `outer_end_displacement`.
+inline PackPair end_displacements(const Pack& end_displacement, const Pack& outer_end_displacement) {
+  return {-end_displacement, end_displacement - outer_end_displacement};
 }
 
-/// How a pack of rollers stands in its contacts and tilts: motion::LaminaStand, and the rate of the tip with
-/// its slopes.
+/// How a pack of rollers stands in its contacts and tilts: motion::LaminaStand, and the rate of the
+/// end displacement with its slopes.
 struct LaminaStand {
-  Pack inner_approach{}, outer_approach{}, tip{};  // [m]
-  Pack rate{};                                     // [m/s]  of the tip
-  Pack by_tip{}, by_inner{}, by_outer{};  // [1/s]  its slopes, the latter by the rigid bodies' approaches
+  Pack inner_approach{}, outer_approach{}, end_displacement{};  // [m]
+  Pack rate{};                                                  // [m/s]  of the end displacement
+  Pack by_end_displacement{}, by_inner{},
+      by_outer{};  // [1/s]  its slopes, the latter by the rigid bodies' approaches
 };
 
 /// Load of each contact and its slope by its own elastic approach. What the tilt passes from one variable to
 /// the loads is left out of the slopes: the integrator keeps its order with any matrix, and the tilt itself
 /// is solved for with all of its own (PackEngine::complete_rollers).
-inline LoadSlope lamina_load(const BothRaces& race, const PackApproach& e, const Pack& cosine,
+inline LoadSlope lamina_load(const RacePair& race, const PackApproach& e, const Pack& cosine,
                              const Pack& sine, LaminaStand& stand) {
   const LaminaConstants& laminae = race.laminae;
   stand.inner_approach = e.value.low;
@@ -75,14 +76,15 @@ inline LoadSlope lamina_load(const BothRaces& race, const PackApproach& e, const
     const LaminaPackSums sums = upright_sums(laminae, e.value);
     return {share * sums.load, kLineExponent * share * sums.by_approach};
   }
-  const Pack outer_tip = laminae.bore_tip_x * cosine + laminae.bore_tip_y * sine;
-  const LaminaPackSums sums = tilted_sums(laminae, e.value, contact_tips(stand.tip, outer_tip));
+  const Pack outer_end_displacement = laminae.bore_end_displacement_x * cosine + laminae.bore_end_displacement_y * sine;
+  const LaminaPackSums sums =
+      tilted_sums(laminae, e.value, end_displacements(stand.end_displacement, outer_end_displacement));
   const NumberPair per_resistance = share * (1.0 / laminae.resistance);
-  const PackPair moment = per_resistance * sums.tip_load;
-  const PackPair by_tip = kLineExponent * per_resistance * sums.by_tip;
+  const PackPair moment = per_resistance * sums.end_load;
+  const PackPair by_end_displacement = kLineExponent * per_resistance * sums.by_end_displacement;
   const PackPair mixed = kLineExponent * per_resistance * sums.mixed * e.by_approach;
   stand.rate = moment.low - moment.high;
-  stand.by_tip = -(by_tip.low + by_tip.high);
+  stand.by_end_displacement = -(by_end_displacement.low + by_end_displacement.high);
   stand.by_inner = mixed.low;
   stand.by_outer = -mixed.high;
   return {share * sums.load, kLineExponent * share * sums.by_approach};

@@ -49,7 +49,7 @@ struct RollerPack {
   ContactSlopes<Pack> inner, outer;
   Pack outer_r, outer_t;  // [N]  force of the outer race on the roller
   PocketSlopes pocket;
-  Pack tip_by_tip, tip_by_inner, tip_by_outer;  // [1/s]  LaminaStand
+  Pack tip_by_end_displacement, tip_by_inner, tip_by_outer;  // [1/s]  LaminaStand
   bool caged = false;
 };
 
@@ -121,7 +121,7 @@ class PackEngine final : public Engine {
  public:
   PackEngine(const Constants& constants, const RollerConstants& rollers)
       : c_(constants),
-        races_(both_races(c_)),
+        races_(race_pair(c_)),
         given_(rollers),
         layout_{constants.rollers, constants.followed,
                 constants.laminae.count > 0 && !constants.laminae.upright, constants.rim.waves,
@@ -164,7 +164,7 @@ class PackEngine final : public Engine {
     if (c_.laminae.count > 0) {
       loads.inner_approach = numbers(inner_approach_);
       loads.outer_approach = numbers(outer_approach_);
-      loads.tip = numbers(tip_);
+      loads.end_displacement = numbers(tip_);
     }
     return loads;
   }
@@ -241,7 +241,7 @@ class PackEngine final : public Engine {
   double* entry(double* x, int group, int p) const { return x + group * layout_.lanes() + p * kLanes; }
 
   Constants c_;
-  BothRaces races_;
+  RacePair races_;
   RollerConstants given_;
   PaddedLayout layout_;
   int packs_;
@@ -347,7 +347,7 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   };
   ContactSlopes<PackPair> slopes;
   LaminaStand stand;
-  if (layout_.tilting) stand.tip = load(entry(x, kTip, p));
+  if (layout_.tilting) stand.end_displacement = load(entry(x, kTip, p));
   const ContactForce<PackPair> races = race_contact<WithSlopes>(
       races_, radius, here, cosine, sine,
       {p * kLanes, x + layout_.turned(), x + layout_.wave(), x + layout_.wave_speed(), &wave_force_[0]},
@@ -356,12 +356,12 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   if (c_.laminae.count > 0) {
     inner_approach_[p] = stand.inner_approach;
     outer_approach_[p] = stand.outer_approach;
-    tip_[p] = stand.tip;
+    tip_[p] = stand.end_displacement;
   }
   if (layout_.tilting) {
     store(only(here, stand.rate), entry(dx, kTip, p));
     if constexpr (WithSlopes) {
-      linear.tip_by_tip = stand.by_tip;
+      linear.tip_by_end_displacement = stand.by_end_displacement;
       linear.tip_by_inner = stand.by_inner;
       linear.tip_by_outer = stand.by_outer;
     }

@@ -170,7 +170,7 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
   };
   const Pack inner = along(pin, kPin) - shift, outer = shift - along(bore, kBore);
   store((load(entry(rhs, kTip, p)) + g_ * (at.tip_by_inner * inner + at.tip_by_outer * outer)) /
-            (1.0 - g_ * at.tip_by_tip),
+            (1.0 - g_ * at.tip_by_end_displacement),
         entry(k, kTip, p));
 }
 

@@ -72,7 +72,7 @@ struct RaceMotion {
   FormSlopes<PackPair> form;
 };
 
-inline RaceMotion race_motion(const BothRaces& race, const Pack& radius, const Mask& present,
+inline RaceMotion race_motion(const RacePair& race, const Pack& radius, const Mask& present,
                               const Pack& cosine, const Pack& sine, const FormState& state,
                               const RelativeMotion<PackPair>& relative) {
   RaceMotion m;
@@ -165,7 +165,7 @@ struct ElasticLoad {
 
 /// Adds what the oil that is pressed out gives to `x`, in which the elastic load with its damping stands.
 template <bool WithSlopes>
-void add_squeeze(const BothRaces& race, const RaceMotion& m, const ElasticLoad& e, const PackPair& log_speed,
+void add_squeeze(const RacePair& race, const RaceMotion& m, const ElasticLoad& e, const PackPair& log_speed,
                  RaceLoads& x) {
   enum { kApproach, kClosing, kSpeed };
   const auto squeezed = [&](const auto& approach, const auto& elastic, const auto& load, const auto& log_u,
@@ -198,7 +198,7 @@ void add_squeeze(const BothRaces& race, const RaceMotion& m, const ElasticLoad& 
 }
 
 template <bool WithSlopes>
-RaceLoads race_loads(const BothRaces& race, const RaceMotion& m, const Pack& cosine, const Pack& sine,
+RaceLoads race_loads(const RacePair& race, const RaceMotion& m, const Pack& cosine, const Pack& sine,
                      LaminaStand& stand) {
   using mechanics::variable;
   RaceLoads x;
@@ -265,7 +265,7 @@ struct ForceRate {
   PackPair normal, tangential, moment;
 };
 
-inline ForceRate force_rate(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+inline ForceRate force_rate(const RacePair& race, const RaceMotion& m, const RaceLoads& x,
                             const LawRate& rate) {
   ForceRate force{-1.0 * race.side * rate.load, rate.friction + rate.inlet * x.tilt,
                   (rate.friction - rate.inlet) * m.roller_arm};
@@ -281,7 +281,7 @@ struct NormalSlopes {
   ForceRate distance, across, v_n, v_t, spin;
 };
 
-inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x,
+inline NormalSlopes normal_slopes(const RacePair& race, const RaceMotion& m, const RaceLoads& x,
                                   const PackPair& f_n, const PackPair& f_t) {
   const NumberPair side = race.side;
   const LawSlopes laws = law_slopes(x);
@@ -332,7 +332,7 @@ inline NormalSlopes normal_slopes(const BothRaces& race, const RaceMotion& m, co
 }
 
 /// Slopes in polar axes, `f_n` and `f_t` being the force along n and t.
-inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLoads& x, const PackPair& f_n,
+inline void race_slopes(const RacePair& race, const RaceMotion& m, const RaceLoads& x, const PackPair& f_n,
                         const PackPair& f_t, ContactSlopes<PackPair>& slopes) {
   const NormalSlopes n = normal_slopes(race, m, x, f_n, f_t);
   // From (n, t) to polar axes: K' = R K R^T with R = [n_r -n_t; n_t n_r].
@@ -359,7 +359,7 @@ inline void race_slopes(const BothRaces& race, const RaceMotion& m, const RaceLo
 /// lanes outside `present` have no contact. `cosine` and `sine` are those of the rollers' places. `stand` is
 /// set where the contacts are cut into laminae.
 template <bool WithSlopes>
-ContactForce<PackPair> race_contact(const BothRaces& race, const Pack& radius, const Mask& present,
+ContactForce<PackPair> race_contact(const RacePair& race, const Pack& radius, const Mask& present,
                                     const Pack& cosine, const Pack& sine, const FormState& state,
                                     const RelativeMotion<PackPair>& relative, ContactSlopes<PackPair>& slopes,
                                     LaminaStand& stand) {

@@ -2,7 +2,7 @@
 // more.
 #pragma once
 
-#include "bearing/motion/vectorised/both_races.hpp"
+#include "bearing/motion/vectorised/race_pair.hpp"
 #include "mechanics/packs/elementary.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
@@ -127,7 +127,7 @@ inline FormSlopes<Pack> form_slopes(const RaceConstants& race, const Pack& cosin
   return sum;
 }
 
-inline FormSlopes<PackPair> form_slopes(const BothRaces& race, const PackPair& cosine, const PackPair& sine) {
+inline FormSlopes<PackPair> form_slopes(const RacePair& race, const PackPair& cosine, const PackPair& sine) {
   const FormSlopes<Pack> inner = form_slopes(*race.inner, cosine.low, sine.low);
   const FormSlopes<Pack> outer = form_slopes(*race.outer, cosine.high, sine.high);
   return {{inner.height, outer.height},
@@ -152,7 +152,7 @@ inline void add_roller_scratch(const RollerScratch& scratch, double side, double
   bend += only(own, side * sunk.bend);
 }
 
-inline void add_roller_scratches(const BothRaces& race, const FormState& rollers, const PackPair& cosine,
+inline void add_roller_scratches(const RacePair& race, const FormState& rollers, const PackPair& cosine,
                                  const PackPair& sine, FormSlopes<PackPair>& form) {
   for (int i = 0; i < race.roller_scratches; ++i) {
     const RollerScratch& scratch = race.roller_scratch[i];

@@ -2,7 +2,7 @@
 // contacts.
 #pragma once
 
-#include "bearing/motion/vectorised/both_races.hpp"
+#include "bearing/motion/vectorised/race_pair.hpp"
 #include "mechanics/packs/powers.hpp"
 
 namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
@@ -73,7 +73,7 @@ struct PackApproach {
 /// without a logarithm in each step. With that search instead, the right-hand side takes 1.7 times as long,
 /// the slopes 1.4.
 template <bool WithSlopes>
-PackApproach power_film_approach(const BothRaces& race, const PackPair& approach, const PackPair& log_speed) {
+PackApproach power_film_approach(const RacePair& race, const PackPair& approach, const PackPair& log_speed) {
   using Film = FilmLaw<NumberPair>;
   // Powers of the entrainment speed by its 29th root: cap ~ u^(19/29), its approach ~ u^(9/29), factor ~
   // u^0.7.
@@ -90,23 +90,22 @@ PackApproach power_film_approach(const BothRaces& race, const PackPair& approach
   const PackPair capped = approach + cap;
   const PackPairMask touching = capped > 0.0;
   const PackPair beyond = select(touching, capped, cap_approach);
-  const PackPairMask thinned = beyond > cap_approach;
+  const PackPairMask loaded = beyond > cap_approach;
   // At the cap the elastic approach is known, and the same steps find its ninth root.
-  const PackPair factor = only(thinned, race.film_factor * exponential(Film::kSpeed * log_speed));
-  const LoadedFilm root = loaded_film(select(thinned, approach, beyond), factor, beyond);
+  const PackPair factor = only(loaded, race.film_factor * exponential(Film::kSpeed * log_speed));
+  const LoadedFilm root = loaded_film(select(loaded, approach, beyond), factor, beyond);
   PackApproach e{select(touching, root.approach, capped), root.ninth, PackPair{}, PackPair{}};
   if constexpr (WithSlopes) {
-    const PackPair film = select(thinned, root.film, cap);
-    e.by_approach = 1.0 / (1.0 + only(thinned, m * film / root.approach));
+    const PackPair film = select(loaded, root.film, cap);
+    e.by_approach = 1.0 / (1.0 + only(loaded, m * film / root.approach));
     e.by_log_speed = e.by_approach *
-                     select(thinned, spread<PackPair>(Film::kSpeed), spread<PackPair>(Film::kCapSpeed)) *
-                     film;
+                     select(loaded, spread<PackPair>(Film::kSpeed), spread<PackPair>(Film::kCapSpeed)) * film;
   }
   return e;
 }
 
 /// For any other film.
-inline PackApproach any_film_approach(const BothRaces& race, const PackPair& approach,
+inline PackApproach any_film_approach(const RacePair& race, const PackPair& approach,
                                       const PackPair& log_speed) {
   const auto e = bearing::elastic_approach(race.film_law, race.log_stiffness, approach, log_speed);
   return {e.value, ninth_root(e.value), e.by_approach, e.by_log_speed};
@@ -114,7 +113,7 @@ inline PackApproach any_film_approach(const BothRaces& race, const PackPair& app
 
 /// By approach [m] and the logarithm of the entrainment speed [ln(m/s)].
 template <bool WithSlopes>
-PackApproach elastic_approach(const BothRaces& race, const PackPair& approach, const PackPair& log_speed) {
+PackApproach elastic_approach(const RacePair& race, const PackPair& approach, const PackPair& log_speed) {
   if (!race.film) return {approach, ninth_root(approach), spread<PackPair>(1.0), PackPair{}};
   if (race.film_law.has_powers()) return power_film_approach<WithSlopes>(race, approach, log_speed);
   return any_film_approach(race, approach, log_speed);
@@ -127,7 +126,7 @@ struct LoadSlope {
 };
 
 /// Of a straight roller.
-inline LoadSlope straight_load(const BothRaces& race, const PackApproach& e) {
+inline LoadSlope straight_load(const RacePair& race, const PackApproach& e) {
   const PackPairMask touching = e.value > 0.0;
   const PackPair stiffness = only(touching, race.stiffness * e.ninth);
   return {stiffness * e.value, kLineExponent * stiffness};

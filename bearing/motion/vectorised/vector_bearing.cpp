@@ -103,8 +103,8 @@ void put_laminae(const motion::LaminaRaces& races, LaminaConstants& constants) {
                .place = races.inner().places().data(),
                .inner_drop = races.inner().drops().data(),
                .outer_drop = races.outer().drops().data(),
-               .bore_tip_x = races.bore_tip().x(),
-               .bore_tip_y = races.bore_tip().y(),
+               .bore_end_displacement_x = races.bore_end_displacement().x(),
+               .bore_end_displacement_y = races.bore_end_displacement().y(),
                .resistance = races.resistance(),
                .upright = races.upright()};
 }

@@ -75,7 +75,7 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
   CrownProblem problem{.bearing = drivetrain.bearing,
                        .options = quasi_static_options(drivetrain),
                        .rated = drivetrain.rated,
-                       .lambda = drivetrain.lambda};
+                       .reduction_factor = drivetrain.reduction_factor};
   if (drivetrain.seats.tilt == TiltState::computed) problem.seat = planet_seat(drivetrain);
   problem.bearing.rollers().laminae = laminae;
   for (const SpectrumPoint& at : spectrum) {
@@ -88,7 +88,7 @@ CrownProblem crown_problem(const PlanetaryDrivetrain& drivetrain, const Drivetra
     const BearingDuty duty = bearing_duty(there, geometry_there);
     problem.duties.push_back(
         {at.speed, at.share, duty.point, there.bearing.radial_clearance, duty.gears.overturning_moment});
-    problem.ratings.push_back(lamina_rating(problem.bearing, measure, drivetrain.lambda));
+    problem.ratings.push_back(lamina_rating(problem.bearing, measure, drivetrain.reduction_factor));
   }
   return problem;
 }
@@ -188,7 +188,7 @@ double modified_duty_hours(const CrownProblem& problem, const DutyLoads& loads, 
   const double speed = turning_speed(problem.bearing, problem.duties[duty].point);
   const auto oil = bearing::rating::oil_condition(problem.rated->oil, speed, problem.bearing.pitch_diameter);
   const auto modified =
-      bearing::rating::modified_life(problem.bearing, problem.lambda, problem.rated->ratings, oil,
+      bearing::rating::modified_life(problem.bearing, problem.reduction_factor, problem.rated->ratings, oil,
                                      bearing::motion::RaceDamage{{}, loads.inner_lamina_load().pow(4)},
                                      bearing::motion::RaceDamage{{}, loads.outer_lamina_load().pow(4)});
   return modified ? problem.rated->reliability_factor * bearing::hours(modified->life.bearing, speed) : none;

@@ -31,7 +31,7 @@ struct CrownProblem {
   std::vector<Duty> duties;
   std::vector<LaminaRating> ratings;  // (duties)
   std::optional<RatedBearing> rated;  // none: no life by film and cleanliness
-  double lambda = 0.83;               // [-]  of Lundberg and Palmgren's capacities, whatever the measure
+  double reduction_factor = 0.83;     // [-]  of Lundberg and Palmgren's capacities, whatever the measure
   std::optional<PlanetSeat> seat{};   // where the tilt is computed; none: it is stated
 };
 

@@ -31,7 +31,7 @@ struct HalfSpaceAim {
   Tolerance tolerance{};
   Distribution distribution = Distribution::worst;
   double greatest_drop = 0.0;  // [m]
-  double miss = 1e-6;          // [m]  by which it is told what missing the drop costs
+  double miss = 1e-6;          // [m]  at which the cost of missing the drop is stated
   double other_drop = 0.0;     // [m]  of another advice, whose life is wanted too
   int jobs = 0;                // threads; 0: all
 };

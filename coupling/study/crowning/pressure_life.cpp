@@ -31,7 +31,7 @@ Eigen::ArrayXXd pressures_on(Race race, const CrownProblem& problem, const Rolle
   for (int i = 0; i < taken; ++i)
     for (const RollerState& roller : loads.states[static_cast<std::size_t>(i * states / taken)].rollers) {
       const double load = inner ? roller.inner.load : roller.outer.load;
-      const double tilt = (inner ? roller.inner_tip : roller.outer_tip) / half;
+      const double tilt = (inner ? roller.inner_end_displacement : roller.outer_end_displacement) / half;
       if (load > idle)
         found.col(place) = bearing::half_space::lamina_pressures(pressure.on(race, profile, load, tilt),
                                                                  problem.bearing.rollers().laminae);

@@ -15,7 +15,8 @@ void keep_worst(const RollerState& roller, Race race, double half_length, double
   const bool inner = race == Race::inner;
   const double load = inner ? roller.inner.load : roller.outer.load;
   if (load <= worst.load) return;
-  worst = {load, (inner ? roller.inner_tip : roller.outer_tip) / half_length, angle};
+  worst = {load, (inner ? roller.inner_end_displacement : roller.outer_end_displacement) / half_length,
+           angle};
 }
 
 }  // namespace

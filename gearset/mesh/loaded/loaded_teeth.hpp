@@ -21,7 +21,7 @@ struct ToothForce {
   double force = 0.0;            // [N]    slope of the energy by the approach
   double stiffness = 0.0;        // [N/m]  slope of the force by the approach
   double energy = 0.0;           // [J]
-  double energy_by_place = 0.0;  // [J per mesh period]  slope of the energy at a fixed approach
+  double energy_by_phase = 0.0;  // [J per mesh period]  slope of the energy at a fixed approach
 };
 
 /// A strip across the face.
@@ -109,7 +109,7 @@ class LoadedTeeth {
 
   // One slice of one pair.
   struct Contact {
-    double stiffness, stiffness_by_place, gap, gap_by_place;
+    double stiffness, stiffness_by_phase, gap, gap_by_phase;
   };
   struct Sum {
     double force = 0.0, stiffness = 0.0;
@@ -175,7 +175,7 @@ class LoadedTeeth {
       stiffness += c.stiffness;
       out.force += force;
       out.energy += 0.5 * force * closed;
-      out.energy_by_place += 0.5 * c.stiffness_by_place * closed * closed - force * c.gap_by_place;
+      out.energy_by_phase += 0.5 * c.stiffness_by_phase * closed * closed - force * c.gap_by_phase;
     }
     out.stiffness = stiffness / (1.0 + shared_ * stiffness);
     out.energy += 0.5 * shared_ * out.force * out.force;

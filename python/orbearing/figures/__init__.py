@@ -2,8 +2,8 @@
 
 from orbearing.blocks import FigureBlock
 from orbearing.figures import (
-    ablation, bearing_drawing, branches, cage_orbit, dynamic_ablation, dynamic_polar, gears, life_curve, load_spectrum, planet_load, polar_loads, power_loss,
-    roller_history, roller_loads, roller_orbit, slip, slip_map, slip_traces, two_way,
+    ablation, bearing_drawing, branches, cage_orbit, coupled, dynamic_ablation, dynamic_polar, gears, life_curve, load_spectrum, planet_load, polar_loads, power_loss,
+    roller_history, roller_loads, roller_orbit, slip, slip_map, slip_traces,
 )
 from orbearing.result_folder import Report
 
@@ -33,12 +33,12 @@ def blocks_of(report: Report) -> list[FigureBlock]:
     blocks = [block(line) for block in (*BLOCKS, *(DYNAMIC_BLOCKS if report.is_dynamic else ()))]
     if report.content.get("spectrum"):
         blocks.insert(1, load_spectrum.block(report))
-    if report.is_dynamic and not report.is_two_way:  # effects are left out of runs one way only
+    if report.is_dynamic and not report.is_coupled:  # effects are left out of runs one way only
         blocks.append(dynamic_ablation.block(line))
     if report.is_dynamic and report.records("axes"):
         blocks.append(slip_map.block(report))
-    if report.is_two_way:
-        blocks += two_way.blocks(line)
+    if report.is_coupled:
+        blocks += coupled.blocks(line)
     blocks += gears.blocks(report)
     if report.record("branches"):
         blocks.append(branches.block(line))

@@ -116,7 +116,7 @@ def campbell_block(gears: dict) -> FigureBlock:
         return FigureBlock(CAMPBELL_SLUG, CAMPBELL_TITLE, missing="A Campbell diagram needs natural frequencies at two speeds or more.")
     caption = ("Natural frequencies in the frame of the carrier, gyroscopic and centrifugal terms included, and the harmonics 1 to 4 of the "
                "mesh frequency. Pairs of translational modes split with speed. Rings: a harmonic meets a mode that it can excite, for with "
-               "equal planets harmonic l of the meshes moves only modes of one kind, told by l times the sun's teeth modulo the number of "
+               "equal planets harmonic l of the meshes moves only modes of one kind, recognised by l times the sun's teeth modulo the number of "
                "planets; other crossings stay without effect.")
     head = ("input speed (rpm)", "mesh frequency (Hz)", *(f"{m.get('name')} (Hz)" for m in modes))
     data = Table(head, list(zip(speed, mesh, *(numbers(m["frequency_Hz"]) for m in modes))))

@@ -147,7 +147,7 @@ def _say(line: str) -> None:
 
 
 def _teller(progress: bool | Progress | None, points: int) -> Progress:
-    """What is told of each finished portion."""
+    """What is reported of each finished portion."""
     if callable(progress):
         return progress
     if progress is False:

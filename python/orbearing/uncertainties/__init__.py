@@ -18,7 +18,7 @@ def uncertainty(case, samples: int = Settings.samples, curves: int = Settings.cu
     sweeps), each with its own peak; index_samples: rows of the design behind the Sobol indices at the operating point, (inputs + 2)
     lives each; method: monte-carlo, lhs or sobol; life: a column of the sweep's table that holds lives (default: L10mh where the case
     rates its oil, else life_h); motion: samples that are computed in motion too; jobs: threads, 0 for one on each core;
-    `progress(done)` is told how many points of a batch are done. The same settings give the same bits whatever `jobs`.
+    `progress(done)` receives how many points of a batch are done. The same settings give the same bits whatever `jobs`.
 
     Raises CaseError for input that is of no use, also where OpenTURNS is missing; KeyboardInterrupt when stopped.
     """

@@ -98,7 +98,7 @@ class UncertainInputs:
 
     @property
     def group_names(self) -> tuple[str, ...]:
-        """Correlated numbers can only be told apart together: the paths of each group, joined by ' + '."""
+        """Correlated numbers can only be distinguished together: the paths of each group, joined by ' + '."""
         return tuple(" + ".join(self.paths[i] for i in group) for group in self.groups)
 
     def _correlated(self) -> list[int]:

@@ -62,7 +62,7 @@ inline std::string point_result(const ResolvedCase& in, study::Fidelity fidelity
   std::string text =
       digits(numbers) + digits(point.distribution.inner_load) + digits(point.distribution.outer_load);
   if (point.dynamic) text += digits(point.dynamic->final_state);
-  if (point.two_way) text += digits(point.two_way->bearing_life_hours);
+  if (point.coupled) text += digits(point.coupled->bearing_life_hours);
   if (in.has(kSpectrumPath)) text += spectrum_result(in, fidelity);
   return text + point.status;
 }

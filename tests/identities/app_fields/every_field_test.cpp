@@ -166,13 +166,13 @@ void expect(Standing standing, const Verdict& verdict, Count& count) {
       ++count.used;
       return;
     case Standing::unfelt:
-      EXPECT_TRUE(verdict.refused || verdict.warned) << "set by an option and not told";
+      EXPECT_TRUE(verdict.refused || verdict.warned) << "set by an option and not warned of";
       EXPECT_FALSE(verdict.changed) << "said not to be felt by nature, and the result changed";
       ++count.by_nature;
       return;
     case Standing::idle:
     case Standing::unused:
-      EXPECT_TRUE(verdict.warned) << "not used and not told";
+      EXPECT_TRUE(verdict.warned) << "not used and not warned of";
       EXPECT_FALSE(verdict.changed) << "warned of as without effect, and the result changed";
       ++count.warned;
       return;
@@ -186,7 +186,7 @@ void expect(Standing standing, const Verdict& verdict, Count& count) {
   }
 }
 
-TEST_P(EveryField, ChangesTheResultOrIsToldOf) {
+TEST_P(EveryField, ChangesTheResultOrIsReported) {
   const ResolvedCase plain = case_of(base(), {});
   Count count;
   for (const Input& input : plain.inputs()) {
@@ -204,7 +204,7 @@ TEST_P(EveryField, ChangesTheResultOrIsToldOf) {
 }
 
 // Without what must stand beside it, a value has no effect, and that is said.
-TEST_P(EveryField, WithoutItsConditionIsToldOf) {
+TEST_P(EveryField, WithoutItsConditionIsReported) {
   const ResolvedCase plain = case_of(base(), {});
   int tried = 0;
   for (const Input& input : plain.inputs()) {
@@ -240,7 +240,7 @@ TEST(FieldUse, AnalysesOfARowAreDisjoint) {
   }
 }
 
-// An analysis that no row names yet: everything that the case gives is told of.
+// An analysis that no row names yet: everything that the case gives is warned of.
 TEST(FieldUse, ANewAnalysisCannotForgetAField) {
   const auto unheard_of = static_cast<use::Analysis>(1u << 30);
   const ResolvedCase in = case_of(bases().front(), {"contact.damping=0.2 s/m"});

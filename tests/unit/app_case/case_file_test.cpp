@@ -35,8 +35,8 @@ TEST(CaseFile, TellsGivenFromDefault) {
   const ResolvedCase resolved = parse_case(bearing_case, "case.yaml");
   EXPECT_EQ(resolved.given("bearing.rollers"), "14");
   EXPECT_EQ(resolved.origin("bearing.rollers"), "case.yaml:8:12");
-  EXPECT_EQ(resolved.origin("life.lambda"), "default");
-  EXPECT_THAT(resolved.assumed().at("life.lambda"), StartsWith("default: "));
+  EXPECT_EQ(resolved.origin("life.reduction_factor"), "default");
+  EXPECT_THAT(resolved.assumed().at("life.reduction_factor"), StartsWith("default: "));
   EXPECT_FALSE(resolved.has("bearing.bore"));
   EXPECT_THROW(resolved.quantity("bearing.bore"), std::logic_error);
 }

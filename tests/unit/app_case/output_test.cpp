@@ -34,8 +34,8 @@ TEST(ResolvedCase, ReadsBackTheSame) {
 TEST(ResolvedCase, SpellsOutDefaultsAndKeepsTextsAsWritten) {
   const std::string text = write_resolved(parse_case(bearing_case, "case.yaml"));
   EXPECT_THAT(text, HasSubstr("radial_clearance: 40.6 um\n"));
-  EXPECT_THAT(text, HasSubstr("life:\n  lambda: 0.83\n"));
-  EXPECT_THAT(text, HasSubstr("  life.lambda: \"default: "));
+  EXPECT_THAT(text, HasSubstr("life:\n  reduction_factor: 0.83\n"));
+  EXPECT_THAT(text, HasSubstr("  life.reduction_factor: \"default: "));
 }
 
 TEST(ResolvedCase, HashFollowsEveryValue) {

@@ -11,13 +11,14 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kWaves = "bearing.outer_race.turning_form";
+const std::string kWaves = "bearing.outer_race.waviness";
 
 TEST(Refinements, WavesAndDeviationsReachTheBearingInSI) {
-  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(shipped(
-      {kWaves + ".order=[2, 11]", kWaves + ".amplitude=[4 um, 0.5 um]", kWaves + ".phase=[90 deg, 0 deg]",
-       "bearing.inner_race.standing_form.order=[3]", "bearing.inner_race.standing_form.amplitude=[-1 um]",
-       "bearing.roller_diameter_deviation=[2 um, -1 um]"}));
+  const study::PlanetaryDrivetrain drivetrain = drivetrain_of(
+      shipped({kWaves + ".order=[2, 11]", kWaves + ".amplitude=[4 um, 0.5 um]",
+               kWaves + ".phase=[90 deg, 0 deg]", "bearing.inner_race.out_of_roundness.order=[3]",
+               "bearing.inner_race.out_of_roundness.amplitude=[-1 um]",
+               "bearing.roller_diameter_deviation=[2 um, -1 um]"}));
   const auto& outer = drivetrain.bearing.outer.form;
   ASSERT_EQ(outer.size(), 2U);
   EXPECT_EQ(outer[1].order, 11);
@@ -40,9 +41,9 @@ TEST(Refinements, ChoicesReachTheModel) {
   EXPECT_EQ(drivetrain.dynamics.race.lubrication, Lubrication::mixed);
   EXPECT_DOUBLE_EQ(drivetrain.dynamics.race.roughness, 0.3e-6);
   EXPECT_EQ(drivetrain.dynamics.cage.pocket_film, PocketFilm::hydrodynamic);
-  EXPECT_EQ(drivetrain.film_approach, bearing::FilmApproach::as_printed);
-  EXPECT_EQ(drivetrain.dynamics.race.damping_law, DampingLaw::as_printed);
-  EXPECT_EQ(drivetrain.dynamics.cage.reference_speed, ReferenceSpeed::as_printed);
+  EXPECT_EQ(drivetrain.film_approach, bearing::FilmApproach::literature_variant);
+  EXPECT_EQ(drivetrain.dynamics.race.damping_law, DampingLaw::literature_variant);
+  EXPECT_EQ(drivetrain.dynamics.cage.reference_speed, ReferenceSpeed::literature_variant);
   EXPECT_NEAR(drivetrain.run_up.acceleration, 200.0 * M_PI, 1e-9);
 }
 
@@ -85,7 +86,7 @@ TEST(Refinements, WhatAComputationCannotTakeIsRefused) {
   EXPECT_THAT(refusal({"bearing.roller_diameter_deviation=[1 um]"}, "quasi-static", true),
               HasSubstr("cannot take into account"));
   EXPECT_THAT(refusal({kWaves + ".order=[2]", kWaves + ".amplitude=[1 um]"}, "quasi-static", false),
-              HasSubstr("turning_form.amplitude: '[1 um]', which --fidelity quasi-static cannot"));
+              HasSubstr("waviness.amplitude: '[1 um]', which --fidelity quasi-static cannot"));
   EXPECT_EQ(refusal({kWaves + ".order=[2]", kWaves + ".amplitude=[1 um]"}, "dynamic", true), "");
   EXPECT_EQ(refusal({}, "quasi-static", true), "");
 }

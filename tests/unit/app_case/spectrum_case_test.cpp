@@ -147,7 +147,7 @@ TEST_F(SpectrumFile, CellsMayHaveUnitsOfTheirOwn) {
   EXPECT_EQ(found.bins.size(), 2U);
 }
 
-TEST_F(SpectrumFile, WrongOnesAreToldByFileLineAndColumn) {
+TEST_F(SpectrumFile, WrongOnesAreReportedByFileLineAndColumn) {
   const std::string file = (folder_ / "loads.csv").string();
   EXPECT_THAT(fault_of("speed_rpm,torque_N_m,share\n6000,238,0.25\n3000,ten,0.75\n"),
               AllOf(StartsWith(file + ":3:6: spectrum: "), HasSubstr("ten"), HasSubstr("required")));

@@ -173,7 +173,7 @@ TEST(PointFile, FinalStateNamesEachOfItsVariables) {
     add_final_state(Eigen::VectorXd::Zero(layout.size()), layout, content);
     const std::string& names = content.arrays.at(0).meaning;
     EXPECT_EQ(std::count(names.begin(), names.end(), '['), layout.size());
-    EXPECT_EQ(names.find("tip") != std::string::npos, layout.tilting);
+    EXPECT_EQ(names.find("end_displacement") != std::string::npos, layout.tilting);
     EXPECT_EQ(names.find("rim_wave_3_sine") != std::string::npos, layout.waves > 0);
     EXPECT_EQ(names.find("cage_x") != std::string::npos, layout.caged);
   }

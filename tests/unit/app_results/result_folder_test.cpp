@@ -150,7 +150,7 @@ TEST(ResultFolder, PointWhoseFileIsGoneIsMissing) {
   EXPECT_TRUE(folder.finished().contains(1));
 }
 
-TEST(ResultFolder, DamagedPointsAreMissingAndTold) {
+TEST(ResultFolder, DamagedPointsAreMissingAndReported) {
   const TemporaryFolder place;
   const fs::path path = begun(place);
   const std::string whole = read_file(path / point_file_name(0));

@@ -153,7 +153,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
   fit.fitted.bearing.damping << 48.0, 49.0, 50.0, 51.0;
   fit.fitted.bearing.force << 52.0, 53.0;
   result.dynamic->one_way = fit;
-  result.two_way = {.bearing_life_hours = {22.0, 21.0}, .energy_residual = 23.0, .window = 24e-6};
+  result.coupled = {.bearing_life_hours = {22.0, 21.0}, .energy_residual = 23.0, .window = 24e-6};
   result.planets = {{1.5, 26.0, 27.0}, {0.5, 28.0, 25.0}};
   result.seats = {{.load = 30.0, .tilt = {3e-3, -4e-3}, .life_hours = 70.0},
                   {.load = 50.0, .life_hours = 71.0}};

@@ -84,7 +84,7 @@ TEST(LifeChart, EverySpeedOfOneSweepFitsTheDrawing) {
   }
 }
 
-TEST(LifeChart, OnePointOrNoneIsToldInWords) {
+TEST(LifeChart, OnePointOrNoneIsReportedInWords) {
   const TableHead head = table_head({});
   EXPECT_THAT(life_chart(head, fake_rows(1), grid_peak(head, fake_rows(1)), Glyphs::ascii),
               ::testing::StartsWith("longest life: "));

@@ -1,4 +1,5 @@
-// Effects of the motion in time, switched one at a time: each one does something, and a switch undoes itself.
+// Effects of the motion in time are data, switched one at a time: each one does something, and a switch undoes itself.
+// Issue 13, Build 6.
 #include "app/study/effects.hpp"
 
 #include <gtest/gtest.h>
@@ -106,7 +107,7 @@ TEST(EffectsInMotion, OfSeveralSetsChangeTheOneThatIsLookedAt) {
 
 // A wave more stands beside those that the case has.
 TEST(EffectsInMotion, KeepTheFormsOfTheCase) {
-  const std::string block = "bearing.outer_race.standing_form";
+  const std::string block = "bearing.outer_race.out_of_roundness";
   const ResolvedCase stated =
       shipped({block + ".order=[3]", block + ".amplitude=[1 um]", block + ".phase=[30 deg]"});
   const ResolvedCase changed =

@@ -50,7 +50,7 @@ TEST(FilmStudy, ThePrintedRowsAreMet) {
 }
 
 // A film that spin alone has made vanish is none; nothing is used beyond its range without a word.
-TEST(FilmStudy, WhatIsBeyondTheRangesIsTold) {
+TEST(FilmStudy, WhatIsBeyondTheRangesIsReported) {
   const FilmStudy study = film_study(shipped("spin_film_guo2013", {"points=[[500 N, 5 m/s, 5000 rad/s]]"}));
   EXPECT_EQ(study.points[0].films.least, 0.0);
   EXPECT_THAT(study.warnings, ElementsAre(HasSubstr("spin [rad/s] is 5000")));

@@ -52,7 +52,7 @@ TEST(LifeDerivatives, WithoutClearanceAreThePowersOfTheLifeEquation) {
 TEST(LifeDerivatives, OfAReducerWithoutClearanceScale) {
   const LifeDerivatives found = life_derivatives(shipped("reducer_150kW"));
   EXPECT_EQ(found.quantity, "life_h");
-  EXPECT_NEAR(elasticity(found, "life.lambda"), 4.0, kAgreement);
+  EXPECT_NEAR(elasticity(found, "life.reduction_factor"), 4.0, kAgreement);
   // Forces ~ n^2 then: life in revolutions ~ n^-8, in hours ~ n^-9.
   EXPECT_NEAR(3.0 * elasticity(found, "input.power") + elasticity(found, "input.speed"), -9.0, kAgreement);
 }

@@ -77,7 +77,7 @@ TEST(LoadSeries, OfAConstantLoadGivesOneBin) {
   EXPECT_NEAR(found.spectrum.bins[0].share, 1.0, kRoundOff);
 }
 
-TEST(LoadSeries, RestIsABinOfItsOwnAndSignsAreToldOf) {
+TEST(LoadSeries, RestIsABinOfItsOwnAndSignsAreReported) {
   const LoadSeries series{{0.0, 1.0, 2.0, 4.0}, {100.0, 50.0, -100.0, 7e9}, {300.0, 0.0, 300.0, 7e9}};
   const BinnedSeries found = binned(series, {4, 4});
   ASSERT_EQ(found.spectrum.bins.size(), 2U);
@@ -114,7 +114,7 @@ TEST(LoadSeries, IsReadFromCsvAndNetcdfAlike) {
   EXPECT_EQ(netcdf.speed, one.speed);
 }
 
-TEST(LoadSeries, WrongOnesAreToldByLine) {
+TEST(LoadSeries, WrongOnesAreReportedByLine) {
   const TemporaryFolder place;
   const auto fault = [&](const std::string& text) -> std::string {
     fake_sweep::write(place / "a.csv", text);

@@ -1,3 +1,4 @@
+// Issue 13, Builds 1 and 2: one source of the law for numbers, their slopes and our own packs.
 // The film law against the film at one speed, the search for the elastic approach against both, and the
 // search by powers against the one for any film.
 #include "bearing/contact/film_law.hpp"
@@ -134,7 +135,7 @@ TEST(ElasticApproach, OfPowersIsThatOfAnyFilm) {
   vectorised::set_film_powers(one);
   vectorised::Constants constants;
   constants.inner = constants.outer = one;
-  const BothRaces race = both_races(constants);
+  const RacePair race = race_pair(constants);
   std::mt19937 engine(20251122);
   std::uniform_real_distribution<double> log_approach(-20.0, -7.0), log_speed(-5.0, 4.5), side(-1.0, 1.0);
   for (int i = 0; i < 2000; ++i) {

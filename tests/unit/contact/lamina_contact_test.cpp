@@ -17,7 +17,7 @@ const LaminaLaw law = lamina_law(roller_race_contact(ContactLaw::palmgren, kLeng
 
 struct Situation {
   std::vector<double> drops;
-  double approach = 0.0, tip = 0.0;
+  double approach = 0.0, end_displacement = 0.0;
 };
 
 // Crowned contacts, from light touch to deep, tilted both ways.
@@ -40,7 +40,7 @@ std::vector<Situation> situations() {
 double by_hand(const Situation& s, int k) {
   const double n = static_cast<double>(s.drops.size());
   const double place = (k + 0.5) / n * 2.0 - 1.0;
-  const double depth = s.approach + place * s.tip - s.drops[static_cast<std::size_t>(k)];
+  const double depth = s.approach + place * s.end_displacement - s.drops[static_cast<std::size_t>(k)];
   return depth > 0.0 ? law.constant / n * std::pow(depth, 10.0 / 9.0) : 0.0;
 }
 
@@ -69,7 +69,7 @@ TEST(LaminaContact, StraightWithoutTiltIsTheLineContactWhateverTheNumberOfLamina
         const LaminaForce force = LaminaContact(lamina_law(line), kLength, drops).evaluate(approach, 0.0);
         EXPECT_NEAR(force.load, line.load(approach), line.load(approach) * kRoundOff);
         EXPECT_NEAR(force.by_approach, line.stiffness(approach), line.stiffness(approach) * kRoundOff);
-        EXPECT_NEAR(force.tip_load, 0.0, line.load(approach) * kRoundOff);
+        EXPECT_NEAR(force.end_load, 0.0, line.load(approach) * kRoundOff);
       }
   }
 }
@@ -87,17 +87,18 @@ TEST(LaminaContact, EveryInstructionSetGivesTheLawByHand) {
   for (const mechanics::InstructionSet set : mechanics::instruction_sets())
     for (const Situation& s : situations()) {
       const LaminaContact contact(law, kLength, s.drops, set);
-      const LaminaLoads loads = contact.loads(s.approach, s.tip);
+      const LaminaLoads loads = contact.loads(s.approach, s.end_displacement);
       ASSERT_EQ(loads.load.size(), static_cast<Eigen::Index>(s.drops.size()));
       double sum = 0.0;
-      const double scale = law.constant * std::pow(s.approach + std::abs(s.tip), 10.0 / 9.0);
+      const double scale = law.constant * std::pow(s.approach + std::abs(s.end_displacement), 10.0 / 9.0);
       for (int k = 0; k < contact.laminae(); ++k) {
         EXPECT_NEAR(loads.load[k], by_hand(s, k), kRoundOff * scale) << name_of(set);
         sum += by_hand(s, k);
       }
-      EXPECT_NEAR(contact.evaluate(s.approach, s.tip).load, sum, kRoundOff * scale) << name_of(set);
+      EXPECT_NEAR(contact.evaluate(s.approach, s.end_displacement).load, sum, kRoundOff * scale)
+          << name_of(set);
       std::vector<double> put(s.drops.size());
-      contact.put_loads(s.approach, s.tip, put.data());
+      contact.put_loads(s.approach, s.end_displacement, put.data());
       for (int k = 0; k < contact.laminae(); ++k) EXPECT_EQ(put[static_cast<std::size_t>(k)], loads.load[k]);
     }
 }
@@ -105,15 +106,17 @@ TEST(LaminaContact, EveryInstructionSetGivesTheLawByHand) {
 TEST(LaminaContact, ForcesAreTheSlopesOfTheEnergy) {
   for (const Situation& s : situations()) {
     const LaminaContact contact(law, kLength, s.drops);
-    const LaminaForce force = contact.evaluate(s.approach, s.tip);
-    const double step = 1e-4 * (s.approach + std::abs(s.tip));
-    const double by_approach =
-        (contact.energy(s.approach + step, s.tip) - contact.energy(s.approach - step, s.tip)) / (2.0 * step);
-    const double by_tip =
-        (contact.energy(s.approach, s.tip + step) - contact.energy(s.approach, s.tip - step)) / (2.0 * step);
-    const double scale = contact.evaluate(s.approach + std::abs(s.tip), 0.0).load;
+    const LaminaForce force = contact.evaluate(s.approach, s.end_displacement);
+    const double step = 1e-4 * (s.approach + std::abs(s.end_displacement));
+    const double by_approach = (contact.energy(s.approach + step, s.end_displacement) -
+                                contact.energy(s.approach - step, s.end_displacement)) /
+                               (2.0 * step);
+    const double by_end_displacement = (contact.energy(s.approach, s.end_displacement + step) -
+                                        contact.energy(s.approach, s.end_displacement - step)) /
+                                       (2.0 * step);
+    const double scale = contact.evaluate(s.approach + std::abs(s.end_displacement), 0.0).load;
     EXPECT_NEAR(force.load, by_approach, kDifferenceError * scale);
-    EXPECT_NEAR(force.tip_load, by_tip, kDifferenceError * scale);
+    EXPECT_NEAR(force.end_load, by_end_displacement, kDifferenceError * scale);
   }
 }
 
@@ -121,18 +124,19 @@ TEST(LaminaContact, SlopesAreThoseOfLoadAndMoment) {
   constexpr double kTouching = 2e-3;  // a lamina that just touches bends the load most: step^(1/9)
   for (const Situation& s : situations()) {
     const LaminaContact contact(law, kLength, s.drops);
-    const LaminaForce force = contact.evaluate(s.approach, s.tip);
-    const double step = 1e-6 * (s.approach + std::abs(s.tip));
-    const LaminaForce up = contact.evaluate(s.approach + step, s.tip);
-    const LaminaForce down = contact.evaluate(s.approach - step, s.tip);
-    const LaminaForce right = contact.evaluate(s.approach, s.tip + step);
-    const LaminaForce left = contact.evaluate(s.approach, s.tip - step);
+    const LaminaForce force = contact.evaluate(s.approach, s.end_displacement);
+    const double step = 1e-6 * (s.approach + std::abs(s.end_displacement));
+    const LaminaForce up = contact.evaluate(s.approach + step, s.end_displacement);
+    const LaminaForce down = contact.evaluate(s.approach - step, s.end_displacement);
+    const LaminaForce right = contact.evaluate(s.approach, s.end_displacement + step);
+    const LaminaForce left = contact.evaluate(s.approach, s.end_displacement - step);
     const double scale = force.by_approach + 1.0;
     EXPECT_NEAR(force.by_approach, (up.load - down.load) / (2.0 * step), kTouching * scale);
-    EXPECT_NEAR(force.mixed, (up.tip_load - down.tip_load) / (2.0 * step), kTouching * scale);
+    EXPECT_NEAR(force.mixed, (up.end_load - down.end_load) / (2.0 * step), kTouching * scale);
     EXPECT_NEAR(force.mixed, (right.load - left.load) / (2.0 * step), kTouching * scale);
-    EXPECT_NEAR(force.by_tip, (right.tip_load - left.tip_load) / (2.0 * step), kTouching * scale);
-    const LaminaLoads loads = contact.loads(s.approach, s.tip);
+    EXPECT_NEAR(force.by_end_displacement, (right.end_load - left.end_load) / (2.0 * step),
+                kTouching * scale);
+    const LaminaLoads loads = contact.loads(s.approach, s.end_displacement);
     EXPECT_NEAR(loads.stiffness.sum(), force.by_approach, kRoundOff * scale);
   }
 }
@@ -142,14 +146,14 @@ TEST(LaminaContact, OneSidedContactHasAMomentAboutTheMiddle) {
   const std::vector<double> drops(4, 0.0);
   const LaminaForce force = LaminaContact(law, kLength, drops).evaluate(-7e-6, 10e-6);
   EXPECT_GT(force.load, 0.0);
-  EXPECT_NEAR(force.tip_load, 0.75 * force.load, kRoundOff * force.load);
+  EXPECT_NEAR(force.end_load, 0.75 * force.load, kRoundOff * force.load);
 }
 
 TEST(LaminaContact, NeverPulls) {
   const std::vector<double> drops{3e-6, 0.0, 0.0, 3e-6};
   const LaminaContact contact(law, kLength, drops);
   EXPECT_EQ(contact.evaluate(-1e-6, 0.0).load, 0.0);
-  EXPECT_EQ(contact.evaluate(-1e-6, 1e-6).by_tip, 0.0);
+  EXPECT_EQ(contact.evaluate(-1e-6, 1e-6).by_end_displacement, 0.0);
   EXPECT_EQ(contact.energy(0.0, 0.0), 0.0);
   EXPECT_EQ(contact.loads(2e-6, 0.0).load[0], 0.0);
 }

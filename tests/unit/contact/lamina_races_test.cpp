@@ -44,10 +44,10 @@ TEST(LaminaRaces, LoadsAreSlopesOfTheEnergy) {
   const double h = 1e-10;
   for (const double inner : {-2e-6, 1e-6, 6e-6}) {
     for (const double outer : {-1e-6, 2e-6, 9e-6}) {
-      for (const double tip : {-3e-6, 0.0, 4e-6}) {
-        const LaminaRaceLoads loads = races.loads({inner, outer, tip}, outward);
+      for (const double end_displacement : {-3e-6, 0.0, 4e-6}) {
+        const LaminaRaceLoads loads = races.loads({inner, outer, end_displacement}, outward);
         const auto energy = [&](double in, double out, double t) {
-          return races.energy({inner + in, outer + out, tip + t}, outward);
+          return races.energy({inner + in, outer + out, end_displacement + t}, outward);
         };
         const double scale = 1.0 + loads.inner + loads.outer;
         EXPECT_NEAR((energy(h, 0, 0) - energy(-h, 0, 0)) / (2 * h), loads.inner, 1e-6 * scale);
@@ -65,29 +65,34 @@ TEST(LaminaRaces, NothingTurnsARollerWhereBothContactsBalance) {
   const Vector2 outward = Vector2(0.8, 0.6);
   for (const double inner : {1e-6, 6e-6})
     for (const double outer : {2e-6, 9e-6}) {
-      const double tip = races.balanced_tip(inner, outer, outward);
-      const LaminaRaceLoads loads = races.loads({inner, outer, tip}, outward);
+      const double end_displacement = races.balanced_end_displacement(inner, outer, outward);
+      const LaminaRaceLoads loads = races.loads({inner, outer, end_displacement}, outward);
       EXPECT_LT(std::abs(loads.excess), 1e-12 * (loads.inner + loads.outer));
-      EXPECT_GT(races.loads({inner, outer, tip - 1e-7}, outward).excess, 0.0);
-      EXPECT_LT(races.loads({inner, outer, tip + 1e-7}, outward).excess, 0.0);
+      EXPECT_GT(races.loads({inner, outer, end_displacement - 1e-7}, outward).excess, 0.0);
+      EXPECT_LT(races.loads({inner, outer, end_displacement + 1e-7}, outward).excess, 0.0);
     }
 }
 
 TEST(LaminaRaces, ARollerBetweenLikeContactsStandsHalfway) {
   const LaminaRaces races(contact(5e-6, 24), contact(5e-6, 24), Vector2(1e-3, 0.0));
-  const double bore_tip = 1e-3 * kLength / 2;
-  EXPECT_NEAR(races.balanced_tip(8e-6, 8e-6, Vector2(1.0, 0.0)), 0.5 * bore_tip, 1e-9 * bore_tip);
-  EXPECT_NEAR(races.balanced_tip(8e-6, 8e-6, Vector2(-1.0, 0.0)), -0.5 * bore_tip, 1e-9 * bore_tip);
-  EXPECT_NEAR(races.balanced_tip(8e-6, 8e-6, Vector2(0.0, 1.0)), 0.0, 1e-9 * bore_tip);
+  const double bore_end_displacement = 1e-3 * kLength / 2;
+  EXPECT_NEAR(races.balanced_end_displacement(8e-6, 8e-6, Vector2(1.0, 0.0)), 0.5 * bore_end_displacement,
+              1e-9 * bore_end_displacement);
+  EXPECT_NEAR(races.balanced_end_displacement(8e-6, 8e-6, Vector2(-1.0, 0.0)), -0.5 * bore_end_displacement,
+              1e-9 * bore_end_displacement);
+  EXPECT_NEAR(races.balanced_end_displacement(8e-6, 8e-6, Vector2(0.0, 1.0)), 0.0,
+              1e-9 * bore_end_displacement);
   EXPECT_FALSE(races.upright());
   EXPECT_TRUE(LaminaRaces(contact(5e-6, 24), contact(1e-6, 24), Vector2::Zero()).upright());
 }
 
 TEST(LaminaRaces, ARollerInOneContactFollowsThatRace) {
   const LaminaRaces races(contact(5e-6, 24), contact(5e-6, 24), Vector2(1e-3, 0.0));
-  const double bore_tip = 1e-3 * kLength / 2;
-  EXPECT_NEAR(races.balanced_tip(-30e-6, 8e-6, Vector2(1.0, 0.0)), bore_tip, 1e-9 * bore_tip);
-  EXPECT_NEAR(races.balanced_tip(8e-6, -30e-6, Vector2(1.0, 0.0)), 0.0, 1e-9 * bore_tip);
+  const double bore_end_displacement = 1e-3 * kLength / 2;
+  EXPECT_NEAR(races.balanced_end_displacement(-30e-6, 8e-6, Vector2(1.0, 0.0)), bore_end_displacement,
+              1e-9 * bore_end_displacement);
+  EXPECT_NEAR(races.balanced_end_displacement(8e-6, -30e-6, Vector2(1.0, 0.0)), 0.0,
+              1e-9 * bore_end_displacement);
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(DrivenBearing, GivesUpWhereItsStepsAreUsedUp) {
 TEST(DrivenBearing, RefusesAForeignState) {
   DrivenBearing bearing(test::driven_reducer());
   DrivenBearingSetup other = test::driven_reducer();
-  other.places = 36;
+  other.bins = 36;
   SavedState state;
   DrivenBearing(other).save(state);
   EXPECT_THROW(bearing.restore(state), std::invalid_argument);
@@ -147,7 +147,7 @@ TEST(DrivenBearing, RefusesAForeignState) {
 
 TEST(DrivenBearing, RefusesWhatAsksForSpeedsBeforehand) {
   DrivenBearingSetup setup = test::driven_reducer();
-  setup.dynamics.race.film_approach = bearing::FilmApproach::as_printed;
+  setup.dynamics.race.film_approach = bearing::FilmApproach::literature_variant;
   EXPECT_THROW(DrivenBearing{setup}, std::invalid_argument);
   setup = test::driven_reducer();
   setup.dynamics.driving.ramp = 1.0;

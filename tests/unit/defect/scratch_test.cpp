@@ -48,7 +48,7 @@ TEST(Scratch, EntryAndExitAreContinuousButInThePrintedForm) {
       EXPECT_NEAR(sinking(of_form(form), edge).depth, 0.0, kRoundOff * kDeepest);
     for (const ScratchForm form : {ScratchForm::raised_cosine, ScratchForm::edges})
       EXPECT_NEAR(sinking(of_form(form), edge).slope, 0.0, kRoundOff * kDeepest / kWidth);
-    EXPECT_NEAR(sinking(of_form(ScratchForm::as_printed), edge).depth, -kDeepest,
+    EXPECT_NEAR(sinking(of_form(ScratchForm::literature_variant), edge).depth, -kDeepest,
                 kRoundOff * kDeepest);
   }
 }

@@ -69,8 +69,9 @@ TEST(DuplexIdentification, RecoversThemBesideAFreeHousing) {
 TEST(DuplexIdentification, RecoversFiveConstantsOfTheLinearFormulas) {
   const Shaft planted{9.4, {15.2e-3, 16.9e-3}, 0.047, 0.0455};
   std::vector<Observation> pairs{linear(15.0, 540.0), linear(15.0, 2550.0), linear(30.0, 840.0)};
-  for (Observation& pair : pairs) measure(pair, planted, {}, TiltPlanes::as_printed);
-  const Identified found = identify_all(pairs, {8.0, {14e-3, 18e-3}, 0.05, 0.05}, TiltPlanes::as_printed);
+  for (Observation& pair : pairs) measure(pair, planted, {}, TiltPlanes::literature_variant);
+  const Identified found =
+      identify_all(pairs, {8.0, {14e-3, 18e-3}, 0.05, 0.05}, TiltPlanes::literature_variant);
   constexpr double flat = 1e-4;  // levers and inertias nearly make up for each other
   EXPECT_NEAR(found.shaft.mass, 9.4, flat * 9.4);
   EXPECT_NEAR(found.shaft.levers.first, 15.2e-3, flat * 15.2e-3);

@@ -50,7 +50,7 @@ TEST(DuplexShaft, GivesFiveModesInTheirOrder) {
 
 TEST(DuplexShaft, TiltAboutXMovesInThePlaneOfYUnlessAsPrinted) {
   EXPECT_GT(modes_of(coupled(), kShaft)[0].energy_share[4], 0.5);
-  const PairModes printed = modes_of(uncoupled(), kShaft, {}, TiltPlanes::as_printed);
+  const PairModes printed = modes_of(uncoupled(), kShaft, {}, TiltPlanes::literature_variant);
   EXPECT_NEAR(printed[0].frequency, hertz(3e4, 0.02), kRoundOff * 1e3);
   EXPECT_NEAR(printed[1].frequency, hertz(2e4, 0.03), kRoundOff * 1e3);
 }
@@ -71,7 +71,7 @@ TEST(DuplexShaft, ModesSolveTheEquationOfMotionAndAreOrthogonal) {
 }
 
 // Alike in x and y, yet each mode stays in its plane.
-TEST(DuplexShaft, EqualFrequenciesAreToldApart) {
+TEST(DuplexShaft, EqualFrequenciesAreDistinguished) {
   Stiffness k = coupled();
   k(1, 1) = k(0, 0);
   k(4, 4) = k(3, 3);

@@ -34,7 +34,7 @@ constexpr BallAttitude attitudes[] = {BallAttitude::minimum_friction, BallAttitu
 // Computed by a separate program from the printed equations.
 TEST(MovingBalls, Bearing218AsPrinted) {
   const RingState state = balance_bearing(
-      bearing_218(), turning(10000.0, BallAttitude::outer_race_control, GyroscopicMoment::as_printed),
+      bearing_218(), turning(10000.0, BallAttitude::outer_race_control, GyroscopicMoment::literature_variant),
       {.axial = 17800.0});
   ASSERT_TRUE(state.report.converged) << state.report.message;
   constexpr double kDigits = 1e-6;  // of the other program's solution

@@ -41,24 +41,25 @@ TEST(TiltedRoller, WithoutInertiaItTiltsHalfAsMuchAsTheRaces) {
   const LaminaContact contact = contact_with(0.0);
   const Film dry;
   const RollerState state = settled({contact, contact, dry, dry}, {14e-6, 0.0, 6e-6, 0.0});
-  EXPECT_NEAR(state.tip, 3e-6, 1e-17);
+  EXPECT_NEAR(state.end_displacement, 3e-6, 1e-17);
   EXPECT_NEAR(state.outer_approach, 7e-6, 1e-17);
 }
 
 TEST(TiltedRoller, WithoutInertiaItsLaminaeCarryWhatTheStandardSays) {
   // q_k = c_L/n (delta - x_k tan(psi) - 2 P_k)^(10/9) with both contacts in series.
-  const double crown = 4e-6, approach = 20e-6, tip = 12e-6;
+  const double crown = 4e-6, approach = 20e-6, end_displacement = 12e-6;
   const LineContact one = roller_race_contact(ContactLaw::iso16281, kLength);
   const std::vector<double> drops =
       lamina_drops(profile::CircularCrown{kLength, crown}, profile::Straight{}, kLength, 30);
   const LaminaContact contact(lamina_law(one), kLength, drops);
   const Film dry;
-  const RollerState state = settled({contact, contact, dry, dry}, {approach, 0.0, tip, 0.0});
-  const Eigen::ArrayXd load = contact.loads(state.outer_approach, state.outer_tip).load;
+  const RollerState state = settled({contact, contact, dry, dry}, {approach, 0.0, end_displacement, 0.0});
+  const Eigen::ArrayXd load = contact.loads(state.outer_approach, state.outer_end_displacement).load;
   const double series = 35948.0 * std::pow(5.7, 8.0 / 9.0) / 30.0;  // N, mm
   for (int k = 0; k < 30; ++k) {
     const double place = 2.0 * ((k + 0.5) / 30.0 - 0.5);
-    const double depth = 1e3 * (approach - place * tip - 2.0 * drops[static_cast<std::size_t>(k)]);
+    const double depth =
+        1e3 * (approach - place * end_displacement - 2.0 * drops[static_cast<std::size_t>(k)]);
     const double expected = depth > 0.0 ? series * std::pow(depth, 10.0 / 9.0) : 0.0;
     EXPECT_NEAR(load[k], expected, 1e-10 * load.maxCoeff());
   }
@@ -77,7 +78,7 @@ TEST(TiltedRoller, StraightWithoutTiltIsTheUncutRoller) {
         EXPECT_NEAR(state.outer.load, expected.outer_load, kBalance * scale);
         EXPECT_NEAR(state.stiffness, expected.stiffness,
                     1e-12 * (state.inner.by_approach + state.outer.by_approach));
-        EXPECT_NEAR(state.tip, 0.0, 1e-16);
+        EXPECT_NEAR(state.end_displacement, 0.0, 1e-16);
       }
 }
 
@@ -110,10 +111,11 @@ TEST(TiltedRoller, RandomRollersBalanceForcesMomentsAndApproach) {
     const RollerState state = settled({r.inner, r.outer, r.inner_film, r.outer_film}, r.setting);
     const double scale = state.inner.load + state.outer.load + std::abs(r.setting.inertial_load) + kNothing;
     EXPECT_NEAR(state.outer.load - state.inner.load, r.setting.inertial_load, kBalance * scale);
-    EXPECT_NEAR(state.outer.tip_load, state.inner.tip_load, kBalance * scale);
+    EXPECT_NEAR(state.outer.end_load, state.inner.end_load, kBalance * scale);
     const double films = r.inner_film.central(state.inner.load) + r.outer_film.central(state.outer.load);
     EXPECT_NEAR(state.elastic - films, r.setting.approach, 1e-18);
-    const LaminaForce again = r.outer.evaluate(state.outer_approach, state.tip - r.setting.outer_tip);
+    const LaminaForce again =
+        r.outer.evaluate(state.outer_approach, state.end_displacement - r.setting.outer_end_displacement);
     EXPECT_NEAR(again.load, state.outer.load, kBalance * scale);
   }
 }

@@ -80,7 +80,7 @@ TEST(Operation, CountsMeshPeriodsAndBack) {
 
 TEST(SetModel, FindsTheJumpsOfAllMeshes) {
   SetParameters set = test::reducer_dynamics();
-  const std::vector<double> places = jump_places(set_model(set, test::reducer_operation(628.0)));
+  const std::vector<double> places = jump_phases(set_model(set, test::reducer_operation(628.0)));
   // Four phases each: 0 and 0.45 of the sun mesh, 0 and 0.6 of the ring mesh 0.3 later; all apart.
   EXPECT_EQ(places.size(), 16u - 4u);  // 0.45 - n/4 and 0.3 + 0.6 - ... meet: 0.7 = 0.45 + 0.25
   for (std::size_t i = 1; i < places.size(); ++i) EXPECT_GT(places[i], places[i - 1]);
@@ -136,7 +136,7 @@ TEST(Modes, CountAllFreedoms) {
 TEST(Modes, LeaveHeldFreedomsOut) {
   SetParameters set = test::lin_parker(3);
   set.ring.support.held_in_rotation = true;
-  set.carrier.support.held_in_place = true;
+  set.carrier.support.held = true;
   int count = 0;
   for (const Mode& mode : modes_at_rest(set_model(set, {}))) count += mode.multiplicity;
   EXPECT_EQ(count, 18 - 3);

@@ -28,7 +28,7 @@ Port port_of(int planet) {
 TEST(StageMatrix, SolvesAsTheDenseOneDoes) {
   for (const int planets : {3, 4, 6}) {
     SetParameters set = test::lin_parker(planets);
-    set.ring.support.held_in_place = true;
+    set.ring.support.held = true;
     set.carrier.support.held_in_rotation = true;
     const SetModel model = set_model(set, {});
     const Eigen::Index n = model.layout.freedoms();

@@ -35,10 +35,10 @@ TEST(RollerCapacity, GrowsWithRowsLengthRollersAndMaterial) {
   EXPECT_NEAR(dynamic_capacity(other) / one, 1.0 / 1.1, kRoundOff);
 }
 
-// Laminae find the uneven load themselves: lambda of the rating must not count twice.
+// Laminae find the uneven load themselves: the reduction factor of the rating must not count twice.
 TEST(RollerCapacity, ContactsDoNotDependOnLambda) {
   RollerSet ideal = rollers();
-  ideal.lambda = 1.0;
+  ideal.reduction_factor = 1.0;
   const ContactCapacities with = contact_capacities(rollers(), dynamic_capacity(rollers()));
   const ContactCapacities without = contact_capacities(ideal, dynamic_capacity(ideal));
   EXPECT_NEAR(with.inner / without.inner, 1.0, kRoundOff);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kRoundOff = 1e-11;  // of sums over 1e5 steps
 constexpr double kLambda = 0.83;
 constexpr double kBoreSpeed = -700.0;  // [rad/s]
-constexpr Eigen::Index kPlaces = 72;
+constexpr Eigen::Index kBins = 72;
 
 BearingGeometry geometry() {
   return geometry_of(test::reducer_bearing());
@@ -26,23 +26,23 @@ double rolling_speed() {
   return race_speeds(geometry(), 0.0, kBoreSpeed).cage;
 }
 
-double load_at(Eigen::Index place) {
-  return 1000.0 * std::max(0.0, std::cos(2.0 * M_PI * static_cast<double>(place) / kPlaces) - 0.2);
+double load_at(Eigen::Index bin) {
+  return 1000.0 * std::max(0.0, std::cos(2.0 * M_PI * static_cast<double>(bin) / kBins) - 0.2);
 }
 Eigen::ArrayXd loads() {
-  return Eigen::ArrayXd::NullaryExpr(kPlaces, [](Eigen::Index place) { return load_at(place); });
+  return Eigen::ArrayXd::NullaryExpr(kBins, [](Eigen::Index bin) { return load_at(bin); });
 }
 
 // Two revolutions of one roller that goes at `speed(angle)` [rad/s]: even steps in angle, each of the time
 // that it takes.
 DamageSums damage_at(const std::function<double(double)>& speed) {
-  constexpr Eigen::Index kSteps = 500;  // for each place
-  constexpr double kStep = 2.0 * M_PI / (kPlaces * kSteps);
-  DamageSums sums(kPlaces);
-  for (Eigen::Index i = 0; i < 2 * kPlaces * kSteps; ++i) {
+  constexpr Eigen::Index kSteps = 500;  // for each bin
+  constexpr double kStep = 2.0 * M_PI / (kBins * kSteps);
+  DamageSums sums(kBins);
+  for (Eigen::Index i = 0; i < 2 * kBins * kSteps; ++i) {
     const double angle = (static_cast<double>(i) + 0.5) * kStep;
     const double orbital = speed(angle);
-    const double load = load_at(place_of(angle, kPlaces));
+    const double load = load_at(bin_of(angle, kBins));
     sums.add(kStep / std::abs(orbital), 1,
              {&angle, &orbital, &load, &load, race_speeds(geometry(), 0.0, kBoreSpeed)});
   }
@@ -50,36 +50,36 @@ DamageSums damage_at(const std::function<double(double)>& speed) {
 }
 
 TEST(Place, BinsAreCentredOnTheirAngles) {
-  constexpr double kBin = 2.0 * M_PI / kPlaces;
+  constexpr double kBin = 2.0 * M_PI / kBins;
   for (const double turn : {0.0, 2.0 * M_PI, -6.0 * M_PI}) {
-    EXPECT_EQ(place_of(turn, kPlaces), 0);
-    EXPECT_EQ(place_of(turn + 0.49 * kBin, kPlaces), 0);
-    EXPECT_EQ(place_of(turn + 0.51 * kBin, kPlaces), 1);
-    EXPECT_EQ(place_of(turn - 0.49 * kBin, kPlaces), 0);
-    EXPECT_EQ(place_of(turn - 0.51 * kBin, kPlaces), kPlaces - 1);
+    EXPECT_EQ(bin_of(turn, kBins), 0);
+    EXPECT_EQ(bin_of(turn + 0.49 * kBin, kBins), 0);
+    EXPECT_EQ(bin_of(turn + 0.51 * kBin, kBins), 1);
+    EXPECT_EQ(bin_of(turn - 0.49 * kBin, kBins), 0);
+    EXPECT_EQ(bin_of(turn - 0.51 * kBin, kBins), kBins - 1);
   }
 }
 
-// Issue 17, Build 5: whole turns are taken off without the library's floor(): the same places to the last one.
+// Issue 17, Build 5: whole turns are taken off without the library's floor(): the same bins to the last one.
 TEST(Place, IsThatOfFloor) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> angles(-400.0, 400.0);
   for (int i = 0; i < 200'000; ++i) {
-    const double angle = i % 2 == 0 ? angles(random) : 2.0 * M_PI * std::round(angles(random)) / kPlaces;
-    const double turns = angle / (2.0 * M_PI) + 0.5 / static_cast<double>(kPlaces);
-    const auto place = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(kPlaces));
-    EXPECT_EQ(place_of(angle, kPlaces), std::min(place, kPlaces - 1)) << angle;
+    const double angle = i % 2 == 0 ? angles(random) : 2.0 * M_PI * std::round(angles(random)) / kBins;
+    const double turns = angle / (2.0 * M_PI) + 0.5 / static_cast<double>(kBins);
+    const auto bin = static_cast<Eigen::Index>((turns - std::floor(turns)) * static_cast<double>(kBins));
+    EXPECT_EQ(bin_of(angle, kBins), std::min(bin, kBins - 1)) << angle;
   }
 }
 
-// Issue 17, Build 5: what counts for two sums is worked out once. Sums of other places get theirs all the same.
+// Issue 17, Build 5: what counts for two sums is worked out once. Sums of other bins get theirs all the same.
 TEST(Damage, CountsForTwoSumsAsForEach) {
   const std::vector<double> angle{0.1, 2.0, -3.0}, speed{-300.0, -310.0, -320.0}, inner{900.0, 10.0, 0.0},
       outer{950.0, 0.0, 30.0};
   const RollerLoads loads{angle.data(), speed.data(), inner.data(), outer.data(),
                           race_speeds(geometry(), 0.0, kBoreSpeed)};
-  for (const Eigen::Index places : {kPlaces, Eigen::Index{36}}) {
-    DamageSums one(kPlaces), other(places), alone(kPlaces), other_alone(places);
+  for (const Eigen::Index bins : {kBins, Eigen::Index{36}}) {
+    DamageSums one(kBins), other(bins), alone(kBins), other_alone(bins);
     for (const double time : {1e-6, 3e-6}) {
       one.add(time, 3, loads, &other);
       alone.add(time, 3, loads);
@@ -118,7 +118,7 @@ TEST(Damage, GoesWithTheSpeedOfTheCage) {
   EXPECT_NEAR(life.outer, rolling.outer / passed, kRoundOff * rolling.outer);
 }
 
-// Rollers that go slower where they are loaded stand closer there. As many pass each place of the pin as any
+// Rollers that go slower where they are loaded stand closer there. As many pass each bin of the pin as any
 // other; of the bore, more pass where they are slow. With speed = c (1 - e cos(angle)) a revolution takes
 // 2 pi / (c sqrt(1 - e^2)).
 TEST(Damage, CountsRollersThatStandCloser) {
@@ -134,27 +134,30 @@ TEST(Damage, CountsRollersThatStandCloser) {
   const Eigen::ArrayXd fourth = loads().pow(4.0);
   EXPECT_LT((sums.inner.damage() - of_pin * fourth).abs().maxCoeff(), 1e-8 * fourth.maxCoeff());
   const Eigen::ArrayXd bore = sums.outer.passages();
-  for (const Eigen::Index place : {0, 9, 18, 36}) {
-    const double at = speed(2.0 * M_PI * static_cast<double>(place) / kPlaces);
+  for (const Eigen::Index bin : {0, 9, 18, 36}) {
+    const double at = speed(2.0 * M_PI * static_cast<double>(bin) / kBins);
     const double expected = (kBoreSpeed / at - 1.0) * mean_speed / (kBoreSpeed - rolling_speed());
-    EXPECT_NEAR(bore[place], expected, 1e-4 * expected) << "mean over a bin for its middle";
+    EXPECT_NEAR(bore[bin], expected, 1e-4 * expected) << "mean over a bin for its middle";
   }
   const double all = (kBoreSpeed - mean_speed) / (kBoreSpeed - rolling_speed());
   EXPECT_NEAR(bore.mean(), all, 1e-8);
 }
 
-// A bearing of `n` laminae whose rollers stand at rest at their places for equal times, under a load that the
+// A bearing of `n` laminae whose rollers stand at rest at their bins for equal times, under a load that the
 // damping has doubled.
-DamageSums lamina_damage(const LaminaRaces& races, Eigen::Index n, double tip) {
-  DamageSums sums(kPlaces, n);
+DamageSums lamina_damage(const LaminaRaces& races, Eigen::Index n, double end_displacement) {
+  DamageSums sums(kBins, n);
   const RaceSpeeds speeds = race_speeds(geometry(), 0.0, kBoreSpeed);
-  for (Eigen::Index place = 0; place < kPlaces; ++place) {
-    const double angle = 2.0 * M_PI * static_cast<double>(place) / kPlaces, orbital = rolling_speed();
-    const double inner = 1e-9 * load_at(place), outer = 0.9 * inner;  // [m]
-    const double inner_load = 2.0 * races.inner().evaluate(inner, -tip).load;
-    const double outer_tip = races.bore_tip().dot(Vector2(std::cos(angle), std::sin(angle)));
-    const double outer_load = 2.0 * races.outer().evaluate(outer, tip - outer_tip).load;
-    sums.add(1.0, 1, {&angle, &orbital, &inner_load, &outer_load, speeds, &races, &inner, &outer, &tip});
+  for (Eigen::Index bin = 0; bin < kBins; ++bin) {
+    const double angle = 2.0 * M_PI * static_cast<double>(bin) / kBins, orbital = rolling_speed();
+    const double inner = 1e-9 * load_at(bin), outer = 0.9 * inner;  // [m]
+    const double inner_load = 2.0 * races.inner().evaluate(inner, -end_displacement).load;
+    const double outer_end_displacement =
+        races.bore_end_displacement().dot(Vector2(std::cos(angle), std::sin(angle)));
+    const double outer_load =
+        2.0 * races.outer().evaluate(outer, end_displacement - outer_end_displacement).load;
+    sums.add(1.0, 1,
+             {&angle, &orbital, &inner_load, &outer_load, speeds, &races, &inner, &outer, &end_displacement});
   }
   return sums;
 }
@@ -194,16 +197,18 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   constexpr double kTip = 0.2e-6;  // [m]
   Eigen::ArrayXd inner = Eigen::ArrayXd::Zero(kLaminae), outer = inner, pin = inner, bore = inner;
   double largest = 0.0;
-  for (Eigen::Index place = 0; place < kPlaces; ++place) {
-    const double angle = 2.0 * M_PI * static_cast<double>(place) / kPlaces;
-    const double outer_tip = 0.5 * 5.7e-3 * (tilt.x() * std::cos(angle) + tilt.y() * std::sin(angle));
-    const double approach = 1e-9 * load_at(place);
+  for (Eigen::Index bin = 0; bin < kBins; ++bin) {
+    const double angle = 2.0 * M_PI * static_cast<double>(bin) / kBins;
+    const double outer_end_displacement =
+        0.5 * 5.7e-3 * (tilt.x() * std::cos(angle) + tilt.y() * std::sin(angle));
+    const double approach = 1e-9 * load_at(bin);
     const Eigen::ArrayXd on_inner = 2.0 * races.inner().loads(approach, -kTip).load;
-    const Eigen::ArrayXd on_outer = 2.0 * races.outer().loads(0.9 * approach, kTip - outer_tip).load;
-    inner += on_inner.pow(4.5) / kPlaces;
-    outer += on_outer.pow(4.0) / kPlaces;
-    pin += on_inner.pow(4.0) / kPlaces;
-    bore += on_outer.pow(4.5) / kPlaces;
+    const Eigen::ArrayXd on_outer =
+        2.0 * races.outer().loads(0.9 * approach, kTip - outer_end_displacement).load;
+    inner += on_inner.pow(4.5) / kBins;
+    outer += on_outer.pow(4.0) / kBins;
+    pin += on_inner.pow(4.0) / kBins;
+    bore += on_outer.pow(4.5) / kBins;
     largest = std::max(largest, on_inner.maxCoeff());
   }
   const double share = std::pow(kLaminae, -7.0 / 9.0);
@@ -228,8 +233,8 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
 
 TEST(Damage, NeedsLoadsAndSpeed) {
   const Bearing bearing = test::reducer_bearing();
-  EXPECT_TRUE(std::isinf(DamageSums(kPlaces).life(bearing, kLambda).bearing));
-  DamageSums standing(kPlaces);
+  EXPECT_TRUE(std::isinf(DamageSums(kBins).life(bearing, kLambda).bearing));
+  DamageSums standing(kBins);
   const double angle = 0.0, orbital = 0.0, load = 100.0;
   standing.add(1.0, 1, {&angle, &orbital, &load, &load, {}});
   EXPECT_TRUE(std::isinf(standing.life(bearing, kLambda).bearing));

@@ -1,3 +1,4 @@
+// The one search of all static balances. Issue 13, Build 5.
 #include "mechanics/convex_search.hpp"
 
 #include <gtest/gtest.h>

@@ -142,7 +142,7 @@ TEST(LoadedTeeth, ForceIsTheSlopeOfItsEnergy) {
         const double change =
             (teeth.at(place + turn, approach).energy - teeth.at(place - turn, approach).energy) /
             (2.0 * turn);
-        EXPECT_NEAR(change, now.energy_by_place, 3e-4 * (std::abs(change) + stored));
+        EXPECT_NEAR(change, now.energy_by_phase, 3e-4 * (std::abs(change) + stored));
       }
     }
 }

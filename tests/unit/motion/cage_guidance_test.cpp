@@ -104,7 +104,7 @@ TEST(CageGuidance, ForceDoesNotDependOnTheFrame) {
 // that moves.
 TEST(CageGuidance, PrintedFilmAgreesForACageAtRestAndMissesWhirl) {
   GuidanceModel printed = land();
-  printed.film = GuidanceFilm::as_printed;
+  printed.film = GuidanceFilm::literature_variant;
   const Vector2 position(0.3 * printed.clearance, 0.4 * printed.clearance);
   const BodyMotion ring{Vector2::Zero(), Vector2::Zero(), 700.0};
   const BodyMotion still{position, Vector2::Zero(), 400.0};

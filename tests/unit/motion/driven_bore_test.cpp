@@ -104,7 +104,7 @@ TEST_P(DrivenBore, PowerAtTheBoreIsStoredOrLost) {
     const PowerInput input = power_input(now, 0.0, x, rate);
     const double loss = driven_snapshot(model, motion, x).loss.total();
     const double at_port = -on_bore.force.dot(motion.velocity) - on_bore.moment * motion.speed;
-    const double others = input.euler + input.changing_film + input.standing_form;
+    const double others = input.euler + input.changing_film + input.out_of_roundness;
     const auto slope = [&](double step) {
       const auto energy = [&](double time) { return stored_energy(now, x + time * rate, time).total(); };
       return (energy(step) - energy(-step)) / (2.0 * step);

@@ -16,7 +16,7 @@ TEST(StateLayout, ViewsCoverTheStateOnceAndInOrder) {
     const ConstStateViews state = state_views(layout, x.data());
     std::multiset<double> seen;
     for (const auto& rollers : {state.radius, state.angle, state.radial_speed, state.orbital_speed,
-                                state.spin, state.tip, state.turned})
+                                state.spin, state.end_displacement, state.turned})
       seen.insert(rollers.begin(), rollers.end());
     for (const auto& waves : {state.wave, state.wave_speed}) seen.insert(waves.begin(), waves.end());
     for (const auto& pair :

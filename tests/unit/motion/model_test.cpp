@@ -56,12 +56,12 @@ TEST(BearingModel, RefusesWhatHasNoMeaningAndSaysWhy) {
 // by as much as is left over between neighbours just go in.
 TEST(BearingModel, RefusesLargerRollersThanGoIn) {
   Bearing bearing = test::full_complement_bearing();  // 3 um are left between two
-  const auto larger_by = [&](double deviation) {
+  const auto with_deviation = [&](double deviation) {
     bearing.rollers().diameter_deviation.assign(21, deviation);
     return complaint(bearing, test::reducer_parameters());
   };
-  EXPECT_EQ(larger_by(2.95e-6), "accepted");
-  EXPECT_THAT(larger_by(3.05e-6), testing::HasSubstr("give fewer or smaller rollers"));
+  EXPECT_EQ(with_deviation(2.95e-6), "accepted");
+  EXPECT_THAT(with_deviation(3.05e-6), testing::HasSubstr("give fewer or smaller rollers"));
   // Larger and smaller by turns, the mean decides.
   for (std::size_t j = 0; j < 21; ++j) bearing.rollers().diameter_deviation[j] = j % 2 == 0 ? 9e-6 : -9e-6;
   EXPECT_EQ(complaint(bearing, test::reducer_parameters()), "accepted");
@@ -124,14 +124,14 @@ TEST(InitialState, CarriesTheQuasiStaticLoadsOfAnUnevenBearing) {
   bearing.rollers().diameter_deviation = {2e-6, 0.0, -3e-6};
   DynamicsParameters parameters = test::reducer_parameters();
   parameters.race.film_in_approach = true;
-  parameters.race.film_approach = FilmApproach::as_printed;
+  parameters.race.film_approach = FilmApproach::literature_variant;
   const OperatingPoint point = test::reducer_point(6000.0);
   const BearingModel model = bearing_model(bearing, point, parameters);
   EXPECT_FALSE(model.plain);
   const Snapshot start = snapshot(model, initial_state(bearing, model, parameters, 0.2).x);
   QuasiStaticOptions options;
   options.film = parameters.lubricant;
-  options.film_approach = FilmApproach::as_printed;
+  options.film_approach = FilmApproach::literature_variant;
   const QuasiStaticState balance = quasi_static_state(bearing, point, options, 0.2);
   const double geometric =
       1e-2 * balance.inner_load.maxCoeff();  // as above, times the waves' order of some 8
@@ -145,10 +145,10 @@ TEST(BearingModel, PrintedVariantsDoWhatTheySay) {
   DynamicsParameters parameters = test::reducer_parameters();
   const BearingModel usual = bearing_model(bearing, point, parameters);
   EXPECT_TRUE(usual.plain);
-  parameters.race.damping_law = DampingLaw::as_printed;
+  parameters.race.damping_law = DampingLaw::literature_variant;
   parameters.race.film_in_approach = true;
-  parameters.race.film_approach = FilmApproach::as_printed;
-  parameters.cage.reference_speed = ReferenceSpeed::as_printed;
+  parameters.race.film_approach = FilmApproach::literature_variant;
+  parameters.cage.reference_speed = ReferenceSpeed::literature_variant;
   const BearingModel printed = bearing_model(bearing, point, parameters);
   EXPECT_DOUBLE_EQ(printed.inner.load.load(2e-6, 5.0), 1.1 * usual.inner.load.load(2e-6, 5.0));
   EXPECT_EQ(printed.inner.damping, 0.0);

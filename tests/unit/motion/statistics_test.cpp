@@ -64,7 +64,7 @@ TEST(Statistics, MeansOfAHandMadeWindow) {
   EXPECT_EQ(means.inner.least_film, 2e-7) << "of the most loaded roller";
   EXPECT_NEAR(means.outer.mean_load[0], 3.5, kRoundOff);
   EXPECT_NEAR(means.outer.mean_load[kPlaces / 2], 1.0, kRoundOff);
-  // Of 2 samples x 2 rollers x 8 places, 32 in all, two fell on the first place.
+  // Of 2 samples x 2 rollers x 8 bins, 32 in all, two fell on the first bin.
   EXPECT_NEAR(means.outer.passages[0], 2.0 * kPlaces / 4.0, kRoundOff);
   EXPECT_NEAR(means.outer.damage[0], (81.0 + 256.0) * kPlaces / 4.0, 1e3 * kRoundOff);
 }

@@ -143,7 +143,7 @@ TEST(BallsInPlace, AreBetweenTheRacesAndTheCageAboutThem) {
     std::vector<double> x = start;
     x[at] += length;
     try {
-      require_balls_in_place(numbers, x.data());
+      require_containment(numbers, x.data());
     } catch (const std::runtime_error&) {
       return false;
     }

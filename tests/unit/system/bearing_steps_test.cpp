@@ -60,10 +60,11 @@ TEST(ThirdOrderSteps, WeighWhatLoadsHangOnWhereOilIsInThePockets) {
   const auto shares = [&](int variable) {
     const BearingModel model =
         bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
-    const bearing::vectorised::VectorBearing fast(model);
+    const bearing::vectorised::VectorBearing vectorised(model);
     const Eigen::VectorXd allowed = allowed_errors(model, 1e-10);
     const auto place = static_cast<std::size_t>(variable);
-    return third_order_steps(fast, allowed).allowed[place] / linearly_implicit_errors(fast, allowed)[place];
+    return third_order_steps(vectorised, allowed).allowed[place] /
+           linearly_implicit_errors(vectorised, allowed)[place];
   };
   const bearing::vectorised::PaddedLayout layout{15};
   const int lanes = layout.lanes();
@@ -98,13 +99,13 @@ TEST(FourthOrderSteps, WeighAllVariablesAlike) {
   parameters.race.squeeze = true;
   parameters.cage.pocket_film = bearing::motion::PocketFilm::hydrodynamic;
   const BearingModel model = bearing_model(test::reducer_bearing(), test::reducer_point(6000.0), parameters);
-  const bearing::vectorised::VectorBearing fast(model);
+  const bearing::vectorised::VectorBearing vectorised(model);
   const Eigen::VectorXd allowed = allowed_errors(model, 1e-10);
-  const StepBounds bounds = fourth_order_steps(fast, allowed);
-  const std::vector<double> of_order_two = linearly_implicit_errors(fast, allowed);
+  const StepBounds bounds = fourth_order_steps(vectorised, allowed);
+  const std::vector<double> of_order_two = linearly_implicit_errors(vectorised, allowed);
   for (std::size_t i = 0; i < bounds.allowed.size(); ++i)
     EXPECT_NEAR(bounds.allowed[i], 3.0 * of_order_two[i], 1e-12 * of_order_two[i]) << i;
-  EXPECT_DOUBLE_EQ(bounds.longest, third_order_steps(fast, allowed).longest) << "that of the ring";
+  EXPECT_DOUBLE_EQ(bounds.longest, third_order_steps(vectorised, allowed).longest) << "that of the ring";
 }
 
 }  // namespace

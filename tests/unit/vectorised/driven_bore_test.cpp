@@ -64,19 +64,19 @@ class OpenBore : public testing::TestWithParam<Variant> {
 TEST_P(OpenBore, AgreesWithTheReadableEquations) {
   const BearingModel model = bearing_model(bearing, point, parameters);
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
-    VectorBearing fast(model, set);
+    VectorBearing vectorised(model, set);
     for (int i = 0; i < kStates; ++i) {
       const Eigen::VectorXd x = shaken(model, i);
       const BoreMotion motion = random_motion(model, x);
       Eigen::VectorXd expected(x.size()), found(x.size());
       const BoreReaction on_bore = driven_derivative(model, motion, x, expected);
-      const std::vector<double> padded = fast.padded(x);
+      const std::vector<double> padded = vectorised.padded(x);
       std::vector<double> rate(padded.size());
       if (i % 2 == 0)
-        fast.linearise(motion, padded.data(), rate.data());
+        vectorised.linearise(motion, padded.data(), rate.data());
       else
-        fast.derivative(motion, padded.data(), rate.data());
-      fast.flatten(rate.data(), found);
+        vectorised.derivative(motion, padded.data(), rate.data());
+      vectorised.flatten(rate.data(), found);
       const Eigen::Index z = model.layout.rollers;
       for (int group = 0; group < 5; ++group)
         EXPECT_LT((found - expected).segment(group * z, z).norm(),
@@ -85,7 +85,7 @@ TEST_P(OpenBore, AgreesWithTheReadableEquations) {
         EXPECT_NEAR(
             found[k], expected[k],
             kAgreement * expected.tail(model.layout.size() - model.layout.cage()).cwiseAbs().maxCoeff());
-      const BoreReaction here = fast.reaction();
+      const BoreReaction here = vectorised.reaction();
       EXPECT_LT((here.force - on_bore.force).norm(), kAgreement * on_bore.force.norm()) << name_of(set);
       EXPECT_NEAR(here.moment, on_bore.moment,
                   kAgreement * on_bore.force.norm() * model.geometry.outer_radius)
@@ -100,19 +100,19 @@ TEST_P(OpenBore, ClosedByItsInertiaIsTheFreeBearing) {
   const double m = model.bore_mass, turn = model.frame.centrifugal, late = model.frame.euler,
                coriolis = model.frame.coriolis_speed;
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
-    VectorBearing fast(model, set);
+    VectorBearing vectorised(model, set);
     for (int i = 0; i < kStates; ++i) {
       const double g = i % 2 == 0 ? 2e-6 : 2e-5;
-      const std::vector<double> x = fast.padded(shaken(model, i));
+      const std::vector<double> x = vectorised.padded(shaken(model, i));
       std::vector<double> rhs(x.size()), closed(x.size()), open(x.size());
-      fast.linearise(0.0, x.data(), rhs.data());
-      ASSERT_TRUE(fast.factor(g));
-      fast.solve(rhs.data(), closed.data());
+      vectorised.linearise(0.0, x.data(), rhs.data());
+      ASSERT_TRUE(vectorised.factor(g));
+      vectorised.solve(rhs.data(), closed.data());
       PortMatrix port;
       double force[3];
-      ASSERT_TRUE(fast.factor_open(g, false, port));
-      fast.reduce(rhs.data(), open.data(), force);
-      const double* b = rhs.data() + fast.layout().bore();
+      ASSERT_TRUE(vectorised.factor_open(g, false, port));
+      vectorised.reduce(rhs.data(), open.data(), force);
+      const double* b = rhs.data() + vectorised.layout().bore();
       Eigen::Matrix2d matrix;
       const double diagonal = m * (1.0 - g * g * turn), off = m * g * (2.0 * coriolis + g * late);
       matrix << diagonal + port.a[0][0], port.a[0][1] - off, port.a[1][0] + off, diagonal + port.a[1][1];
@@ -120,11 +120,11 @@ TEST_P(OpenBore, ClosedByItsInertiaIsTheFreeBearing) {
                                   force[1] + m * (b[3] + g * (turn * b[1] - late * b[0])));
       const Eigen::Vector2d found = matrix.inverse() * right;
       const double rate[3] = {found[0], found[1], 0.0};
-      fast.complete(rhs.data(), rate, open.data());
+      vectorised.complete(rhs.data(), rate, open.data());
       const Eigen::Index z = model.layout.rollers;
       Eigen::VectorXd one(model.layout.size()), other(one);
-      fast.flatten(closed.data(), one);
-      fast.flatten(open.data(), other);
+      vectorised.flatten(closed.data(), one);
+      vectorised.flatten(open.data(), other);
       for (int group = 0; group < 5; ++group)
         EXPECT_LT((one - other).segment(group * z, z).norm(), 1e-9 * one.segment(group * z, z).norm())
             << name_of(set) << ", group " << group;
@@ -143,26 +143,26 @@ TEST_P(PortOfBore, AnswersToRatesAsTheRightHandSideDoes) {
   constexpr double kOfDifferences = 1e-4;  // [-]
   const BearingModel model = bearing_model(bearing, point, parameters);
   const bool land = model.layout.caged && !GetParam().inner_guidance;
-  VectorBearing fast(model);
-  const PaddedLayout& layout = fast.layout();
+  VectorBearing vectorised(model);
+  const PaddedLayout& layout = vectorised.layout();
   int kinked = 0, compared = 0;
   for (int i = 0; i < kStates; ++i) {
     const double g = i % 2 == 0 ? 1e-6 : 5e-6;
     const Eigen::VectorXd flat = shaken(model, i);
     BoreMotion motion = random_motion(model, flat);
     motion.acceleration = {0.0, 0.0};
-    const std::vector<double> x = fast.padded(flat), nothing(x.size(), 0.0);
+    const std::vector<double> x = vectorised.padded(flat), nothing(x.size(), 0.0);
     std::vector<double> rates(x.size());
     for (int which = 0; which < 3; ++which) {
-      fast.linearise(motion, x.data(), rates.data());
+      vectorised.linearise(motion, x.data(), rates.data());
       PortMatrix port;
-      ASSERT_TRUE(fast.factor_open(g, true, port));
+      ASSERT_TRUE(vectorised.factor_open(g, true, port));
       double force[3], rate[3] = {};
       rate[which] = which < 2 ? 1e3 : 1e5;  // [m/s^2], [rad/s^2]
       std::vector<double> k(x.size());
-      fast.reduce(nothing.data(), k.data(), force);
+      vectorised.reduce(nothing.data(), k.data(), force);
       for (const double each : force) ASSERT_EQ(each, 0.0);
-      fast.complete(nothing.data(), rate, k.data());
+      vectorised.complete(nothing.data(), rate, k.data());
       struct Slope {
         Eigen::VectorXd rates;
         Eigen::Vector3d reaction;
@@ -174,9 +174,9 @@ TEST_P(PortOfBore, AnswersToRatesAsTheRightHandSideDoes) {
           for (std::size_t n = 0; n < x.size(); ++n) moved[n] += side * by * k[n];
           BoreMotion turned = motion;
           turned.speed += side * by * rate[2];
-          fast.derivative(turned, moved.data(), rates.data());
+          vectorised.derivative(turned, moved.data(), rates.data());
           slope.rates += side / (2.0 * by) * Eigen::Map<Eigen::VectorXd>(rates.data(), slope.rates.size());
-          const BoreReaction on_bore = fast.reaction();
+          const BoreReaction on_bore = vectorised.reaction();
           slope.reaction +=
               side / (2.0 * by) * Eigen::Vector3d(on_bore.force.x(), on_bore.force.y(), on_bore.moment);
         }
@@ -218,14 +218,14 @@ TEST_P(OpenBore, SlopesAreThoseOfTheReadableForce) {
   const BearingModel model = bearing_model(bearing, point, parameters);
   int kinked = 0, compared = 0;
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
-    VectorBearing fast(model, set);
+    VectorBearing vectorised(model, set);
     for (int i = 0; i < kStates; ++i) {
       const Eigen::VectorXd x = shaken(model, i);
       const BoreMotion motion = random_motion(model, x);
-      const std::vector<double> padded = fast.padded(x);
+      const std::vector<double> padded = vectorised.padded(x);
       std::vector<double> rate(padded.size());
-      fast.linearise(motion, padded.data(), rate.data());
-      const BoreSlopes slopes = fast.bore_slopes();
+      vectorised.linearise(motion, padded.data(), rate.data());
+      const BoreSlopes slopes = vectorised.bore_slopes();
       const auto compare = [&](auto move, double step, const double(&found)[2][2]) {
         for (int k = 0; k < 2; ++k) {
           const auto difference = [&](double by) -> Eigen::Vector2d {

@@ -120,20 +120,20 @@ TEST_P(VectorBearingTest, AgreesWithTheReadableEquations) {
   const BearingModel model = model_now();
   const motion::PlanetBearingEquations equations(model);
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
-    VectorBearing fast(model, set);
+    VectorBearing vectorised(model, set);
     double worst = 0.0;
     for (int i = 0; i < kStates; ++i) {
       const Eigen::VectorXd x = shaken(model, i % 3 == 0 ? 2e-6 : 2e-5);
       Eigen::VectorXd expected(x.size()), found(x.size());
       equations.derivative(1e-3, x, expected);
-      const std::vector<double> padded = fast.padded(x);
+      const std::vector<double> padded = vectorised.padded(x);
       std::vector<double> rate(padded.size());
       for (const bool linear : {false, true}) {
         if (linear)
-          fast.linearise(1e-3, padded.data(), rate.data());
+          vectorised.linearise(1e-3, padded.data(), rate.data());
         else
-          fast.derivative(1e-3, padded.data(), rate.data());
-        fast.flatten(rate.data(), found);
+          vectorised.derivative(1e-3, padded.data(), rate.data());
+        vectorised.flatten(rate.data(), found);
         const Eigen::VectorXd scale = scale_by_kind(model, expected);
         const Eigen::VectorXd error = (found - expected).cwiseAbs().cwiseQuotient(scale);
         Eigen::Index at = 0;
@@ -148,14 +148,14 @@ TEST_P(VectorBearingTest, AgreesWithTheReadableEquations) {
 
 TEST_P(VectorBearingTest, LoadsAreThoseOfTheSnapshot) {
   const BearingModel model = model_now();
-  VectorBearing fast(model);
+  VectorBearing vectorised(model);
   const Eigen::VectorXd x = shaken(model, 2e-6);
   const motion::Snapshot expected = motion::snapshot(model, x);
-  std::vector<double> padded = fast.padded(x), rate(padded.size());
-  fast.derivative(0.0, padded.data(), rate.data());
+  std::vector<double> padded = vectorised.padded(x), rate(padded.size());
+  vectorised.derivative(0.0, padded.data(), rate.data());
   for (Eigen::Index j = 0; j < model.layout.rollers; ++j) {
-    EXPECT_NEAR(fast.loads().inner[j], expected.inner.load[j], 1e-9 * expected.inner.load.maxCoeff());
-    EXPECT_NEAR(fast.loads().outer[j], expected.outer.load[j], 1e-9 * expected.outer.load.maxCoeff());
+    EXPECT_NEAR(vectorised.loads().inner[j], expected.inner.load[j], 1e-9 * expected.inner.load.maxCoeff());
+    EXPECT_NEAR(vectorised.loads().outer[j], expected.outer.load[j], 1e-9 * expected.outer.load.maxCoeff());
   }
 }
 
@@ -166,13 +166,13 @@ TEST_P(VectorBearingTest, SolvesWithTheTrueJacobian) {
   const BearingModel model = model_now(false);  // what a roller has turned is left out of the slopes
   int compared = 0, kinked = 0;
   for (const mechanics::InstructionSet set : mechanics::instruction_sets()) {
-    VectorBearing fast(model, set);
+    VectorBearing vectorised(model, set);
     const auto rate_at = [&](const Eigen::VectorXd& x) {
-      const std::vector<double> padded = fast.padded(x);
+      const std::vector<double> padded = vectorised.padded(x);
       std::vector<double> rate(padded.size());
       Eigen::VectorXd flat(x.size());
-      fast.derivative(0.0, padded.data(), rate.data());
-      fast.flatten(rate.data(), flat);
+      vectorised.derivative(0.0, padded.data(), rate.data());
+      vectorised.flatten(rate.data(), flat);
       return flat;
     };
     for (int i = 0; i < kStates; ++i) {
@@ -181,14 +181,14 @@ TEST_P(VectorBearingTest, SolvesWithTheTrueJacobian) {
       const Eigen::VectorXd size = scale_by_kind(model, rate_at(x));
       Eigen::VectorXd b(x.size());
       for (Eigen::Index n = 0; n < b.size(); ++n) b[n] = size[n] * random();
-      std::vector<double> padded = fast.padded(x), rate(padded.size()), rhs = fast.padded(b),
+      std::vector<double> padded = vectorised.padded(x), rate(padded.size()), rhs = vectorised.padded(b),
                           k(padded.size());
-      std::fill(rhs.begin() + model.layout.rollers, rhs.begin() + fast.layout().lanes(), 0.0);
-      fast.linearise(0.0, padded.data(), rate.data());
-      ASSERT_TRUE(fast.factor(g));
-      fast.solve(rhs.data(), k.data());
+      std::fill(rhs.begin() + model.layout.rollers, rhs.begin() + vectorised.layout().lanes(), 0.0);
+      vectorised.linearise(0.0, padded.data(), rate.data());
+      ASSERT_TRUE(vectorised.factor(g));
+      vectorised.solve(rhs.data(), k.data());
       Eigen::VectorXd flat(x.size());
-      fast.flatten(k.data(), flat);
+      vectorised.flatten(k.data(), flat);
       // Far below g, and extrapolated from two steps: the laws bend within a stage.
       const auto difference = [&](double step) -> Eigen::VectorXd {
         return (rate_at(x + step * flat) - rate_at(x - step * flat)) / (2.0 * step);

@@ -1,4 +1,4 @@
-#include "gearset/tooth_remarks.hpp"
+#include "gearset/tooth_warnings.hpp"
 
 #include "gearset/involute.hpp"
 #include "gearset/message.hpp"
@@ -12,7 +12,7 @@ constexpr double reach_tolerance = 1e-9;  // [module]
 
 }  // namespace
 
-void Remarks::undercut(const ExternalTooth& tooth, const std::string& gear) {
+void ToothWarnings::undercut(const ExternalTooth& tooth, const std::string& gear) {
   if (!tooth.undercut) return;
   list.push_back({place, "the " + gear + " is undercut: its profile shift " + decimal(tooth.shift, 4) +
                              " lies below the limit " + decimal(least_shift_without_undercut(tooth), 4) +
@@ -21,8 +21,8 @@ void Remarks::undercut(const ExternalTooth& tooth, const std::string& gear) {
                              ") and the path of contact ends there"});
 }
 
-void Remarks::reach(double reached, const ExternalTooth& tooth, const std::string& other,
-                    const std::string& gear) {
+void ToothWarnings::reach(double reached, const ExternalTooth& tooth, const std::string& other,
+                          const std::string& gear) {
   const double foot = tangent_length(tooth.base_radius, tooth.form_radius);
   const double tolerance = reach_tolerance * tooth.module;
   if (reached >= foot - tolerance) return;
@@ -34,13 +34,14 @@ void Remarks::reach(double reached, const ExternalTooth& tooth, const std::strin
                              ", and the tips need relief or a smaller addendum"});
 }
 
-void Remarks::clearance(double clearance, double module, const std::string& tip, const std::string& root) {
+void ToothWarnings::clearance(double clearance, double module, const std::string& tip,
+                              const std::string& root) {
   if (clearance >= -reach_tolerance * module) return;
   list.push_back({place, "the tips of the " + tip + " dig into the roots of the " + root + " by " +
                              millimetres(-clearance) + "; raise the clearance or change the shifts"});
 }
 
-void Remarks::contact_ratio(double ratio, const std::string& mesh) {
+void ToothWarnings::contact_ratio(double ratio, const std::string& mesh) {
   if (ratio >= 1.0) return;
   list.push_back({place, "the contact ratio of the " + mesh + " is " + decimal(ratio, 3) +
                              "; at least 1 is needed for continuous drive"});

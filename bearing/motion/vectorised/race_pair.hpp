@@ -8,7 +8,7 @@ namespace orbearing::bearing::vectorised::ORBEARING_PACKS {
 
 using namespace mechanics::ORBEARING_PACKS;
 
-struct BothRaces : RaceNumbers<NumberPair> {
+struct RacePair : RaceNumbers<NumberPair> {
   bool film = false;      // adds to the elastic approach
   bool squeezed = false;  // resists the approach
   FrictionLaws<NumberPair> friction;
@@ -37,9 +37,9 @@ void put_side_by_side(const Constants<double>& inner, const Constants<double>& o
 
 /// Both races follow the same laws, with numbers of their own. Keeps pointers to the constants of both races
 /// and to what those of laminae and scratches point to.
-inline BothRaces both_races(const Constants& constants) {
+inline RacePair race_pair(const Constants& constants) {
   const RaceConstants &inner = constants.inner, &outer = constants.outer;
-  BothRaces both;
+  RacePair both;
   put_side_by_side<RaceNumbers>(inner, outer, both);
   put_side_by_side<FrictionNumbers>(inner.friction, outer.friction, both.friction);
   static_cast<FrictionChoice&>(both.friction) = inner.friction;

@@ -9,11 +9,11 @@
 namespace orbearing::gearset {
 
 /// Places all round at equal steps from zero. [rad] anticlockwise
-std::vector<double> even_places(int planets);
+std::vector<double> even_angles(int planets);
 
-/// Places of the planets of a set, [rad] anticlockwise from the first: evenly, or as stated, on the places
+/// Angles of the planets of a set, [rad] anticlockwise from the first: evenly, or as stated, on the angles
 /// where teeth fit, Eq. (23) of gearset/README.md; of a set without teeth as they are stated.
-std::vector<double> planet_places(const PlanetarySet& set);
+std::vector<double> angles_of_planets(const PlanetarySet& set);
 
 /// Whether planets follow one another at unequal steps.
 bool stands_unevenly(const PlanetarySet& set);
@@ -23,6 +23,6 @@ bool stands_unevenly(const PlanetarySet& set);
 Warnings place_problems(const PlanetarySet& set);
 
 /// The least angle between neighbours [rad]; a whole turn of a planet alone.
-double least_step(const std::vector<double>& places);
+double least_step(const std::vector<double>& angles);
 
 }  // namespace orbearing::gearset

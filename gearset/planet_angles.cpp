@@ -1,4 +1,4 @@
-#include "gearset/planet_places.hpp"
+#include "gearset/planet_angles.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -17,15 +17,15 @@ using boost::math::double_constants::two_pi;
 constexpr double kWritten = 0.005 * degree;  // [rad]  by which a stated angle may be rounded
 const std::string kPlaces = "gearset.planet_angles";
 
-// From one place where teeth fit to the next, Eq. (23).
-double place_step(const PlanetarySet& set) {
+// From one angle at which teeth fit to the next, Eq. (23).
+double fitting_step(const PlanetarySet& set) {
   return two_pi / (set.sun_teeth + set.ring_teeth);
 }
 
 // Of a set without teeth, any.
-double nearest_place(const PlanetarySet& set, double angle) {
+double nearest_fitting(const PlanetarySet& set, double angle) {
   if (set.sun_teeth + set.ring_teeth == 0) return angle;
-  return std::round(angle / place_step(set)) * place_step(set);
+  return std::round(angle / fitting_step(set)) * fitting_step(set);
 }
 
 std::string degrees(double angle) {
@@ -34,23 +34,23 @@ std::string degrees(double angle) {
 
 }  // namespace
 
-std::vector<double> even_places(int planets) {
-  std::vector<double> places;
-  for (int n = 0; n < planets; ++n) places.push_back(two_pi * n / planets);
-  return places;
+std::vector<double> even_angles(int planets) {
+  std::vector<double> angles;
+  for (int n = 0; n < planets; ++n) angles.push_back(two_pi * n / planets);
+  return angles;
 }
 
-std::vector<double> planet_places(const PlanetarySet& set) {
-  if (set.planet_angles.empty()) return even_places(set.planets);
-  std::vector<double> places;
-  for (const double angle : set.planet_angles) places.push_back(nearest_place(set, angle));
-  return places;
+std::vector<double> angles_of_planets(const PlanetarySet& set) {
+  if (set.planet_angles.empty()) return even_angles(set.planets);
+  std::vector<double> angles;
+  for (const double angle : set.planet_angles) angles.push_back(nearest_fitting(set, angle));
+  return angles;
 }
 
 bool stands_unevenly(const PlanetarySet& set) {
   if (set.planet_angles.empty()) return false;
-  const std::vector<double> even = even_places(set.planets), places = planet_places(set);
-  return !std::equal(even.begin(), even.end(), places.begin(), places.end(),
+  const std::vector<double> even = even_angles(set.planets), angles = angles_of_planets(set);
+  return !std::equal(even.begin(), even.end(), angles.begin(), angles.end(),
                      [](double a, double b) { return std::abs(a - b) < kWritten; });
 }
 
@@ -72,23 +72,23 @@ Warnings place_problems(const PlanetarySet& set) {
                      "angles that grow, below 360 deg, are required");
   Warnings problems;
   for (const double angle : angles) {
-    const double place = nearest_place(set, angle);
-    if (std::abs(angle - place) <= kWritten) continue;
-    const double other = place + std::copysign(place_step(set), angle - place);
+    const double fitting = nearest_fitting(set, angle);
+    if (std::abs(angle - fitting) <= kWritten) continue;
+    const double other = fitting + std::copysign(fitting_step(set), angle - fitting);
     problems.push_back(
         {kPlaces, "found " + degrees(angle) +
                       ", where teeth do not fit; whole steps of 360 deg/(sun + ring teeth) are "
                       "required: " +
-                      degrees(std::min(place, other)) + " or " + degrees(std::max(place, other))});
+                      degrees(std::min(fitting, other)) + " or " + degrees(std::max(fitting, other))});
   }
   return problems;
 }
 
-double least_step(const std::vector<double>& places) {
+double least_step(const std::vector<double>& angles) {
   double least = two_pi;
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    const bool last = n + 1 == places.size();
-    least = std::min(least, last ? places.front() + two_pi - places[n] : places[n + 1] - places[n]);
+  for (std::size_t n = 0; n < angles.size(); ++n) {
+    const bool last = n + 1 == angles.size();
+    least = std::min(least, last ? angles.front() + two_pi - angles[n] : angles[n + 1] - angles[n]);
   }
   return least;
 }

@@ -1,4 +1,4 @@
-// Remarks on teeth that run all the same, for every kind of gear train.
+// ToothWarnings on teeth that run all the same, for every kind of gear train.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace orbearing::gearset {
 
-/// Where remarks go, and the key of the case that they concern.
-struct Remarks {
+/// Where warnings go, and the key of the case that they concern.
+struct ToothWarnings {
   std::string place;
   Warnings list;
 

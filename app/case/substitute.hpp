@@ -11,8 +11,7 @@ namespace orbearing::app {
 /// Gives the input at `path` the value `text`, as it would be written in a case, with `reason` among the
 /// assumptions. What is stated and differs is kept for those who say that it has no effect. Nothing happens
 /// where the field does not take the value: it wants one of its own.
-void put_in_place(CaseData& data, const std::string& path, const std::string& text,
-                  const std::string& reason);
+void substitute(CaseData& data, const std::string& path, const std::string& text, const std::string& reason);
 
 /// The same where nothing is stated; what is stated stays.
 void put_where_absent(CaseData& data, const std::string& path, const std::string& text,

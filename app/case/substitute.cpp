@@ -1,4 +1,4 @@
-#include "app/case/put_in_place.hpp"
+#include "app/case/substitute.hpp"
 
 #include <cmath>
 #include <utility>
@@ -18,8 +18,7 @@ bool same(const Field& field, const FieldValue& a, const FieldValue& b) {
 
 }  // namespace
 
-void put_in_place(CaseData& data, const std::string& path, const std::string& text,
-                  const std::string& reason) {
+void substitute(CaseData& data, const std::string& path, const std::string& text, const std::string& reason) {
   const Field& field = *find_field(path);
   FieldReading reading = read_field_text(field, text);
   if (!reading.good) return;
@@ -39,7 +38,7 @@ void put_in_place(CaseData& data, const std::string& path, const std::string& te
 void put_where_absent(CaseData& data, const std::string& path, const std::string& text,
                       const std::string& reason) {
   const auto stored = data.values.find(path);
-  if (stored == data.values.end() || stored->second.from_default) put_in_place(data, path, text, reason);
+  if (stored == data.values.end() || stored->second.from_default) substitute(data, path, text, reason);
 }
 
 }  // namespace orbearing::app

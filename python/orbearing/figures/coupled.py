@@ -43,7 +43,7 @@ def blocks(report: Report) -> list[FigureBlock]:
 
 
 def _comparison(report: Report) -> FigureBlock:
-    one_speed, one_life = curve(record(report.record("two_way").get("one_way")), "speed_rpm", "life_h")
+    one_speed, one_life = curve(record(report.record("coupled").get("one_way")), "speed_rpm", "life_h")
     speed, life = report.point_column("input_speed_rpm"), report.point_column("life_h")
     if not np.any(life > 0):
         return FigureBlock(SLUG, TITLE, missing="No point of this sweep has a life.")
@@ -55,7 +55,7 @@ def _comparison(report: Report) -> FigureBlock:
     style.legend_above(axes, columns=2)
     rows = [(s, one, two, format_change(two, one)) for s, one, two in _pairs(one_speed, one_life, speed, life)]
     table = Table(("input speed (rpm)", "life, one way (h)", "life, two ways (h)", "change"), rows)
-    caption = CAPTION.format(change=_change(rows), how=report.record("two_way").get("how") or report.fidelity)
+    caption = CAPTION.format(change=_change(rows), how=report.record("coupled").get("how") or report.fidelity)
     return FigureBlock(SLUG, TITLE, caption, (style.to_svg(figure, SLUG, "Life over speed, one way and two ways"),), summary=table)
 
 
@@ -86,11 +86,11 @@ def _residual(report: Report, residual: np.ndarray) -> FigureBlock:
 
 
 def _rows(report: Report) -> list[dict]:
-    return records(record(report.record("two_way").get("convergence")).get("rows"))
+    return records(record(report.record("coupled").get("convergence")).get("rows"))
 
 
 def _convergence(report: Report) -> FigureBlock:
-    content = record(report.record("two_way").get("convergence"))
+    content = record(report.record("coupled").get("convergence"))
     rows = _rows(report)
     schemes = list(dict.fromkeys(str(row.get("scheme")) for row in rows))
     pictures = (

@@ -1,0 +1,63 @@
+// Issue 13, Build 7: keys have the field's names now, and cases that were written before are still read.
+#include "app/case/former_keys.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/case/case_file.hpp"
+#include "app/errors.hpp"
+#include "tests/unit/app_case/small_case.hpp"
+
+namespace orbearing::app {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(FormerKeys, PathsGetTheirPresentNames) {
+  EXPECT_EQ(present_path("life.lambda"), "life.reduction_factor");
+  EXPECT_EQ(present_path("sweep.life.lambda"), "sweep.life.reduction_factor");
+  EXPECT_EQ(present_path("sets.first.bearing.outer_race.standing_form.order"),
+            "sets.first.bearing.outer_race.out_of_roundness.order");
+  EXPECT_EQ(present_path("assumed.bearing.inner_race.turning_form.amplitude"),
+            "assumed.bearing.inner_race.waviness.amplitude");
+  for (const char* path : {"life", "life.lambdas", "lambda", "input.speed", ""})
+    EXPECT_EQ(present_path(path), path);
+}
+
+std::string with(std::string text, const std::string& present, const std::string& former) {
+  for (std::size_t at = text.find(present); at != std::string::npos;
+       at = text.find(present, at + former.size()))
+    text.replace(at, present.size(), former);
+  return text;
+}
+
+// A text that says everything by former names is the same case, its reasons included.
+TEST(FormerKeys, ACaseThatWasWrittenWithThemIsTheSameCase) {
+  const std::string form = "bearing:\n  outer_race: {out_of_roundness: {order: [2], amplitude: [1 um]}}\n";
+  const std::string now = with(text_of(shipped_path()), "\nbearing:\n", "\n" + form);
+  const std::string before =
+      with(with(now, "reduction_factor", "lambda"), "out_of_roundness", "standing_form");
+  ASSERT_NE(now, before);
+  const ResolvedCase present = parse_case(now, "case.yaml"), former = parse_case(before, "case.yaml");
+  EXPECT_EQ(former.number("life.reduction_factor"), 0.83);
+  EXPECT_EQ(former.assumed(), present.assumed());
+  EXPECT_EQ(former.list("bearing.outer_race.out_of_roundness.amplitude"), std::vector{1e-6});
+}
+
+TEST(FormerKeys, ASettingReplacesWhatTheFileGivesByThePresentName) {
+  EXPECT_EQ(shipped({"life.lambda=0.61"}).number("life.reduction_factor"), 0.61);
+}
+
+TEST(FormerKeys, BothNamesInOneFileAreAMistake) {
+  try {
+    parse_case(
+        "name: both\nsource: none\nmodel: roller-bearing\nlife: {lambda: 0.7, reduction_factor: 0.8}\n",
+        "both.yaml", {});
+    ADD_FAILURE();
+  } catch (const BadInput& error) {
+    EXPECT_THAT(error.what(), HasSubstr("life.lambda: unknown key"));
+  }
+}
+
+}  // namespace
+}  // namespace orbearing::app
