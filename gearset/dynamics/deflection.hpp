@@ -10,9 +10,16 @@ struct DeflectionVector {
   Eigen::Vector3d central = Eigen::Vector3d::Zero();
   Eigen::Vector3d planet = Eigen::Vector3d::Zero();
 
-  double of(const Eigen::Ref<const Eigen::VectorXd>& q, Eigen::Index central_place,
-            Eigen::Index planet_place) const {
-    return central.dot(q.segment<3>(central_place)) + planet.dot(q.segment<3>(planet_place));
+  double of(const Eigen::Ref<const Eigen::VectorXd>& q, Eigen::Index central_index,
+            Eigen::Index planet_index) const {
+    return along(central, q.data() + central_index) + along(planet, q.data() + planet_index);
+  }
+
+ private:
+  // Asked a hundred times for one right-hand side. Eigen's product of three is a call of its own in a large
+  // batch.
+  static double along(const Eigen::Vector3d& direction, const double* q) {
+    return direction[0] * q[0] + direction[1] * q[1] + direction[2] * q[2];
   }
 };
 
