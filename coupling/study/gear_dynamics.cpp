@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "gearset/dynamics/snapshot.hpp"
@@ -31,6 +32,30 @@ void record(double time, const SetSnapshot& now, Eigen::Index i, GearSeries& ser
   series.tangential_force.col(i) = now.bearing_force.row(1).transpose();
   series.radial_acceleration.col(i) = now.acceleration.row(0).transpose();
   series.tangential_acceleration.col(i) = now.acceleration.row(1).transpose();
+}
+
+// [-]  of the centre distance, by which a planet stands off its pin: some ten times the clearance of any
+// bearing.
+constexpr double kRunAway = 0.01;
+
+// A set on springs that give energy moves ever further, in ever shorter steps: it is given up long before
+// these end.
+struct RunAway : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+void require_on_pins(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+  const double most = kRunAway * model.parameters.carrier.radius;
+  for (const gearset::dynamics::PlanetBearing& bearing : model.bearings) {
+    const Eigen::Index carrier = gearset::dynamics::SetLayout::carrier();
+    const double off = std::hypot(bearing.radial.of(x, carrier, bearing.planet_index),
+                                  bearing.tangential.of(x, carrier, bearing.planet_index));
+    if (off <= most) continue;
+    std::ostringstream text;
+    text << "a planet stands " << 1e3 * off << " mm off its pin at t = " << time
+         << " s: the vibration grows without bound";
+    throw RunAway(text.str());
+  }
 }
 
 // The run in progress: state, time, budget.
@@ -66,6 +91,7 @@ class GearRun {
     begin_rotation();
     const bool good =
         integrate({time_, interval, samples}, [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
+          require_on_pins(model(), time, x);
           take_snapshot(equations_, time, x, workspace_, snapshot_);
           signals.add(mesh_periods(operation, time), snapshot_);
           apart += snapshot_.separated ? 1 : 0;
@@ -145,9 +171,14 @@ GearRunResult run_gears_from(const Eigen::VectorXd& start, const SetModel& model
   result.final_state = start;
   GearRun run(model, options, result);
   GearSignals observed(model.layout.planets, options.harmonics);
-  if (run.run_up() && settle(run, model, options, result)) {
-    run.observe(options.observed_periods, observed, &result.series);
-    result.planets = observed.statistics();
+  try {
+    if (run.run_up() && settle(run, model, options, result)) {
+      run.observe(options.observed_periods, observed, &result.series);
+      result.planets = observed.statistics();
+    }
+  } catch (const RunAway& reason) {
+    result.message = reason.what();
+    return result;
   }
   result.completed = result.report.completed;
   result.message = result.report.message;

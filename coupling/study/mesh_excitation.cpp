@@ -9,6 +9,7 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "coupling/study/bearing_tangent.hpp"
+#include "gearset/dynamics/modes.hpp"
 
 namespace orbearing::study {
 
@@ -20,7 +21,7 @@ using Eigen::Matrix2cd;
 using Eigen::Vector2cd;
 using gearset::dynamics::AffineBearing;
 
-constexpr double kLeastShare = 1e-3;  // of the mean load: smaller harmonics move nothing that is told
+constexpr double kLeastShare = 1e-3;  // of the mean load: smaller harmonics move no result
 constexpr double kHighest = 3.0;      // of the frequency of a planet on its bearings
 constexpr int kLeastOrders = 12, kMostOrders = 48;
 
@@ -61,26 +62,38 @@ bool shakes(const PlanetaryDrivetrain& drivetrain) {
   return drivetrain.gear_set && drivetrain.mesh_variation;
 }
 
+gearset::dynamics::SetModel gear_model_on(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law) {
+  gearset::dynamics::SetParameters set = drivetrain.gear_set();
+  set.planet.affine_bearing = law;
+  return gearset::dynamics::set_model(std::move(set),
+                                      gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
+}
+
 }  // namespace
+
+bool gears_stay_on(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law) {
+  return gearset::dynamics::largest_growth(gear_model_on(drivetrain, law)) <= 0.0;
+}
 
 GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                        const AffineBearing& law, const std::optional<Eigen::VectorXd>& start) {
-  if (!shakes(drivetrain)) return {};
-  gearset::dynamics::SetParameters set = drivetrain.gear_set();
-  set.planet.affine_bearing = law;
-  const gearset::dynamics::SetModel model = gearset::dynamics::set_model(
-      std::move(set), gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));
+  if (!shakes(drivetrain)) return {.completed = true};
+  const gearset::dynamics::SetModel model = gear_model_on(drivetrain, law);
   GearRunOptions options;
   options.harmonics = excitation_orders(drivetrain, geometry, law);
-  GearRunResult run = start ? run_gears_from(*start, model, options) : run_gears(model, options);
-  if (!run.completed) throw std::runtime_error("gears: " + run.message);
-  return run;
+  return start ? run_gears_from(*start, model, options) : run_gears(model, options);
+}
+
+void require_completed(const GearRunResult& gears) {
+  if (!gears.completed) throw std::runtime_error("gears: " + gears.message);
 }
 
 GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   if (!shakes(drivetrain)) return {};
   const AffineBearing tangent = bearing_tangent(drivetrain, geometry);
-  return {tangent, gears_on(drivetrain, geometry, tangent)};
+  GearsOnTangent gears{tangent, gears_on(drivetrain, geometry, tangent)};
+  require_completed(gears.run);
+  return gears;
 }
 
 bearing::motion::MeshExcitation excitation_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,

@@ -11,18 +11,26 @@ namespace orbearing::study {
 
 /// The gears on planet bearings that are `law`, observed with as many harmonics as excitation_orders() says;
 /// empty statistics where the drivetrain has no `gear_set`, or no mesh variation.
+/// `completed` says whether the gears' motion could be computed.
 /// @param start state of the gears to go on from; none: their static state
-/// @throws std::runtime_error where the gears' motion cannot be computed
 GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                        const gearset::dynamics::AffineBearing& law,
                        const std::optional<Eigen::VectorXd>& start = std::nullopt);
+
+/// Throws std::runtime_error with the reason where the gears' motion could not be computed.
+void require_completed(const GearRunResult& gears);
+
+/// Whether small motions of the gears on planet bearings that are `law` die out. They need not: a law that is
+/// fitted to a motion may give energy by its dampers, or by springs that are not alike across.
+bool gears_stay_on(const PlanetaryDrivetrain& drivetrain, const gearset::dynamics::AffineBearing& law);
 
 /// The gears on bearing_tangent() in place of their bearings: what every planet begins with.
 struct GearsOnTangent {
   gearset::dynamics::AffineBearing tangent;
   GearRunResult run;
 };
-/// Nothing where the gears give nothing but their mean loads. Throws as gears_on() and bearing_tangent().
+/// Nothing where the gears give nothing but their mean loads. Throws as require_completed() and
+/// bearing_tangent().
 GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 /// The load on the bore of one bearing under which a free bore of the given mass, on a bearing that is `law`

@@ -11,7 +11,7 @@ namespace {
 using gearset::dynamics::AffineBearing;
 using system::SteadyStateResult;
 
-// The first run is so much shorter: it has to lead near the law, not to be told.
+// The first run is so much shorter: it has to lead near the law, not to be reported.
 constexpr int kFirstShare = 3;
 
 AffineBearing times(double factor, const AffineBearing& law) {
@@ -49,8 +49,13 @@ class OneWay {
     parameters_.excitation = excitation;
     return true;
   }
-  bool drive(const AffineBearing& law) {
-    return drive(law, gears_on(drivetrain_, geometry_, law, gear_state_));
+  /// The same by a new run of the gears, on the law `before` where they run away on `law`, as meshes that
+  /// pump can make them: it becomes the law then.
+  bool drive_anew(AffineBearing& law, const AffineBearing& before) {
+    GearRunResult gears = gears_on(drivetrain_, geometry_, law, gear_state_);
+    if (!gears.completed) gears = gears_on(drivetrain_, geometry_, law = before, gear_state_);
+    require_completed(gears);
+    return drive(law, gears);
   }
 
   SteadyStateResult run_bearing(const bearing::motion::DynamicsParameters& parameters,
@@ -83,10 +88,12 @@ class OneWay {
   std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
 };
 
-// Gears on dampers that give energy run away: such a law is chance, of a motion too short or too small.
-bool damps(const AffineBearing& law) {
+// Gears on a law that gives energy run away: such a law is chance, of a motion too short or too small.
+// Dampers that take energy are asked for beside: what the gears' own dampers make up for would still be no
+// bearing.
+bool may_stand(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law) {
   const Eigen::Matrix2d both = law.damping + law.damping.transpose();
-  return both.trace() > 0.0 && both.determinant() > 0.0;
+  return both.trace() > 0.0 && both.determinant() > 0.0 && gears_stay_on(drivetrain, law);
 }
 
 // The last run in `record`, which it may be accepted with.
@@ -109,15 +116,16 @@ OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
     result.bearing = one_way.run_bearing(bearing_dynamics(drivetrain, geometry), drivetrain.steady_state);
     return result;
   }
-  AffineBearing law = tangent;
+  AffineBearing law = tangent, before = tangent;
   OneWayRecord record;
   do {
     FittedBearing fitted;
     result.bearing = one_way.run(law, tangent, record.runs == 0, fitted);
     if (!result.bearing.completed) return result;
     note(fitted, options, record);
-    if (damps(fitted.bearing)) law = fitted.bearing;
-  } while (record.runs < options.most_runs && !record.accepted && one_way.drive(law));
+    before = law;
+    if (may_stand(drivetrain, fitted.bearing)) law = fitted.bearing;
+  } while (record.runs < options.most_runs && !record.accepted && one_way.drive_anew(law, before));
   result.fit = record;
   return result;
 }

@@ -32,8 +32,8 @@ struct OneWayRun {
 
 /// Gears on the tangent of their bearings (`gears`), the bearing under the load that they give it
 /// (excitation_of()), the affine law fitted to its motion, and both again on that law until it stays. A law
-/// whose dampers would give energy is not taken: the gears stay on the one before. Each run goes on where the
-/// one before ended.
+/// whose dampers would give energy, or on which the gears would run away, is not taken: the gears stay on the
+/// one before. Each run goes on where the one before ended.
 ///
 /// Of the planet's mass the bearing gets its own outer ring, and the gears' load is what moves that ring as
 /// the planet moved: nearly the force of the bearing. With the whole mass, which is as good for a bearing
