@@ -31,6 +31,21 @@ StripInfluence::StripInfluence(const LengthGrid& grid, double mirror_factor) : g
     sources_.push_back(source(true, length, mirror_factor));
     sources_.push_back(source(true, -length, mirror_factor));
   }
+  all_ = summed();
+}
+
+std::vector<StripInfluence::Pair> StripInfluence::summed() const {
+  std::vector<Pair> all(sources_.front().pairs.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].nearest = sources_.front().pairs[k].nearest;
+    for (const Source& source : sources_) {
+      const Pair& pair = source.pairs[k];
+      for (std::size_t term = 0; term < std::size(pair.far); ++term)
+        all[k].far[term] += source.factor * pair.far[term];
+      all[k].nearest = std::min(all[k].nearest, pair.nearest);
+    }
+  }
+  return all;
 }
 
 StripInfluence::Source StripInfluence::source(bool image, double end, double factor) const {
@@ -93,19 +108,25 @@ void StripInfluence::evaluate(const Eigen::ArrayXd& half_width, StripMatrices& m
   for (Index i = 0; i < elements; ++i) {
     for (Index j = 0; j <= i; ++j, ++place) {
       const double width = std::sqrt(0.5 * (square(i) + square(j)));
+      const double far = StripFarField::from * width;
       Field sum;
-      for (const Source& source : sources_) {
-        const Pair& pair = source.pairs[place];
-        const Field field = pair.nearest > StripFarField::from * width
-                                ? far_field(pair, width)
-                                : near_field(corners(source, i, j), width);
-        sum.influence += source.factor * field.influence;
-        sum.widening += source.factor * field.widening;
+      if (all_[place].nearest > far) {
+        sum = far_field(all_[place], width);
+      } else {
+        for (const Source& source : sources_) {
+          const Pair& pair = source.pairs[place];
+          const Field field =
+              pair.nearest > far ? far_field(pair, width) : near_field(corners(source, i, j), width);
+          sum.influence += source.factor * field.influence;
+          sum.widening += source.factor * field.widening;
+        }
       }
-      matrices.influence(i, j) = matrices.influence(j, i) = sum.influence;
-      matrices.widening(i, j) = matrices.widening(j, i) = sum.widening;
+      matrices.influence(j, i) = sum.influence;
+      matrices.widening(j, i) = sum.widening;
     }
   }
+  for (Eigen::MatrixXd* matrix : {&matrices.influence, &matrices.widening})
+    matrix->triangularView<Eigen::StrictlyLower>() = matrix->transpose();
 }
 
 }  // namespace orbearing::bearing::half_space

@@ -45,12 +45,14 @@ class StripInfluence {
 
   Corners corners(const Source& source, Eigen::Index i, Eigen::Index j) const;
   Source source(bool image, double end, double factor) const;
+  std::vector<Pair> summed() const;
   static Pair pair_of(const Corners& corners);
   static Field far_field(const Pair& pair, double width);
   static Field near_field(const Corners& corners, double width);
 
   LengthGrid grid_;
   std::vector<Source> sources_;
+  std::vector<Pair> all_;  // over all sources, each with its factor; as near as the nearest
 };
 
 }  // namespace orbearing::bearing::half_space
