@@ -82,30 +82,30 @@ struct Bench {
         before(frozen::constants_of(without_pressed_oil(duty).model())),
         flat(contest.settled(kSettling)),
         flat_rate(flat.size()),
-        x(contest.vectorised().padded(flat)),
+        x(contest.fast().padded(flat)),
         rate(x.size()),
         k(x.size()),
-        stepper(contest.vectorised().padded(contest.allowed(1.0)), kTypicalStep) {}
+        stepper(contest.fast().padded(contest.allowed(1.0)), kTypicalStep) {}
 
   void step() {
     std::vector<double>& state = k;
     state = x;
     double t = 0.0, dt = kTypicalStep;
-    stepper.begin(contest.vectorised(), state, t);
-    stepper.try_step(contest.vectorised(), state, t, dt);
+    stepper.begin(contest.fast(), state, t);
+    stepper.try_step(contest.fast(), state, t, dt);
   }
 };
 
 void add_kernels(const std::shared_ptr<Bench>& b) {
-  bearing::vectorised::VectorBearing& vectorised = b->contest.vectorised();
+  bearing::vectorised::VectorBearing& fast = b->contest.fast();
   add("plain_rhs", [b] { b->plain.derivative(0.0, b->flat, b->flat_rate); });
   add("frozen_rhs", [b] { b->before.derivative(b->flat, b->flat_rate); });
-  add("rhs", [b, &vectorised] { vectorised.derivative(0.0, b->x.data(), b->rate.data()); });
-  add("jacobian", [b, &vectorised] { vectorised.linearise(0.0, b->x.data(), b->rate.data()); });
-  add("factor", [b, &vectorised] {
-    if (!vectorised.factor(kStageShare * kTypicalStep)) throw std::logic_error("singular at a settled state");
+  add("rhs", [b, &fast] { fast.derivative(0.0, b->x.data(), b->rate.data()); });
+  add("jacobian", [b, &fast] { fast.linearise(0.0, b->x.data(), b->rate.data()); });
+  add("factor", [b, &fast] {
+    if (!fast.factor(kStageShare * kTypicalStep)) throw std::logic_error("singular at a settled state");
   });
-  add("solve", [b, &vectorised] { vectorised.solve(b->rate.data(), b->k.data()); });
+  add("solve", [b, &fast] { fast.solve(b->rate.data(), b->k.data()); });
 }
 
 void add_step(const Duty& duty, int factor) {

@@ -38,7 +38,7 @@ class Paced {
         span_{std::max(kWatched * duty.cage_revolution(), kShortest), 1} {}
 
   void run() {
-    const Run done = contest_.run(Method::vectorised, start_, span_, contest_.duty().allowed_length_error);
+    const Run done = contest_.run(Method::fast, start_, span_, contest_.duty().allowed_length_error);
     std::printf("%.9g %.9g %ld\n", done.cpu_seconds, span_.duration, done.steps);
   }
   const Duty& duty() const { return contest_.duty(); }
@@ -51,7 +51,7 @@ class Paced {
 
 void print_errors(const Duty& duty) {
   Trial trial(duty);
-  const MeanErrors errors = trial.errors(Method::vectorised, duty.allowed_length_error);
+  const MeanErrors errors = trial.errors(Method::fast, duty.allowed_length_error);
   std::printf("%.6g %.6g %.6g\n", errors.rms, errors.load_max, errors.cage_speed);
 }
 

@@ -120,9 +120,8 @@ void put_real_time(const study::PlanetaryDrivetrain& drivetrain, Json& out) {
 }
 
 void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial, Json& out) {
-  say("accuracy of the vectorised equations");
-  out["errors"] =
-      errors_json(main_trial.errors(Method::vectorised, drivetrain.steady_state.allowed_length_error));
+  say("accuracy of the fast path");
+  out["errors"] = errors_json(main_trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
   out["fast_allowed_length_error_m"] =
       system::kLinearlyImplicitErrorFactor * drivetrain.steady_state.allowed_length_error;
   // What chance alone does to the means: RK4 at another step takes another path.
@@ -131,7 +130,7 @@ void put_errors(const study::PlanetaryDrivetrain& drivetrain, Trial& main_trial,
     Trial trial(duty_at(drivetrain, rpm, clearance));
     const std::string name = point_name(rpm, clearance);
     out["errors_at"][name] =
-        errors_json(trial.errors(Method::vectorised, drivetrain.steady_state.allowed_length_error));
+        errors_json(trial.errors(Method::fast, drivetrain.steady_state.allowed_length_error));
     if (rpm > 1000.0 && clearance > 0.0)
       out["reference_spread_at"][name] = errors_json(trial.errors(Method::rk4, kOtherReferenceStep));
   }
@@ -152,7 +151,7 @@ Json measure() {
   Trial frozen_trial(duty_at(shipped_reducer(MeshForces::constant, Squeeze::off), kMiddleSpeed, 0.0));
   check_frozen(frozen_trial, out);
   // The search needs no clock, and both equations agree to round-off: the faster ones serve it.
-  put_speedup(trial, frozen_trial, "dopri5", Method::vectorised_dopri5, Method::plain_dopri5, out);
+  put_speedup(trial, frozen_trial, "dopri5", Method::fast_dopri5, Method::plain_dopri5, out);
   put_speedup(trial, trial, "cvode", Method::cvode, Method::cvode, out);
   put_speedup(trial, trial, "cvode_order2", Method::cvode_order2, Method::cvode_order2, out);
   put_real_time(drivetrain, out);

@@ -30,8 +30,8 @@ void scatter(const bearing::vectorised::PaddedLayout& layout, const double* flat
 
 }  // namespace
 
-Contest::Contest(const Duty& duty) : duty_(duty), model_(duty.model()), vectorised_(model_) {
-  padded_state_ = vectorised_.padded(Eigen::VectorXd::Zero(model_.layout.size()));
+Contest::Contest(const Duty& duty) : duty_(duty), model_(duty.model()), fast_(model_) {
+  padded_state_ = fast_.padded(Eigen::VectorXd::Zero(model_.layout.size()));
   padded_rate_.resize(padded_state_.size());
 }
 
@@ -44,18 +44,18 @@ Eigen::VectorXd Contest::quasi_static_start() const {
 }
 
 Eigen::VectorXd Contest::settled(double duration) {
-  return run(Method::vectorised, quasi_static_start(), {duration}, duty_.allowed_length_error).state;
+  return run(Method::fast, quasi_static_start(), {duration}, duty_.allowed_length_error).state;
 }
 
 Run Contest::run(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {
   switch (method) {
-    case Method::vectorised:
+    case Method::fast:
       return run_fast(start, span, tolerance);
     case Method::cvode:
       return run_cvode(start, span, tolerance, kMostOrder);
     case Method::cvode_order2:
       return run_cvode(start, span, tolerance, 2);
-    case Method::vectorised_dopri5:
+    case Method::fast_dopri5:
     case Method::plain_dopri5:
     case Method::rk4:
       break;
@@ -74,7 +74,7 @@ Run Contest::run_fast(const Eigen::VectorXd& start, const Span& span, double tol
   Run result{.state = start};
   const Stopwatch watch;
   const integration::IntegrationReport report =
-      system::integrate_bearing(vectorised_, result.state, {0.0, span.duration, 1}, options, nullptr,
+      system::integrate_bearing(fast_, result.state, {0.0, span.duration, 1}, options, nullptr,
                                 span.samples > 0 ? system::StepObserver(on_step) : nullptr);
   finish(watch, start, span, tally, result);
   if (!report.completed) throw std::runtime_error(report.message);
@@ -93,9 +93,9 @@ void Contest::finish(const Stopwatch& watch, const Eigen::VectorXd& start, const
 }
 
 void Contest::derivative(double time, const double* x, double* dx) {
-  scatter(vectorised_.layout(), x, padded_state_.data());
-  vectorised_.derivative(time, padded_state_.data(), padded_rate_.data());
-  vectorised_.flatten(padded_rate_.data(), Eigen::Map<Eigen::VectorXd>(dx, model_.layout.size()));
+  scatter(fast_.layout(), x, padded_state_.data());
+  fast_.derivative(time, padded_state_.data(), padded_rate_.data());
+  fast_.flatten(padded_rate_.data(), Eigen::Map<Eigen::VectorXd>(dx, model_.layout.size()));
 }
 
 Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance) {
@@ -116,7 +116,7 @@ Run Contest::run_odeint(Method method, const Eigen::VectorXd& start, const Span&
   Eigen::VectorXd ignored(start.size());
   const auto observe = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
     derivative(time, x.data(), ignored.data());
-    tally.add(vectorised_.loads().inner, vectorised_.loads().outer, 1.0);
+    tally.add(fast_.loads().inner, fast_.loads().outer, 1.0);
   };
   const long samples = std::max(1L, span.samples);
   const integration::OutputTimes output{0.0, span.duration / static_cast<double>(samples), samples};
@@ -136,7 +136,7 @@ Run Contest::run_cvode(const Eigen::VectorXd& start, const Span& span, double to
   const auto rate = [&](double time, const double* x, double* dx) { derivative(time, x, dx); };
   const auto observe = [&](double time, const double* x) {
     derivative(time, x, ignored.data());
-    tally.add(vectorised_.loads().inner, vectorised_.loads().outer, 1.0);
+    tally.add(fast_.loads().inner, fast_.loads().outer, 1.0);
   };
   Run result{.state = start};
   const Stopwatch watch;

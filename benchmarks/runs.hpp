@@ -37,12 +37,12 @@ struct Span {
 
 /// The integrators that are compared.
 enum class Method {
-  vectorised,         // vectorised equations, linearly implicit stepper
-  vectorised_dopri5,  // vectorised equations, Odeint's controlled dopri5
-  plain_dopri5,       // frozen plain equations (frozen/), Odeint's controlled dopri5
-  cvode,              // vectorised equations, SUNDIALS CVODE BDF with dense Jacobian by differences
-  cvode_order2,       // the same with its order held at two, where BDF damps the ring's resonance
-  rk4,  // vectorised equations, classic Runge-Kutta at the fixed step `tolerance` [s]: the reference
+  fast,          // vectorised equations, linearly implicit stepper
+  fast_dopri5,   // vectorised equations, Odeint's controlled dopri5
+  plain_dopri5,  // frozen plain equations (frozen/), Odeint's controlled dopri5
+  cvode,         // vectorised equations, SUNDIALS CVODE BDF with dense Jacobian by differences
+  cvode_order2,  // the same with its order held at two, where BDF damps the ring's resonance
+  rk4,           // vectorised equations, classic Runge-Kutta at the fixed step `tolerance` [s]: the reference
 };
 
 /// A bearing with all integrators; not for use by two threads at once.
@@ -52,14 +52,14 @@ class Contest {
 
   /// Where the quasi-static bearing has rollers and rings.
   Eigen::VectorXd quasi_static_start() const;
-  /// The state after quasi-static start and `duration` [s] by the vectorised equations.
+  /// The state after quasi-static start and `duration` [s] by the fast path.
   Eigen::VectorXd settled(double duration);
   /// Runs from `start` by `method`. `tolerance` [m] is the allowed error of lengths in one step, from which
-  /// those of all other variables follow; the vectorised equations turns it into its own (bearing_steps.hpp).
-  /// Throws std::runtime_error where the integrator gives up.
+  /// those of all other variables follow; the fast path turns it into its own (bearing_steps.hpp). Throws
+  /// std::runtime_error where the integrator gives up.
   Run run(Method method, const Eigen::VectorXd& start, const Span& span, double tolerance);
 
-  bearing::vectorised::VectorBearing& vectorised() { return vectorised_; }
+  bearing::vectorised::VectorBearing& fast() { return fast_; }
   const Duty& duty() const { return duty_; }
   /// Allowed error of each variable in one step.
   Eigen::VectorXd allowed(double length) const;
@@ -74,7 +74,7 @@ class Contest {
 
   Duty duty_;
   bearing::motion::BearingModel model_;
-  bearing::vectorised::VectorBearing vectorised_;
+  bearing::vectorised::VectorBearing fast_;
   std::vector<double> padded_state_;
   std::vector<double> padded_rate_;
 };

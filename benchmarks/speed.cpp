@@ -22,7 +22,7 @@ constexpr double kSweepDuration = 0.13;  // [s]
 
 void simulate(const study::PlanetaryDrivetrain& drivetrain, double rpm, double clearance) {
   Contest contest(duty_at(drivetrain, rpm, clearance));
-  contest.run(Method::vectorised, contest.quasi_static_start(), {kSweepDuration, 1},
+  contest.run(Method::fast, contest.quasi_static_start(), {kSweepDuration, 1},
               contest.duty().allowed_length_error);
 }
 
@@ -47,11 +47,11 @@ Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance) 
   const Span one{trial.span.duration / kRevolutions};
   std::vector<double> ratios;
   for (int pair = 0; pair < kPairs; ++pair) {
-    const double vectorised =
-        trial.contest.run(Method::vectorised, trial.start, one, trial.contest.duty().allowed_length_error)
+    const double fast =
+        trial.contest.run(Method::fast, trial.start, one, trial.contest.duty().allowed_length_error)
             .cpu_seconds;
     const double other = theirs.contest.run(method, theirs.start, one, tolerance).cpu_seconds;
-    ratios.push_back(other / vectorised);
+    ratios.push_back(other / fast);
   }
   return quartiles(ratios);
 }
@@ -63,8 +63,8 @@ double real_time(const Duty& duty) {
   std::vector<double> factors;
   for (int run = 0; run < kRealTimeRuns; ++run)
     factors.push_back(
-        duration / contest.run(Method::vectorised, start, {duration, 1}, contest.duty().allowed_length_error)
-                       .cpu_seconds);
+        duration /
+        contest.run(Method::fast, start, {duration, 1}, contest.duty().allowed_length_error).cpu_seconds);
   return median(factors);
 }
 

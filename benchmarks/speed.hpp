@@ -6,13 +6,13 @@
 
 namespace orbearing::bench {
 
-/// How many times faster the vectorised equations is in `trial` than `method` at its tolerance in `theirs`,
-/// which differs from it by what the equations of that method do not know: over pairs of runs taken in turn,
-/// CPU time of this thread.
+/// How many times faster the fast path is in `trial` than `method` at its tolerance in `theirs`, which
+/// differs from it by what the equations of that method do not know: over pairs of runs taken in turn, CPU
+/// time of this thread.
 Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance);
 
-/// Simulated over computing time: the vectorised equations, loads watched, over at least one cage revolution
-/// from the settled state; median of three.
+/// Simulated over computing time: the fast path, loads watched, over at least one cage revolution from the
+/// settled state; median of three.
 double real_time(const Duty& duty);
 
 /// Wall time [s] of twelve speeds, 0.13 s simulated each from the quasi-static state, on two threads; median

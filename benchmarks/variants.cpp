@@ -42,11 +42,11 @@ struct Count {
 struct Variant {
   explicit Variant(const Duty& duty)
       : contest(std::make_unique<Contest>(duty)),
-        state(contest->vectorised().padded(contest->settled(kSettled))),
+        state(contest->fast().padded(contest->settled(kSettled))),
         longest(system::longest_step(contest->duty().model())),
-        stepper(system::linearly_implicit_errors(contest->vectorised(),
-                                                 contest->allowed(duty.allowed_length_error)),
-                longest) {}
+        stepper(
+            system::linearly_implicit_errors(contest->fast(), contest->allowed(duty.allowed_length_error)),
+            longest) {}
 
   std::unique_ptr<Contest> contest;
   std::vector<double> state;
@@ -66,7 +66,7 @@ Count run_alone(Variant& variant) {
   std::vector<double> x = variant.state;
   while (time < kWatched) {
     ++count.attempts;
-    if (variant.stepper.try_step(variant.contest->vectorised(), x, time, step) == integration::kAccepted)
+    if (variant.stepper.try_step(variant.contest->fast(), x, time, step) == integration::kAccepted)
       ++count.steps;
   }
   return count;
@@ -86,7 +86,7 @@ Count run_together(std::vector<Variant>& variants, int lanes) {
   while (time < kWatched) {
     for (int i = 0; i < lanes; ++i) {
       Variant& one = variants[static_cast<std::size_t>(i)];
-      one.stepper.begin(one.contest->vectorised(), x[static_cast<std::size_t>(i)], time);
+      one.stepper.begin(one.contest->fast(), x[static_cast<std::size_t>(i)], time);
     }
     while (true) {
       ++count.attempts;
@@ -94,7 +94,7 @@ Count run_together(std::vector<Variant>& variants, int lanes) {
       for (int i = 0; i < lanes; ++i) {
         Variant& one = variants[static_cast<std::size_t>(i)];
         const double own =
-            one.stepper.attempt(one.contest->vectorised(), x[static_cast<std::size_t>(i)], time, step);
+            one.stepper.attempt(one.contest->fast(), x[static_cast<std::size_t>(i)], time, step);
         error = own <= error ? error : own;  // one that is not a number counts
       }
       const double taken = step;
@@ -116,7 +116,7 @@ Json to_json(const Count& count) {
   return {{"steps", count.steps}, {"refused", count.refused()}};
 }
 
-// What a common step costs is seen only with the same steps.
+// What a common step costs is told only by the same steps.
 void check_lockstep(std::vector<Variant>& variants, const Count& alone) {
   const Count together = run_together(variants, 1);
   if (together.steps != alone.steps || together.attempts != alone.attempts)
@@ -183,7 +183,7 @@ Json step_shares(const study::PlanetaryDrivetrain& drivetrain) {
       const Stopwatch watch;
       for (long k = 0; k < kTimedSteps; ++k) {
         double step = kFirstTrial;  // so short that none is refused
-        one.stepper.try_step(one.contest->vectorised(), state, time, step);
+        one.stepper.try_step(one.contest->fast(), state, time, step);
       }
       times.push_back(1e9 * watch.cpu() / kTimedSteps);
     }

@@ -37,6 +37,7 @@ CoupledSystem::CoupledSystem(const CoupledModel& model, long bins, bool turning)
   bearing_size_ = bearings_.front().layout().size();
   port_loads_.force.setZero(2, model.gears.layout.planets);
   port_loads_.moment.setZero(model.gears.layout.planets);
+  stage_loads_ = port_loads_;
   right_.resize(freedoms());
   rate_.resize(freedoms());
   gear_rate_.resize(2 * freedoms());
@@ -137,15 +138,16 @@ bool CoupledSystem::factor(double g) {
 void CoupledSystem::solve(const double* rhs, double* k) {
   const Eigen::Index n = freedoms();
   right_ = model_.gears.mass.cwiseProduct(part(rhs, n)) + g_ * (slopes_.by_position * part(rhs, 0));
+  stage_loads_.force.setZero();
+  stage_loads_.moment.setZero();
   for (int b = 0; b < bearings(); ++b) {
     double(&force)[3] = reduced_[static_cast<std::size_t>(b)].force;
     bearings_[static_cast<std::size_t>(b)].reduce(of_bearing(rhs, b), of_bearing(k, b), force);
-    const PlanetPort& port = model_.port_of(b);
-    const Eigen::Vector3d on_planet(force[0], force[1], force[2]);
-    right_.segment<3>(SetLayout::carrier()) += port.of_carrier.transpose() * on_planet;
-    right_.segment<3>(port.planet_index) += port.of_planet.transpose() * on_planet;
-    if (model_.gears.load_index >= 0) right_[model_.gears.load_index] += model_.gears.load_share * force[2];
+    const int planet = b / model_.per_planet;
+    stage_loads_.force.col(planet) += Eigen::Vector2d(force[0], force[1]);
+    stage_loads_.moment[planet] += force[2];
   }
+  add_port_loads(model_.gears, stage_loads_, right_);
   rate_ = (model_.gears.mobility.array() != 0.0).select(right_, 0.0);
   matrix_.solve(rate_);
   Eigen::Map<Eigen::VectorXd>(k + n, n) = rate_;

@@ -63,6 +63,9 @@ class CoupledSystem {
   std::vector<bool> counted;  // (bearings)  their loads of this step are in the sums already
   long steps = 0;             // [-]  accepted since construction
 
+  /// Whether the matrix holds the rotations of the planets.
+  bool turning() const { return turning_; }
+
   /// What bearing `b` does to its planet at the last linearisation.
   const bearing::motion::BoreReaction& begin_reaction(int b) const {
     return begin_reactions_[static_cast<std::size_t>(b)];
@@ -97,7 +100,7 @@ class CoupledSystem {
   };
   std::vector<Reduced> reduced_;     // (bearings)  of the stage that is being solved
   std::vector<double> bore_speed_;  // [rad/s]  (bearings)  at the last linearisation
-  gearset::dynamics::PortLoads port_loads_;
+  gearset::dynamics::PortLoads port_loads_, stage_loads_;
   gearset::dynamics::ForceSlopes slopes_;
   gearset::dynamics::StageMatrix matrix_;
   Eigen::VectorXd right_, rate_;

@@ -118,7 +118,7 @@ struct Monolithic::Inside {
   CoupledModel model_;
   gearset::dynamics::PlanetarySetEquations equations;
   WithAllSlopes system_;
-  CoupledSteps stepper_;                            // of order 2
+  std::optional<CoupledSteps> substepping_;         // of order 2
   std::optional<integration::Rosenbrock4> smooth_;  // in its place where nothing bounces
   long rejected_ = 0;                               // [-]  attempts
   std::vector<double> x_;       // as far as steps have gone
@@ -136,13 +136,15 @@ Monolithic::Inside::Inside(const CoupledSetup& setup)
       model_(coupled_model(setup)),
       equations(model_.gears),
       system_(model_, setup.bearing.bins, is_smooth(model_)),
-      stepper_(system_, step_options(setup, model_, system_)),
       x_(system_.size(), 0.0),
       before_(x_),
       shown_(x_),
       turned_(static_cast<std::size_t>(system_.bearings()), 0.0),
       angle_(turned_) {
-  if (is_smooth(model_)) smooth_.emplace(smooth_steps(setup, model_, system_));
+  if (system_.turning())
+    smooth_.emplace(smooth_steps(setup, model_, system_));
+  else
+    substepping_.emplace(system_, step_options(setup, model_, system_));
 }
 
 void Monolithic::Inside::start(double time, const CoupledStart& start) {
@@ -193,7 +195,7 @@ void Monolithic::Inside::one_step() {
   if (smooth_)
     integration::step_within_window(*smooth_, system_, x_, piece_.done, length, limits, step_, attempts);
   else
-    integration::step_within_window(stepper_, static_cast<CoupledSystem&>(system_), x_, piece_.done, length,
+    integration::step_within_window(*substepping_, static_cast<CoupledSystem&>(system_), x_, piece_.done, length,
                                     limits, step_, attempts);
   rejected_ += attempts - 1;
   reached_ = piece_.done >= length ? piece_.end : piece_.begin + piece_.done;
@@ -367,7 +369,7 @@ integration::IntegrationReport Monolithic::report() const {
           .rejected = inside_->rejected_};
 }
 long Monolithic::substepped() const {
-  return inside_->stepper_.substepped();
+  return inside_->substepping_ ? inside_->substepping_->substepped() : 0;
 }
 
 DrivenGearsOutput Monolithic::gears() const {

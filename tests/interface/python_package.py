@@ -61,6 +61,23 @@ class TheSameNumbers(unittest.TestCase):
         np.testing.assert_array_equal(again[::-1], table)  # whatever order and threads
         self.assertEqual(set(status), {"ok"})
 
+    def test_variants_in_motion_have_the_same_bits_in_any_order_on_any_threads(self):
+        """Issue 17, Build 3: neighbouring speeds and clearances, one way and as one system, with oil on races and in pockets."""
+        case = orbearing.load(REDUCER)
+        for path, value in {"film.enabled": "true", "contact.squeeze": "true", "bearing.cage.pocket_film": "hydrodynamic",
+                            "simulation.observed_revolutions": "1", "simulation.most_revolutions": "2"}.items():
+            case[path] = value
+        rows = np.array([[speed, clearance] for speed in (580.0, 600.0, 620.0) for clearance in (0.0, 20e-6)])
+        order = np.random.default_rng(1).permutation(len(rows))
+        for fidelity in ("dynamic", "monolithic"):
+            with self.subTest(fidelity):
+                paths = ["input.speed", "bearing.radial_clearance"]
+                columns, table, status = case.evaluate(paths, rows, fidelity=fidelity, jobs=1)
+                again = case.evaluate(paths, rows[order], fidelity=fidelity, jobs=2)[1]
+                np.testing.assert_array_equal(again, table[order])
+                lives = table[:, columns.index("life_h")]
+                self.assertEqual((set(status), len(set(lives))), ({"ok"}, len(rows)))
+
     def test_200_sweeps_in_one_call(self):
         case = orbearing.load(REDUCER)
         speeds = np.tile(np.linspace(1000, 12000, 12) * np.pi / 30, 200)

@@ -66,13 +66,13 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenU
     const RollerBlock& block = block_[p];
     const Pack dr = load(entry(rhs, 0, p)), dtheta = load(entry(rhs, 1, p));
     const ContactForce<Pack> inner = shifted(at.inner, shift_of(at, dr, dtheta, pin[0], pin[1]));
-    const ContactForce<Pack> outer = shifted(at.outer, shift_of(at, dr, dtheta, bore[0], bore[1]));
+    const Shift of_bore = shift_of(at, dr, dtheta, bore[0], bore[1]);
+    const ContactForce<Pack> outer = shifted(at.outer, of_bore);
     react(inner.f_r, inner.f_t, at.cosine, at.sine, loads.pin);
     react(outer.f_r, outer.f_t, at.cosine, at.sine, loads.bore);
     if (OpenBore && turning_) {
-      const Shift shift = shift_of(at, dr, dtheta, bore[0], bore[1]);
-      bore_moment -= bore_arm(at).moment(outer.f_r, outer.f_t, outer.moment) + shift.d_r * at.outer_t -
-                     shift.d_t * at.outer_r;
+      bore_moment -= bore_arm(at).moment(outer.f_r, outer.f_t, outer.moment) + of_bore.d_r * at.outer_t -
+                     of_bore.d_t * at.outer_r;
     }
     Pack f_r = inner.f_r + outer.f_r, f_t = inner.f_t + outer.f_t, moment = inner.moment + outer.moment;
     if (at.caged) {
