@@ -1,4 +1,4 @@
-// ToothWarnings on teeth that run all the same, for every kind of gear train.
+// Warnings of teeth that run all the same, for every kind of gear train.
 #pragma once
 
 #include <string>

@@ -43,7 +43,7 @@ inline bool is_round(const Bearing& bearing) {
 }
 
 /// Whether the bearing repeats itself when the cage turns by one roller pitch: equal rollers,
-/// out-of-roundness forms.
+/// no waves but out-of-roundness.
 inline bool every_pitch_alike(const Bearing& bearing) {
   const auto turns = [](const RaceHarmonic& wave) { return wave.turning; };
   return bearing.rollers().diameter_deviation.empty() &&

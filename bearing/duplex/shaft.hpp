@@ -35,10 +35,9 @@ const char* name_of(ModeKind kind);
 
 /// Which tilt moves the shaft in the plane of x and z.
 enum class TiltPlanes {
-  physical,            // that about y
-  literature_variant,  // that about x: the calculated column of [FangDuplex] pairs the inertia about x with
-                       // motion in
-                       // x
+  physical,  // that about y
+  // That about x: the calculated column of [FangDuplex] pairs the inertia about x with motion in x.
+  literature_variant,
 };
 
 /// One natural mode: the freedom that holds most of its energy names it.

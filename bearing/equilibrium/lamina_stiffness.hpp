@@ -7,8 +7,8 @@
 
 namespace orbearing::bearing::laminae {
 
-/// Stiffness [N/m] of one settled roller between races that approach each other in the middle and at their
-/// tips, x = l/2: README.md (13).
+/// Stiffness [N/m] of one settled roller between races that approach each other in the middle and at
+/// x = l/2: README.md (13).
 Eigen::Matrix2d roller_stiffness(const RollerState& roller);
 
 /// Slope of the load on the bore and of the moment that holds its tilt by its displacement (x, y) and tilt

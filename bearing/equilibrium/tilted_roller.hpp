@@ -1,11 +1,9 @@
 // One roller between two races that are tilted against each other: where it settles and how it tilts.
 //
-//        outer race  ------------------____      ^ outward      tips: how much further outward a body stands
-//        at
-//                     _________________              |               x = l/2 than in the middle
-//        roller      |________________|-->x      |               approach: by how much the races have come
-//        closer inner race  -------------------         |               in the middle than unloaded dry
-//        contacts allow
+//   outer race  ------------------____    ^ outward   end displacement: how much further outward
+//                _________________        |           a body stands at x = l/2 than in the middle
+//   roller      |_________________|-->x   |           approach: by how much the races have come closer
+//   inner race  -------------------       |           in the middle than unloaded dry contacts allow
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What rollers that pass do to the races of a bearing, and the life that it leaves: the one bin where loads
+// What rollers that pass do to the races of a bearing, and the life that it leaves: the one place where loads
 // in motion are counted. A passage counts where and when it happens: rollers that stand closer together, or
 // a cage that runs ahead or lags, load a race more or less often than pure rolling would.
 #pragma once

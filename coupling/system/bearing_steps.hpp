@@ -54,7 +54,7 @@ inline constexpr double kStoppedBlow = 0.05;  // [m/s]
 double longest_step(const bearing::motion::BearingModel& model);
 
 /// Whether the matrix of `model` holds all slopes of its rates, which steps of order 3 and 4 ask for: those
-/// of tips, waves of the rim and turning races by themselves are left out.
+/// of tilts, waves of the rim and turning races by themselves are left out.
 bool has_all_slopes(const bearing::motion::BearingModel& model);
 
 /// Order of the linearly implicit steps that suit `model`. Order 2 where impacts keep their energy, for steps

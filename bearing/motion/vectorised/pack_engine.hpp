@@ -49,7 +49,7 @@ struct RollerPack {
   ContactSlopes<Pack> inner, outer;
   Pack outer_r, outer_t;  // [N]  force of the outer race on the roller
   PocketSlopes pocket;
-  Pack tip_by_end_displacement, tip_by_inner, tip_by_outer;  // [1/s]  LaminaStand
+  Pack rate_by_end_displacement, rate_by_inner, rate_by_outer;  // [1/s]  LaminaStand
   bool caged = false;
 };
 
@@ -61,7 +61,7 @@ struct NeighbourPack {
 /// Numbers of the neighbours of each roller, moved into its lane.
 class Neighbours {
  public:
-  static constexpr int kGroups = 6;  // of the state, the tips with it
+  static constexpr int kGroups = 6;  // of the state, the end displacements with it
 
   explicit Neighbours(int packs)
       : lanes_(packs * kLanes), ahead_(kGroups * packs), behind_(kGroups * packs) {}
@@ -176,7 +176,7 @@ class PackEngine final : public Engine {
   void complete(const double* rhs, const double (&rate)[3], double* k) const override;
 
  private:
-  static constexpr int kTip = 5;  // group of the tips in the state
+  static constexpr int kEndDisplacement = 5;  // group of the end displacements in the state
   using GuidanceDual = Dual<5>;   // by offset x y, velocity x y, cage speed
 
   // What a full complement takes is compiled apart, so that bearings with a cage do not carry it: their
@@ -347,7 +347,7 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
   };
   ContactSlopes<PackPair> slopes;
   LaminaStand stand;
-  if (layout_.tilting) stand.end_displacement = load(entry(x, kTip, p));
+  if (layout_.tilting) stand.end_displacement = load(entry(x, kEndDisplacement, p));
   const ContactForce<PackPair> races = race_contact<WithSlopes>(
       races_, radius, here, cosine, sine,
       {p * kLanes, x + layout_.turned(), x + layout_.wave(), x + layout_.wave_speed(), &wave_force_[0]},
@@ -359,11 +359,11 @@ void PackEngine::evaluate_rollers(int p, const double* x, double* dx, RingLoads&
     tip_[p] = stand.end_displacement;
   }
   if (layout_.tilting) {
-    store(only(here, stand.rate), entry(dx, kTip, p));
+    store(only(here, stand.rate), entry(dx, kEndDisplacement, p));
     if constexpr (WithSlopes) {
-      linear.tip_by_end_displacement = stand.by_end_displacement;
-      linear.tip_by_inner = stand.by_inner;
-      linear.tip_by_outer = stand.by_outer;
+      linear.rate_by_end_displacement = stand.by_end_displacement;
+      linear.rate_by_inner = stand.by_inner;
+      linear.rate_by_outer = stand.by_outer;
     }
   }
   if constexpr (WithSlopes) {

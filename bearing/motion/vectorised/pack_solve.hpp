@@ -158,7 +158,7 @@ void PackEngine::reduce_rollers(const double* rhs, double* k, double (&b)[kOpenU
   b[6] = of_rollers[6] + cage[5] + (g / c_.cage_inertia) * land[2];
 }
 
-/// Rates of the tips, once those of roller and rings are known; `shift` is that of the rollers' radii. Where
+/// Rates of the end displacements, once those of roller and rings are known; `shift` is that of the rollers' radii. Where
 /// the rollers stand in their contacts is taken along the ray from the origin, which leaves that of the rings
 /// out.
 inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift,
@@ -169,9 +169,9 @@ inline void PackEngine::tilt_rollers(int p, const double* rhs, const Pack& shift
     return (ring[0] + g_ * b[first]) * at.cosine + (ring[1] + g_ * b[first + 1]) * at.sine;
   };
   const Pack inner = along(pin, kPin) - shift, outer = shift - along(bore, kBore);
-  store((load(entry(rhs, kTip, p)) + g_ * (at.tip_by_inner * inner + at.tip_by_outer * outer)) /
-            (1.0 - g_ * at.tip_by_end_displacement),
-        entry(k, kTip, p));
+  store((load(entry(rhs, kEndDisplacement, p)) + g_ * (at.rate_by_inner * inner + at.rate_by_outer * outer)) /
+            (1.0 - g_ * at.rate_by_end_displacement),
+        entry(k, kEndDisplacement, p));
 }
 
 /// Rates of the waves of an elastic rim, each by itself: that they move rollers and rollers move them is left

@@ -194,7 +194,7 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   const Vector2 tilt(0.4e-3, -0.3e-3);
   const LaminaRaces races(contact(0.6e-6, kLaminae), contact(0.6e-6, kLaminae), tilt);
   EXPECT_EQ(uneven_laminae(&races), kLaminae);
-  constexpr double kTip = 0.2e-6;  // [m]
+  constexpr double kEndDisplacement = 0.2e-6;  // [m]
   Eigen::ArrayXd inner = Eigen::ArrayXd::Zero(kLaminae), outer = inner, pin = inner, bore = inner;
   double largest = 0.0;
   for (Eigen::Index bin = 0; bin < kBins; ++bin) {
@@ -202,9 +202,9 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
     const double outer_end_displacement =
         0.5 * 5.7e-3 * (tilt.x() * std::cos(angle) + tilt.y() * std::sin(angle));
     const double approach = 1e-9 * load_at(bin);
-    const Eigen::ArrayXd on_inner = 2.0 * races.inner().loads(approach, -kTip).load;
+    const Eigen::ArrayXd on_inner = 2.0 * races.inner().loads(approach, -kEndDisplacement).load;
     const Eigen::ArrayXd on_outer =
-        2.0 * races.outer().loads(0.9 * approach, kTip - outer_end_displacement).load;
+        2.0 * races.outer().loads(0.9 * approach, kEndDisplacement - outer_end_displacement).load;
     inner += on_inner.pow(4.5) / kBins;
     outer += on_outer.pow(4.0) / kBins;
     pin += on_inner.pow(4.0) / kBins;
@@ -216,12 +216,12 @@ TEST(LaminaDamage, OfCrownedTiltedRollersIsTheSumOverLaminae) {
   const double outer_capacity = share * contact_capacity(bearing, Race::outer, kLambda);
   const double on_pin = (inner / std::pow(inner_capacity, 4.5)).sum();
   const double on_bore = (outer.pow(4.5 / 4.0) / std::pow(outer_capacity, 4.5)).sum();
-  const DamageSums sums = lamina_damage(races, kLaminae, kTip);
+  const DamageSums sums = lamina_damage(races, kLaminae, kEndDisplacement);
   const BearingLife life = sums.life(bearing, kLambda);
   EXPECT_NEAR(life.inner, 1e6 * std::pow(on_pin, -8.0 / 9.0), kRoundOff * life.inner);
   EXPECT_NEAR(life.outer, 1e6 * std::pow(on_bore, -8.0 / 9.0), kRoundOff * life.outer);
   EXPECT_NEAR(sums.inner.lamina_largest, largest, kRoundOff * largest);
-  EXPECT_NE(life.inner, lamina_damage(races, 0, kTip).life(bearing, kLambda).inner);
+  EXPECT_NE(life.inner, lamina_damage(races, 0, kEndDisplacement).life(bearing, kLambda).inner);
   // Where the pin turns under a load that stands on the bore, the exponents change races; nothing else does.
   bearing.motions = rating::turning(Race::inner);
   const BearingLife swapped = sums.life(bearing, kLambda);
