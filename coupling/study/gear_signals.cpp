@@ -50,8 +50,13 @@ GearSignals::GearSignals(Eigen::Index planets, int harmonics) : waves_(harmonics
 void GearSignals::add(double periods, const gearset::dynamics::SetSnapshot& now) {
   ++samples_;
   const double angle = two_pi * (periods - std::floor(periods));
-  for (Eigen::Index i = 0; i < waves_.size(); ++i)
-    waves_[i] = std::polar(1.0, -angle * static_cast<double>(i + 1));
+  const std::complex<double> first = std::polar(1.0, -angle);
+  for (Eigen::Index i = 0; i < waves_.size(); ++i) {
+    // Products of real numbers: the library's asks whether they are finite.
+    const std::complex<double> before = i == 0 ? 1.0 : waves_[i - 1];
+    waves_[i] = {before.real() * first.real() - before.imag() * first.imag(),
+                 before.real() * first.imag() + before.imag() * first.real()};
+  }
   for (std::size_t i = 0; i < planets_.size(); ++i) {
     const auto n = static_cast<Eigen::Index>(i);
     planets_[i].sun_mesh.add(now.sun_mesh_force[n], waves_);
