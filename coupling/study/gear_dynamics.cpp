@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/snapshot.hpp"
 #include "gearset/dynamics/static_state.hpp"
 
@@ -47,9 +48,7 @@ struct RunAway : std::runtime_error {
 void require_on_pins(const SetModel& model, double time, const Eigen::Ref<const Eigen::VectorXd>& x) {
   const double most = kRunAway * model.parameters.carrier.radius;
   for (const gearset::dynamics::PlanetBearing& bearing : model.bearings) {
-    const Eigen::Index carrier = gearset::dynamics::SetLayout::carrier();
-    const double off = std::hypot(bearing.radial.of(x, carrier, bearing.planet_index),
-                                  bearing.tangential.of(x, carrier, bearing.planet_index));
+    const double off = bearing_deflection(bearing, x).norm();
     if (off <= most) continue;
     std::ostringstream text;
     text << "a planet stands " << 1e3 * off << " mm off its pin at t = " << time

@@ -12,17 +12,22 @@ inline AffineBearing bearing_law(const PlanetMember& planet) {
           .damping = planet.bearing_damping * Eigen::Matrix2d::Identity()};
 }
 
+/// Displacement of the pin from the planet's axis at `q` [m], or its rate at velocities [m/s]: outward and in
+/// the sense of rotation, its error left out.
+inline Eigen::Vector2d bearing_deflection(const PlanetBearing& bearing,
+                                          const Eigen::Ref<const Eigen::VectorXd>& q) {
+  const Eigen::Index carrier = SetLayout::carrier();
+  return {bearing.radial.of(q, carrier, bearing.planet_index),
+          bearing.tangential.of(q, carrier, bearing.planet_index)};
+}
+
 /// Force [N] on the planet, outward and in the sense of rotation; reversed on the pin. Eq. (6) of
 /// gearset/dynamics/README.md.
 /// @param q, v positions and velocities (freedoms)
 inline Eigen::Vector2d bearing_force(const PlanetMember& planet, const PlanetBearing& bearing,
                                      const Eigen::Ref<const Eigen::VectorXd>& q,
                                      const Eigen::Ref<const Eigen::VectorXd>& v) {
-  const Eigen::Index carrier = SetLayout::carrier();
-  const Eigen::Vector2d deflection(bearing.radial.of(q, carrier, bearing.planet_index),
-                                   bearing.tangential.of(q, carrier, bearing.planet_index));
-  const Eigen::Vector2d rate(bearing.radial.of(v, carrier, bearing.planet_index),
-                             bearing.tangential.of(v, carrier, bearing.planet_index));
+  const Eigen::Vector2d deflection = bearing_deflection(bearing, q), rate = bearing_deflection(bearing, v);
   if (const auto& law = planet.affine_bearing)
     return law->force + law->stiffness * (deflection + bearing.pin_error) + law->damping * rate;
   return planet.bearing_stiffness * (deflection + bearing.pin_error) + planet.bearing_damping * rate;

@@ -26,18 +26,13 @@ double centrifugal_energy(const SetModel& model, const CarrierTurn& turn, const 
   return -0.5 * turn.centrifugal * squares;
 }
 
-Eigen::Vector2d deflection(const PlanetBearing& bearing, const State& q) {
-  return {bearing.radial.of(q, SetLayout::carrier(), bearing.planet_index),
-          bearing.tangential.of(q, SetLayout::carrier(), bearing.planet_index)};
-}
-
 // Of the symmetric part of the stiffness; the rest stores nothing.
 double bearing_energy(const SetModel& model, const State& q) {
   if (model.parameters.planet.coupled_bearing) return 0.0;
   const AffineBearing law = bearing_law(model.parameters.planet);
   double sum = 0.0;
   for (const PlanetBearing& bearing : model.bearings) {
-    const Eigen::Vector2d along = deflection(bearing, q) + bearing.pin_error;
+    const Eigen::Vector2d along = bearing_deflection(bearing, q) + bearing.pin_error;
     sum += along.dot(law.force + 0.5 * (law.stiffness * along));
   }
   return sum;
@@ -68,9 +63,9 @@ void add_bearing_loss(const SetModel& model, const State& q, const State& v, Pow
   const AffineBearing law = bearing_law(model.parameters.planet);
   const Eigen::Matrix2d circulatory = 0.5 * (law.stiffness - law.stiffness.transpose());
   for (const PlanetBearing& bearing : model.bearings) {
-    const Eigen::Vector2d rate = deflection(bearing, v);
+    const Eigen::Vector2d rate = bearing_deflection(bearing, v);
     flow.bearing_loss +=
-        rate.dot(law.damping * rate + circulatory * (deflection(bearing, q) + bearing.pin_error));
+        rate.dot(law.damping * rate + circulatory * (bearing_deflection(bearing, q) + bearing.pin_error));
   }
 }
 

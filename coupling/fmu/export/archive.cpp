@@ -9,7 +9,8 @@ namespace orbearing::fmu {
 
 namespace {
 
-// The least effort would make files a tenth larger than the most; this makes them 3 % larger, in a ninth of the time.
+// The least effort would make files a tenth larger than the most; this makes them 3 % larger, in a ninth of
+// the time.
 constexpr zip_uint32_t kCompression = 4;
 constexpr zip_uint16_t kFirstDay = 0x21;  // 1 January 1980, so that no clock gets into the archive
 

@@ -519,7 +519,9 @@ inline Change change_of(const Field& field, const ResolvedCase& in, const std::s
     return {"6400 rpm"};
   if (const auto stated = stated_changes().find(field.path); stated != stated_changes().end())
     return stated->second;
-  if (field.path.find(".out_of_roundness.") != std::string::npos || field.path.find(".waviness.") != std::string::npos) return wave_change(field.path);
+  if (field.path.find(".out_of_roundness.") != std::string::npos ||
+      field.path.find(".waviness.") != std::string::npos)
+    return wave_change(field.path);
   const std::string now = in.has(path) ? in.given(path) : "";
   switch (field.kind) {
     case Kind::flag:

@@ -1,5 +1,5 @@
-// Effects of the motion in time are data, switched one at a time: each one does something, and a switch undoes itself.
-// Issue 13, Build 6.
+// Effects of the motion in time are data, switched one at a time: each one does something, and a switch
+// undoes itself. Issue 13, Build 6.
 #include "app/study/effects.hpp"
 
 #include <gtest/gtest.h>

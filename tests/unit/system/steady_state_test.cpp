@@ -1,5 +1,5 @@
-// When means stand still, and what becomes of the means of several bearings: one criterion for the free bearing, the
-// driven one and one system. Issue 13, Build 3.
+// When means stand still, and what becomes of the means of several bearings: one criterion for the free
+// bearing, the driven one and one system. Issue 13, Build 3.
 #include "coupling/system/steady_state.hpp"
 
 #include <gtest/gtest.h>
