@@ -9,6 +9,8 @@ namespace orbearing::study {
 
 namespace {
 
+constexpr double kKept = 0.5;  // [-]  of the weight of earlier motions
+
 using Eigen::Index;
 using Eigen::MatrixXd;
 using gearset::dynamics::AffineBearing;
@@ -31,6 +33,15 @@ MatrixXd departure(const MatrixXd& motion, const MatrixXd& unexplained) {
   matrix << motion, scatter * Eigen::Matrix4d::Identity();
   right.topRows(motion.rows()) = unexplained;
   return mechanics::least_squares(matrix, right);
+}
+
+// Dampers that give energy are chance, of a motion too short or too small: their symmetric part becomes the
+// nearest one that gives none.
+void take_energy(Unknowns& law) {
+  const Eigen::Matrix2d damping = law.bottomRows<2>(), even = 0.5 * (damping + damping.transpose());
+  const mechanics::SymmetricModes modes = mechanics::symmetric_modes(even);
+  law.bottomRows<2>() +=
+      modes.vectors * modes.values.cwiseMin(0.0).cwiseAbs().asDiagonal() * modes.vectors.transpose();
 }
 
 }  // namespace
@@ -59,33 +70,56 @@ void AffineFit::add(const system::BoreSample& sample) {
   }
 }
 
-FittedBearing AffineFit::law(const AffineBearing& expected, const AffineBearing& before) const {
-  const Index rows = 2 * static_cast<Index>(orders_.size());
+MatrixXd AffineFit::harmonics() const {
   const Row mean = sum_ / weight_;
-  MatrixXd all(rows, 6);
-  for (Index k = 0; k < rows / 2; ++k) {
+  MatrixXd rows(2 * static_cast<Index>(orders_.size()), 6);
+  for (Index k = 0; k < rows.rows() / 2; ++k) {
     const Order& order = orders_[static_cast<std::size_t>(k)];
-    all.row(2 * k) = 2.0 / weight_ * (order.cosine - order.cosine_weight * mean);
-    all.row(2 * k + 1) = 2.0 / weight_ * (order.sine - order.sine_weight * mean);
+    rows.row(2 * k) = 2.0 / weight_ * (order.cosine - order.cosine_weight * mean);
+    rows.row(2 * k + 1) = 2.0 / weight_ * (order.sine - order.sine_weight * mean);
   }
-  const MatrixXd motion = all.leftCols<4>(), force = all.rightCols<2>();
+  return rows;
+}
+
+void AffineFit::begin_motion() {
+  const MatrixXd rows = std::sqrt(weight_) * harmonics();
+  before_.conservativeResize(before_.rows() + rows.rows(), Eigen::NoChange);
+  before_.bottomRows(rows.rows()) = rows;
+  before_ *= std::sqrt(kKept);
+  orders_.assign(orders_.size(), {});
+  sum_.setZero();
+  weight_ = 0.0;
+}
+
+FittedBearing AffineFit::law(const AffineBearing& expected, const AffineBearing& before) const {
   const double stiffness = kExpectedStiffness * expected.stiffness.norm(), damping = expected.damping.norm();
   const Eigen::Vector4d known(stiffness, stiffness, damping, damping);
   const Unknowns prior = unknowns_of(expected);
-  const Unknowns found =
-      prior + known.asDiagonal() * departure(motion * known.asDiagonal(), -force - motion * prior);
+  const auto fitted_to = [&](const MatrixXd& rows) {
+    Unknowns found =
+        prior + known.asDiagonal() * departure(rows.leftCols<4>() * known.asDiagonal(),
+                                               -rows.rightCols<2>() - rows.leftCols<4>() * prior);
+    take_energy(found);
+    return found;
+  };
+  const MatrixXd last = harmonics();
+  MatrixXd all(before_.rows() + last.rows(), 6);
+  all << before_ / std::sqrt(weight_), last;
+  const Unknowns found = fitted_to(all);
+  const MatrixXd motion = last.leftCols<4>(), force = last.rightCols<2>();
+  const Row mean = sum_ / weight_;
   FittedBearing result;
   result.bearing.stiffness = found.topRows<2>().transpose();
   result.bearing.damping = found.bottomRows<2>().transpose();
   result.bearing.force = (mean.tail<2>() + mean.head<4>() * found).transpose();
   result.residual = (force + motion * found).norm() / force.norm();
-  const Unknowns change = found - unknowns_of(before);
-  const auto share = [&](const Unknowns& part, const Unknowns& whole, Index from) {
+  const Unknowns own = fitted_to(last), change = own - unknowns_of(before);
+  const auto share = [&](const Unknowns& part, Index from) {
     return (motion.middleCols<2>(from) * part.middleRows<2>(from)).norm() /
-           (motion.middleCols<2>(from) * whole.middleRows<2>(from)).norm();
+           (motion.middleCols<2>(from) * own.middleRows<2>(from)).norm();
   };
-  result.stiffness_change = share(change, found, 0);
-  result.damping_change = share(change, found, 2);
+  result.stiffness_change = share(change, 0);
+  result.damping_change = share(change, 2);
   return result;
 }
 

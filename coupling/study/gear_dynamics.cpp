@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -76,6 +77,13 @@ class GearRun {
   bool run_up() {
     const double end = model().operation.run_up.duration;
     return end <= 0.0 || integrate({0.0, end, 1}, {});
+  }
+
+  /// Passes a mesh period: how the state has changed; none where the integration failed.
+  std::optional<Eigen::VectorXd> departure() {
+    const Eigen::VectorXd before = result_.final_state;
+    if (!integrate({time_, 1.0 / model().operation.mesh_frequency, 1}, {})) return std::nullopt;
+    return result_.final_state - before;
   }
 
   /// Observes `periods` mesh periods; false where the integration failed.
@@ -155,7 +163,83 @@ bool settle(GearRun& run, const SetModel& model, const GearRunOptions& options, 
   return true;
 }
 
+// The motion that repeats with the meshes.
+class RepeatingMotion {
+ public:
+  RepeatingMotion(GearRun& run, const gearset::dynamics::PeriodMap& map, const SetModel& model,
+                  const GearRunOptions& options, GearRunResult& result)
+      : run_(run),
+        map_(map),
+        allowed_(integration::gear_allowed_errors(model, options.allowed_share)),
+        result_(result) {}
+
+  /// Leaves the state on it; false where it is not found, or does not come nearer.
+  bool find() {
+    double away = INFINITY;
+    for (int i = 0; i < kMostPeriods; ++i) {
+      const Eigen::VectorXd before = result_.final_state;
+      const std::optional<Eigen::VectorXd> change = change_to_it();
+      if (!change || !(errors_in(*change) < away)) return false;
+      away = errors_in(*change);
+      result_.final_state = before + *change;
+      if (away <= kFound) return true;
+    }
+    return false;
+  }
+
+  /// Whether the state still is on it, since one that does not last is left within some periods.
+  bool lasts() {
+    const std::optional<Eigen::VectorXd> change = change_to_it();
+    return change && errors_in(*change) <= kLasts;
+  }
+
+ private:
+  // Newton's step, a period on.
+  std::optional<Eigen::VectorXd> change_to_it() {
+    const std::optional<Eigen::VectorXd> departure = run_.departure();
+    if (!departure || !departure->allFinite()) return std::nullopt;
+    return map_.to_repeating(*departure);
+  }
+  double errors_in(const Eigen::VectorXd& change) const {
+    return (change.array() / allowed_.array()).abs().maxCoeff();
+  }
+
+  static constexpr int kMostPeriods = 12;
+  static constexpr double kFound = 1.0;   // [-]  of the error allowed in one step
+  static constexpr double kLasts = 30.0;  // [-]  the same, some ten periods later
+
+  GearRun& run_;
+  const gearset::dynamics::PeriodMap& map_;
+  Eigen::VectorXd allowed_;
+  GearRunResult& result_;
+};
+
+constexpr long kRepeatingPeriods = 10;  // [mesh period]  of samples, no two of which fall on one phase
+
+// False where the integration failed, or the motion is not found or does not last.
+bool observe_repeating(RepeatingMotion& motion, GearRun& run, GearSignals& signals, GearRunResult& result) {
+  return motion.find() && run.observe(kRepeatingPeriods, signals, &result.series) && motion.lasts();
+}
+
 }  // namespace
+
+GearRunResult run_gears_repeating(const Eigen::VectorXd& start, const SetModel& model,
+                                  const gearset::dynamics::PeriodMap& map, const GearRunOptions& options) {
+  GearRunResult result;
+  result.mesh_frequency = model.operation.mesh_frequency;
+  result.final_state = start;
+  GearRun run(model, options, result);
+  RepeatingMotion motion(run, map, model, options, result);
+  GearSignals observed(model.layout.planets, options.harmonics);
+  try {
+    if (!observe_repeating(motion, run, observed, result)) return run_gears_from(start, model, options);
+  } catch (const RunAway&) {
+    return run_gears_from(start, model, options);
+  }
+  result.planets = observed.statistics();
+  result.completed = result.steady = true;
+  return result;
+}
 
 GearRunResult run_gears(const SetModel& model, const GearRunOptions& options) {
   return run_gears_from(static_state(model), model, options);

@@ -7,6 +7,7 @@
 #include "coupling/integration/gear_steps.hpp"
 #include "coupling/study/gear_signals.hpp"
 #include "gearset/dynamics/equations.hpp"
+#include "gearset/dynamics/period_map.hpp"
 
 namespace orbearing::study {
 
@@ -57,5 +58,11 @@ struct GearRunResult {
 GearRunResult run_gears(const gearset::dynamics::SetModel& model, const GearRunOptions& options);
 GearRunResult run_gears_from(const Eigen::VectorXd& start, const gearset::dynamics::SetModel& model,
                              const GearRunOptions& options);
+
+/// The same where the speed is steady and the motion repeats with the meshes: found from `start` by Newton's
+/// method on `map`, in place of being waited for, and observed over ten mesh periods. Where it is not found,
+/// or does not last, as parting teeth can have it, the motion is waited for all the same.
+GearRunResult run_gears_repeating(const Eigen::VectorXd& start, const gearset::dynamics::SetModel& model,
+                                  const gearset::dynamics::PeriodMap& map, const GearRunOptions& options);
 
 }  // namespace orbearing::study

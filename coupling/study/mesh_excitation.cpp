@@ -9,7 +9,7 @@
 
 #include "bearing/carrier_frame.hpp"
 #include "coupling/study/bearing_tangent.hpp"
-#include "gearset/dynamics/modes.hpp"
+#include "gearset/dynamics/static_state.hpp"
 
 namespace orbearing::study {
 
@@ -58,10 +58,6 @@ Matrix2cd load_over_force(const PlanetaryDrivetrain& drivetrain, const BearingDu
   return inertia_of(bore_mass, frame, w) * force_over_motion.inverse() - Matrix2cd::Identity() / number;
 }
 
-bool shakes(const PlanetaryDrivetrain& drivetrain) {
-  return drivetrain.gear_set && drivetrain.mesh_variation;
-}
-
 gearset::dynamics::SetModel gear_model_on(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law) {
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.affine_bearing = law;
@@ -71,28 +67,25 @@ gearset::dynamics::SetModel gear_model_on(const PlanetaryDrivetrain& drivetrain,
 
 }  // namespace
 
-bool gears_stay_on(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law) {
-  return gearset::dynamics::largest_growth(gear_model_on(drivetrain, law)) <= 0.0;
+bool shakes(const PlanetaryDrivetrain& drivetrain) {
+  return drivetrain.gear_set && drivetrain.mesh_variation;
 }
 
-GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                       const AffineBearing& law, const std::optional<Eigen::VectorXd>& start) {
-  if (!shakes(drivetrain)) return {.completed = true};
-  const gearset::dynamics::SetModel model = gear_model_on(drivetrain, law);
-  GearRunOptions options;
-  options.harmonics = excitation_orders(drivetrain, geometry, law);
-  return start ? run_gears_from(*start, model, options) : run_gears(model, options);
+GearsOnLaw::GearsOnLaw(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+                       const AffineBearing& law)
+    : model_(gear_model_on(drivetrain, law)), at_rest_(static_state(model_)), map_(model_, at_rest_) {
+  options_.harmonics = excitation_orders(drivetrain, geometry, law);
 }
 
-void require_completed(const GearRunResult& gears) {
-  if (!gears.completed) throw std::runtime_error("gears: " + gears.message);
+GearRunResult GearsOnLaw::run(const std::optional<Eigen::VectorXd>& start) const {
+  return run_gears_repeating(start ? *start : at_rest_, model_, map_, options_);
 }
 
 GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {
   if (!shakes(drivetrain)) return {};
   const AffineBearing tangent = bearing_tangent(drivetrain, geometry);
-  GearsOnTangent gears{tangent, gears_on(drivetrain, geometry, tangent)};
-  require_completed(gears.run);
+  GearsOnTangent gears{tangent, GearsOnLaw(drivetrain, geometry, tangent).run()};
+  if (!gears.run.completed) throw std::runtime_error("gears: " + gears.run.message);
   return gears;
 }
 

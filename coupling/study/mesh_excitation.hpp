@@ -9,28 +9,38 @@
 
 namespace orbearing::study {
 
-/// The gears on planet bearings that are `law`, observed with as many harmonics as excitation_orders() says;
-/// empty statistics where the drivetrain has no `gear_set`, or no mesh variation.
-/// `completed` says whether the gears' motion could be computed.
-/// @param start state of the gears to go on from; none: their static state
-GearRunResult gears_on(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
-                       const gearset::dynamics::AffineBearing& law,
-                       const std::optional<Eigen::VectorXd>& start = std::nullopt);
+/// The gears on planet bearings that are a law.
+class GearsOnLaw {
+ public:
+  GearsOnLaw(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
+             const gearset::dynamics::AffineBearing& law);
 
-/// Throws std::runtime_error with the reason where the gears' motion could not be computed.
-void require_completed(const GearRunResult& gears);
+  /// Whether small motions die out. They need not: a law that is fitted to a motion may give energy by
+  /// springs that are not alike across, and meshes that pump add to it.
+  bool stay_on() const { return map_.largest_growth() <= 0.0; }
 
-/// Whether small motions of the gears on planet bearings that are `law` die out. They need not: a law that is
-/// fitted to a motion may give energy by its dampers, or by springs that are not alike across.
-bool gears_stay_on(const PlanetaryDrivetrain& drivetrain, const gearset::dynamics::AffineBearing& law);
+  /// Observed with as many harmonics as excitation_orders() says. `completed` says whether the motion could
+  /// be computed.
+  /// @param start state of the gears to go on from; none: their static state
+  GearRunResult run(const std::optional<Eigen::VectorXd>& start = std::nullopt) const;
+
+ private:
+  gearset::dynamics::SetModel model_;
+  Eigen::VectorXd at_rest_;
+  gearset::dynamics::PeriodMap map_;
+  GearRunOptions options_;
+};
+
+/// Whether the gears give more than their mean loads: the drivetrain has a `gear_set` and a mesh variation.
+bool shakes(const PlanetaryDrivetrain& drivetrain);
 
 /// The gears on bearing_tangent() in place of their bearings: what every planet begins with.
 struct GearsOnTangent {
   gearset::dynamics::AffineBearing tangent;
   GearRunResult run;
 };
-/// Nothing where the gears give nothing but their mean loads. Throws as require_completed() and
-/// bearing_tangent().
+/// Nothing where the gears give nothing but their mean loads. Throws as bearing_tangent(), and
+/// std::runtime_error with the reason where the gears' motion could not be computed.
 GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry);
 
 /// The load on the bore of one bearing under which a free bore of the given mass, on a bearing that is `law`
@@ -38,7 +48,7 @@ GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const Dri
 /// Fourier series. For a bore with its share of the planet's mass that is the force of the meshes, and what
 /// a carrier adds that shakes; for one without mass, the force that the gears put on the bearing. It is taken
 /// from the displacement, which is smooth where the mesh stiffness jumps. No harmonics where `run` has none.
-/// @param run   of gears_on() the same law
+/// @param run   of GearsOnLaw of the same law
 /// @param bore_mass [kg] of one bearing
 bearing::motion::MeshExcitation excitation_of(const GearRunResult& run, const PlanetaryDrivetrain& drivetrain,
                                               const BearingDuty& duty,

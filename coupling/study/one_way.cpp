@@ -11,8 +11,9 @@ namespace {
 using gearset::dynamics::AffineBearing;
 using system::SteadyStateResult;
 
-// The first run is so much shorter: it has to lead near the law, not to be reported.
-constexpr int kFirstShare = 3;
+// [-]  of the observed windows, after which the law is looked at: what leads near it need not be reported.
+constexpr int kLookShare = 3;
+constexpr double kLookMargin = 2.0;  // [-]  on the changes that are allowed: less motion scatters more
 
 AffineBearing times(double factor, const AffineBearing& law) {
   return {factor * law.force, factor * law.stiffness, factor * law.damping};
@@ -49,13 +50,11 @@ class OneWay {
     parameters_.excitation = excitation;
     return true;
   }
-  /// The same by a new run of the gears, on the law `before` where they run away on `law`, as meshes that
-  /// pump can make them: it becomes the law then.
-  bool drive_anew(AffineBearing& law, const AffineBearing& before) {
-    GearRunResult gears = gears_on(drivetrain_, geometry_, law, gear_state_);
-    if (!gears.completed) gears = gears_on(drivetrain_, geometry_, law = before, gear_state_);
-    require_completed(gears);
-    return drive(law, gears);
+  /// The same by a new run of `gears`, which are on `law`. False where they run away: the bearing is driven
+  /// as before then.
+  bool drive_by(const GearsOnLaw& gears, const AffineBearing& law) {
+    const GearRunResult run = gears.run(gear_state_);
+    return run.completed && drive(law, run);
   }
 
   SteadyStateResult run_bearing(const bearing::motion::DynamicsParameters& parameters,
@@ -63,45 +62,50 @@ class OneWay {
     return run_to_steady_state(drivetrain_.bearing, duty_.point, parameters, options, bearing_state_);
   }
 
-  /// The bearing as it is driven now; what is fitted to it goes into `fitted`. `tangent` is what is known
-  /// beforehand, in each run alike: drawn to the law before, what no motion shows would wander.
-  SteadyStateResult run(const AffineBearing& law, const AffineBearing& tangent, bool first,
-                        FittedBearing& fitted) {
-    AffineFit fit(parameters_.excitation.angular_frequency, excitation_orders(drivetrain_, geometry_, law));
+  /// The bearing as it is driven now, on gears that moved on `law`. The law fitted to it, and to the motions
+  /// before but for the first, which only leads near it, is shown to `goes_on` after a part of the windows:
+  /// where that says no, the run ends there. `tangent` is what is known beforehand, in each run alike: drawn
+  /// to the law before, what no motion shows would wander.
+  SteadyStateResult run(const AffineBearing& law, const AffineBearing& tangent,
+                        const std::function<bool(const FittedBearing&)>& goes_on, FittedBearing& fitted) {
+    begin_motion(law);
+    const double number = drivetrain_.bearings_per_planet;
+    const auto fit = [&] {
+      fitted = fit_->law(times(1.0 / number, tangent), times(1.0 / number, law));
+      fitted.bearing = times(number, fitted.bearing);
+    };
     system::SteadyStateOptions options = drivetrain_.steady_state;
-    if (first) options.observed_windows = std::max(1, options.observed_windows / kFirstShare);
-    options.on_bore = [&](const system::BoreSample& sample) { fit.add(sample); };
+    options.on_bore = [&](const system::BoreSample& sample) { fit_->add(sample); };
+    options.look = {std::max(1, options.observed_windows / kLookShare), [&] {
+                      fit();
+                      return goes_on(fitted);
+                    }};
     SteadyStateResult result = run_bearing(parameters_, options);
     if (!result.completed) return result;
     bearing_state_ = result.final_state;
-    const double number = drivetrain_.bearings_per_planet;
-    fitted = fit.law(times(1.0 / number, tangent), times(1.0 / number, law));
-    fitted.bearing = times(number, fitted.bearing);
+    fit();
     return result;
   }
 
  private:
+  void begin_motion(const AffineBearing& law) {
+    if (runs_++ > 1) return fit_->begin_motion();
+    fit_.emplace(parameters_.excitation.angular_frequency, excitation_orders(drivetrain_, geometry_, law));
+  }
+
   const PlanetaryDrivetrain& drivetrain_;
   const DrivetrainGeometry& geometry_;
   const BearingDuty& duty_;
   bearing::motion::DynamicsParameters parameters_;
   std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
+  std::optional<AffineFit> fit_;
+  int runs_ = 0;
 };
 
-// Gears on a law that gives energy run away: such a law is chance, of a motion too short or too small.
-// Dampers that take energy are asked for beside: what the gears' own dampers make up for would still be no
-// bearing.
-bool may_stand(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law) {
-  const Eigen::Matrix2d both = law.damping + law.damping.transpose();
-  return both.trace() > 0.0 && both.determinant() > 0.0 && gears_stay_on(drivetrain, law);
-}
-
-// The last run in `record`, which it may be accepted with.
-void note(const FittedBearing& fitted, const OneWayOptions& options, OneWayRecord& record) {
-  ++record.runs;
-  record.fitted = fitted;
-  record.accepted = record.runs > 1 && fitted.stiffness_change <= options.stiffness_change &&
-                    fitted.damping_change <= options.damping_change;
+/// @param margin on what is allowed
+bool is_close(const FittedBearing& fitted, const OneWayOptions& options, double margin = 1.0) {
+  return fitted.stiffness_change <= margin * options.stiffness_change &&
+         fitted.damping_change <= margin * options.damping_change;
 }
 
 }  // namespace
@@ -116,16 +120,30 @@ OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
     result.bearing = one_way.run_bearing(bearing_dynamics(drivetrain, geometry), drivetrain.steady_state);
     return result;
   }
-  AffineBearing law = tangent, before = tangent;
+  AffineBearing law = tangent;
   OneWayRecord record;
-  do {
-    FittedBearing fitted;
-    result.bearing = one_way.run(law, tangent, record.runs == 0, fitted);
+  std::optional<GearsOnLaw> next;
+  bool last = false;  // whatever comes of it
+  const auto goes_on = [&](const FittedBearing& fitted) {
+    if (last || is_close(fitted, options, kLookMargin)) return true;
+    next.emplace(drivetrain, geometry, fitted.bearing);
+    last = !next->stay_on();  // there is no better law to go to
+    return last;
+  };
+  while (true) {
+    last = ++record.runs == options.most_runs || last;
+    next.reset();
+    result.bearing = one_way.run(law, tangent, goes_on, record.fitted);
     if (!result.bearing.completed) return result;
-    note(fitted, options, record);
-    before = law;
-    if (may_stand(drivetrain, fitted.bearing)) law = fitted.bearing;
-  } while (record.runs < options.most_runs && !record.accepted && one_way.drive_anew(law, before));
+    record.accepted = is_close(record.fitted, options);
+    if (record.accepted || last) break;
+    if (!next) next.emplace(drivetrain, geometry, record.fitted.bearing);
+    if (!next->stay_on()) break;
+    if (one_way.drive_by(*next, record.fitted.bearing))
+      law = record.fitted.bearing;
+    else
+      last = true;  // driven as before, and observed to the end
+  }
   result.fit = record;
   return result;
 }

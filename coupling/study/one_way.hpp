@@ -14,7 +14,7 @@ namespace orbearing::study {
 struct OneWayOptions {
   double stiffness_change = 0.01;  // [-]  from one run to the next, in its force along the motion
   double damping_change = 0.1;     // [-]
-  int most_runs = 6;               // of gears and bearing; then the last one stands, and says so
+  int most_runs = 8;               // of gears and bearing; then the last one stands, and says so
 };
 
 /// What stood for the bearings while the gears moved.
@@ -31,9 +31,11 @@ struct OneWayRun {
 };
 
 /// Gears on the tangent of their bearings (`gears`), the bearing under the load that they give it
-/// (excitation_of()), the affine law fitted to its motion, and both again on that law until it stays. A law
-/// whose dampers would give energy, or on which the gears would run away, is not taken: the gears stay on the
-/// one before. Each run goes on where the one before ended.
+/// (excitation_of()), the affine law fitted to its motion, and both again on that law until a run agrees with
+/// the law that it was driven on. The gears move on the law fitted to all runs but the first (AffineFit):
+/// what a single run shows swings about it. Runs that do not agree are broken off after a third of the
+/// windows; the last one is observed to its end. Where the gears would run away on a law, the run that it is
+/// fitted to is the last one. Each run goes on where the one before ended.
 ///
 /// Of the planet's mass the bearing gets its own outer ring, and the gears' load is what moves that ring as
 /// the planet moved: nearly the force of the bearing. With the whole mass, which is as good for a bearing

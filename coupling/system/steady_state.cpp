@@ -94,7 +94,8 @@ class Observation {
   }
 
   /// Means of all bearings over `times`; `series`, where given, keeps the last `per_window` of the first one.
-  std::vector<WindowStatistics> through(const OutputTimes& times, long per_window, BearingSeries* series) {
+  /// Where the look among them ends the run, `times` end there.
+  std::vector<WindowStatistics> through(OutputTimes& times, long per_window, BearingSeries* series) {
     StepObservers observers{{}, series ? options_.on_bore : BoreObserver()};
     for (int b = 0; b < motion_.bearings(); ++b) {
       motion_.take_snapshot(b, snapshot_);
@@ -104,17 +105,26 @@ class Observation {
     motion_.observe_steps(observers);
     Recorder recorder(times.samples, per_window, options_.series_samples, snapshot_, series);
     const long states = motion_.shows_steps() ? kStatesPerSample : 1;
+    const long before_look = series ? std::min(options_.look.windows * per_window, times.samples) : 0;
     long sample = 0;
-    motion_.advance(times, [&](double time) {
-      const bool counts = ++sample % states == 0 || sample == times.samples;
-      for (int b = motion_.bearings() - 1; b >= 0; --b) {
-        if (!counts && !(b == 0 && recorder.wants_next())) continue;
-        motion_.take_snapshot(b, snapshot_);
-        if (counts) add(time, of(b));
-      }
-      recorder.next(time, snapshot_);
-      tell_of_motion(time, most_);
-    });
+    const auto advance = [&](const OutputTimes& part) {
+      motion_.advance(part, [&](double time) {
+        const bool counts = ++sample % states == 0 || sample == times.samples;
+        for (int b = motion_.bearings() - 1; b >= 0; --b) {
+          if (!counts && !(b == 0 && recorder.wants_next())) continue;
+          motion_.take_snapshot(b, snapshot_);
+          if (counts) add(time, of(b));
+        }
+        recorder.next(time, snapshot_);
+        tell_of_motion(time, most_);
+      });
+    };
+    if (before_look > 0) {
+      advance({times.start, times.interval, before_look, times.passed});
+      if (!options_.look.goes_on()) times.samples = before_look;
+    }
+    if (sample < times.samples)
+      advance({times.start, times.interval, times.samples - sample, times.passed + sample});
     std::vector<WindowStatistics> means;
     for (const StatisticsCollector& collector : collectors_) means.push_back(collector.means());
     return means;
@@ -331,9 +341,8 @@ SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::Operati
   FreeBearing motion(model, result.final_state, options.allowed_length_error, options.integration);
   const long samples = samples_of(model, options, duration);
   try {
-    result.bearings =
-        Observation(motion, options, duration)
-            .through({0.0, duration / static_cast<double>(samples), samples}, samples, &result.series);
+    OutputTimes times{0.0, duration / static_cast<double>(samples), samples};
+    result.bearings = Observation(motion, options, duration).through(times, samples, &result.series);
     result.statistics = pooled(result.bearings);
   } catch (const std::runtime_error& error) {
     result.completed = false;

@@ -11,6 +11,12 @@
 
 namespace orbearing::system {
 
+/// A question among the observed windows: is it worth to observe the others, too?
+struct Look {
+  int windows = 0;                     // observed when it is asked; 0: it is not
+  std::function<bool()> goes_on = {};  // false: the run ends there, with the means so far and no series
+};
+
 /// What belongs to the method. A window is one revolution of the cage relative to the carrier.
 struct SteadyStateOptions {
   double first_roller = 0.0;            // [rad]  place of the first roller at the start
@@ -25,6 +31,7 @@ struct SteadyStateOptions {
   double allowed_length_error = 2e-10;  // [m]  of one step; all other variables follow from it
   integration::IntegrationOptions integration;  // of a bearing by itself; allowed_error is filled in
   BoreObserver on_bore = {};  // sees the observed windows of a bearing by itself, step by step; may be empty
+  Look look = {};
 };
 
 /// Of a bearing that is driven too.

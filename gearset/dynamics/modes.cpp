@@ -8,7 +8,6 @@
 
 #include "gearset/dynamics/matrices.hpp"
 #include "gearset/dynamics/mode_kind.hpp"
-#include "gearset/dynamics/slopes.hpp"
 #include "mechanics/linear_algebra.hpp"
 
 namespace orbearing::gearset::dynamics {
@@ -79,27 +78,19 @@ std::vector<Index> one_of_each_pair(const Eigen::VectorXcd& roots) {
   return chosen;
 }
 
-// First-order form of M q'' + `by_velocity` q' + `by_position` q = 0 over the free freedoms.
-MatrixXd companion_of(const SetModel& model, const std::vector<Index>& free, const MatrixXd& by_position,
-                      const MatrixXd& by_velocity) {
-  const Index n = static_cast<Index>(free.size());
-  MatrixXd companion = MatrixXd::Zero(2 * n, 2 * n);
-  companion.topRightCorner(n, n).setIdentity();
-  companion.bottomLeftCorner(n, n) = -weighted(by_position, model, free);
-  companion.bottomRightCorner(n, n) = -weighted(by_velocity, model, free);
-  // Velocities in units in which both blocks are of one size, or the small roots drown.
-  const double scale = std::sqrt(companion.bottomLeftCorner(n, n).cwiseAbs().maxCoeff());
-  companion.topRightCorner(n, n) *= scale;
-  companion.bottomLeftCorner(n, n) /= scale;
-  return companion;
-}
-
 RawModes raw_modes_at_speed(const SetModel& model) {
   const std::vector<Index> free = free_freedoms(model);
   const Index n = static_cast<Index>(free.size());
   const SetMatrices matrices = set_matrices(model);
-  const Eigen::EigenSolver<MatrixXd> solver(
-      companion_of(model, free, matrices.stiffness + matrices.centrifugal, matrices.gyroscopic));
+  MatrixXd companion = MatrixXd::Zero(2 * n, 2 * n);
+  companion.topRightCorner(n, n).setIdentity();
+  companion.bottomLeftCorner(n, n) = -weighted(matrices.stiffness + matrices.centrifugal, model, free);
+  companion.bottomRightCorner(n, n) = -weighted(matrices.gyroscopic, model, free);
+  // Velocities in units in which both blocks are of one size, or the small roots drown.
+  const double scale = std::sqrt(companion.bottomLeftCorner(n, n).cwiseAbs().maxCoeff());
+  companion.topRightCorner(n, n) *= scale;
+  companion.bottomLeftCorner(n, n) /= scale;
+  const Eigen::EigenSolver<MatrixXd> solver(companion);
   const std::vector<Index> chosen = one_of_each_pair(solver.eigenvalues());
   RawModes raw{VectorXd(chosen.size()), VectorXd(chosen.size()), MatrixXcd(n, chosen.size())};
   for (Index k = 0; k < raw.frequency.size(); ++k) {
@@ -156,17 +147,6 @@ std::vector<Mode> modes_at_rest(const SetModel& model) {
 
 std::vector<Mode> modes_at_speed(const SetModel& model) {
   return grouped(model, raw_modes_at_speed(model));
-}
-
-double largest_growth(const SetModel& model) {
-  SetModel linear = averaged(model);
-  linear.parameters.separation = false;
-  ForceSlopes slopes;
-  force_slopes(linear, 0.0, VectorXd::Zero(linear.layout.size()), slopes);
-  const Eigen::EigenSolver<MatrixXd> solver(
-      companion_of(linear, free_freedoms(linear), -slopes.by_position, -slopes.by_velocity), false);
-  const double growth = solver.eigenvalues().real().maxCoeff();
-  return growth > nothing * solver.eigenvalues().cwiseAbs().maxCoeff() ? growth : std::min(growth, 0.0);
 }
 
 MatrixXd campbell_frequencies(const SetModel& model, const std::vector<double>& factors) {

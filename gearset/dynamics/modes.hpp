@@ -26,11 +26,6 @@ std::vector<Mode> modes_at_rest(const SetModel& model);
 /// included.
 std::vector<Mode> modes_at_speed(const SetModel& model);
 
-/// The fastest rate [1/s] at which a motion grows at the nominal speed, all teeth in contact with the flank
-/// that carries, on mean mesh stiffness; dampers, turning frame and a drive of constant power included. At
-/// most zero where nothing grows; what is less than 1e-6 of the largest root is round-off.
-double largest_growth(const SetModel& model);
-
 /// Natural frequencies [Hz] over speed: as many rows as the set has free freedoms, ascending.
 /// @param factors on the nominal speeds
 Eigen::MatrixXd campbell_frequencies(const SetModel& model, const std::vector<double>& factors);

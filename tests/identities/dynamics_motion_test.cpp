@@ -282,6 +282,32 @@ TEST(CageSlip, LagsBehindADrivingInnerRaceAndRunsAheadWithADrivingOuterRace) {
   EXPECT_LT(slip_in_housing(&OperatingPoint::outer_speed, 10.0), -kSkidding);
 }
 
+// A look among the observed windows is asked for once. Where it ends the run, the means are those of a run
+// with so many windows; where it does not, those of a run without it, but for steps that end at the look.
+// Issue 17, Build 3.
+TEST(SteadyState, EndsAtALookThatSaysSo) {
+  constexpr int kAll = 4, kBefore = 2;
+  const auto run = [](int windows, const system::Look& look) {
+    system::SteadyStateOptions options{.observed_windows = windows, .integration = {}, .look = look};
+    return system::run_to_steady_state(test::reducer_bearing(), test::reducer_point(6000.0),
+                                       test::reducer_parameters(), options);
+  };
+  int asked = 0;
+  const auto saying = [&](bool on) { return system::Look{kBefore, [&asked, on] { return ++asked, on; }}; };
+  const auto short_run = run(kBefore, {}), long_run = run(kAll, {});
+  const auto ended = run(kAll, saying(false)), went_on = run(kAll, saying(true));
+  EXPECT_EQ(asked, 2);
+  ASSERT_TRUE(ended.completed && went_on.completed);
+  EXPECT_EQ(ended.statistics.duration, short_run.statistics.duration);
+  EXPECT_EQ(ended.duration, short_run.duration);
+  EXPECT_EQ(ended.statistics.outer.load_rms, short_run.statistics.outer.load_rms);
+  EXPECT_EQ(ended.final_state, short_run.final_state);
+  EXPECT_DOUBLE_EQ(went_on.statistics.duration, long_run.statistics.duration);
+  EXPECT_NEAR(went_on.statistics.outer.load_rms / long_run.statistics.outer.load_rms, 1.0, 2e-3);
+  EXPECT_EQ(went_on.series.time.size(), long_run.series.time.size());
+  EXPECT_NEAR(went_on.series.time[0], long_run.series.time[0], 1e-12);
+}
+
 TEST(SteadyState, RefusesABearingInWhichNothingTurns) {
   OperatingPoint point = test::reducer_point(6000.0);
   point.outer_speed = 0.0;

@@ -103,7 +103,7 @@ TEST(StudyDynamicPoint, LoadOfTheGearsIsWhatAcceleratesThePlanetLessItsBearings)
   const gearset::dynamics::AffineBearing law = bearing_tangent(drivetrain, geometry);
   const double bore = gears.planet.mass / drivetrain.bearings_per_planet;
   const bearing::motion::MeshExcitation excitation =
-      excitation_of(gears_on(drivetrain, geometry, law), drivetrain, duty, law, bore);
+      excitation_of(GearsOnLaw(drivetrain, geometry, law).run(), drivetrain, duty, law, bore);
   gears.planet.affine_bearing = law;
   const gearset::dynamics::SetModel model =
       set_model(gears, gearset::dynamics::operation_of(drivetrain.set, drivetrain.drive));

@@ -88,7 +88,7 @@ TEST(OneWay, IsExactForALinearBearing) {
   frame.orbit_radius = 0.0;
   for (const double mass : {0.5 * geometry.planet_mass, geometry.bearing.outer_ring_mass}) {
     const bearing::motion::MeshExcitation excitation =
-        excitation_of(gears_on(drivetrain, geometry, lopsided()), drivetrain, duty, lopsided(), mass);
+        excitation_of(GearsOnLaw(drivetrain, geometry, lopsided()).run(), drivetrain, duty, lopsided(), mass);
     for (const int order : {1, 2}) {
       const auto i = static_cast<std::size_t>(order) - 1;
       Eigen::Matrix2d gears;
@@ -117,8 +117,8 @@ TEST(OneWay, DrivesThePlanetsMassWithTheMeshForces) {
   const double a_s = geometry.gears.sun_mesh.working_pressure_angle,
                a_r = geometry.gears.ring_mesh.working_pressure_angle;
   const bearing::motion::MeshExcitation excitation = excitation_of(
-      gears_on(drivetrain, geometry, lopsided()), drivetrain, bearing_duty(drivetrain, geometry), lopsided(),
-      gears.planet.mass / drivetrain.bearings_per_planet);
+      GearsOnLaw(drivetrain, geometry, lopsided()).run(), drivetrain, bearing_duty(drivetrain, geometry),
+      lopsided(), gears.planet.mass / drivetrain.bearings_per_planet);
   for (std::size_t i = 0; i < 2; ++i) {
     const auto load = [&](double of_sun, double of_ring) -> Vector2d {
       return Vector2d(std::sin(a_s) * of_sun - std::sin(a_r) * of_ring,

@@ -1,4 +1,5 @@
-// Whether a set on fitted bearings stays where it is: rates of growth, and runs that are given up in time.
+// Whether a set on fitted bearings stays where it is: rates of growth, springs that pump, the motion that
+// repeats, and runs that are given up in time. Issue 17, Build 3.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,8 +7,9 @@
 #include <chrono>
 
 #include "coupling/study/gear_dynamics.hpp"
+#include "gearset/dynamics/bearing_force.hpp"
 #include "gearset/dynamics/equations.hpp"
-#include "gearset/dynamics/modes.hpp"
+#include "gearset/dynamics/period_map.hpp"
 #include "gearset/dynamics/static_state.hpp"
 #include "tests/gear_sets.hpp"
 
@@ -48,13 +50,17 @@ double growth_by_differences(const SetModel& model) {
   return slopes.eigenvalues().real().maxCoeff();
 }
 
+double largest_growth(const SetModel& model) {
+  return PeriodMap(model, static_state(model)).largest_growth();
+}
+
 TEST(LargestGrowth, IsThatOfTheEquations) {
   int growing = 0;
   for (const double across : {0.0, 5e7, 2e8})
     for (const double damping : {200.0, 2e3, -3e3}) {
       SCOPED_TRACE(testing::Message() << across << " N/m across, " << damping << " N s/m");
       const SetModel model = model_on(law(3e8, across, damping));
-      const double found = largest_growth(model), wanted = growth_by_differences(model);
+      const double found = largest_growth(averaged(model)), wanted = growth_by_differences(model);
       growing += wanted > 1.0 ? 1 : 0;
       if (wanted > 1.0)
         EXPECT_NEAR(found / wanted, 1.0, 1e-3);
@@ -69,6 +75,102 @@ TEST(LargestGrowth, IsThatOfTheEquations) {
 TEST(LargestGrowth, SeesSpringsThatGiveEnergy) {
   EXPECT_LE(largest_growth(model_on(law(3e8, 0.0, 500.0))), 0.0);
   EXPECT_GT(largest_growth(model_on(law(3e8, 3e8, 500.0))), 0.0);
+}
+
+// The state a mesh period after time zero; errors of a step some 1e-6 of a mesh's deflection.
+Eigen::VectorXd after_period(const SetModel& model, const Eigen::VectorXd& from) {
+  const PlanetarySetEquations equations(model);
+  const double duration = 1.0 / model.operation.mesh_frequency;
+  integration::IntegrationOptions options;
+  options.allowed_error = integration::gear_allowed_errors(model, 1e-6);
+  options.step = 0.01 * duration;
+  Eigen::VectorXd x = from;
+  const auto rate = [&](double time, const Eigen::Ref<const Eigen::VectorXd>& at,
+                        Eigen::Ref<Eigen::VectorXd> dx) { equations.derivative(time, at, dx); };
+  const auto report =
+      integrate_pieces(rate, x, {0.0, duration, 1}, integration::jumps_of(model), options, {});
+  EXPECT_TRUE(report.completed) << report.message;
+  return x;
+}
+
+// Without what rotates the whole set: of deflections and velocities.
+double size_of(const SetModel& model, const Eigen::VectorXd& x) {
+  double size = 0.0;
+  for (const PlanetBearing& bearing : model.bearings)
+    size = std::max(size, bearing_deflection(bearing, x).norm());
+  return size;
+}
+
+// A bearing with hardly any dampers on meshes whose stiffness changes by two to one: Mathieu's equation. What
+// the mean stiffness calls stable grows at some speeds, and does so at the rate of the map.
+TEST(LargestGrowth, SeesMeshesThatPump) {
+  const auto pumped = [](double speed) {
+    SetParameters set = test::reducer_dynamics();
+    set.planet.affine_bearing = law(3e8, 0.0, 20.0);
+    set.separation = false;
+    for (Mesh* mesh : {&set.sun_mesh, &set.ring_mesh}) mesh->damping = 20.0;
+    for (CentralMember* member : {&set.sun, &set.ring, &set.carrier})
+      member->support.damping = member->support.torsional_damping = 20.0;
+    return set_model(std::move(set), test::reducer_operation(speed));
+  };
+  double worst = 0.0, growth = 0.0;
+  for (double speed = 100.0; speed < 1500.0; speed *= 1.02) {
+    const double found = largest_growth(pumped(speed));
+    if (found > growth) growth = found, worst = speed;
+  }
+  const SetModel model = pumped(worst);
+  ASSERT_GT(growth * 40.0 / model.operation.mesh_frequency, 0.5);  // e^0.5 over forty periods, or more
+  EXPECT_LE(largest_growth(averaged(model)), 0.0);
+  // Departures from one motion, period by period, brought back to one size each time.
+  const Eigen::VectorXd from = static_state(model), to = after_period(model, from);
+  Eigen::VectorXd departure = Eigen::VectorXd::LinSpaced(from.size(), -1.0, 1.0).array().cube();
+  constexpr int kSettled = 80, kPeriods = 60;
+  double logarithm = 0.0;
+  for (int period = 0; period < kSettled + kPeriods; ++period) {
+    departure *= 1e-6 / size_of(model, departure);
+    departure = after_period(model, from + departure) - to;
+    if (period >= kSettled) logarithm += std::log(size_of(model, departure) / 1e-6);
+  }
+  const double rate = logarithm * model.operation.mesh_frequency / kPeriods;
+  EXPECT_NEAR(rate / growth, 1.0, 0.05) << "at " << worst << " rad/s";
+}
+
+// Newton's step leads from rest to the motion that repeats; waiting for it takes dozens of periods.
+TEST(PeriodMap, LeadsToTheMotionThatRepeats) {
+  const SetModel model = model_on(law(3e8, 2e7, 500.0));
+  const Eigen::VectorXd rest = static_state(model);
+  const PeriodMap map(model, rest);
+  const Eigen::VectorXd departure = after_period(model, rest) - rest;
+  const Eigen::VectorXd x = rest + map.to_repeating(departure);
+  const Eigen::VectorXd left = after_period(model, x) - x;
+  ASSERT_GT(size_of(model, departure), 1e-8);  // [m]
+  EXPECT_LT(size_of(model, left), 2e-3 * size_of(model, departure));
+  EXPECT_LT(size_of(model, map.to_repeating(left)), 2e-3 * size_of(model, map.to_repeating(departure)));
+}
+
+// The same from the drivers of the study: found, and waited for, with teeth in contact and with teeth that
+// part.
+TEST(RepeatingGears, AreThoseThatAreWaitedFor) {
+  for (const double speed : {300.0, 900.0}) {
+    SetParameters set = test::reducer_dynamics();
+    set.planet.affine_bearing = law(3e8, 0.0, 500.0);
+    const SetModel model = set_model(std::move(set), test::reducer_operation(speed));
+    const Eigen::VectorXd rest = static_state(model);
+    study::GearRunOptions options;
+    options.drift = 1e-3;
+    const study::GearRunResult found =
+                                   study::run_gears_repeating(rest, model, PeriodMap(model, rest), options),
+                               waited = study::run_gears(model, options);
+    ASSERT_TRUE(found.completed && waited.completed);
+    EXPECT_LT(found.report.steps, waited.report.steps / 4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const study::SignalStatistics &one = found.planets[0].tangential_force,
+                                    &other = waited.planets[0].tangential_force;
+      const double allowed = 2e-3 * *std::max_element(other.amplitudes.begin(), other.amplitudes.end());
+      EXPECT_NEAR(one.cosines[i], other.cosines[i], allowed) << "order " << i + 1 << " at " << speed;
+      EXPECT_NEAR(one.sines[i], other.sines[i], allowed) << "order " << i + 1 << " at " << speed;
+    }
+  }
 }
 
 TEST(GearsThatRunAway, AreGivenUpWithTheReason) {

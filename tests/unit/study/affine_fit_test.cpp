@@ -123,5 +123,69 @@ TEST(AffineFit, KeepsWhatIsExpectedWhereNothingMoves) {
   EXPECT_LT((found.bearing.damping.col(1) - expected_law().damping.col(1)).norm(), 1e-6 * law.damping.norm());
 }
 
+// A bore that swings by `a` [m] along one axis, under `law`.
+void swing(AffineFit& fit, const AffineBearing& law, const Vector2d& a) {
+  for (int i = 0; i < kBoreSamples; ++i) {
+    const double angle = kMeshFrequency * i * kBoreInterval;
+    BoreSample sample{.time = i * kBoreInterval,
+                      .weight = kBoreInterval,
+                      .position = std::cos(angle) * a,
+                      .velocity = -kMeshFrequency * std::sin(angle) * a};
+    sample.force = law_force(law, sample);
+    fit.add(sample);
+  }
+}
+
+// Issue 17, Build 3: fewer runs where each adds to what is known.
+TEST(AffineFit, KnowsFromTwoMotionsWhatNoneOfThemShows) {
+  AffineFit fit(kMeshFrequency, 1);
+  const AffineBearing law = planted_law();
+  swing(fit, law, {1e-6, 0.0});
+  fit.begin_motion();
+  swing(fit, law, {0.0, 2e-6});
+  const FittedBearing found = fit.law(expected_law(), law);
+  EXPECT_LT((found.bearing.stiffness - law.stiffness).norm(), 1e-6 * law.stiffness.norm());
+  EXPECT_LT((found.bearing.damping - law.damping).norm(), 1e-6 * law.damping.norm());
+  EXPECT_LT(found.residual, 1e-6);
+}
+
+// Two motions under laws that differ by a tenth: the law lies between, two thirds of the way to the last,
+// which alone gives the change.
+TEST(AffineFit, CountsTheChangeOfTheLastMotionAlone) {
+  AffineFit fit(kMeshFrequency, 1);
+  AffineBearing before = planted_law(), after = before;
+  after.stiffness *= 1.1;
+  after.damping *= 1.1;
+  swing(fit, before, {1e-6, 1e-6});
+  fit.begin_motion();
+  swing(fit, after, {1e-6, 1e-6});
+  const FittedBearing found = fit.law(before, before);
+  const Vector2d along(1.0, 1.0);
+  EXPECT_NEAR((found.bearing.stiffness * along).norm() / (before.stiffness * along).norm(), 1.0 + 0.2 / 3.0,
+              1e-3);
+  EXPECT_NEAR(found.stiffness_change, 0.1 / 1.1, 1e-3);
+  EXPECT_NEAR(found.damping_change, 0.1 / 1.1, 1e-3);
+}
+
+TEST(AffineFit, HasNoDampersThatGiveEnergy) {
+  AffineFit fit(kMeshFrequency, 1);
+  AffineBearing law = planted_law();
+  law.damping << 300.0, 80.0, 20.0, -90.0;
+  swing(fit, law, {1e-6, 0.0});
+  fit.begin_motion();
+  swing(fit, law, {0.0, 1e-6});
+  const Matrix2d found = fit.law(expected_law(), law).bearing.damping;
+  const Matrix2d even = 0.5 * (found + found.transpose()),
+                 planted = 0.5 * (law.damping + law.damping.transpose());
+  EXPECT_NEAR(even.determinant() / even.squaredNorm(), 0.0, 1e-6);
+  EXPECT_GT(even.trace(), 0.0);
+  EXPECT_NEAR(found(0, 1) - found(1, 0), law.damping(0, 1) - law.damping(1, 0), 1e-3);  // does no work
+  // By Mohr's circle the nearest is off by the eigenvalue that is negative, no more.
+  const double negative =
+      0.5 * planted.trace() - std::hypot(0.5 * (planted(0, 0) - planted(1, 1)), planted(0, 1));
+  ASSERT_LT(negative, 0.0);
+  EXPECT_NEAR((even - planted).norm(), -negative, 1e-3);
+}
+
 }  // namespace
 }  // namespace orbearing::study

@@ -1,0 +1,128 @@
+#include "gearset/dynamics/period_map.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "gearset/dynamics/slopes.hpp"
+#include "mechanics/linear_algebra.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kStep = 0.4;      // [rad]  of the fastest motion, by classic Runge-Kutta
+constexpr double kMargin = 1e-9;   // [mesh period]  kept off jumps, to be on one side of them
+constexpr double kNothing = 1e-6;  // [-]  of the fastest frequency: round-off of multipliers of one
+constexpr double kFree = 1e-8;     // [-]  of the largest pivot: a direction that the map leaves as it is
+
+// Accelerations over departures, which change with the meshes.
+class Linearised {
+ public:
+  Linearised(const SetModel& model, const Eigen::Ref<const VectorXd>& about, const std::vector<Index>& free)
+      : model_(model), about_(about), free_(free) {
+    model_.parameters.separation = false;
+    at(0.0);
+  }
+
+  /// [rad/s]  by the largest sum of a row
+  double fastest() const { return std::sqrt(by_position_.cwiseAbs().rowwise().sum().maxCoeff()); }
+
+  void at(double time) {
+    force_slopes(model_, time, about_, slopes_);
+    by_position_ = accelerations(slopes_.by_position);
+    by_velocity_ = accelerations(slopes_.by_velocity);
+  }
+  /// Rate of departures whose velocities are over `frequency`.
+  void rate(double frequency, const MatrixXd& x, MatrixXd& dx) const {
+    const Index n = static_cast<Index>(free_.size());
+    dx.topRows(n) = frequency * x.bottomRows(n);
+    dx.bottomRows(n).noalias() = by_velocity_ * x.bottomRows(n);
+    dx.bottomRows(n).noalias() += (1.0 / frequency) * by_position_ * x.topRows(n);
+  }
+
+ private:
+  MatrixXd accelerations(const MatrixXd& slopes) const {
+    return model_.mobility(free_).asDiagonal() * slopes(free_, free_);
+  }
+
+  SetModel model_;
+  VectorXd about_;
+  const std::vector<Index>& free_;
+  ForceSlopes slopes_;
+  MatrixXd by_position_, by_velocity_;
+};
+
+// Classic Runge-Kutta from `begin` to `end` [s], inside of which nothing jumps.
+void pass_piece(Linearised& linear, double frequency, double begin, double end, MatrixXd& x) {
+  const long steps = std::max(1L, std::lround(std::ceil((end - begin) * frequency / kStep)));
+  const double h = (end - begin) / static_cast<double>(steps);
+  MatrixXd k1(x.rows(), x.cols()), k2 = k1, k3 = k1, k4 = k1;
+  linear.at(begin);
+  for (long i = 0; i < steps; ++i) {
+    linear.rate(frequency, x, k1);
+    linear.at(begin + (static_cast<double>(i) + 0.5) * h);
+    linear.rate(frequency, x + 0.5 * h * k1, k2);
+    linear.rate(frequency, x + 0.5 * h * k2, k3);
+    linear.at(begin + static_cast<double>(i + 1) * h);
+    linear.rate(frequency, x + h * k3, k4);
+    x += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+  }
+}
+
+}  // namespace
+
+PeriodMap::PeriodMap(const SetModel& model, const Eigen::Ref<const VectorXd>& about)
+    : period_(1.0 / model.operation.mesh_frequency), freedoms_(model.layout.freedoms()) {
+  for (Index i = 0; i < freedoms_; ++i)
+    if (model.mobility[i] > 0.0) free_.push_back(i);
+  Linearised linear(model, about, free_);
+  frequency_ = linear.fastest();
+  const Index size = 2 * static_cast<Index>(free_.size());
+  map_.setIdentity(size, size);
+  std::vector<double> ends = jump_phases(model);
+  ends.push_back(1.0);
+  double begin = 0.0;
+  for (const double end : ends) {
+    if (end - begin > 4.0 * kMargin)
+      pass_piece(linear, frequency_, (begin + kMargin) * period_, (end - kMargin) * period_, map_);
+    begin = end;
+  }
+}
+
+double PeriodMap::largest_growth() const {
+  const Eigen::VectorXcd multipliers = Eigen::EigenSolver<MatrixXd>(map_, false).eigenvalues();
+  const double growth = std::log(multipliers.cwiseAbs().maxCoeff()) / period_;
+  return growth > kNothing * frequency_ ? growth : std::min(growth, 0.0);
+}
+
+VectorXd PeriodMap::to_repeating(const Eigen::Ref<const VectorXd>& departure) const {
+  const Index n = static_cast<Index>(free_.size()), size = map_.rows();
+  const MatrixXd kept = MatrixXd::Identity(size, size) - map_;
+  Eigen::FullPivLU<MatrixXd> factors(kept);
+  factors.setThreshold(kFree);
+  const Index rotations = factors.dimensionOfKernel();
+  // (I - map) change + rotation = departure, with no rotation in the change
+  MatrixXd matrix = MatrixXd::Zero(size + rotations, size + rotations);
+  matrix.topLeftCorner(size, size) = kept;
+  if (rotations > 0) {
+    const MatrixXd rotation = factors.kernel();
+    matrix.topRightCorner(size, rotations) = rotation;
+    matrix.bottomLeftCorner(rotations, size) = rotation.transpose();
+  }
+  VectorXd right = VectorXd::Zero(size + rotations);
+  right.head(n) = departure.head(freedoms_)(free_);
+  right.segment(n, n) = departure.tail(freedoms_)(free_) / frequency_;
+  const VectorXd found = mechanics::least_squares(matrix, right, kFree);
+  VectorXd change = VectorXd::Zero(2 * freedoms_);
+  change.head(freedoms_)(free_) = found.head(n);
+  change.tail(freedoms_)(free_) = frequency_ * found.segment(n, n);
+  return change;
+}
+
+}  // namespace orbearing::gearset::dynamics

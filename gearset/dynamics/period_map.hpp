@@ -1,0 +1,36 @@
+// What becomes of a small motion of the set over one mesh period: Floquet's theory.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gearset/dynamics/model.hpp"
+
+namespace orbearing::gearset::dynamics {
+
+/// The map of departures from a motion over one mesh period at the nominal speed: meshes pass through their
+/// stiffnesses, all teeth in contact with the flank that carries; dampers, turning frame and a drive of
+/// constant power included.
+class PeriodMap {
+ public:
+  /// @param about state of the motion, in the order of SetLayout; of importance to loaded teeth alone
+  PeriodMap(const SetModel& model, const Eigen::Ref<const Eigen::VectorXd>& about);
+
+  /// The fastest rate [1/s] at which a motion grows, of Floquet's multipliers: springs that pump are seen. At
+  /// most zero where nothing grows; what is less than 1e-6 of the fastest frequency is round-off.
+  double largest_growth() const;
+
+  /// The change of a state after which it repeats each period, where all but a rotation of the whole set that
+  /// costs nothing must repeat: Newton's step.
+  /// @param departure of the state over a period that begins at time zero, or any number of periods later
+  Eigen::VectorXd to_repeating(const Eigen::Ref<const Eigen::VectorXd>& departure) const;
+
+ private:
+  double period_;     // [s]
+  double frequency_;  // [rad/s]  no motion is faster; velocities are counted in positions times it
+  Eigen::Index freedoms_;
+  std::vector<Eigen::Index> free_;
+  Eigen::MatrixXd map_;  // positions of the free freedoms, then velocities
+};
+
+}  // namespace orbearing::gearset::dynamics
