@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -25,8 +26,9 @@ using integration::OutputTimes;
 
 constexpr double kLongestWindow =
     4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
-// Where loads are taken at every step, fewer states do for all other means.
-constexpr long kStatesPerSample = 5;  // of the series, for one state of the means
+// Where loads are taken at every step, fewer states do for all other means:
+constexpr long kSamplesPerState = 5;  // of the series, for one state of the means
+constexpr long kSamplesApart = 25;    // of the series, on the way to the steady state
 
 void resize(BearingSeries& series, const Snapshot& like, Eigen::Index samples) {
   const Eigen::Index rollers = like.angle.size();
@@ -66,20 +68,22 @@ void record(double time, const Snapshot& now, Eigen::Index i, BearingSeries& ser
 class Recorder {
  public:
   Recorder(long all, long per_window, long wanted, const Snapshot& like, BearingSeries* series)
-      : series_(series), stride_(std::max(1L, per_window / std::max(1L, wanted))), sample_(per_window - all) {
+      : series_(series), stride_(std::max(1L, per_window / std::max(1L, wanted))), before_(all - per_window) {
     if (series_) resize(*series_, like, (per_window - 1) / stride_ + 1);
   }
 
-  bool wants_next() const { return series_ && sample_ >= 0 && sample_ % stride_ == 0; }
-  void next(double time, const Snapshot& now) {
-    if (wants_next()) record(time, now, sample_ / stride_, *series_);
-    ++sample_;
+  /// Samples count from 1.
+  bool wants(long sample) const {
+    return series_ && sample > before_ && (sample - 1 - before_) % stride_ == 0;
+  }
+  void take(long sample, double time, const Snapshot& now) {
+    record(time, now, (sample - 1 - before_) / stride_, *series_);
   }
 
  private:
   BearingSeries* series_;
   long stride_;
-  long sample_;  // of the last window; negative before it
+  long before_;  // samples before the last window
 };
 
 // Gathers what bearings in motion show.
@@ -94,6 +98,7 @@ class Observation {
   }
 
   /// Means of all bearings over `times`; `series`, where given, keeps the last `per_window` of the first one.
+  /// Without it only what tells a steady state is looked at: loads, and the cage's turn from end to end.
   /// Where the look among them ends the run, `times` end there.
   std::vector<WindowStatistics> through(OutputTimes& times, long per_window, BearingSeries* series) {
     StepObservers observers{{}, series ? options_.on_bore : BoreObserver()};
@@ -104,33 +109,48 @@ class Observation {
     }
     motion_.observe_steps(observers);
     Recorder recorder(times.samples, per_window, options_.series_samples, snapshot_, series);
-    const long states = motion_.shows_steps() ? kStatesPerSample : 1;
-    const long before_look = series ? std::min(options_.look.windows * per_window, times.samples) : 0;
+    const long states = series ? kSamplesPerState : times.samples;
+    const long apart = !motion_.shows_steps() ? 1 : std::gcd(per_window, series ? states : kSamplesApart);
     long sample = 0;
-    const auto advance = [&](const OutputTimes& part) {
+    const auto advance_to = [&](long end, long stride) {
+      if (end <= sample) return;
+      const OutputTimes part{times.start, static_cast<double>(stride) * times.interval,
+                             (end - sample) / stride, (times.passed + sample) / stride};
       motion_.advance(part, [&](double time) {
-        const bool counts = ++sample % states == 0 || sample == times.samples;
-        for (int b = motion_.bearings() - 1; b >= 0; --b) {
-          if (!counts && !(b == 0 && recorder.wants_next())) continue;
-          motion_.take_snapshot(b, snapshot_);
-          if (counts) add(time, of(b));
-        }
-        recorder.next(time, snapshot_);
-        tell_of_motion(time, most_);
+        sample += stride;
+        show(time, sample, states, sample == times.samples, recorder);
       });
     };
-    if (before_look > 0) {
-      advance({times.start, times.interval, before_look, times.passed});
-      if (!options_.look.goes_on()) times.samples = before_look;
+    const long before_series = series ? times.samples - per_window : times.samples;
+    if (series && options_.look.windows > 0) {
+      const long look = std::min(options_.look.windows * per_window, times.samples);
+      advance_to(std::min(look, before_series), apart);
+      advance_to(look, 1);
+      if (!options_.look.goes_on()) times.samples = look;
     }
-    if (sample < times.samples)
-      advance({times.start, times.interval, times.samples - sample, times.passed + sample});
+    advance_to(std::min(before_series, times.samples), apart);
+    advance_to(times.samples, 1);
     std::vector<WindowStatistics> means;
     for (const StatisticsCollector& collector : collectors_) means.push_back(collector.means());
     return means;
   }
 
  private:
+  // Where steps show loads, each bearing in turn gives the states that tell all else, and all of them the
+  // last.
+  void show(double time, long sample, long states, bool last, Recorder& recorder) {
+    const bool all = last || !motion_.shows_steps();
+    const int turn = static_cast<int>(sample / states % motion_.bearings());
+    for (int b = motion_.bearings() - 1; b >= 0; --b) {
+      const bool counts = all || (sample % states == 0 && b == turn),
+                 recorded = b == 0 && recorder.wants(sample);
+      if (!counts && !recorded) continue;
+      motion_.take_snapshot(b, snapshot_);
+      if (counts) add(time, of(b));
+      if (recorded) recorder.take(sample, time, snapshot_);
+    }
+    tell_of_motion(time, most_);
+  }
   StatisticsCollector& of(int b) { return collectors_[static_cast<std::size_t>(b)]; }
   void add(double time, StatisticsCollector& collector) const {
     if (motion_.shows_steps())

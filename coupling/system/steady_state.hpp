@@ -106,7 +106,8 @@ struct SteadyStateResult {
   std::string message;
   bearing::motion::WindowStatistics statistics;             // over the observed windows
   std::vector<bearing::motion::WindowStatistics> bearings;  // the same, bearing by bearing
-  std::vector<bearing::motion::WindowStatistics> windows;   // each window on the way to the steady state
+  // Each window on the way to the steady state; but for loads and the cage's speed at its end alone.
+  std::vector<bearing::motion::WindowStatistics> windows;
   BearingSeries series;                                     // of the first bearing in the last window
   RollingSpeeds rolling;
   double duration = 0.0;        // [s]  from the start to the end of what was observed
