@@ -12,7 +12,7 @@ namespace orbearing::bench {
 
 namespace {
 
-constexpr int kRounds = 7;
+constexpr int kPairs = 7;
 constexpr int kRealTimeRuns = 3;
 constexpr double kShortestRun = 20e-3;  // [s]  simulated, so that a run takes some milliseconds
 constexpr int kSweepPoints = 12;
@@ -43,20 +43,17 @@ double sweep_once(const study::PlanetaryDrivetrain& drivetrain, double clearance
 
 }  // namespace
 
-Speedups speedups(Trial& trial, double own_tolerance, Trial& theirs, Method method, double tolerance) {
+Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance) {
   const Span one{trial.span.duration / kRevolutions};
-  const auto seconds = [&](Trial& of, Method by, double allowed) {
-    return of.contest.run(by, of.start, one, allowed).cpu_seconds;
-  };
-  std::vector<double> equal, shipped;
-  for (int round = 0; round < kRounds; ++round) {
-    const double own = seconds(trial, Method::fast, own_tolerance),
-                 standard = seconds(trial, Method::fast, trial.contest.duty().allowed_length_error),
-                 other = seconds(theirs, method, tolerance);
-    equal.push_back(other / own);
-    shipped.push_back(other / standard);
+  std::vector<double> ratios;
+  for (int pair = 0; pair < kPairs; ++pair) {
+    const double fast =
+        trial.contest.run(Method::fast, trial.start, one, trial.contest.duty().allowed_length_error)
+            .cpu_seconds;
+    const double other = theirs.contest.run(method, theirs.start, one, tolerance).cpu_seconds;
+    ratios.push_back(other / fast);
   }
-  return {quartiles(equal), quartiles(shipped)};
+  return quartiles(ratios);
 }
 
 double real_time(const Duty& duty) {

@@ -6,16 +6,10 @@
 
 namespace orbearing::bench {
 
-/// The fast path over a reference.
-struct Speedups {
-  Quartiles equal;    // both at their loosest tolerances
-  Quartiles shipped;  // the fast path at its standard tolerance
-};
-
-/// How many times faster the fast path is in `trial`, at `own_tolerance` [m], than `method` at its tolerance
-/// in `theirs`, which differs from it by what the equations of that method do not know: over runs taken in
-/// turn, CPU time of this thread.
-Speedups speedups(Trial& trial, double own_tolerance, Trial& theirs, Method method, double tolerance);
+/// How many times faster the fast path is in `trial` than `method` at its tolerance in `theirs`, which
+/// differs from it by what the equations of that method do not know: over pairs of runs taken in turn, CPU
+/// time of this thread.
+Quartiles speedup(Trial& trial, Trial& theirs, Method method, double tolerance);
 
 /// Simulated over computing time: the fast path, loads watched, over at least one cage revolution from the
 /// settled state; median of three.

@@ -43,7 +43,7 @@ struct WindowStatistics {
   PowerLoss loss;                                // [W]
 };
 
-/// Gathers samples evenly spaced in time and turns them into means.
+/// Gathers samples spread evenly over time and turns them into means.
 class StatisticsCollector {
  public:
   /// `laminae` as uneven_laminae() says.

@@ -23,12 +23,14 @@ Unknowns unknowns_of(const AffineBearing& law) {
   return unknowns;
 }
 
-// The shortest of the least squares, so that what no motion shows stays zero. Departure from what is expected, in units of `known`: first as if nothing were known, for the scatter of
-// the forces; then drawn to zero by as much as that scatter leaves open.
-MatrixXd departure(const MatrixXd& motion, const MatrixXd& unexplained) {
+// The shortest of the least squares, so that what no motion shows stays zero. Departure from what is
+// expected, in units of `known`: first as if nothing were known, for the scatter of the forces; then drawn to
+// zero by as much as that scatter leaves open. `weight`: of all rows, of which those of the last motion have
+// one each.
+MatrixXd departure(const MatrixXd& motion, const MatrixXd& unexplained, double weight) {
   const MatrixXd free = mechanics::least_squares(motion, unexplained);
   const double scatter =
-      (unexplained - motion * free).norm() / std::sqrt(static_cast<double>(unexplained.size()));
+      (unexplained - motion * free).norm() / std::sqrt(static_cast<double>(unexplained.cols()) * weight);
   MatrixXd matrix(motion.rows() + 4, 4), right = MatrixXd::Zero(motion.rows() + 4, 2);
   matrix << motion, scatter * Eigen::Matrix4d::Identity();
   right.topRows(motion.rows()) = unexplained;
@@ -86,6 +88,7 @@ void AffineFit::begin_motion() {
   before_.conservativeResize(before_.rows() + rows.rows(), Eigen::NoChange);
   before_.bottomRows(rows.rows()) = rows;
   before_ *= std::sqrt(kKept);
+  before_weight_ = kKept * (before_weight_ + weight_ * static_cast<double>(rows.rows()));
   orders_.assign(orders_.size(), {});
   sum_.setZero();
   weight_ = 0.0;
@@ -95,17 +98,18 @@ FittedBearing AffineFit::law(const AffineBearing& expected, const AffineBearing&
   const double stiffness = kExpectedStiffness * expected.stiffness.norm(), damping = expected.damping.norm();
   const Eigen::Vector4d known(stiffness, stiffness, damping, damping);
   const Unknowns prior = unknowns_of(expected);
-  const auto fitted_to = [&](const MatrixXd& rows) {
+  const auto fitted_to = [&](const MatrixXd& rows, double weight) {
     Unknowns found =
         prior + known.asDiagonal() * departure(rows.leftCols<4>() * known.asDiagonal(),
-                                               -rows.rightCols<2>() - rows.leftCols<4>() * prior);
+                                               -rows.rightCols<2>() - rows.leftCols<4>() * prior, weight);
     take_energy(found);
     return found;
   };
   const MatrixXd last = harmonics();
   MatrixXd all(before_.rows() + last.rows(), 6);
   all << before_ / std::sqrt(weight_), last;
-  const Unknowns found = fitted_to(all);
+  const double of_last = static_cast<double>(last.rows());
+  const Unknowns found = fitted_to(all, of_last + before_weight_ / weight_);
   const MatrixXd motion = last.leftCols<4>(), force = last.rightCols<2>();
   const Row mean = sum_ / weight_;
   FittedBearing result;
@@ -113,7 +117,7 @@ FittedBearing AffineFit::law(const AffineBearing& expected, const AffineBearing&
   result.bearing.damping = found.bottomRows<2>().transpose();
   result.bearing.force = (mean.tail<2>() + mean.head<4>() * found).transpose();
   result.residual = (force + motion * found).norm() / force.norm();
-  const Unknowns own = fitted_to(last), change = own - unknowns_of(before);
+  const Unknowns own = fitted_to(last, of_last), change = own - unknowns_of(before);
   const auto share = [&](const Unknowns& part, Index from) {
     return (motion.middleCols<2>(from) * part.middleRows<2>(from)).norm() /
            (motion.middleCols<2>(from) * own.middleRows<2>(from)).norm();

@@ -56,6 +56,7 @@ class AffineFit {
 
   double angular_frequency_;
   Eigen::MatrixXd before_ = Eigen::MatrixXd(0, 6);  // harmonics of earlier motions, times root of weight
+  double before_weight_ = 0.0;                      // of all those rows
   std::vector<Order> orders_;
   Row sum_ = Row::Zero();
   double weight_ = 0.0;

@@ -83,6 +83,7 @@ class GearRun {
   std::optional<Eigen::VectorXd> departure() {
     const Eigen::VectorXd before = result_.final_state;
     if (!integrate({time_, 1.0 / model().operation.mesh_frequency, 1}, {})) return std::nullopt;
+    require_on_pins(model(), time_, result_.final_state);
     return result_.final_state - before;
   }
 
@@ -163,6 +164,8 @@ bool settle(GearRun& run, const SetModel& model, const GearRunOptions& options, 
   return true;
 }
 
+constexpr long kRepeatingPeriods = 10;  // [mesh period]  of samples, no two of which fall on one phase
+
 // The motion that repeats with the meshes.
 class RepeatingMotion {
  public:
@@ -187,10 +190,14 @@ class RepeatingMotion {
     return false;
   }
 
-  /// Whether the state still is on it, since one that does not last is left within some periods.
+  /// Whether a disturbance dies out within ten periods. Asked where teeth part, which the map does not know.
   bool lasts() {
-    const std::optional<Eigen::VectorXd> change = change_to_it();
-    return change && errors_in(*change) <= kLasts;
+    for (Eigen::Index i = 0; i < allowed_.size(); ++i)
+      result_.final_state[i] += (i % 2 == 0 ? kDisturbed : -kDisturbed) * allowed_[i];
+    std::optional<Eigen::VectorXd> change;
+    for (long i = 0; i <= kRepeatingPeriods; ++i)
+      if (!(change = change_to_it())) return false;
+    return errors_in(*change) <= kDied;
   }
 
  private:
@@ -205,8 +212,8 @@ class RepeatingMotion {
   }
 
   static constexpr int kMostPeriods = 12;
-  static constexpr double kFound = 1.0;   // [-]  of the error allowed in one step
-  static constexpr double kLasts = 30.0;  // [-]  the same, some ten periods later
+  // [-]  of the errors allowed in one step:
+  static constexpr double kFound = 1.0, kDisturbed = 30.0, kDied = 10.0;
 
   GearRun& run_;
   const gearset::dynamics::PeriodMap& map_;
@@ -214,11 +221,14 @@ class RepeatingMotion {
   GearRunResult& result_;
 };
 
-constexpr long kRepeatingPeriods = 10;  // [mesh period]  of samples, no two of which fall on one phase
-
 // False where the integration failed, or the motion is not found or does not last.
 bool observe_repeating(RepeatingMotion& motion, GearRun& run, GearSignals& signals, GearRunResult& result) {
-  return motion.find() && run.observe(kRepeatingPeriods, signals, &result.series) && motion.lasts();
+  if (!motion.find() || !run.observe(kRepeatingPeriods, signals, &result.series)) return false;
+  if (result.separated == 0.0) return true;
+  const Eigen::VectorXd on_it = result.final_state;
+  if (!motion.lasts()) return false;
+  result.final_state = on_it;
+  return true;
 }
 
 }  // namespace
@@ -231,10 +241,16 @@ GearRunResult run_gears_repeating(const Eigen::VectorXd& start, const SetModel& 
   GearRun run(model, options, result);
   RepeatingMotion motion(run, map, model, options, result);
   GearSignals observed(model.layout.planets, options.harmonics);
+  bool found = false;
   try {
-    if (!observe_repeating(motion, run, observed, result)) return run_gears_from(start, model, options);
+    found = map.largest_growth() <= 0.0 && observe_repeating(motion, run, observed, result);
   } catch (const RunAway&) {
-    return run_gears_from(start, model, options);
+    // It is waited for, then.
+  }
+  if (!found) {
+    GearRunResult waited = run_gears_from(start, model, options);
+    append(result.report, waited.report);
+    return waited;
   }
   result.planets = observed.statistics();
   result.completed = result.steady = true;

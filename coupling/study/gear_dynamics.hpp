@@ -61,7 +61,8 @@ GearRunResult run_gears_from(const Eigen::VectorXd& start, const gearset::dynami
 
 /// The same where the speed is steady and the motion repeats with the meshes: found from `start` by Newton's
 /// method on `map`, in place of being waited for, and observed over ten mesh periods. Where it is not found,
-/// or does not last, as parting teeth can have it, the motion is waited for all the same.
+/// a small motion grows by the map, or teeth part and a disturbance does not die out, the motion is waited
+/// for all the same.
 GearRunResult run_gears_repeating(const Eigen::VectorXd& start, const gearset::dynamics::SetModel& model,
                                   const gearset::dynamics::PeriodMap& map, const GearRunOptions& options);
 

@@ -73,12 +73,12 @@ bool shakes(const PlanetaryDrivetrain& drivetrain) {
 
 GearsOnLaw::GearsOnLaw(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                        const AffineBearing& law)
-    : model_(gear_model_on(drivetrain, law)), at_rest_(static_state(model_)), map_(model_, at_rest_) {
+    : model_(gear_model_on(drivetrain, law)), map_(model_) {
   options_.harmonics = excitation_orders(drivetrain, geometry, law);
 }
 
 GearRunResult GearsOnLaw::run(const std::optional<Eigen::VectorXd>& start) const {
-  return run_gears_repeating(start ? *start : at_rest_, model_, map_, options_);
+  return run_gears_repeating(start ? *start : static_state(model_), model_, map_, options_);
 }
 
 GearsOnTangent gears_on_tangent(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry) {

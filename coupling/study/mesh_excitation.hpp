@@ -26,7 +26,6 @@ class GearsOnLaw {
 
  private:
   gearset::dynamics::SetModel model_;
-  Eigen::VectorXd at_rest_;
   gearset::dynamics::PeriodMap map_;
   GearRunOptions options_;
 };

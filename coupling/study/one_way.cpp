@@ -45,16 +45,16 @@ class OneWay {
   bool drive(const AffineBearing& law, const GearRunResult& gears) {
     const bearing::motion::MeshExcitation excitation =
         excitation_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
-    if (excitation.harmonics.empty()) return false;
     gear_state_ = gears.final_state;
     parameters_.excitation = excitation;
-    return true;
+    return !excitation.harmonics.empty();
   }
   /// The same by a new run of `gears`, which are on `law`. False where they run away: the bearing is driven
   /// as before then.
   bool drive_by(const GearsOnLaw& gears, const AffineBearing& law) {
     const GearRunResult run = gears.run(gear_state_);
-    return run.completed && drive(law, run);
+    if (run.completed) drive(law, run);
+    return run.completed;
   }
 
   SteadyStateResult run_bearing(const bearing::motion::DynamicsParameters& parameters,
@@ -123,15 +123,16 @@ OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
   AffineBearing law = tangent;
   OneWayRecord record;
   std::optional<GearsOnLaw> next;
-  bool last = false;  // whatever comes of it
+  bool last = false;   // whatever comes of it
+  bool whole = false;  // observed to its end
   const auto goes_on = [&](const FittedBearing& fitted) {
-    if (last || is_close(fitted, options, kLookMargin)) return true;
+    whole = last || is_close(fitted, options, kLookMargin);
+    if (whole) return true;
     next.emplace(drivetrain, geometry, fitted.bearing);
-    last = !next->stay_on();  // there is no better law to go to
-    return last;
+    return whole = last = !next->stay_on();  // there is no better law to go to
   };
   while (true) {
-    last = ++record.runs == options.most_runs || last;
+    last = ++record.runs >= options.most_runs || last;
     next.reset();
     result.bearing = one_way.run(law, tangent, goes_on, record.fitted);
     if (!result.bearing.completed) return result;
@@ -139,10 +140,12 @@ OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeo
     if (record.accepted || last) break;
     if (!next) next.emplace(drivetrain, geometry, record.fitted.bearing);
     if (!next->stay_on()) break;
-    if (one_way.drive_by(*next, record.fitted.bearing))
+    if (one_way.drive_by(*next, record.fitted.bearing)) {
       law = record.fitted.bearing;
-    else
-      last = true;  // driven as before, and observed to the end
+      continue;
+    }
+    if (whole) break;
+    last = true;  // driven as before, and observed to the end
   }
   result.fit = record;
   return result;

@@ -19,7 +19,7 @@ struct OneWayOptions {
 
 /// What stood for the bearings while the gears moved.
 struct OneWayRecord {
-  FittedBearing fitted;   // to the last run; its changes are from what the gears moved on in that run
+  FittedBearing fitted;   // after the last run; its changes are from what the gears moved on in that run
   int runs = 0;           // of gears and bearing
   bool accepted = false;  // both changes within what is allowed
 };
@@ -34,8 +34,9 @@ struct OneWayRun {
 /// (excitation_of()), the affine law fitted to its motion, and both again on that law until a run agrees with
 /// the law that it was driven on. The gears move on the law fitted to all runs but the first (AffineFit):
 /// what a single run shows swings about it. Runs that do not agree are broken off after a third of the
-/// windows; the last one is observed to its end. Where the gears would run away on a law, the run that it is
-/// fitted to is the last one. Each run goes on where the one before ended.
+/// windows, one at least; the last one is observed to its end. Where the gears would run away on a law, the
+/// run that it is fitted to is the last one; where they do all the same, the bearing is driven as before once
+/// more. Each run goes on where the one before ended.
 ///
 /// Of the planet's mass the bearing gets its own outer ring, and the gears' load is what moves that ring as
 /// the planet moved: nearly the force of the bearing. With the whole mass, which is as good for a bearing

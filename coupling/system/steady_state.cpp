@@ -27,8 +27,9 @@ using integration::OutputTimes;
 constexpr double kLongestWindow =
     4.0;  // of a kinematic revolution: a cage that stands shall not hold up the run
 // Where loads are taken at every step, fewer states do for all other means:
-constexpr long kSamplesPerState = 5;  // of the series, for one state of the means
-constexpr long kSamplesApart = 25;    // of the series, on the way to the steady state
+constexpr long kSamplesPerState = 5;            // of the series, for one state of the means
+constexpr double kGolden = 0.6180339887498949;  // [-]
+constexpr long kSamplesApart = 25;              // of the series, on the way to the steady state
 
 void resize(BearingSeries& series, const Snapshot& like, Eigen::Index samples) {
   const Eigen::Index rollers = like.angle.size();
@@ -111,6 +112,7 @@ class Observation {
     Recorder recorder(times.samples, per_window, options_.series_samples, snapshot_, series);
     const long states = series ? kSamplesPerState : times.samples;
     const long apart = !motion_.shows_steps() ? 1 : std::gcd(per_window, series ? states : kSamplesApart);
+    const long look = series ? std::min(options_.look.windows * per_window, times.samples) : 0;
     long sample = 0;
     const auto advance_to = [&](long end, long stride) {
       if (end <= sample) return;
@@ -118,12 +120,11 @@ class Observation {
                              (end - sample) / stride, (times.passed + sample) / stride};
       motion_.advance(part, [&](double time) {
         sample += stride;
-        show(time, sample, states, sample == times.samples, recorder);
+        show(time, sample, states, sample == times.samples || sample == look, recorder);
       });
     };
     const long before_series = series ? times.samples - per_window : times.samples;
-    if (series && options_.look.windows > 0) {
-      const long look = std::min(options_.look.windows * per_window, times.samples);
+    if (look > 0) {
       advance_to(std::min(look, before_series), apart);
       advance_to(look, 1);
       if (!options_.look.goes_on()) times.samples = look;
@@ -136,11 +137,12 @@ class Observation {
   }
 
  private:
-  // Where steps show loads, each bearing in turn gives the states that tell all else, and all of them the
-  // last.
+  // Where steps show loads, one bearing at a time gives the states that tell all else, and all of them the
+  // last. Which one follows the golden ratio, so that none is always seen in the same place.
   void show(double time, long sample, long states, bool last, Recorder& recorder) {
     const bool all = last || !motion_.shows_steps();
-    const int turn = static_cast<int>(sample / states % motion_.bearings());
+    const double turns = kGolden * static_cast<double>(sample / states);
+    const int turn = static_cast<int>((turns - std::floor(turns)) * motion_.bearings());
     for (int b = motion_.bearings() - 1; b >= 0; --b) {
       const bool counts = all || (sample % states == 0 && b == turn),
                  recorded = b == 0 && recorder.wants(sample);
@@ -351,6 +353,8 @@ SteadyStateResult run_up(const bearing::Bearing& bearing, const bearing::Operati
                          const bearing::motion::DynamicsParameters& parameters,
                          const SteadyStateOptions& options, double duration) {
   require_speed(parameters.driving, duration);
+  if (options.look.windows > 0)
+    throw std::invalid_argument("look among windows: found in a run-up, which has none; required: none");
   const BearingModel model = bearing_model(bearing, point, parameters);
   bearing::motion::DynamicsParameters before = parameters;
   before.driving = {};

@@ -14,7 +14,7 @@ namespace orbearing::system {
 /// A question among the observed windows: is it worth to observe the others, too?
 struct Look {
   int windows = 0;                     // observed when it is asked; 0: it is not
-  std::function<bool()> goes_on = {};  // false: the run ends there, with the means so far and no series
+  std::function<bool()> goes_on = {};  // false: the run ends there with the means so far; its series is void
 };
 
 /// What belongs to the method. A window is one revolution of the cage relative to the carrier.

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "gearset/dynamics/slopes.hpp"
 #include "mechanics/linear_algebra.hpp"
@@ -24,17 +25,21 @@ constexpr double kFree = 1e-8;     // [-]  of the largest pivot: a direction tha
 // Accelerations over departures, which change with the meshes.
 class Linearised {
  public:
-  Linearised(const SetModel& model, const Eigen::Ref<const VectorXd>& about, const std::vector<Index>& free)
-      : model_(model), about_(about), free_(free) {
+  Linearised(const SetModel& model, const std::vector<Index>& free)
+      : model_(model), still_(VectorXd::Zero(model.layout.size())), free_(free) {
     model_.parameters.separation = false;
+    for (Mesh* mesh : {&model_.parameters.sun_mesh, &model_.parameters.ring_mesh}) mesh->loaded = nullptr;
     at(0.0);
   }
+
+  /// [mesh period]  where something jumps
+  std::vector<double> jumps() const { return jump_phases(model_); }
 
   /// [rad/s]  by the largest sum of a row
   double fastest() const { return std::sqrt(by_position_.cwiseAbs().rowwise().sum().maxCoeff()); }
 
   void at(double time) {
-    force_slopes(model_, time, about_, slopes_);
+    force_slopes(model_, time, still_, slopes_);  // linear: of no state
     by_position_ = accelerations(slopes_.by_position);
     by_velocity_ = accelerations(slopes_.by_velocity);
   }
@@ -52,11 +57,24 @@ class Linearised {
   }
 
   SetModel model_;
-  VectorXd about_;
+  VectorXd still_;
   const std::vector<Index>& free_;
   ForceSlopes slopes_;
   MatrixXd by_position_, by_velocity_;
 };
+
+// The largest rate among the multipliers of `map`.
+double growth_of(const MatrixXd& map, double period, double frequency) {
+  const Eigen::VectorXcd multipliers = Eigen::EigenSolver<MatrixXd>(map, false).eigenvalues();
+  const double growth = std::log(multipliers.cwiseAbs().maxCoeff()) / period;
+  return growth > kNothing * frequency ? growth : std::min(growth, 0.0);
+}
+
+void require_steady_speed(const Operation& operation) {
+  if (operation.run_up.duration > 0.0 || !(operation.mesh_frequency > 0.0))
+    throw std::invalid_argument(
+        "map of a mesh period: found a run-up, or a set that stands; required: a steady speed");
+}
 
 // Classic Runge-Kutta from `begin` to `end` [s], inside of which nothing jumps.
 void pass_piece(Linearised& linear, double frequency, double begin, double end, MatrixXd& x) {
@@ -77,15 +95,16 @@ void pass_piece(Linearised& linear, double frequency, double begin, double end, 
 
 }  // namespace
 
-PeriodMap::PeriodMap(const SetModel& model, const Eigen::Ref<const VectorXd>& about)
+PeriodMap::PeriodMap(const SetModel& model)
     : period_(1.0 / model.operation.mesh_frequency), freedoms_(model.layout.freedoms()) {
+  require_steady_speed(model.operation);
   for (Index i = 0; i < freedoms_; ++i)
     if (model.mobility[i] > 0.0) free_.push_back(i);
-  Linearised linear(model, about, free_);
+  Linearised linear(model, free_);
   frequency_ = linear.fastest();
   const Index size = 2 * static_cast<Index>(free_.size());
   map_.setIdentity(size, size);
-  std::vector<double> ends = jump_phases(model);
+  std::vector<double> ends = linear.jumps();
   ends.push_back(1.0);
   double begin = 0.0;
   for (const double end : ends) {
@@ -93,12 +112,7 @@ PeriodMap::PeriodMap(const SetModel& model, const Eigen::Ref<const VectorXd>& ab
       pass_piece(linear, frequency_, (begin + kMargin) * period_, (end - kMargin) * period_, map_);
     begin = end;
   }
-}
-
-double PeriodMap::largest_growth() const {
-  const Eigen::VectorXcd multipliers = Eigen::EigenSolver<MatrixXd>(map_, false).eigenvalues();
-  const double growth = std::log(multipliers.cwiseAbs().maxCoeff()) / period_;
-  return growth > kNothing * frequency_ ? growth : std::min(growth, 0.0);
+  growth_ = growth_of(map_, period_, frequency_);
 }
 
 VectorXd PeriodMap::to_repeating(const Eigen::Ref<const VectorXd>& departure) const {

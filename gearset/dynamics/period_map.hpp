@@ -9,16 +9,16 @@
 namespace orbearing::gearset::dynamics {
 
 /// The map of departures from a motion over one mesh period at the nominal speed: meshes pass through their
-/// stiffnesses, all teeth in contact with the flank that carries; dampers, turning frame and a drive of
-/// constant power included.
+/// stiffnesses, of loaded teeth those about the mean load, all in contact with the flank that carries;
+/// dampers, turning frame and a drive of constant power included.
 class PeriodMap {
  public:
-  /// @param about state of the motion, in the order of SetLayout; of importance to loaded teeth alone
-  PeriodMap(const SetModel& model, const Eigen::Ref<const Eigen::VectorXd>& about);
+  /// @throws std::invalid_argument for a run-up, and for a set that stands
+  explicit PeriodMap(const SetModel& model);
 
   /// The fastest rate [1/s] at which a motion grows, of Floquet's multipliers: springs that pump are seen. At
   /// most zero where nothing grows; what is less than 1e-6 of the fastest frequency is round-off.
-  double largest_growth() const;
+  double largest_growth() const { return growth_; }
 
   /// The change of a state after which it repeats each period, where all but a rotation of the whole set that
   /// costs nothing must repeat: Newton's step.
@@ -27,7 +27,8 @@ class PeriodMap {
 
  private:
   double period_;     // [s]
-  double frequency_;  // [rad/s]  no motion is faster; velocities are counted in positions times it
+  double frequency_;  // [rad/s]  of about the fastest motion; velocities are counted in positions times it
+  double growth_;     // [1/s]
   Eigen::Index freedoms_;
   std::vector<Eigen::Index> free_;
   Eigen::MatrixXd map_;  // positions of the free freedoms, then velocities

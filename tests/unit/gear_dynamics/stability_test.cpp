@@ -51,7 +51,7 @@ double growth_by_differences(const SetModel& model) {
 }
 
 double largest_growth(const SetModel& model) {
-  return PeriodMap(model, static_state(model)).largest_growth();
+  return PeriodMap(model).largest_growth();
 }
 
 TEST(LargestGrowth, IsThatOfTheEquations) {
@@ -139,7 +139,7 @@ TEST(LargestGrowth, SeesMeshesThatPump) {
 TEST(PeriodMap, LeadsToTheMotionThatRepeats) {
   const SetModel model = model_on(law(3e8, 2e7, 500.0));
   const Eigen::VectorXd rest = static_state(model);
-  const PeriodMap map(model, rest);
+  const PeriodMap map(model);
   const Eigen::VectorXd departure = after_period(model, rest) - rest;
   const Eigen::VectorXd x = rest + map.to_repeating(departure);
   const Eigen::VectorXd left = after_period(model, x) - x;
@@ -158,8 +158,7 @@ TEST(RepeatingGears, AreThoseThatAreWaitedFor) {
     const Eigen::VectorXd rest = static_state(model);
     study::GearRunOptions options;
     options.drift = 1e-3;
-    const study::GearRunResult found =
-                                   study::run_gears_repeating(rest, model, PeriodMap(model, rest), options),
+    const study::GearRunResult found = study::run_gears_repeating(rest, model, PeriodMap(model), options),
                                waited = study::run_gears(model, options);
     ASSERT_TRUE(found.completed && waited.completed);
     EXPECT_LT(found.report.steps, waited.report.steps / 4);
@@ -171,6 +170,44 @@ TEST(RepeatingGears, AreThoseThatAreWaitedFor) {
       EXPECT_NEAR(one.sines[i], other.sines[i], allowed) << "order " << i + 1 << " at " << speed;
     }
   }
+}
+
+// A map of loaded teeth is that of their tangent about the mean load, backlash or not: Newton's step from
+// rest takes nine tenths of the way to the motion that repeats, and what is left is what their bend leaves.
+TEST(PeriodMap, KnowsLoadedTeethByTheirMeanLoad) {
+  SetParameters set = test::reducer_dynamics();
+  test::load_teeth(set);
+  set.planet.affine_bearing = law(3e8, 0.0, 500.0);
+  ASSERT_TRUE(set.sun_mesh.loaded);
+  ASSERT_GT(set.sun_mesh.backlash, 0.0);
+  const SetModel model = set_model(std::move(set), test::reducer_operation(300.0));
+  const Eigen::VectorXd rest = static_state(model);
+  const PeriodMap map(model);
+  const Eigen::VectorXd step = map.to_repeating(after_period(model, rest) - rest), x = rest + step;
+  EXPECT_LT(size_of(model, map.to_repeating(after_period(model, x) - x)), 0.1 * size_of(model, step));
+}
+
+TEST(PeriodMap, RefusesWhatHasNoPeriod) {
+  SetModel model = model_on(law(3e8, 0.0, 500.0));
+  model.operation.run_up = {.from = 0.5, .duration = 1.0};
+  EXPECT_THROW(PeriodMap{model}, std::invalid_argument);
+  model = model_on(law(3e8, 0.0, 500.0));
+  model.operation.mesh_frequency = 0.0;
+  EXPECT_THROW(PeriodMap{model}, std::invalid_argument);
+}
+
+// A motion that repeats where small ones grow is found by Newton, too, and yet is none that gears come to.
+TEST(RepeatingGears, AreNotTakenWhereSmallMotionsGrow) {
+  const SetModel model = model_on(law(3e8, 0.0, -200.0));
+  const PeriodMap map(model);
+  ASSERT_GT(map.largest_growth(), 0.0);
+  study::GearRunOptions options;
+  options.most_windows = 4;
+  const study::GearRunResult found = study::run_gears_repeating(static_state(model), model, map, options),
+                             waited = study::run_gears(model, options);
+  EXPECT_EQ(found.completed, waited.completed);
+  EXPECT_EQ(found.message, waited.message);
+  EXPECT_EQ(found.final_state, waited.final_state);
 }
 
 TEST(GearsThatRunAway, AreGivenUpWithTheReason) {
