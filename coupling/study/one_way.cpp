@@ -30,31 +30,41 @@ bearing::motion::DynamicsParameters on_its_ring(const DrivetrainGeometry& geomet
   return parameters;
 }
 
-// The runs so far: where gears and bearing stand.
+// Gears and bearing in turn: where they stand, and what is known of the law.
 class OneWay {
  public:
   OneWay(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry, const BearingDuty& duty,
-         const std::optional<Eigen::VectorXd>& start)
+         const std::optional<Eigen::VectorXd>& start, const OneWayOptions& options)
       : drivetrain_(drivetrain),
         geometry_(geometry),
         duty_(duty),
+        options_(options),
         parameters_(on_its_ring(geometry, bearing_dynamics(drivetrain, geometry))),
         bearing_state_(start) {}
 
-  /// Driven by gears that moved on `law`; false where they give nothing but their mean loads.
-  bool drive(const AffineBearing& law, const GearRunResult& gears) {
-    const bearing::motion::MeshExcitation excitation =
-        excitation_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
-    gear_state_ = gears.final_state;
-    parameters_.excitation = excitation;
-    return !excitation.harmonics.empty();
+  /// Until a run agrees with the law that it was driven on, or there is no better law to go to.
+  OneWayRun run(const GearsOnTangent& gears) {
+    tangent_ = gears.tangent;
+    if (!drive(tangent_, gears.run))
+      return {run_bearing(bearing_dynamics(drivetrain_, geometry_), drivetrain_.steady_state), std::nullopt};
+    OneWayRun result;
+    do {
+      last_ = ++record_.runs >= options_.most_runs || last_;
+      result.bearing = run_driven();
+      if (!result.bearing.completed) return result;
+      record_.accepted = is_close(1.0);
+    } while (!record_.accepted && !last_ && go_to_fitted_law());
+    result.fit = record_;
+    return result;
   }
-  /// The same by a new run of `gears`, which are on `law`. False where they run away: the bearing is driven
-  /// as before then.
-  bool drive_by(const GearsOnLaw& gears, const AffineBearing& law) {
-    const GearRunResult run = gears.run(gear_state_);
-    if (run.completed) drive(law, run);
-    return run.completed;
+
+ private:
+  // By gears that moved on `law`; false where they give nothing but their mean loads.
+  bool drive(const AffineBearing& law, const GearRunResult& gears) {
+    law_ = law;
+    gear_state_ = gears.final_state;
+    parameters_.excitation = excitation_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
+    return !parameters_.excitation.harmonics.empty();
   }
 
   SteadyStateResult run_bearing(const bearing::motion::DynamicsParameters& parameters,
@@ -62,24 +72,12 @@ class OneWay {
     return run_to_steady_state(drivetrain_.bearing, duty_.point, parameters, options, bearing_state_);
   }
 
-  /// The bearing as it is driven now, on gears that moved on `law`. The law fitted to it, and to the motions
-  /// before but for the first, which only leads near it, is shown to `goes_on` after a part of the windows:
-  /// where that says no, the run ends there. `tangent` is what is known beforehand, in each run alike: drawn
-  /// to the law before, what no motion shows would wander.
-  SteadyStateResult run(const AffineBearing& law, const AffineBearing& tangent,
-                        const std::function<bool(const FittedBearing&)>& goes_on, FittedBearing& fitted) {
-    begin_motion(law);
-    const double number = drivetrain_.bearings_per_planet;
-    const auto fit = [&] {
-      fitted = fit_->law(times(1.0 / number, tangent), times(1.0 / number, law));
-      fitted.bearing = times(number, fitted.bearing);
-    };
+  // The bearing as it is driven now, looked at on the way.
+  SteadyStateResult run_driven() {
+    begin_motion();
     system::SteadyStateOptions options = drivetrain_.steady_state;
-    options.on_bore = [&](const system::BoreSample& sample) { fit_->add(sample); };
-    options.look = {std::max(1, options.observed_windows / kLookShare), [&] {
-                      fit();
-                      return goes_on(fitted);
-                    }};
+    options.on_bore = [this](const system::BoreSample& sample) { fit_->add(sample); };
+    options.look = {std::max(1, options.observed_windows / kLookShare), [this] { return goes_on(); }};
     SteadyStateResult result = run_bearing(parameters_, options);
     if (!result.completed) return result;
     bearing_state_ = result.final_state;
@@ -87,68 +85,69 @@ class OneWay {
     return result;
   }
 
- private:
-  void begin_motion(const AffineBearing& law) {
-    if (runs_++ > 1) return fit_->begin_motion();
-    fit_.emplace(parameters_.excitation.angular_frequency, excitation_orders(drivetrain_, geometry_, law));
+  // The first motion only leads near the law: it is forgotten.
+  void begin_motion() {
+    if (record_.runs > 2) return fit_->begin_motion();
+    fit_.emplace(parameters_.excitation.angular_frequency, excitation_orders(drivetrain_, geometry_, law_));
+  }
+
+  // The tangent is what is known beforehand, in each run alike: drawn to the law before, what no motion shows
+  // would wander.
+  void fit() {
+    const double number = drivetrain_.bearings_per_planet;
+    record_.fitted = fit_->law(times(1.0 / number, tangent_), times(1.0 / number, law_));
+    record_.fitted.bearing = times(number, record_.fitted.bearing);
+  }
+
+  // Asked in a run: is it to be observed to its end?
+  bool goes_on() {
+    fit();
+    next_.reset();
+    whole_ = last_ || is_close(kLookMargin);
+    if (whole_) return true;
+    next_.emplace(drivetrain_, geometry_, record_.fitted.bearing);
+    return whole_ = last_ = !next_->stay_on();  // there is no better law to go to
+  }
+
+  // False where gears run away on it, and the last run was observed to its end.
+  bool go_to_fitted_law() {
+    if (!next_) next_.emplace(drivetrain_, geometry_, record_.fitted.bearing);
+    if (!next_->stay_on()) return false;
+    const GearRunResult gears = next_->run(gear_state_);
+    if (gears.completed) {
+      drive(record_.fitted.bearing, gears);
+      return true;
+    }
+    last_ = true;  // driven as before, once more
+    return !whole_;
+  }
+
+  /// @param margin on what is allowed
+  bool is_close(double margin) const {
+    return record_.fitted.stiffness_change <= margin * options_.stiffness_change &&
+           record_.fitted.damping_change <= margin * options_.damping_change;
   }
 
   const PlanetaryDrivetrain& drivetrain_;
   const DrivetrainGeometry& geometry_;
   const BearingDuty& duty_;
+  const OneWayOptions& options_;
   bearing::motion::DynamicsParameters parameters_;
+  AffineBearing tangent_, law_;  // law_: that the gears moved on
   std::optional<Eigen::VectorXd> gear_state_, bearing_state_;
   std::optional<AffineFit> fit_;
-  int runs_ = 0;
+  OneWayRecord record_;
+  std::optional<GearsOnLaw> next_;  // on the fitted law, where it was asked for
+  bool last_ = false;               // of the runs, whatever comes of it
+  bool whole_ = false;              // the run was observed to its end
 };
-
-/// @param margin on what is allowed
-bool is_close(const FittedBearing& fitted, const OneWayOptions& options, double margin = 1.0) {
-  return fitted.stiffness_change <= margin * options.stiffness_change &&
-         fitted.damping_change <= margin * options.damping_change;
-}
 
 }  // namespace
 
 OneWayRun run_one_way(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                       const BearingDuty& duty, const GearsOnTangent& gears,
                       const std::optional<Eigen::VectorXd>& start, const OneWayOptions& options) {
-  OneWay one_way(drivetrain, geometry, duty, start);
-  OneWayRun result;
-  const AffineBearing& tangent = gears.tangent;
-  if (!one_way.drive(tangent, gears.run)) {
-    result.bearing = one_way.run_bearing(bearing_dynamics(drivetrain, geometry), drivetrain.steady_state);
-    return result;
-  }
-  AffineBearing law = tangent;
-  OneWayRecord record;
-  std::optional<GearsOnLaw> next;
-  bool last = false;   // whatever comes of it
-  bool whole = false;  // observed to its end
-  const auto goes_on = [&](const FittedBearing& fitted) {
-    whole = last || is_close(fitted, options, kLookMargin);
-    if (whole) return true;
-    next.emplace(drivetrain, geometry, fitted.bearing);
-    return whole = last = !next->stay_on();  // there is no better law to go to
-  };
-  while (true) {
-    last = ++record.runs >= options.most_runs || last;
-    next.reset();
-    result.bearing = one_way.run(law, tangent, goes_on, record.fitted);
-    if (!result.bearing.completed) return result;
-    record.accepted = is_close(record.fitted, options);
-    if (record.accepted || last) break;
-    if (!next) next.emplace(drivetrain, geometry, record.fitted.bearing);
-    if (!next->stay_on()) break;
-    if (one_way.drive_by(*next, record.fitted.bearing)) {
-      law = record.fitted.bearing;
-      continue;
-    }
-    if (whole) break;
-    last = true;  // driven as before, and observed to the end
-  }
-  result.fit = record;
-  return result;
+  return OneWay(drivetrain, geometry, duty, start, options).run(gears);
 }
 
 }  // namespace orbearing::study
