@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 namespace orbearing::system::steady_state_test {
 namespace {
 
@@ -116,7 +119,7 @@ class EvenMotion : public Motion {
       if (now_ > fails_at) throw std::runtime_error("it failed");
       bearing::motion::Snapshot now;
       for (int b = 0; b < bearings(); ++b) {
-        take_snapshot(b, now);
+        EvenMotion::take_snapshot(b, now);
         observers_.loads[static_cast<std::size_t>(b)]->add_loads(1.0, loads_of(now));
       }
       times.push_back(now_);
@@ -135,6 +138,9 @@ class EvenMotion : public Motion {
     into.race_speeds = {0.0, 2.0 * kCageSpeed, kCageSpeed};
   }
   integration::IntegrationReport report() const override { return {.steps = 7}; }
+
+ protected:
+  double now() const { return now_; }
 
  private:
   StepObservers observers_;
@@ -175,6 +181,53 @@ TEST(RunToSteadyState, PoolsBearingsAndKeepsASeriesOfTheFirst) {
   EXPECT_EQ(run.series.time[0], motion.times[8]);
   EXPECT_EQ(run.series.time[9], motion.times[17]);
   EXPECT_EQ(run.series.inner_load(2, 9), 3.0);
+}
+
+// All bearings show a state at the look, whatever number of samples a window has.
+TEST(RunToSteadyState, EndsAtALookWithStatesOfAllBearings) {
+  for (const long samples : {3L, 7L, 500L}) {
+    SteadyStateOptions options = kShortRun;
+    options.series_samples = samples;
+    options.look = {1, [] { return false; }};
+    EvenMotion motion;
+    motion.share = 0.8;
+    const SteadyStateResult run = run_to_steady_state(motion, {kCageSpeed, 1.0}, options);
+    ASSERT_TRUE(run.completed) << run.message;
+    EXPECT_NEAR(run.duration, 3.0 * kRevolution, 1e-9 * kRevolution);
+    for (const WindowStatistics& bearing : run.bearings) {
+      EXPECT_NEAR(bearing.duration, kRevolution, 1e-9 * kRevolution) << samples;
+      EXPECT_NEAR(bearing.orbit_speed, 0.8 * kCageSpeed, 1e-9 * std::abs(kCageSpeed)) << samples;
+    }
+  }
+}
+
+// Of several bearings one at a time gives a state; over a run each of them does, a like share, and none
+// always in the same place of a window. Issue 17, Build 5.
+TEST(RunToSteadyState, StatesComeFromAllBearingsInNoFixedPlace) {
+  class Watched : public EvenMotion {
+   public:
+    mutable std::vector<std::pair<int, double>> seen;  // bearing, time [s]
+    void take_snapshot(int b, bearing::motion::Snapshot& into) const override {
+      EvenMotion::take_snapshot(b, into);
+      seen.emplace_back(b, now());
+    }
+  };
+  SteadyStateOptions options = kShortRun;
+  options.observed_windows = 8;
+  options.series_samples = 500;
+  Watched motion;
+  run_to_steady_state(motion, {kCageSpeed, 1.0}, options);
+  int count[2] = {0, 0};
+  std::set<long> phases[2];
+  const double interval = kRevolution / 500.0;
+  for (const auto& [b, time] : motion.seen) {
+    const long sample = std::lround(time / interval);
+    if (sample <= 1000 || sample > 4500 || sample % 500 == 0) continue;  // ends of windows, the series
+    ++count[b];
+    phases[b].insert(sample % 500);
+  }
+  EXPECT_NEAR(count[0], count[1], 0.1 * (count[0] + count[1]));
+  for (const std::set<long>& of : phases) EXPECT_GT(of.size(), 60u);  // of 100
 }
 
 // A cage that lags makes the windows after the first longer, but not without bound.
