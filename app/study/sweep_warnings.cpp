@@ -9,6 +9,7 @@
 #include "app/study/planetary_case.hpp"
 #include "app/study/rated_oil.hpp"
 #include "bearing/life/life_modification.hpp"
+#include "coupling/study/one_way.hpp"
 
 namespace orbearing::app {
 
@@ -16,6 +17,8 @@ namespace {
 
 // Beyond it a roller contact yields.
 constexpr double kStaticPressureMPa = 1e-6 * static_pressure(bearing::rating::RollingElement::roller);
+
+const double kLoadDifference = study::OneWayOptions{}.load_difference;
 
 // Those of the table, and of the bins of a spectrum.
 std::vector<const ResultRow*> all_rows(const SweepOutcome& outcome) {
@@ -102,14 +105,24 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
         "simulation.most_revolutions: the means still drifted when they were taken; allow more "
         "revolutions: " +
         drifting);
-  const std::string unsettled =
-      rows_where(outcome, [&](const ResultRow& row) { return column(row, "one_way_accepted") == 0.0; });
+  const auto is_displaced = [&](const ResultRow& row) {
+    return column(row, "one_way_load_difference") > kLoadDifference;
+  };
+  const std::string unsettled = rows_where(outcome, [&](const ResultRow& row) {
+    return column(row, "one_way_accepted") == 0.0 && !is_displaced(row);
+  });
   if (!unsettled.empty())
     warnings.push_back(
-        "one way: stiffness and damping that stand for the bearings in the gears still changed from one run "
-        "to "
-        "the next (columns one_way_...); --fidelity monolithic needs none: " +
+        "one way: no law was found for the bearings that a run agrees with (columns one_way_...; where there "
+        "were fewer than eight runs, gears run away on the last one); --fidelity monolithic needs none: " +
         unsettled);
+  const std::string displaced = rows_where(outcome, is_displaced);
+  if (!displaced.empty())
+    warnings.push_back(fmt::format(
+        "one way: the gears' mean force on the planet bearings differs by more than {:g} % from the "
+        "load under which the bearing ran (column one_way_load_difference), as where displaced "
+        "planets use up the backlash; --fidelity monolithic has it: {}",
+        100.0 * kLoadDifference, displaced));
   return warnings;
 }
 

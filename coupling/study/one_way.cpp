@@ -54,6 +54,7 @@ class OneWay {
       if (!result.bearing.completed) return result;
       record_.accepted = is_close(1.0);
     } while (!record_.accepted && !last_ && go_to_fitted_law());
+    record_.accepted = record_.accepted && record_.load_difference <= options_.load_difference;
     result.fit = record_;
     return result;
   }
@@ -64,7 +65,12 @@ class OneWay {
     law_ = law;
     gear_state_ = gears.final_state;
     parameters_.excitation = excitation_of(gears, drivetrain_, duty_, law, parameters_.bore_mass);
-    return !parameters_.excitation.harmonics.empty();
+    if (parameters_.excitation.harmonics.empty()) return false;
+    const PlanetStatistics& planet = gears.planets[static_cast<std::size_t>(duty_.planet)];
+    const Eigen::Vector2d on_planet(planet.radial_force.mean, planet.tangential_force.mean),
+        load = drivetrain_.bearings_per_planet * duty_.point.bore_load;
+    record_.load_difference = (on_planet + load).norm() / load.norm();
+    return true;
   }
 
   SteadyStateResult run_bearing(const bearing::motion::DynamicsParameters& parameters,

@@ -14,6 +14,7 @@ namespace orbearing::study {
 struct OneWayOptions {
   double stiffness_change = 0.01;  // [-]  from one run to the next, in its force along the motion
   double damping_change = 0.1;     // [-]
+  double load_difference = 0.002;  // [-]  of the mean load: a hundredth of the life
   int most_runs = 8;               // of gears and bearing; then the last one stands, and says so
 };
 
@@ -21,7 +22,10 @@ struct OneWayOptions {
 struct OneWayRecord {
   FittedBearing fitted;   // after the last run; its changes are from what the gears moved on in that run
   int runs = 0;           // of gears and bearing
-  bool accepted = false;  // both changes within what is allowed
+  // [-]  of the gears' mean force on the bearings from the load under which the bearing ran, over that load:
+  // the gears have what displaced planets make of it, as where back flanks touch, the bearing has not
+  double load_difference = 0.0;
+  bool accepted = false;  // both changes, and that difference, within what is allowed
 };
 
 /// A bearing in its steady state, and what drove it.

@@ -149,5 +149,27 @@ TEST(OneWay, LivesAsInOneSystemInTheDip) {
   EXPECT_NEAR(one_way.life_hours / one_system.life_hours, 1.0, 0.07);
 }
 
+// Without backlash planets that are thrown outward press their back flanks on the ring: the gears carry
+// another mean load than the torques give, the bearing is driven with that of the torques, and the point is
+// not accepted.
+TEST(OneWay, SaysWhereDisplacedPlanetsUseUpTheBacklash) {
+  for (const bool tight : {false, true}) {
+    PlanetaryDrivetrain drivetrain = dry_reducer_at(6000.0 * example::rpm);
+    drivetrain.steady_state.observed_windows = 1;
+    gearset::dynamics::SetParameters gears = drivetrain.gear_set();
+    gears.sun_mesh.backlash = gears.ring_mesh.backlash = tight ? 0.0 : 100e-6;
+    drivetrain.gear_set = [gears] { return gears; };
+    const PointResult point = evaluate(drivetrain, derive(drivetrain), Fidelity::dynamic);
+    ASSERT_TRUE(point.dynamic && point.dynamic->one_way);
+    const OneWayRecord& record = *point.dynamic->one_way;
+    if (tight) {
+      EXPECT_GT(record.load_difference, 0.02);
+      EXPECT_FALSE(record.accepted);
+    } else {
+      EXPECT_LT(record.load_difference, 5e-4);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace orbearing::study
