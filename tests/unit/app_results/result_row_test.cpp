@@ -149,6 +149,7 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
                                                  .support = 128.0}};
   study::OneWayRecord fit{.fitted = {.residual = 41.0, .stiffness_change = 42.0, .damping_change = 43.0},
                           .runs = 40,
+                          .load_difference = 43.5,
                           .accepted = true};
   fit.fitted.bearing.stiffness << 44.0, 45.0, 46.0, 47.0;
   fit.fitted.bearing.damping << 48.0, 49.0, 50.0, 51.0;
@@ -166,10 +167,10 @@ TEST(ResultRow, EveryNumberStandsUnderItsNameInItsUnit) {
     const double slip = caged ? 16.0 : not_given, pockets = caged ? 32.0 : not_given,
                  guidance = caged ? 64.0 : not_given, neighbours = caged ? not_given : 256.0;
     const std::vector<double> expected = {
-        0,  1,  2,  3,  4,  6,       7,        10,         11,  8,  12, 14, 15,  slip,  9,    13, -1, 5,
-        72, 73, 74, 20, 67, 3.5,     60,       61,         62,  63, 64, 65, 66,  40000, 18,   75, 19, 511,
-        1,  2,  4,  8,  16, pockets, guidance, neighbours, 128, 1,  21, 2,  1.5, 5,     1.25, 23, 24, 40,
-        1,  41, 42, 43, 44, 45,      46,       47,         48,  49, 50, 51, 52,  53,    -1,   17};
+        0,  1,  2,  3,  4,    6,       7,        10,         11,  8,  12, 14, 15,  slip,  9,    13, -1, 5,
+        72, 73, 74, 20, 67,   3.5,     60,       61,         62,  63, 64, 65, 66,  40000, 18,   75, 19, 511,
+        1,  2,  4,  8,  16,   pockets, guidance, neighbours, 128, 1,  21, 2,  1.5, 5,     1.25, 23, 24, 40,
+        1,  41, 42, 43, 43.5, 44,      45,       46,         47,  48, 49, 50, 51,  52,    53,   -1, 17};
     ASSERT_EQ(expected.size(), head.names.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
       if (i != head.status_place && i != head.refined_place) {
