@@ -18,7 +18,7 @@ namespace {
 // Beyond it a roller contact yields.
 constexpr double kStaticPressureMPa = 1e-6 * static_pressure(bearing::rating::RollingElement::roller);
 
-const double kLoadDifference = study::OneWayOptions{}.load_difference;
+constexpr study::OneWayOptions kOneWay;
 
 // Those of the table, and of the bins of a spectrum.
 std::vector<const ResultRow*> all_rows(const SweepOutcome& outcome) {
@@ -106,23 +106,23 @@ std::vector<std::string> sweep_warnings(const ResolvedCase& resolved, const Swee
         "revolutions: " +
         drifting);
   const auto is_displaced = [&](const ResultRow& row) {
-    return column(row, "one_way_load_difference") > kLoadDifference;
+    return column(row, "one_way_load_difference") > kOneWay.load_difference;
   };
   const std::string unsettled = rows_where(outcome, [&](const ResultRow& row) {
     return column(row, "one_way_accepted") == 0.0 && !is_displaced(row);
   });
   if (!unsettled.empty())
-    warnings.push_back(
+    warnings.push_back(fmt::format(
         "one way: no law was found for the bearings that a run agrees with (columns one_way_...; where there "
-        "were fewer than eight runs, gears run away on the last one); --fidelity monolithic needs none: " +
-        unsettled);
+        "were fewer than {} runs, gears run away on the last one); --fidelity monolithic needs none: {}",
+        kOneWay.most_runs, unsettled));
   const std::string displaced = rows_where(outcome, is_displaced);
   if (!displaced.empty())
     warnings.push_back(fmt::format(
         "one way: the gears' mean force on the planet bearings differs by more than {:g} % from the "
         "load under which the bearing ran (column one_way_load_difference), as where displaced "
         "planets use up the backlash; --fidelity monolithic has it: {}",
-        100.0 * kLoadDifference, displaced));
+        100.0 * kOneWay.load_difference, displaced));
   return warnings;
 }
 

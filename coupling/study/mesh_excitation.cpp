@@ -58,6 +58,10 @@ Matrix2cd load_over_force(const PlanetaryDrivetrain& drivetrain, const BearingDu
   return inertia_of(bore_mass, frame, w) * force_over_motion.inverse() - Matrix2cd::Identity() / number;
 }
 
+bool shakes(const PlanetaryDrivetrain& drivetrain) {
+  return drivetrain.gear_set && drivetrain.mesh_variation;
+}
+
 gearset::dynamics::SetModel gear_model_on(const PlanetaryDrivetrain& drivetrain, const AffineBearing& law) {
   gearset::dynamics::SetParameters set = drivetrain.gear_set();
   set.planet.affine_bearing = law;
@@ -66,10 +70,6 @@ gearset::dynamics::SetModel gear_model_on(const PlanetaryDrivetrain& drivetrain,
 }
 
 }  // namespace
-
-bool shakes(const PlanetaryDrivetrain& drivetrain) {
-  return drivetrain.gear_set && drivetrain.mesh_variation;
-}
 
 GearsOnLaw::GearsOnLaw(const PlanetaryDrivetrain& drivetrain, const DrivetrainGeometry& geometry,
                        const AffineBearing& law)

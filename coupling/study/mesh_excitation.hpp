@@ -30,9 +30,6 @@ class GearsOnLaw {
   GearRunOptions options_;
 };
 
-/// Whether the gears give more than their mean loads: the drivetrain has a `gear_set` and a mesh variation.
-bool shakes(const PlanetaryDrivetrain& drivetrain);
-
 /// The gears on bearing_tangent() in place of their bearings: what every planet begins with.
 struct GearsOnTangent {
   gearset::dynamics::AffineBearing tangent;

@@ -87,7 +87,7 @@ class OneWay {
     SteadyStateResult result = run_bearing(parameters_, options);
     if (!result.completed) return result;
     bearing_state_ = result.final_state;
-    fit();
+    if (whole_) fit();  // else to what the look saw
     return result;
   }
 

@@ -70,6 +70,21 @@ double growth_of(const MatrixXd& map, double period, double frequency) {
   return growth > kNothing * frequency ? growth : std::min(growth, 0.0);
 }
 
+// For kept change + rotation = departure, with no rotation in the change.
+MatrixXd bordered_by_rotations(const MatrixXd& kept) {
+  Eigen::FullPivLU<MatrixXd> factors(kept);
+  factors.setThreshold(kFree);
+  const Index size = kept.rows(), rotations = factors.dimensionOfKernel();
+  MatrixXd matrix = MatrixXd::Zero(size + rotations, size + rotations);
+  matrix.topLeftCorner(size, size) = kept;
+  if (rotations > 0) {
+    const MatrixXd rotation = factors.kernel();
+    matrix.topRightCorner(size, rotations) = rotation;
+    matrix.bottomLeftCorner(rotations, size) = rotation.transpose();
+  }
+  return matrix;
+}
+
 void require_steady_speed(const Operation& operation) {
   if (operation.run_up.duration > 0.0 || !(operation.mesh_frequency > 0.0))
     throw std::invalid_argument(
@@ -95,44 +110,33 @@ void pass_piece(Linearised& linear, double frequency, double begin, double end, 
 
 }  // namespace
 
-PeriodMap::PeriodMap(const SetModel& model)
-    : period_(1.0 / model.operation.mesh_frequency), freedoms_(model.layout.freedoms()) {
+PeriodMap::PeriodMap(const SetModel& model) : freedoms_(model.layout.freedoms()) {
   require_steady_speed(model.operation);
+  const double period = 1.0 / model.operation.mesh_frequency;  // [s]
   for (Index i = 0; i < freedoms_; ++i)
     if (model.mobility[i] > 0.0) free_.push_back(i);
   Linearised linear(model, free_);
   frequency_ = linear.fastest();
   const Index size = 2 * static_cast<Index>(free_.size());
-  map_.setIdentity(size, size);
+  MatrixXd map = MatrixXd::Identity(size, size);
   std::vector<double> ends = linear.jumps();
   ends.push_back(1.0);
   double begin = 0.0;
   for (const double end : ends) {
     if (end - begin > 4.0 * kMargin)
-      pass_piece(linear, frequency_, (begin + kMargin) * period_, (end - kMargin) * period_, map_);
+      pass_piece(linear, frequency_, (begin + kMargin) * period, (end - kMargin) * period, map);
     begin = end;
   }
-  growth_ = growth_of(map_, period_, frequency_);
+  growth_ = growth_of(map, period, frequency_);
+  bordered_ = bordered_by_rotations(MatrixXd::Identity(size, size) - map);
 }
 
 VectorXd PeriodMap::to_repeating(const Eigen::Ref<const VectorXd>& departure) const {
-  const Index n = static_cast<Index>(free_.size()), size = map_.rows();
-  const MatrixXd kept = MatrixXd::Identity(size, size) - map_;
-  Eigen::FullPivLU<MatrixXd> factors(kept);
-  factors.setThreshold(kFree);
-  const Index rotations = factors.dimensionOfKernel();
-  // (I - map) change + rotation = departure, with no rotation in the change
-  MatrixXd matrix = MatrixXd::Zero(size + rotations, size + rotations);
-  matrix.topLeftCorner(size, size) = kept;
-  if (rotations > 0) {
-    const MatrixXd rotation = factors.kernel();
-    matrix.topRightCorner(size, rotations) = rotation;
-    matrix.bottomLeftCorner(rotations, size) = rotation.transpose();
-  }
-  VectorXd right = VectorXd::Zero(size + rotations);
+  const Index n = static_cast<Index>(free_.size());
+  VectorXd right = VectorXd::Zero(bordered_.rows());
   right.head(n) = departure.head(freedoms_)(free_);
   right.segment(n, n) = departure.tail(freedoms_)(free_) / frequency_;
-  const VectorXd found = mechanics::least_squares(matrix, right, kFree);
+  const VectorXd found = mechanics::least_squares(bordered_, right, kFree);
   VectorXd change = VectorXd::Zero(2 * freedoms_);
   change.head(freedoms_)(free_) = found.head(n);
   change.tail(freedoms_)(free_) = frequency_ * found.segment(n, n);

@@ -26,12 +26,12 @@ class PeriodMap {
   Eigen::VectorXd to_repeating(const Eigen::Ref<const Eigen::VectorXd>& departure) const;
 
  private:
-  double period_;     // [s]
   double frequency_;  // [rad/s]  of about the fastest motion; velocities are counted in positions times it
   double growth_;     // [1/s]
   Eigen::Index freedoms_;
   std::vector<Eigen::Index> free_;
-  Eigen::MatrixXd map_;  // positions of the free freedoms, then velocities
+  // 1 - map over positions and velocities of the free freedoms, bordered by the rotations that cost nothing.
+  Eigen::MatrixXd bordered_;
 };
 
 }  // namespace orbearing::gearset::dynamics
