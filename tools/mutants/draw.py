@@ -1,10 +1,10 @@
-"""Single-line errors of the kinds that people make, and which of them a seed draws from the sources of the physics."""
+"""Single-line errors of the kinds that people make, and which of them a seed draws from the sources of a subject."""
 
 import dataclasses
 import hashlib
 import pathlib
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 FOLDERS = ("bearing", "gearset", "coupling", "mechanics")
 # Interfaces of the FMUs, tables of data sheets, arguments that are refused, messages: no physics.
@@ -92,10 +92,71 @@ class Mutant:
         return hashlib.sha256("\n".join((self.kind, self.file, self.before, self.after, str(self.repeated))).encode()).hexdigest()[:16]
 
 
-def sources(root: pathlib.Path) -> list[str]:
-    """The sources of the physics, as paths from the root."""
-    names = [path.relative_to(root).as_posix() for folder in FOLDERS for path in sorted((root / folder).rglob("*.[ch]pp"))]
-    return [name for name in names if not NO_PHYSICS.search(name)]
+@dataclasses.dataclass(frozen=True)
+class Subject:
+    """What a draw is taken from. `kinds` by the end of a file's name; errors of the same group share its turns in the draw."""
+    name: str
+    folders: tuple[str, ...]
+    left_out: re.Pattern  # files
+    kinds: dict[str, tuple]
+    groups: dict[str, str]
+    lines: Callable[[str, str], list[tuple[str, str]]]  # of a file's name and text: each line, and what its kinds are looked for in
+    fits: Callable[["Mutant", str], bool] = lambda mutant, text: True  # whether an error can be a program; its file's text
+
+    def sources(self, root: pathlib.Path) -> list[str]:
+        """Its files, as paths from the root."""
+        names = [path.relative_to(root).as_posix() for folder in self.folders for path in sorted((root / folder).rglob("*"))
+                 if path.suffix in self.kinds and path.is_file()]
+        return [name for name in names if not self.left_out.search(name)]
+
+    def mutants_of(self, name: str, text: str) -> list[Mutant]:
+        """All errors that one file can have."""
+        found, seen = [], {}
+        for number, (bare, searched) in enumerate(self.lines(name, text)):
+            if not bare:
+                continue
+            for kind, pattern, fresh, *where in self.kinds[pathlib.PurePosixPath(name).suffix]:
+                for match in re.finditer(pattern, bare if where else searched):
+                    if where and not where[0](match, searched):
+                        continue
+                    made = fresh(match) if callable(fresh) else match.expand(fresh)
+                    for written in made if isinstance(made, tuple) else (made,):
+                        after = (bare[:match.start()] + written + bare[match.end():]).strip()
+                        if after == bare.strip() or IN_TEXT in written:
+                            continue
+                        same = (kind, bare.strip(), after)
+                        seen[same] = seen.get(same, -1) + 1
+                        mutant = Mutant(kind, name, number + 1, match.start(), match.end(), bare.strip(), after, written, seen[same])
+                        if self.fits(mutant, text):
+                            found.append(mutant)
+        return found
+
+    def draw(self, texts: dict[str, str], seed: int) -> Iterator[Mutant]:
+        """All errors in the order of the draw: each kind of each group as often as the others, whatever its number of places.
+
+        The rank of an error is a hash of the seed and of itself, so that a change elsewhere leaves the rest of the draw as it is.
+        """
+        by_kind: dict[str, list[Mutant]] = {self.groups[suffix] + kind: [] for suffix, kinds in self.kinds.items() for kind, *_ in kinds}
+        for name, text in texts.items():
+            for mutant in self.mutants_of(name, text):
+                by_kind[self.groups[pathlib.PurePosixPath(name).suffix] + mutant.kind].append(mutant)
+
+        def rank(words: str) -> str:
+            return hashlib.sha256(f"{seed}\n{words}".encode()).hexdigest()
+
+        for group in by_kind.values():
+            group.sort(key=lambda mutant: rank(mutant.key), reverse=True)
+        taken: dict[str, list[int]] = {}
+        kinds = sorted(by_kind, key=rank)
+        while any(by_kind.values()):
+            for kind in kinds:
+                while by_kind[kind]:
+                    mutant = by_kind[kind].pop()
+                    lines = taken.setdefault(mutant.file, [])
+                    if all(abs(mutant.line - line) >= LEAST_LINES_BETWEEN for line in lines):
+                        lines.append(mutant.line)
+                        yield mutant
+                        break
 
 
 def code_of(line: str) -> str:
@@ -104,47 +165,9 @@ def code_of(line: str) -> str:
     return "" if bare.lstrip().startswith(IDLE_BEGIN) or IDLE.search(bare) else bare
 
 
-def mutants_of(name: str, text: str) -> list[Mutant]:
-    """All errors that one file can have."""
-    found, seen = [], {}
-    for number, line in enumerate(text.splitlines()):
-        bare = code_of(line)
-        for kind, pattern, fresh in KINDS:
-            for match in re.finditer(pattern, bare):
-                written = fresh(match) if callable(fresh) else fresh
-                after = (bare[:match.start()] + written + bare[match.end():]).strip()
-                if after == bare.strip():
-                    continue
-                same = (kind, bare.strip(), after)
-                seen[same] = seen.get(same, -1) + 1
-                found.append(Mutant(kind, name, number + 1, match.start(), match.end(), bare.strip(), after, written, seen[same]))
-    return found
+def _lines_of_physics(_: str, text: str) -> list[tuple[str, str]]:
+    return [(code_of(line),) * 2 for line in text.splitlines()]
 
 
-def draw(texts: dict[str, str], seed: int) -> Iterator[Mutant]:
-    """All errors in the order of the draw: each kind as often as the others, whatever its number of places.
-
-    The rank of an error is a hash of the seed and of itself, so that a change elsewhere leaves the rest of the draw as it is.
-    """
-    by_kind: dict[str, list[Mutant]] = {kind: [] for kind, _, _ in KINDS}
-    for name, text in texts.items():
-        for mutant in mutants_of(name, text):
-            by_kind[mutant.kind].append(mutant)
-
-    def rank(words: str) -> str:
-        return hashlib.sha256(f"{seed}\n{words}".encode()).hexdigest()
-
-    for group in by_kind.values():
-        group.sort(key=lambda mutant: rank(mutant.key), reverse=True)
-    taken: dict[str, list[int]] = {}
-    kinds = sorted(by_kind, key=rank)
-    while any(by_kind.values()):
-        for kind in kinds:
-            while by_kind[kind]:
-                mutant = by_kind[kind].pop()
-                lines = taken.setdefault(mutant.file, [])
-                if all(abs(mutant.line - line) >= LEAST_LINES_BETWEEN for line in lines):
-                    lines.append(mutant.line)
-                    yield mutant
-                    break
-
+IN_TEXT = "\x01"  # stands for each letter of a text in what kinds of code are looked for in
+PHYSICS = Subject("physics", FOLDERS, NO_PHYSICS, {".cpp": KINDS, ".hpp": KINDS}, {".cpp": "", ".hpp": ""}, _lines_of_physics)
