@@ -46,6 +46,14 @@ def any_place(match: re.Match, searched: str) -> bool:
     return begin >= 0 and re.fullmatch(r"[A-Za-z0-9_.]+", match.string[begin + 1:end]) is not None
 
 
+def in_key(match: re.Match, searched: str) -> bool:
+    return searched[match.start()] == IN_TEXT and any_place(match, searched)
+
+
+def in_key_or_code(match: re.Match, searched: str) -> bool:
+    return searched[match.start()] != IN_TEXT or any_place(match, searched)
+
+
 SCALES = r"k(?:Rpm|RadiansPerSecond|Degree|Kilo|Milli|Micro|Mega|Micrometres|Million|Millimetre)|rpm_per_rad_s|million_revolutions" \
          r"|micrometres|microseconds|megapascals|MICRO|RAD_PER_S"
 COMMON = (
@@ -69,6 +77,8 @@ CPP = tuple((row[0], r'(?<!")(?<!text)' + row[1] if row[0] == "plus for minus" e
     ("smallest and largest", r"\bmax_element\(", "min_element("),
     ("index off by one", r"\[0\]", "[1]"),
     ("index off by one", r"\[1\]", "[0]"),
+    ("inner and outer", r"inner", "outer", in_key),
+    ("inner and outer", r"outer", "inner", in_key),
 )
 PYTHON = COMMON + (
     ("plus for minus", r"(?<!\") \+ (?=[A-Za-z0-9_(])", " - "),
@@ -84,8 +94,8 @@ PYTHON = COMMON + (
     ("index off by one", r"\[-1\]", "[-2]"),
     ("index off by one", r"\[1:", "[0:"),
     ("index off by one", r":-1\]", ":]"),
-    ("inner and outer", r"inner", "outer", lambda match, searched: any_place(match, searched) or searched[match.start()] != IN_TEXT),
-    ("inner and outer", r"outer", "inner", lambda match, searched: any_place(match, searched) or searched[match.start()] != IN_TEXT),
+    ("inner and outer", r"inner", "outer", in_key_or_code),
+    ("inner and outer", r"outer", "inner", in_key_or_code),
     ("and, or, not", r" and ", " or "),
     ("and, or, not", r" or ", " and "),
     ("and, or, not", r"\bnot (?!in\b)", ""),
